@@ -199,6 +199,10 @@ class TargetWarning(UserWarning):
     """A meshed head that misses what it was to reach; it is made as near as its bounds allow."""
 
 
+class MeshWarning(UserWarning):
+    """What was changed in a mesh or left out of it before it became a head."""
+
+
 class EdgeWarning(UserWarning):
     """A ball that reached round the edge of a meshed face, where contact ends; its launch is in doubt."""
 

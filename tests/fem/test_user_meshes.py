@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from clubface import fem
-from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.errors import ClubfaceError, FileError
 from clubface.fem.heads import MeshHead
 from fem_meshes import GROUPS, HEAD, write_mesh
 from fem_runs import coarse, coarse_head
@@ -29,13 +29,14 @@ def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, write, name):
     areas = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
     assert head.club.mass == pytest.approx(4430.0 * areas @ head.thickness + 0.06, rel=1e-9)
     # The weight stands low and behind: the CG is below and behind that of the walls alone.
-    lighter = fem.head(MeshHead(name="x", file=tmp_path / name, loft="11.5 deg", groups=GROUPS))
+    lighter = fem.head(MeshHead(name="x", file=tmp_path / name, groups=GROUPS, **FACE))
     assert head.club.cg_x > lighter.club.cg_x
     assert head.club.cg_y > lighter.club.cg_y
     found = fem.strike(head, speed="40 m/s", which=coarse(), settings=fem.Settings(duration=60e-6))
     assert found.peak_force > 1000.0
 
 
+FACE = {"loft": "11.5 deg", "bulge": "305 mm", "roll": "305 mm"}
 WEIGHT = '[[masses]]\nname = "weight"\nx = 0.0\ny = 0.0\nz = 0.0\nmass = "1 g"\n'
 
 MISTAKES = [
@@ -82,26 +83,17 @@ def test_a_mistake_in_a_head_is_told(tmp_path, old, new, said):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    "change",
     [
-        (lambda quads: quads[:, ::-1], "edge of elements .* used twice in the same direction"),
-        (lambda quads: quads[:, [0, 2, 1, 3]], "inverted or degenerate"),
-        (lambda quads: np.hstack([quads[:, :3], quads[:, :1]]), "inverted or degenerate"),
+        lambda quads: quads[:, [0, 2, 1, 3]],
+        lambda quads: np.hstack([quads[:, :3], quads[:, :1]]),
     ],
 )
-def test_a_mesh_with_bad_elements_is_refused(tmp_path, change, said):
+def test_a_mesh_with_bad_elements_is_refused(tmp_path, change):
     pytest.importorskip("meshio")
     path = write_mesh(tmp_path, change=change)
-    with pytest.raises(InputError, match=said):
-        _ = fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS)).club
-
-
-def test_a_mesh_of_triangles_is_refused(tmp_path):
-    meshio = pytest.importorskip("meshio")
-    path = tmp_path / "triangles.vtk"
-    meshio.write(path, meshio.Mesh(np.eye(3), [("triangle", [[0, 1, 2]])]))
-    with pytest.raises(FileError, match="other kinds: triangle"):
-        fem.head(MeshHead(name="bad", file=path, loft="11.5 deg", groups=GROUPS))
+    with pytest.raises(FileError, match=r"head.msh: element 1 is inverted or degenerate"):
+        _ = fem.head(MeshHead(name="bad", file=path, groups=GROUPS, **FACE)).club
 
 
 def test_a_section_of_other_length_than_it_says_is_told_with_its_line(tmp_path):

@@ -40,7 +40,7 @@ from clubface.recorded.shots import RecordedShots
 from clubface.studies import study as studies
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
-from fem_meshes import HEAD, write_mesh
+from fem_meshes import FORMATS, HEAD, WHOLE, coarse_walls, stl_binary, write_mesh, write_walls
 
 MONITORS = Path(__file__).parents[1] / "data" / "launch_monitors"
 TABLE = b"club_speed_mph,attack_deg,path_deg,face [deg],toe_mm,hand,ball_speed_mph,club\n" + b"".join(
@@ -246,7 +246,11 @@ def _made_in(what: str, process: int) -> Path:
         synthesize(folder, 1, seed=3)
     elif what == "mesh":
         write_mesh(folder, "head.msh")
-        write_mesh(folder, "head.inp")
+        (folder / "formats").mkdir()
+        walls = coarse_walls()._replace(cards=dict.fromkeys(("face", "crown"), (2.0, 114e3, 0.34, 4.43e-9)))
+        for name in FORMATS:
+            write_walls(folder / "formats", walls, name)
+        (folder / "formats" / "binary.stl").write_bytes(stl_binary(walls))
     elif what == "prediction":
         (folder / "in.csv").write_bytes(TABLE)
         with chdir(folder), suppress(StopIteration):  # a journal tells whose it is, the same in every folder
@@ -318,7 +322,8 @@ def _head(path: Path) -> None:
 
 def _mesh(path: Path) -> None:
     own = path.with_name("own.toml")
-    own.write_text(HEAD.replace("head.msh", path.name))
+    bare = path.suffix == ".stl" and not path.read_bytes().startswith(b"solid")
+    own.write_text((WHOLE if bare else HEAD).replace("head.msh", path.name))
     fem.head(own).club  # noqa: B018
 
 
@@ -329,6 +334,18 @@ def _study(path: Path) -> None:
     asked.content()
     if asked.kind.name in ("impact", "comparison", "dispersion", "best-loft") and asked.design.count < 100:
         made.run(range(1))
+
+
+MESHES = (
+    ("gmsh", "msh", "gmsh2.msh"), ("gmsh-4", "msh", "gmsh4.msh"), ("gmsh-binary", "msh", "gmsh?-binary.msh"),
+    ("abaqus", "inp", "abaqus.inp"), ("nastran", "bdf", "*.[bnf][dae][fsm]"), ("stl", "stl", "*.stl"),
+    ("lsdyna", "k", "*.k"), ("meshio", "vtk", "*.vtk"),
+)  # fmt: skip
+"""Readers of meshes: name, ending and what examples are called."""
+
+
+def _meshes(pattern: str) -> Callable[[], list[bytes]]:
+    return lambda: [each.read_bytes() for each in sorted(_made("mesh").glob(f"formats/{pattern}"))]
 
 
 def _parameters(path: Path) -> None:
@@ -463,8 +480,7 @@ READERS = {
     "fem-head": Reader("toml", _head, lambda: [*_toml("fem_heads")(), HEAD.encode()]),
     "fem-case": Reader("toml", Case.from_toml, _toml("fem_cases")),
     "markers": Reader("toml", _marker_map, _markers),
-    "mesh-gmsh": Reader("msh", _mesh, lambda: [(_made("mesh") / "head.msh").read_bytes()]),
-    "mesh-abaqus": Reader("inp", _mesh, lambda: [(_made("mesh") / "head.inp").read_bytes()]),
+    **{f"mesh-{name}": Reader(ending, _mesh, _meshes(pattern)) for name, ending, pattern in MESHES},
     "c3d": Reader("c3d", read_c3d, lambda: [(_made("swings") / "calibration.c3d").read_bytes()], 6),
     "swing": Reader("c3d", _swing, lambda: [(_made("swings") / "swing-001.c3d").read_bytes()], 1),
     "messages": Reader("json", _messages, lambda: [json.dumps(MESSAGE).encode() * 2], 4),

@@ -137,7 +137,7 @@ def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, 
     import numpy as np
 
     deck.keyword("ELEMENT_MASS")
-    added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass > 0.0]
+    added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
     deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1))
     spin = np.asarray(hit["spin"])
     velocities = np.asarray(hit["velocity"]) + np.cross(spin, _places(head, hit) - np.asarray(hit["cg"]))

@@ -7,14 +7,16 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError
+from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, parsed_places, spread
+from clubface.fem.heads.places import Place, note_of, parsed_places, spread
 from clubface.fem.heads.solid import ROUND, SolidHead
 from clubface.fem.heads.values import parsed
+from clubface.fem.nodes import element_masses
 from clubface.support.checks import check_choice, check_name, check_text, is_count
+from clubface.support.warning import warn_once
 
 LENGTHS = {
     "length": (0.04, 0.12), "heel_height": (0.01, 0.08), "toe_height": (0.015, 0.1), "face": (1e-3, 0.02),
@@ -87,19 +89,27 @@ class IronHead:
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
+        import numpy as np
+
         from clubface.fem.core import beside
 
         found = beside(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
         nodes = found["nodes"].reshape(-1, 3)
+        hexahedra, face = found["elements"].reshape(-1, 8)[:, ROUND], found["face"].reshape(-1, 4)
+        metal = np.zeros(len(nodes))
+        np.add.at(metal, hexahedra, element_masses(nodes, hexahedra, self.metal.density)[:, None] / 8.0)
+        carried = spread(self.masses, nodes, metal, face)
+        if (note := note_of(carried, negligible=1e-2)) is not None:
+            warn_once(f"{self.name}: {note}", MeshWarning)
         return SolidHead(
             name=self.name,
             description=self.description,
             nodes=nodes,
-            hexahedra=found["elements"].reshape(-1, 8)[:, ROUND],
-            face=found["face"].reshape(-1, 4),
+            hexahedra=hexahedra,
+            face=face,
             metal=self.metal,
             grooves=self.grooves,
-            added=spread(self.masses, nodes),
+            added=carried.added,
             loft=self.shape["loft"],
             element=self.element,
             report={name: place[3] for name, place in self.masses.items()},

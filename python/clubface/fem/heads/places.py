@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
 from clubface.errors import InputError
@@ -50,13 +50,134 @@ def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[flo
     return found
 
 
-def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArray[Any]) -> NDArray[Any]:
-    """Return the mass that each node carries [kg]."""
+MOST_CHANGE = 0.2
+"""Largest part by which the metal of a wall may be made lighter or heavier, so that moments of the head are exact."""
+TRIES, STEEPEST = 40, 2.0
+"""Newton steps for the shares of nodes, and the most that a step changes the logarithm of one."""
+NEGLIGIBLE = 1e-3
+"""Part of a moment of inertia, and a hundredth of it in metres of the CG, below which nothing is said."""
+
+
+class Spread(NamedTuple):
+    """What the nodes carry.
+
+    Attributes
+    ----------
+    added
+        Mass of each node beyond its metal [kg]; of a node whose metal is made lighter, negative.
+    away
+        By how much the CG of the head misses that of the points [m].
+    inertia
+        Largest part by which a moment of inertia of the head about its CG misses.
+    """
+
+    added: NDArray[Any]
+    away: float
+    inertia: float
+
+
+def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArray[Any], metal: NDArray[Any],
+           face: NDArray[Any]) -> Spread:  # fmt: skip
+    """Return what nodes carry so that the head has mass, CG and inertia as if the masses were points at their places.
+
+    Each mass stands on the nodes nearest to its place. No node lies there, so its moments are a little off; the rest of
+    the head makes up for that: the metal of each node changes by a part that is a quadratic function of its place, at
+    most by ``MOST_CHANGE``. Mass and CG are exact then. The inertia of a mass off the walls is nearly so: nodes of a
+    shell all lie near one quadric, whose moment no distribution over them changes.
+
+    Parameters
+    ----------
+    places
+        x, y, z [m] and mass [kg], by name.
+    nodes
+        Their places [m], shape (n, 3).
+    metal
+        Mass of the metal at each node [kg].
+    face
+        Nodes of the face, whose metal stays as it is.
+    """
     import numpy as np
 
     added = np.zeros(len(nodes))
-    for x, y, z, mass in places.values():
-        away = np.linalg.norm(nodes - [x, y, z], axis=1)
-        share = np.maximum(0.0, 1.0 - away / (away.min() + SPREAD))
-        added += mass * share / share.sum()
-    return added
+    points = np.array([place[:3] for place in places.values()]).reshape(-1, 3)
+    masses = np.array([place[3] for place in places.values()])
+    for point, mass in zip(points, masses, strict=True):
+        away = np.linalg.norm(nodes - point, axis=1)
+        near = np.flatnonzero(away < away.min() + SPREAD)
+        added[near] += mass * _shares(nodes[near] - point, 1.0 - away[near] / (away.min() + SPREAD))
+    if not masses.sum() > 0.0:
+        return Spread(added, 0.0, 0.0)
+    size = float(np.abs(nodes).max())
+    moments = _moments(nodes / size)
+    asked = masses @ _moments(points / size)
+    free = metal.copy()
+    free[face] = 0.0
+    weighed = moments.T @ (free[:, None] * moments)
+    soft = np.array([0.0] * 4 + [1.0] * 6)
+    for step in range(-36, 13):
+        # A penalty on what the change is; residuals of the second moments alone may stay.
+        allowed = np.diag(soft) * 10.0 ** (step / 4.0) * free.sum()
+        part = np.linalg.lstsq(weighed + allowed, asked - added @ moments, rcond=None)[0]
+        change = moments @ part
+        if np.abs(change[free > 0.0]).max(initial=0.0) <= MOST_CHANGE:
+            added = added + free * change
+            break
+    return Spread(added, *_missed(metal @ moments + asked, (metal + added) @ moments, size))
+
+
+def _shares(arms: NDArray[Any], usual: NDArray[Any]) -> NDArray[Any]:
+    """Return the shares of nodes in a mass whose centre is the origin of their ``arms``: the nearest to the usual ones.
+
+    They are those of the greatest entropy relative to ``usual``, by Newton's method; where the origin is not among the
+    nodes, such as off a wall, the usual ones.
+    """
+    import numpy as np
+
+    usual = usual / usual.sum()
+    slope = np.zeros(3)
+    for _ in range(TRIES):
+        exponents = arms @ slope
+        share = usual * np.exp(exponents - exponents.max())
+        share /= share.sum()
+        mean = share @ arms
+        if np.abs(mean).max() < 1e-12:
+            return share
+        spread = (share[:, None] * arms).T @ arms - np.outer(mean, mean)
+        step = np.linalg.lstsq(spread, mean, rcond=1e-9)[0]
+        slope -= step * min(1.0, STEEPEST / max(float(np.abs(arms @ step).max()), 1e-300))
+    return usual
+
+
+def _moments(places: NDArray[Any]) -> NDArray[Any]:
+    """Return 1, x, y, z and the products of two of them at places, shape (n, 10)."""
+    import numpy as np
+
+    products = [places[:, i] * places[:, j] for i in range(3) for j in range(i, 3)]
+    return np.column_stack([np.ones(len(places)), places, *products])
+
+
+def _missed(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[float, float]:
+    """Return how far two bodies' CGs are apart [m], and the greatest part by which their moments of inertia differ."""
+    import numpy as np
+
+    def body(values: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+        cg = values[1:4] / values[0]
+        second = np.zeros((3, 3))
+        second[np.triu_indices(3)] = values[4:]
+        own = np.diag(second) - values[0] * cg * cg
+        return cg * size, own.sum() - own
+
+    (cg, inertia), (other, moved) = body(asked), body(result)
+    return float(np.linalg.norm(other - cg)), float(np.abs(moved / inertia - 1.0).max())
+
+
+def note_of(result: Spread, negligible: float = NEGLIGIBLE) -> str | None:
+    """Return what to say of masses that are not exact on this mesh."""
+    told = []
+    if result.away > 1e-2 * negligible:
+        told.append(f"the CG is {units.fixed(result.away, 'mm', 2)} off")
+    if result.inertia > negligible:
+        told.append(f"a moment of inertia {100.0 * result.inertia:.2g}% off")
+    if not told:
+        return None
+    return f"masses stand on nodes of the mesh, and {' and '.join(told)}; place them on the walls to have them exact"

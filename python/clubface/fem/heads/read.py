@@ -23,6 +23,8 @@ FOLDER = "fem_heads"
 DRIVER, IRON, MESH = "driver", "iron", "mesh"
 SOLID_METAL_KEYS = ("youngs", "poisson", "density", "yield", "hardening")
 METAL_KEYS = (*SOLID_METAL_KEYS, "points", "rule")
+_FIELDS = {"yield": "yield_stress"}
+"""Fields of a metal by their keys: "yield" is a word of Python."""
 OF_A_CLUB = ("hand", "parameters", "characteristic_time", "cor")
 """What a file may say of the head as a rigid club, for the models that take it as one."""
 COMMON = ("name", "description", "kind", *OF_A_CLUB)
@@ -163,13 +165,14 @@ def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:
     document.check_keys(data, KEYS[MESH], ("name", "file", "loft", "groups"))
     groups = []
     for number, table in enumerate(_tables(document, data.pop("groups"), "groups")):
-        known = ("name", "thickness", "face", *METAL_KEYS)
-        document.check_keys(table, known, ("name", "thickness"), "groups", number)
+        known = ("name", "thickness", "face", "sets", *METAL_KEYS)
+        document.check_keys(table, known, ("name",), "groups", number)
         document.check_text(table, ("name",), "groups", number)
         own = {key: table[key] for key in METAL_KEYS if key in table}
         rest = {key: value for key, value in table.items() if key not in METAL_KEYS}
         try:
-            groups.append(Group(metal=_metal(document, own, "groups", number), **rest))
+            _metal(document, own, "groups", number)  # an error of it names its line
+            groups.append(Group(metal={_FIELDS.get(key, key): value for key, value in own.items()}, **rest))
         except FileError:
             raise
         except ClubfaceError as error:
@@ -182,10 +185,8 @@ def _mesh(document: Document, data: dict[str, Any], folder: Path) -> MeshHead:
 
 
 def _metal(document: Document, values: dict[str, Any], table: str, occurrence: int = 0) -> Metal:
-    # "yield" is a word of Python.
-    named = {"yield_stress" if key == "yield" else key: value for key, value in values.items()}
     try:
-        return Metal(**named)
+        return Metal(**{_FIELDS.get(key, key): value for key, value in values.items()})
     except ClubfaceError as error:
         raise document.wrap(error, table, occurrence) from error
 

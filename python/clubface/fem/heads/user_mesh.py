@@ -1,27 +1,38 @@
-"""A head from your own mesh of quadrilaterals, read through meshio: thickness and metal by group."""
+"""A head from your own mesh of shells: thickness and metal by group, from its file or from cards of the mesh."""
 
 from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from clubface import units
 from clubface.equipment.described import FLAT
-from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.fem.heads.mesh_file import group_names, read_mesh
+from clubface.errors import InputError, MeshWarning
+from clubface.fem.heads.mesh_cards import point_masses, walls
+from clubface.fem.heads.mesh_frame import check_frame
+from clubface.fem.heads.mesh_groups import assign
+from clubface.fem.heads.mesh_repair import Shells, repaired
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, parsed_places, spread
+from clubface.fem.heads.places import Place, note_of, parsed_places, spread
 from clubface.fem.heads.shells import Part, ShellHead
+from clubface.fem.mesh_files import read_mesh
 from clubface.support.checks import check_name, check_text
+from clubface.support.warning import warn_once
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-SIZES = (0.02, 0.4)
-"""Least and largest size of a head along an axis [m]."""
+SIZES = (0.06, 0.2)
+"""Least and largest size of a head along an axis [m]: between them a unit that is another one is seen, inches for
+centimetres too."""
+
+
+FACE_COSINE = math.cos(math.radians(45.0))
+"""Of the angle to the face normal up to which an element of a face group is one that the ball may touch."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,27 +42,36 @@ class Group:
     Attributes
     ----------
     name
-        Its name in the file: a physical group or cell set, or the number of a group.
+        Its name in the file: a physical group, a set of elements, a part or a property, or the number of one.
     thickness
-        Thickness [m].
+        Thickness [m]; None if cards of the mesh give it.
     metal
-        The metal.
+        The metal; or some of its values by name, where cards of the mesh give the others.
     face
         Whether the ball may touch them.
+    sets
+        The sets of the file that it is made of, where it is not the one of its name.
     """
 
     name: str
-    thickness: Any
-    metal: Metal = field(default_factory=Metal)
+    thickness: Any = None
+    metal: Metal | Mapping[str, Any] = field(default_factory=dict)
     face: bool = False
+    sets: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         check_name(self.name)
-        object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
-        if not 2e-4 <= self.thickness <= 0.02:
-            raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
+        if self.thickness is not None:
+            object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
+            if not 2e-4 <= self.thickness <= 0.02:
+                raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
+        if not isinstance(self.metal, Metal):
+            Metal(**self.metal)  # refuses what no metal has
         if not isinstance(self.face, bool):
             raise InputError(f"face of {self.name}", self.face, "true or false")
+        if isinstance(self.sets, str) or not all(isinstance(each, str) for each in self.sets):
+            raise InputError(f"sets of {self.name}", self.sets, 'a list of names of sets in the mesh, as ["1", "2"]')
+        object.__setattr__(self, "sets", tuple(self.sets))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,9 +85,9 @@ class MeshHead:
     name, description
         Name and description for tables.
     file
-        A file with quadrilaterals in any format of meshio.
+        A mesh of triangles and quadrilaterals, of Gmsh, Abaqus, Nastran, LS-DYNA, STL, or in a format of meshio.
     groups
-        The groups; every quadrilateral belongs to one of them.
+        The groups; every element belongs to one of them.
     loft
         Elevation of the face normal at the face centre [rad].
     unit
@@ -111,46 +131,85 @@ class MeshHead:
             raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")
 
     def mesh(self) -> ShellHead:
-        """Read the file and return the head.
+        """Read the file and return the head; what was changed or left out of it is a warning.
 
         Raises
         ------
         FileError
-            The file cannot be read, has no quadrilaterals, or has some that belong to no group.
+            The file cannot be read, has elements that no head of shells has, or has some that belong to no group.
         InputError
-            The mesh is no head in the given unit, or the face centre is not on the face.
+            The mesh is no head in the given unit, or does not lie as loft, radii and face centre say.
         """
         import numpy as np
 
-        points, quads, of_group = self._read()
+        path = os.fspath(self.file)
+        mesh = read_mesh(path)
+        notes = mesh.notes
+        of_group = assign(mesh, self.groups, notes)
+        mesh.thickness, metals = walls(mesh, self.groups, of_group, self.unit, notes)
         size = units.parse(f"1 {self.unit}", "length")
-        order = np.argsort(of_group, kind="stable")
-        quads, of_group = quads[order], of_group[order]
-        used, quads = np.unique(quads, return_inverse=True)
-        self._check_unit(float(np.ptp(points[used], axis=0).max()))
+        shells = repaired(mesh, of_group, np.array([group.face for group in self.groups]), notes)
+        self._check_unit(float(np.ptp(shells.points, axis=0).max()))
         centre = [units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre]
-        nodes = points[used] * size - np.asarray(centre, float)
-        counts = np.bincount(of_group, minlength=len(self.groups))
-        if not counts.all():
-            empty = self.groups[int(np.argmin(counts))].name
-            raise FileError(os.fspath(self.file), None, f"no element belongs to the group {empty!r}")
-        self._check_centre(nodes, quads.reshape(-1, 4), np.array([group.face for group in self.groups])[of_group])
-        parts = tuple(
-            Part(group.name, int(count), group.metal, group.face)
-            for group, count in zip(self.groups, counts, strict=True)
-        )
-        return ShellHead(
+        nodes = shells.points * size - np.asarray(centre, float)
+        masses = dict(self.masses)
+        for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit, notes), 1):
+            place = np.array([x, y, z]) * size - centre
+            masses[f"point mass {number} of the mesh"] = (float(place[0]), float(place[1]), float(place[2]), mass)
+        self._check_frame(nodes, shells, masses, notes)
+        parts = self._parts(nodes, shells, metals, notes)
+        face = np.unique(shells.corners[np.repeat([part.face for part in parts], [part.elements for part in parts])])
+        carried = spread(masses, nodes, _metal_at_nodes(nodes, shells, metals), face)
+        if (note := note_of(carried)) is not None:
+            notes.append(note)
+        head = ShellHead(
             name=self.name,
             description=self.description,
             nodes=nodes,
-            quads=quads.reshape(-1, 4),
-            thickness=np.array([group.thickness for group in self.groups])[of_group],
-            added=spread(self.masses, nodes),
+            quads=shells.corners,
+            thickness=shells.thickness,
+            added=carried.added,
             parts=parts,
             loft=self.loft,
             bulge=self.bulge,
             roll=self.roll,
         )
+        _weigh(head, shells)
+        for note in notes:
+            warn_once(f"{path}: {note}", MeshWarning)
+        return head
+
+    def _parts(
+        self, nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal], notes: list[str]
+    ) -> tuple[Part, ...]:
+        """Sort the shells by part and return the parts: a face group's elements that are turned away are one by itself.
+
+        A group of the face may wrap round its edge, as a cup does, and the whole head of a file without sets is one.
+        """
+        import numpy as np
+
+        a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
+        normal = np.cross(c - a, d - b)
+        toward = normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
+        away = np.array([group.face for group in self.groups])[shells.group] & (toward < FACE_COSINE)
+        order = np.lexsort((away, shells.group))
+        shells.keep(order)
+        away = away[order]
+        parts = []
+        for place, (group, metal) in enumerate(zip(self.groups, metals, strict=True)):
+            own = shells.group == place
+            for name, face, count in (
+                (group.name, group.face, int((own & ~away).sum())),
+                (f"{group.name}, beyond", False, int(away[own].sum())),
+            ):  # fmt: skip
+                if count:
+                    parts.append(Part(name, count, metal, face))
+                if count and name != group.name:
+                    notes.append(
+                        f"{count} elements of {group.name} are turned away from the ball by more than 45 deg and are"
+                        " no part of the face that it may touch"
+                    )
+        return tuple(parts)
 
     def _check_unit(self, across: float) -> None:
         """Refuse a unit in which a head that measures ``across`` in the file would be too large or too small."""
@@ -170,45 +229,64 @@ class MeshHead:
         allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {found}; {hint}'
         raise InputError("unit", self.unit, allowed)
 
-    def _check_centre(self, nodes: NDArray[Any], quads: NDArray[Any], face: NDArray[Any]) -> None:
-        """Refuse a face centre that is not on the face; nodes [m] count from it."""
+    def _check_frame(self, nodes: NDArray[Any], shells: Shells, masses: Mapping[str, Place], notes: list[str]) -> None:
+        """Refuse a face centre that is not on the face, and a mesh that lies otherwise than this says."""
         import numpy as np
 
-        corners = nodes[quads[face]]
+        face = np.array([group.face for group in self.groups])[shells.group]
+        quads = shells.corners[face]
+        corners = nodes[quads]
         near = float(np.linalg.norm(corners, axis=-1).min())
         side = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=-1).max())
-        if near > side + max(group.thickness for group in self.groups):
-            shown = ", ".join(str(x) for x in self.face_centre)
+        wall = float(shells.thickness[face].max())
+        shown = ", ".join(str(x) for x in self.face_centre)
+        if near > side + wall:
             away = f"the nearest node of the face is {units.show(near, 'mm')} away"
             raise InputError("face_centre", shown, f"a place on the face, in {self.unit} as the file: {away}")
+        parts = {
+            group.name: nodes[np.unique(shells.corners[shells.group == place])]
+            for place, group in enumerate(self.groups)
+        }
+        parts |= {name: np.array([place[:3]]) for name, place in masses.items()}
+        check_frame(
+            nodes, quads, file=os.path.basename(os.fspath(self.file)), loft=self.loft, bulge=self.bulge, roll=self.roll,
+            wall=wall, centre=shown, parts=parts, notes=notes,
+        )  # fmt: skip
 
-    def _read(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Return points in the unit of the file, quadrilaterals, and the number of the group of each."""
-        import numpy as np
 
-        path = os.fspath(self.file)
-        mesh = read_mesh(path)
-        blocks = [(number, data) for number, (kind, data) in enumerate(mesh.cells) if kind == "quad"]
-        others = sorted({kind for kind, _ in mesh.cells if kind not in ("quad", "line", "vertex")})
-        if not blocks or others:
-            found = ", ".join(others) or "none"
-            raise FileError(
-                path, None, f"the head must be all quadrilaterals; there are elements of other kinds: {found}"
-            )
-        names = group_names(mesh, path)
-        known = {group.name: place for place, group in enumerate(self.groups)}
-        quads, of_group = [], []
-        for number, data in blocks:
-            for name in names[number]:
-                if name not in known:
-                    raise FileError(path, None, str(UnknownNameError("group of the mesh", name, tuple(known))))
-            quads.append(np.asarray(data))
-            of_group.append(np.array([known[name] for name in names[number]], dtype=np.int64))
-        points = np.zeros((len(mesh.points), 3))
-        points[:, : mesh.points.shape[1]] = mesh.points
-        if not np.isfinite(points).all():
-            raise FileError(path, None, f"node {int(np.argmin(np.isfinite(points).all(axis=1)))} has no place")
-        return points, np.concatenate(quads), np.concatenate(of_group)
+def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:
+    """Return the mass of metal at each node [kg]."""
+    import numpy as np
+
+    a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
+    area = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
+    density = np.array([metal.density for metal in metals])[shells.group]
+    found = np.zeros(len(nodes))
+    np.add.at(found, shells.corners, (0.25 * area * density * shells.thickness)[:, None])
+    return found
+
+
+def _weigh(head: ShellHead, shells: Shells) -> None:
+    """Weigh a head, for which the core checks its mesh; elements and nodes go by the numbers of the file in errors."""
+    try:
+        _ = head.club
+    except InputError as error:
+
+        def element(found: re.Match[str]) -> str:
+            return f"element {shells.ids[int(found[1])]}{found[2]}"
+
+        def node(found: re.Match[str]) -> str:
+            return f"node {shells.node_ids[int(found[1])]}"
+
+        error.parameter = re.sub(r"^element (\d+)( of )", element, error.parameter)
+        error.parameter = re.sub(
+            r"(?<=elements )(\d+) and (\d+)",
+            lambda found: " and ".join(str(shells.ids[int(each)]) for each in found.groups()),
+            error.parameter,
+        )
+        if isinstance(error.value, str):
+            error.value = type(error.value)(re.sub(r"^node (\d+)", node, error.value))
+        raise
 
 
 def _check_place(name: str, given: Any) -> None:

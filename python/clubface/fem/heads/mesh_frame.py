@@ -1,0 +1,258 @@
+"""Whether a mesh lies as its head's file says: axes, loft, radii and centre of the face.
+
+Every other model takes loft, bulge and roll from the file, and finite elements strike the mesh: where these differ, two
+heads would go by one name.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from itertools import permutations, product
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface import units
+from clubface.errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+ANGLE = math.radians(1.0)
+"""How far the face normal of a mesh may be from that of the file. A mesh of a curved face with elements of 5 mm leaves
+0.3 degrees open, and a degree of loft is 0.8 degrees of launch."""
+AT = 0.02
+"""The radii may differ by as much as turns the normal by that angle at this distance from the face centre [m]."""
+REACHES = (0.008, 0.01, 0.0125, 0.016, 0.02)
+"""Radii about the face centre [m]: looked at is the first that holds enough nodes, as a face turns into crown and sole
+near its edge."""
+ENOUGH = 9
+"""Nodes for a quadric, which has six coefficients."""
+OFF_CENTRE = 0.25
+"""How far the face centre may be from the middle of the face's outline, in parts of its width or height."""
+OFF_FACE = 2e-3
+"""How far the face centre may be from the face, beyond a wall [m]."""
+WORDS = {"toe": (2, 1), "heel": (2, -1), "hosel": (2, -1), "crown": (1, 1), "sole": (1, -1), "back": (0, -1)}
+"""Axis and direction in which parts with such names lie, from the middle of the head."""
+DIRECTIONS = ("x must point to the target", "y must point up", "z must point from heel to toe")
+
+
+class Face(NamedTuple):
+    """The face of a mesh about its centre.
+
+    Attributes
+    ----------
+    normal
+        Outward normal at the centre.
+    bulge, roll
+        Curvatures along the face and up it [1/m], positive where it is convex; None where the mesh is too coarse.
+    height
+        How far the face is in front of the centre, along the normal [m].
+    """
+
+    normal: NDArray[Any]
+    bulge: float | None
+    roll: float | None
+    height: float
+
+
+def measured_face(nodes: NDArray[Any], quads: NDArray[Any]) -> Face:
+    """Return the face about the origin: the normal of its elements there, and a quadric through its nodes.
+
+    Parameters
+    ----------
+    nodes
+        Seen from the face centre [m].
+    quads
+        Elements of the face.
+    """
+    import numpy as np
+
+    corners = nodes[quads]
+    area = 0.5 * np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    away = np.linalg.norm(corners.mean(axis=1), axis=1)
+    normal = area[away <= max(REACHES[0], np.sort(away)[: min(4, len(away))].max())].sum(axis=0)
+    normal /= max(float(np.linalg.norm(normal)), 1e-300)
+    places = nodes[np.unique(quads)]
+    height = float(places[np.argmin(np.linalg.norm(places, axis=1))] @ normal)
+    for reach in REACHES:
+        fit = Face(normal, None, None, height)
+        for _ in range(2):  # the second time along the normal at the centre
+            fit = _quadric(places, fit.normal, reach) if fit is not None else None
+        if fit is not None:
+            return fit
+    return Face(normal, None, None, height)
+
+
+def _quadric(places: NDArray[Any], normal: NDArray[Any], reach: float) -> Face | None:
+    """Return the quadric through the nodes within a radius about the centre; None where they are too few."""
+    import numpy as np
+
+    up = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
+    if np.linalg.norm(up) < 1e-3:
+        return None
+    up /= np.linalg.norm(up)
+    toe = np.cross(normal, up)
+    h, u, w = places @ normal, places @ up, places @ toe
+    near = (np.hypot(u, w) <= reach) & (np.abs(h) <= reach)  # a face group may hold the back of the head too
+    h, u, w = h[near], u[near] / reach, w[near] / reach
+    quadric = np.stack([np.ones_like(u), u, w, 0.5 * u * u, 0.5 * w * w, u * w], axis=1)
+    if len(u) < ENOUGH or np.linalg.matrix_rank(quadric, 1e-3) < 6:
+        return None
+    fit = np.linalg.lstsq(quadric, h, rcond=None)[0]
+    turned = normal - (fit[1] * up + fit[2] * toe) / reach
+    return Face(turned / np.linalg.norm(turned), -float(fit[4]) / reach**2, -float(fit[3]) / reach**2, float(fit[0]))
+
+
+def check_frame(
+    nodes: NDArray[Any],
+    quads: NDArray[Any],
+    *,
+    file: str,
+    loft: float,
+    bulge: float,
+    roll: float,
+    wall: float,
+    centre: str,
+    parts: Mapping[str, NDArray[Any]],
+    notes: list[str],
+) -> None:
+    """Refuse a mesh that lies otherwise than its head's file says.
+
+    Parameters
+    ----------
+    nodes
+        Seen from the face centre of the file [m].
+    quads
+        Elements of the face.
+    file
+        Name of the mesh.
+    loft, bulge, roll
+        Of the file [rad, m].
+    wall
+        Thickness of the face [m].
+    centre
+        The face centre as the file gives it.
+    parts
+        Places of the nodes of every group and mass, by name.
+    notes
+        Takes sentences on what is odd.
+
+    Raises
+    ------
+    InputError
+        Loft, bulge, roll or face centre differ, or the axes are others; with both numbers.
+    """
+    import numpy as np
+
+    face = measured_face(nodes, quads)
+    expected = np.array([math.cos(loft), math.sin(loft), 0.0])
+    _check_axes(face.normal, expected, file)
+    _check_sides(nodes, parts, file)
+    elevation = math.asin(max(-1.0, min(1.0, float(face.normal[1]))))
+    if abs(elevation - loft) > ANGLE:
+        message = (
+            f"the loft of the mesh, to 1 deg: the face of {file} has {_degrees(elevation)} at the face centre;"
+            " correct loft, or turn the mesh about z until it is soled as at address"
+        )
+        raise InputError("loft", _degrees(loft), message)
+    turned = math.atan2(float(face.normal[2]), float(face.normal[0]))
+    if abs(turned) * math.cos(elevation) > ANGLE:
+        side = "toe" if turned > 0.0 else "heel"
+        message = (
+            f"loft along the target line: the face of {file} looks {_degrees(abs(turned))} to the {side} at the face"
+            " centre, and must look at the target to 1 deg; turn the mesh about y, or correct face_centre"
+        )
+        raise InputError("loft", _degrees(loft), message)
+    for name, radius, curvature in (("bulge", bulge, face.bulge), ("roll", roll, face.roll)):
+        if curvature is not None and abs(curvature - 1.0 / radius) * AT > ANGLE:
+            shape = "flat" if abs(curvature) * AT < ANGLE / 4 else units.fixed(1.0 / curvature, "mm", 0)
+            shown = "flat" if math.isinf(radius) else units.show(radius, "mm")
+            shape += " (hollow)" if shape != "flat" and curvature < 0.0 else ""
+            message = f"that of the mesh: about the face centre the face of {file} has {shape}; correct {name}"
+            raise InputError(name, shown, message)
+    if not -OFF_FACE - wall <= face.height <= OFF_FACE:
+        side = "in front of" if face.height < 0.0 else "behind"
+        away = units.fixed(abs(face.height), "mm", 1)
+        message = f"a place on the outside of the face: it is {away} {side} the face of {file}"
+        raise InputError("face_centre", centre, message)
+    _note_off_centre(nodes[np.unique(quads)], notes)
+
+
+def _degrees(angle: float) -> str:
+    return f"{round(math.degrees(angle), 1) + 0.0:g} deg"
+
+
+def _check_axes(normal: NDArray[Any], expected: NDArray[Any], file: str) -> None:
+    """Refuse a mesh whose face looks where it should with the axes exchanged or reversed."""
+    import numpy as np
+
+    def apart(direction: NDArray[Any]) -> float:
+        return math.acos(max(-1.0, min(1.0, float(direction @ expected))))
+
+    if apart(normal) <= 10.0 * ANGLE:
+        return
+    choices = []
+    for order in permutations(range(3)):
+        for signs in product((1.0, -1.0), repeat=3):
+            changes = sum(place != each for place, each in enumerate(order)) + sum(sign < 0.0 for sign in signs)
+            choices.append((changes, order, signs))
+    for changes, order, signs in sorted(choices):
+        turned = np.array([sign * normal[axis] for axis, sign in zip(order, signs, strict=True)])
+        if changes and apart(turned) <= 2.0 * ANGLE:
+            axes = ["".join(("-" if sign < 0 else "", "xyz"[axis])) for axis, sign in zip(order, signs, strict=True)]
+            what = _described(order, signs)
+            message = (
+                f"x to the target, y up and z to the toe: the face of {file} looks along ({_shown(normal)}), where"
+                f" ({_shown(expected)}) is expected; it seems that {what}: write ({', '.join(axes)}) as x, y, z"
+            )
+            raise InputError("axes of the mesh", None, message)
+
+
+def _described(order: Sequence[int], signs: Sequence[float]) -> str:
+    moved = [each for place, each in enumerate(order) if place != each]
+    reversed_ = ["xyz"[axis] for axis, sign in zip(order, signs, strict=True) if sign < 0.0]
+    words = []
+    if len(moved) == 2:
+        words.append(f"{' and '.join('xyz'[each] for each in sorted(moved))} are exchanged")
+    elif moved:
+        words.append("the axes are exchanged in a circle")
+    if reversed_:
+        words.append(f"{' and '.join(reversed_)} {'points' if len(reversed_) == 1 else 'point'} the other way")
+    return " and ".join(words)
+
+
+def _shown(direction: NDArray[Any]) -> str:
+    return ", ".join(f"{each + 0.0:.2f}" for each in direction)
+
+
+def _check_sides(nodes: NDArray[Any], parts: Mapping[str, NDArray[Any]], file: str) -> None:
+    """Refuse a mesh whose parts lie on the other side than their names say, as of a left-handed head."""
+    middle = 0.5 * (nodes.min(axis=0) + nodes.max(axis=0))
+    size = nodes.max(axis=0) - nodes.min(axis=0)
+    for name, places in parts.items():
+        words = [each for each in WORDS if each in name.casefold().replace("-", " ").replace("_", " ").split()]
+        if len(words) != 1:
+            continue
+        axis, sign = WORDS[words[0]]
+        off = float(sign * (places.mean(axis=0) - middle)[axis])
+        if off < -0.1 * size[axis]:
+            more = (
+                '; a left-handed head is given as its mirror image, with z to the toe as well, and hand = "left"'
+                if axis == 2
+                else ""
+            )
+            place = f"{units.fixed(abs(off), 'mm', 1)} on the other side of the middle of {file}"
+            message = f"{DIRECTIONS[axis]}: {name!r} lies {place}{more}"
+            raise InputError("axes of the mesh", None, message)
+
+
+def _note_off_centre(face: NDArray[Any], notes: list[str]) -> None:
+    """Note a face centre far from the middle of the outline of the face."""
+    for axis, name in ((2, ("toe", "heel")), (1, ("top", "bottom"))):
+        low, high = float(face[:, axis].min()), float(face[:, axis].max())
+        off = -0.5 * (low + high)
+        if abs(off) > OFF_CENTRE * (high - low):
+            side = name[0] if off > 0.0 else name[1]
+            notes.append(
+                f"face_centre lies {units.fixed(abs(off), 'mm', 1)} nearer the {side} than the middle of the face"
+            )

@@ -1,0 +1,454 @@
+"""From the elements of a file to a mesh that the core takes: seams closed, normals outward, triangles split.
+
+Every step works on arrays and says what it changed; elements are called by the numbers of the file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from clubface.errors import FileError
+from clubface.fem.mesh_files import Mesh
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+MERGED = 1e-4
+"""Nodes nearer to each other than this part of the head's size are one: 0.01 mm of a driver. Files with five digits
+leave 0.001 mm between the nodes of a seam, and no element of a head is as small."""
+LEAST_ANGLE = 0.05
+"""Least angle of a quadrilateral as it is left: its triangle there over the parallelogram of the diagonals, which is
+0.5 in a square. The core takes 0.02 and more."""
+WINDOW = 200
+"""Most neighbours along a line that are compared with a node."""
+DIRECTION = (0.4815, 0.6297, 0.6098)
+"""Of that line: no edge of a head lies across it."""
+
+
+@dataclass
+class Shells:
+    """Shells on the way to a head.
+
+    Attributes
+    ----------
+    points
+        Places of nodes, shape (n, 3).
+    node_ids
+        Their numbers in the file; 0 for one that was added.
+    corners
+        Nodes of elements, shape (m, 4); the last of a triangle is -1.
+    ids
+        Numbers of the elements in the file.
+    group, thickness
+        Group and own thickness of each element.
+    """
+
+    points: NDArray[Any]
+    node_ids: NDArray[Any]
+    corners: NDArray[Any]
+    ids: NDArray[Any]
+    group: NDArray[Any]
+    thickness: NDArray[Any]
+
+    def keep(self, chosen: NDArray[Any]) -> None:
+        """Keep some of the elements."""
+        self.corners, self.ids = self.corners[chosen], self.ids[chosen]
+        self.group, self.thickness = self.group[chosen], self.thickness[chosen]
+
+
+def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any], notes: list[str]) -> Shells:
+    """Return the shells of a mesh as convex, connected quadrilaterals with outward normals, as far as that can be.
+
+    Parameters
+    ----------
+    mesh
+        The file.
+    group
+        Group of each element.
+    face
+        Which groups are of the face, shape (groups,).
+    notes
+        Sentences on what was changed are added to them.
+
+    Raises
+    ------
+    FileError
+        An element lists a node twice, has no area, or shares an edge with two others.
+    """
+    shells = Shells(mesh.points, mesh.node_ids, mesh.corners.copy(), mesh.ids, group, mesh.thickness)
+    _take_triangles(mesh.path, shells)
+    _merge_nodes(mesh.path, shells, notes)
+    _drop_unused(shells)
+    _check_doubles(mesh.path, shells)
+    _cut_bad_quadrilaterals(mesh.path, shells, notes)
+    _turn_outward(mesh.path, shells, face, notes)
+    _split(shells, notes)
+    return shells
+
+
+def _take_triangles(path: str, shells: Shells) -> None:
+    """Take quadrilaterals whose last two nodes are the same as the triangles that they stand for; refuse other ones."""
+    import numpy as np
+
+    corners = shells.corners
+    corners[corners[:, 2] == corners[:, 3], 3] = -1
+    ordered = np.sort(corners, axis=1)
+    doubled = (ordered[:, 1:] == ordered[:, :-1]).any(axis=1)
+    if doubled.any():
+        row = int(np.argmax(doubled))
+        nodes = [int(shells.node_ids[each]) for each in corners[row] if each >= 0]
+        message = f"element {shells.ids[row]} is inverted or degenerate: it lists a node twice, {nodes}"
+        raise FileError(path, None, message)
+
+
+def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
+    """Make one of nodes that lie at one place, and elements that lose an edge by that triangles, or nothing."""
+    import numpy as np
+
+    used = np.unique(shells.corners[shells.corners >= 0])
+    points = shells.points[used]
+    near = MERGED * float(np.ptp(points, axis=0).max())
+    root = _coincident(points, near)
+    merged = int((root != np.arange(len(root))).sum())
+    if not merged:
+        return
+    to = np.arange(len(shells.points))
+    to[used] = used[root]
+    corners = np.where(shells.corners >= 0, to[shells.corners], -1)
+    quads = corners[:, 3] >= 0
+    # A corner that is the one before it is taken out; what is left moves up.
+    for place in range(4):
+        same = quads & (corners[:, place] == corners[:, place - 1])
+        corners[same, place:3] = corners[same, place + 1 :]
+        corners[same, 3] = -1
+        quads &= ~same
+    lost = (
+        (corners[:, 0] == corners[:, 1]) | (corners[:, 1] == corners[:, 2]) | (corners[:, 2] == corners[:, 0])
+        | (quads & ((corners[:, 0] == corners[:, 2]) | (corners[:, 1] == corners[:, 3])))
+    )  # fmt: skip
+    shells.corners = corners
+    text = f"{merged} nodes within {near:.2g} of another, in the unit of the file, are merged with it"
+    if lost.any():
+        some = ", ".join(str(each) for each in shells.ids[lost][:3])
+        text += f"; {int(lost.sum())} elements have no area then and are left out, such as {some}"
+        shells.keep(~lost)
+    if not len(shells.ids):
+        raise FileError(path, None, "all elements are smaller than the distance within which nodes are one")
+    notes.append(text)
+
+
+def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
+    """Return for each point the first of those that are nearer than ``near``, itself among them."""
+    import numpy as np
+
+    along = points @ np.array(DIRECTION)
+    order = np.argsort(along, kind="stable")
+    ranked, places = along[order], points[order]
+    root = np.arange(len(points))
+    for step in range(1, min(WINDOW, len(points))):
+        close = ranked[step:] - ranked[:-step] <= near
+        if not close.any():
+            break
+        first = np.flatnonzero(close)
+        first = first[np.linalg.norm(places[first + step] - places[first], axis=1) <= near]
+        one, other = root[order[first]], root[order[first + step]]
+        np.minimum.at(root, order[first + step], np.minimum(one, other))
+        np.minimum.at(root, order[first], np.minimum(one, other))
+    while (root[root] != root).any():
+        root = root[root]
+    return root
+
+
+def _drop_unused(shells: Shells) -> None:
+    import numpy as np
+
+    used, corners = np.unique(shells.corners, return_inverse=True)
+    shift = int(used[0] == -1)  # the missing corner of triangles is no node
+    shells.corners = corners.reshape(-1, 4) - shift
+    used = used[shift:]
+    shells.points, shells.node_ids = shells.points[used], shells.node_ids[used]
+
+
+def _check_doubles(path: str, shells: Shells) -> None:
+    """Refuse two elements of the same nodes."""
+    import numpy as np
+
+    ordered = np.sort(shells.corners, axis=1)
+    _, first, back = np.unique(ordered, axis=0, return_index=True, return_inverse=True)
+    doubled = np.flatnonzero(first[back.reshape(-1)] != np.arange(len(ordered)))
+    if len(doubled):
+        one, other = shells.ids[first[back.reshape(-1)[doubled[0]]]], shells.ids[doubled[0]]
+        raise FileError(path, None, f"elements {one} and {other} have the same nodes; remove one of them")
+
+
+def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Return the edges of elements: their nodes in order, shape (k, 2), their elements, and their places there."""
+    import numpy as np
+
+    count = np.where(corners[:, 3] >= 0, 4, 3)
+    element = np.repeat(np.arange(len(corners)), count)
+    place = np.concatenate([np.arange(each) for each in count]) if len(count) else np.zeros(0, int)
+    after = (place + 1) % count[element]
+    return np.stack([corners[element, place], corners[element, after]], axis=1), element, place
+
+
+def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
+    """Let all elements of a connected surface list their corners counterclockwise as seen from outside."""
+    import numpy as np
+
+    nodes, element, _ = _edges(shells.corners)
+    keys, edge, count = np.unique(np.sort(nodes, axis=1), axis=0, return_inverse=True, return_counts=True)
+    edge = edge.reshape(-1)
+    if (count > 2).any():
+        row = int(np.argmax(count > 2))
+        three = ", ".join(str(each) for each in shells.ids[element[edge == row]][:4])
+        ends = " and ".join(str(each) for each in shells.node_ids[keys[row]])
+        message = (
+            f"elements {three} share the edge of the nodes {ends}; walls that meet in a T, such as ribs, are not read"
+        )
+        raise FileError(path, None, message)
+    order = np.argsort(edge, kind="stable")
+    pairs = order[np.repeat(count == 2, count)].reshape(-1, 2)
+    same = (nodes[pairs[:, 0]] == nodes[pairs[:, 1]]).all(axis=1)
+    flip, piece = _consistent(len(shells.corners), element[pairs], same)
+    area = _area_vectors(shells) * np.where(flip, -1.0, 1.0)[:, None]
+    centre = _centres(shells)
+    size = np.linalg.norm(area, axis=1)
+    middle = (size[:, None] * centre).sum(axis=0) / max(float(size.sum()), 1e-300)
+    outflow = np.einsum("ij,ij->i", area, centre - middle)
+    of_face = face[shells.group]
+    for each in range(int(piece.max()) + 1):
+        own = piece == each
+        inward = float(outflow[own].sum())
+        if abs(inward) < 1e-3 * float(size[own].sum()) ** 1.5:  # a plate has no inside: its face looks at the target
+            inward = float(area[own & of_face, 0].sum())
+        if inward < 0.0:
+            flip[own] ^= True
+    if not flip.any():
+        return
+    shells.corners[flip] = _reversed(shells.corners[flip])
+    parts = "all" if flip.all() else f"{int(flip.sum())} of {len(flip)}"
+    notes.append(
+        f"the normals of {parts} elements point inward and are turned, element {shells.ids[flip][0]} the first"
+    )
+
+
+def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
+    import numpy as np
+
+    triangle = corners[:, 3] < 0
+    found = corners[:, [0, 3, 2, 1]]
+    found[triangle] = np.stack([corners[triangle, each] for each in (0, 2, 1, 3)], axis=1)
+    return found
+
+
+def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return which elements to turn so that neighbours agree with the first of their piece, and the pieces."""
+    import numpy as np
+
+    neighbours: list[list[tuple[int, bool]]] = [[] for _ in range(count)]
+    for (one, other), alike in zip(pairs.tolist(), same.tolist(), strict=True):
+        neighbours[one].append((other, alike))
+        neighbours[other].append((one, alike))
+    flip, piece = np.zeros(count, bool), np.full(count, -1)
+    pieces = 0
+    for start in range(count):
+        if piece[start] >= 0:
+            continue
+        piece[start] = pieces
+        heap, members = [start], [start]
+        while heap:
+            at = heap.pop()
+            for other, alike in neighbours[at]:
+                if piece[other] < 0:
+                    piece[other], flip[other] = pieces, flip[at] ^ alike
+                    heap.append(other)
+                    members.append(other)
+        if 2 * int(flip[members].sum()) > len(members):  # turn the fewer
+            flip[members] ^= True
+        pieces += 1
+    return flip, piece
+
+
+def _area_vectors(shells: Shells) -> NDArray[Any]:
+    import numpy as np
+
+    a, b, c = (shells.points[shells.corners[:, place]] for place in range(3))
+    d = np.where((shells.corners[:, 3] >= 0)[:, None], shells.points[shells.corners[:, 3]], a)
+    return 0.5 * np.cross(c - a, d - b)
+
+
+def _centres(shells: Shells) -> NDArray[Any]:
+    import numpy as np
+
+    a, b, c = (shells.points[shells.corners[:, place]] for place in range(3))
+    quad = (shells.corners[:, 3] >= 0)[:, None]
+    d = np.where(quad, shells.points[shells.corners[:, 3]], 0.0)
+    return (a + b + c + d) / np.where(quad, 4.0, 3.0)
+
+
+def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None:
+    """Cut quadrilaterals with an angle of nearly 180 degrees or more into two triangles; refuse what has no area."""
+    import numpy as np
+
+    corners = shells.corners
+    length = float(np.ptp(shells.points, axis=0).max())
+    area = np.linalg.norm(_area_vectors(shells), axis=1)
+    flat = area < (1e-5 * length) ** 2
+    quads = np.flatnonzero(corners[:, 3] >= 0)
+    places = shells.points[corners[quads]]
+    across = np.cross(places[:, 2] - places[:, 0], places[:, 3] - places[:, 1])
+    # Twice the area of the triangle at each corner over that of the diagonals' parallelogram; 0.5 in a square.
+    turns = np.cross(places - np.roll(places, 1, axis=1), np.roll(places, -1, axis=1) - places)
+    square = np.maximum(np.einsum("ij,ij->i", across, across), 1e-300)
+    angles = np.einsum("ijk,ik->ij", turns, across) / square[:, None]
+    bad = angles.min(axis=1) < LEAST_ANGLE
+    at = angles.argmin(axis=1)
+    rows = np.arange(len(quads))
+    # The diagonal from the worst corner leaves a triangle at each of its neighbours.
+    beside = np.minimum(angles[rows, (at + 1) % 4], angles[rows, (at + 3) % 4])
+    flat[quads[bad & (beside <= LEAST_ANGLE)]] = True
+    if flat.any():
+        row = int(np.argmax(flat))
+        nodes = ", ".join(str(shells.node_ids[each]) for each in corners[row] if each >= 0)
+        message = (
+            f"element {shells.ids[row]} is inverted or degenerate: its nodes {nodes} must be in order round it and"
+            " enclose an area; correct or refine the mesh there"
+        )
+        raise FileError(path, None, message)
+    cut = quads[bad]
+    if not len(cut):
+        return
+    start = at[bad]
+    a, b, c, d = (corners[cut, (start + each) % 4] for each in range(4))
+    none = np.full(len(cut), -1)
+    some = ", ".join(str(each) for each in shells.ids[cut][:3])
+    kept = np.ones(len(corners), bool)
+    kept[cut] = False
+    shells.keep(np.concatenate([np.flatnonzero(kept), cut, cut]))
+    whole = len(shells.corners) - 2 * len(cut)
+    shells.corners[whole:] = np.concatenate([np.stack([a, b, c, none], axis=1), np.stack([a, c, d, none], axis=1)])
+    notes.append(
+        f"quadrilaterals with an angle of nearly 180 degrees are cut into triangles: {len(cut)}, such as {some}"
+    )
+
+
+def _split(shells: Shells, notes: list[str]) -> None:
+    """Split triangles into three quadrilaterals at the middle of their edges, and quadrilaterals between them.
+
+    A quadrilateral with such a node on an edge gets one on another edge too, and so on to the next triangle: so each is
+    split into two, three or four, and no node hangs on an edge.
+    """
+    import numpy as np
+
+    triangles = shells.corners[:, 3] < 0
+    if not triangles.any():
+        return
+    nodes, element, place = _edges(shells.corners)
+    keys, edge = np.unique(np.sort(nodes, axis=1), axis=0, return_inverse=True)
+    edge = edge.reshape(-1)
+    of_place = np.full((len(shells.corners), 4), -1)
+    of_place[element, place] = edge
+    marked = _marked(of_place, triangles, len(keys))
+    middle = np.full(len(keys), -1)
+    middle[marked] = len(shells.points) + np.arange(int(marked.sum()))
+    points = [shells.points, shells.points[keys[marked]].mean(axis=1)]
+    ids = [shells.node_ids, np.zeros(int(marked.sum()), np.int64)]
+    corners = shells.corners
+    middles = np.where(of_place >= 0, middle[of_place], -1)
+    four = ~triangles & (middles >= 0).all(axis=1)
+    bends = ~triangles & ~four & ((middles >= 0) & (np.roll(middles, -1, axis=1) >= 0)).any(axis=1)
+    centred = triangles | four | bends
+    centres = np.full(len(corners), -1)
+    centres[centred] = sum(map(len, points)) + np.arange(int(centred.sum()))
+    points.append(_centres(shells)[centred])
+    ids.append(np.zeros(int(centred.sum()), np.int64))
+    made, parent = [], []
+
+    def add(rows: NDArray[Any], *columns: NDArray[Any]) -> None:
+        made.append(np.stack([each[rows] for each in columns], axis=1))
+        parent.append(np.flatnonzero(rows))
+
+    for count, rows in ((3, triangles), (4, four)):
+        for at in range(count):
+            add(rows, corners[:, at], middles[:, at], centres, middles[:, (at - 1) % count])
+    whole = ~triangles & (middles < 0).all(axis=1)
+    add(whole, *(corners[:, at] for at in range(4)))
+    for at in range(4):
+        a, b, c, d = (corners[:, (at + each) % 4] for each in range(4))
+        first, second, last = (middles[:, (at + each) % 4] for each in (0, 1, 2))
+        if at < 2:
+            two = ~triangles & ~four & (first >= 0) & (last >= 0)
+            add(two, a, first, last, d)
+            add(two, first, b, c, last)
+        bent = ~triangles & ~four & (first >= 0) & (second >= 0)
+        add(bent, b, second, centres, first)
+        add(bent, second, c, d, centres)
+        add(bent, centres, d, a, first)
+    rows = np.concatenate(parent)
+    split = len(corners) - int(triangles.sum()) - int(whole.sum())
+    shells.points, shells.node_ids = np.concatenate(points), np.concatenate(ids)
+    shells.keep(rows)
+    shells.corners = np.concatenate(made)
+    text = f"{int(triangles.sum())} triangles are split into three quadrilaterals each"
+    if split:
+        text += f", and {split} quadrilaterals between them into two to four"
+    notes.append(text)
+
+
+def _marked(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[Any]:
+    """Return the edges to be halved: all of triangles, and as few others as leave each quadrilateral an even number.
+
+    From a quadrilateral with an odd number a path leads over neighbours to the nearest other one, or to the end of the
+    surface; every edge on its way changes. Edges of triangles are no way, so that the odd ones of a surface pair up.
+
+    Parameters
+    ----------
+    of_place
+        Edges of each element, shape (m, 4).
+    triangles
+        Which elements are triangles.
+    count
+        Number of edges.
+    """
+    import numpy as np
+
+    marked = np.zeros(count, bool)
+    marked[of_place[triangles, :3]] = True
+    sides: list[list[int]] = [[] for _ in range(count)]
+    for quad in np.flatnonzero(~triangles).tolist():
+        for edge in of_place[quad].tolist():
+            sides[edge].append(quad)
+    way = ~marked
+    odd = set(np.flatnonzero(~triangles & (marked[np.where(of_place >= 0, of_place, 0)].sum(axis=1) % 2 == 1)).tolist())
+    for start in sorted(odd):
+        if start not in odd:
+            continue
+        odd.remove(start)
+        came: dict[int, tuple[int, int]] = {start: (-1, -1)}
+        row, end = [start], None
+        while row and end is None:
+            after = []
+            for at in row:
+                for edge in of_place[at].tolist():
+                    others = [each for each in sides[edge] if each != at]
+                    if not way[edge] or (others and others[0] in came):
+                        continue
+                    if not others:  # the end of the surface
+                        end = at
+                        marked[edge] ^= True
+                        break
+                    came[others[0]] = (at, edge)
+                    if others[0] in odd:
+                        end = others[0]
+                        odd.remove(end)
+                        break
+                    after.append(others[0])
+                if end is not None:
+                    break
+            row = after
+        while end is not None and came[end][0] >= 0:
+            end, edge = came[end]
+            marked[edge] ^= True
+    return marked

@@ -1,0 +1,169 @@
+"""Keyword decks of LS-DYNA (.k, .key, .dyn), those that clubface writes among them; sets are the parts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from clubface.errors import shortened
+from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
+
+METALS = ("ELASTIC", "001", "PLASTIC_KINEMATIC", "003", "RIGID", "020", "PIECEWISE_LINEAR_PLASTICITY", "024")
+"""Materials whose first card is number, density, Young's modulus, Poisson's ratio."""
+
+
+class _Row(NamedTuple):
+    """A line of a card."""
+
+    line: int
+    text: str
+
+    def fields(self, *widths: int) -> list[str]:
+        """Return its fields: of fixed widths, or between commas."""
+        if "," in self.text:
+            return [*(each.strip() for each in self.text.split(",")), *[""] * len(widths)][: len(widths)]
+        found, at = [], 0
+        for width in widths:
+            found.append(self.text[at : at + width].strip())
+            at += width
+        return found
+
+
+def read(path: str) -> Mesh:
+    """Read the shells of a keyword deck."""
+    return _File(path).read()
+
+
+class _File:
+    def __init__(self, path: str) -> None:
+        self.builder = MeshBuilder(path)
+        self.elements: list[tuple[int, int, int, list[int], float]] = []
+        self.solids: list[int] = []
+        self.parts: dict[int, tuple[str, int, int]] = {}
+        self.sections: dict[int, float] = {}
+        self.metals: dict[int, Wall] = {}
+
+    def read(self) -> Mesh:
+        for line, keyword, rows in self._keywords():
+            name = keyword.removesuffix("_TITLE")
+            if name != keyword:
+                rows = rows[1:]
+            if name.startswith("INCLUDE"):
+                message = "this file includes another one, which is not read; write the mesh as one file"
+                raise self.builder.error(line, message)
+            if name == "NODE":
+                for row in rows:
+                    number, *place = row.fields(8, 16, 16, 16)
+                    number = self.builder.number(row.line, number)
+                    self.builder.add_node(row.line, number, number, [each or "0" for each in place])
+            elif name.startswith("ELEMENT_SHELL"):
+                self._shells(name, rows)
+            elif name.startswith(("ELEMENT_SOLID", "ELEMENT_TSHELL")):
+                self._solids(rows)
+            elif name == "ELEMENT_MASS":
+                for row in rows:
+                    _, node, mass = row.fields(8, 8, 16)
+                    value = self.builder.value(row.line, mass, "mass")
+                    self.builder.add_mass(row.line, self.builder.number(row.line, node), value)
+            elif name.startswith("ELEMENT_"):
+                self.builder.left_out[f"lines of *{name}"] += len(rows)
+            elif name.startswith("PART") and len(rows) > 1 and name not in ("PART_MOVE", "PART_DUPLICATE"):
+                self._parts(name, rows)
+            elif name.startswith("SECTION_SHELL") and len(rows) > 1:
+                (number,), (thickness,) = rows[0].fields(10), rows[1].fields(10)
+                if thickness:
+                    value = self.builder.value(rows[1].line, thickness, "thickness")
+                    self.sections[self.builder.number(rows[0].line, number, "a section")] = value
+            elif name.removeprefix("MAT_") in METALS and name.startswith("MAT_") and rows:
+                self._metal(rows[0])
+        return self._finish()
+
+    def _keywords(self) -> Iterator[tuple[int, str, list[_Row]]]:
+        line, keyword, rows = 0, "", []
+        for number, text in enumerate(read_text(self.builder.path), 1):
+            if text.startswith("$") or not text.strip():
+                continue
+            if not text.startswith("*"):
+                rows.append(_Row(number, text))
+                continue
+            yield line, keyword, rows
+            words = text[1:].upper().split()
+            line, keyword, rows = number, words[0] if words else "", []
+            if (
+                "LONG=Y" in text.upper().replace(" ", "")
+                or keyword.endswith(("%", "+"))
+                or words[1:2] in (["%"], ["+"])
+            ):
+                raise self.builder.error(
+                    number, "decks in the long or i10 format are not read; write the standard format"
+                )
+            if keyword == "END":
+                return
+        yield line, keyword, rows
+
+    def _shells(self, name: str, rows: list[_Row]) -> None:
+        options = name.removeprefix("ELEMENT_SHELL")
+        more = any(each in options for each in ("THICKNESS", "BETA", "MCID"))
+        step = 1 + more + ("OFFSET" in options) + ("DOF" in options)
+        for place in range(0, len(rows), step):
+            row = rows[place]
+            number, part, *nodes = row.fields(*[8] * 10)
+            thickness = math.nan
+            if "THICKNESS" in options and place + 1 < len(rows):
+                after = rows[place + 1]
+                own = [self.builder.value(after.line, each, "thickness") for each in after.fields(*[16] * 4) if each]
+                thickness = sum(own) / len(own) if own and all(own) else math.nan
+            numbers = [self.builder.number(row.line, each) for each in nodes if each and each != "0"]
+            if len(numbers) not in (3, 4, 6, 8):
+                raise self.builder.error(row.line, f"this element has {len(numbers)} nodes, not 3, 4, 6 or 8")
+            element = self.builder.number(row.line, number, "an element")
+            self.elements.append((row.line, element, self.builder.number(row.line, part, "a part"), numbers, thickness))
+
+    def _solids(self, rows: list[_Row]) -> None:
+        for row in rows:
+            _, part, *nodes = row.fields(8, 8, 8)
+            # In the format of two lines the second has the nodes; the first, number and part alone.
+            if nodes[0] or len(row.text.split()) == 2:
+                self.solids.append(self.builder.number(row.line, part, "a part"))
+
+    def _parts(self, name: str, rows: list[_Row]) -> None:
+        for place in range(0, len(rows) - 1, 2) if name == "PART" else (0,):
+            number, section, metal = rows[place + 1].fields(10, 10, 10)
+            number = self.builder.number(rows[place + 1].line, number, "a part")
+            numbers = [int(each) if each.isdecimal() and len(each) < 11 else 0 for each in (section, metal)]
+            self.parts[number] = (rows[place].text.strip(), numbers[0], numbers[1])
+
+    def _metal(self, row: _Row) -> None:
+        number, *values = row.fields(10, 10, 10, 10)
+        density, youngs, poisson = (
+            self.builder.value(row.line, each, what) if each else None
+            for each, what in zip(values, ("density", "Young's modulus", "Poisson's ratio"), strict=True)
+        )
+        known = self.builder.number(row.line, number, "a material")
+        self.metals[known] = Wall(youngs=youngs, poisson=poisson, density=density)
+
+    def _finish(self) -> Mesh:
+        titles = [title for title, *_ in self.parts.values() if title]
+        names = {
+            number: title if title and titles.count(title) == 1 else str(number)
+            for number, (title, *_) in self.parts.items()
+        }
+        for line, number, part, nodes, thickness in self.elements:
+            self.builder.add_shell(line, number, nodes, [names.get(part, str(part))], thickness=thickness)
+        for part in self.solids:
+            self.builder.add_solid("solids", names.get(part, str(part)))
+        for number, (_, section, metal) in self.parts.items():
+            of = self.metals.get(metal, Wall())
+            cards = [f"*SECTION_SHELL {section}"] * (section in self.sections) + [f"*MAT {metal}"] * (
+                metal in self.metals
+            )
+            self.builder.walls[names[number]] = Wall(
+                thickness=self.sections.get(section), youngs=of.youngs, poisson=of.poisson, density=of.density,
+                source=" and ".join(cards),
+            )  # fmt: skip
+            self.builder.aliases[str(number)] = names[number]
+            # A title of clubface's own decks is that of the head and of the part: "paper: face".
+            short = shortened(names[number], 200).rpartition(": ")[2]
+            self.builder.aliases.setdefault(short, names[number])
+        return self.builder.mesh()

@@ -1,0 +1,271 @@
+"""What is taken from a mesh file, and what every reader fills it by: one rule for numbers, nodes and elements."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from clubface.errors import FileError, shortened
+from clubface.support.input_files import read_input
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+LARGEST_NUMBER = 999_999_999
+"""Of a node or an element; numbering is free, and only what is there takes memory."""
+FARTHEST = 1e6
+"""Largest coordinate, in whatever unit: a head in um has 1e5."""
+CORNERS = {3: 3, 6: 3, 7: 3, 4: 4, 8: 4, 9: 4}
+"""Corners of a shell, by its number of nodes; corners come first in every format, then nodes on edges and inside."""
+UNNAMED = ""
+"""Name of the set of elements that a file puts into no set."""
+
+
+@dataclass(kw_only=True)
+class Wall:
+    """What cards of a file say of the elements of one set, in the units of the file; None where they say nothing.
+
+    Attributes
+    ----------
+    thickness
+        Of the wall.
+    youngs, poisson, density
+        Of its metal.
+    source
+        The cards, such as "PSHELL 1 and MAT1 7".
+    """
+
+    thickness: float | None = None
+    youngs: float | None = None
+    poisson: float | None = None
+    density: float | None = None
+    source: str = ""
+
+
+@dataclass(kw_only=True)
+class Mesh:
+    """The shells of a mesh file.
+
+    Attributes
+    ----------
+    path
+        The file.
+    points
+        Places of the nodes, in the unit of the file, shape (n, 3).
+    node_ids
+        Their numbers in the file, shape (n,).
+    corners
+        Nodes of each shell, as rows of ``points``, shape (m, 4); the last of a triangle is -1.
+    ids
+        Numbers of the elements in the file, shape (m,).
+    thickness
+        What the file says of the thickness of each element by itself, in its unit; NaN where it says nothing.
+    sets
+        Elements of each set, as rows of ``corners``, by name.
+    aliases
+        Other names of sets, such as the number of a physical group.
+    walls
+        What cards say of the elements of a set, by its name.
+    masses
+        Point masses: x, y, z and mass, in the units of the file.
+    solids
+        Numbers of solid elements, by kind and set.
+    notes
+        What a reader did or left out, in sentences.
+    """
+
+    path: str
+    points: NDArray[Any]
+    node_ids: NDArray[Any]
+    corners: NDArray[Any]
+    ids: NDArray[Any]
+    thickness: NDArray[Any]
+    sets: dict[str, NDArray[Any]]
+    aliases: dict[str, str]
+    walls: dict[str, Wall]
+    masses: list[tuple[float, float, float, float]]
+    solids: Counter[tuple[str, str]]
+    notes: list[str]
+
+
+@dataclass
+class MeshBuilder:
+    """Collects nodes and elements of a file in any order, and checks each where it stands.
+
+    Attributes
+    ----------
+    path
+        The file.
+    left_out
+        How many elements of a kind that no head has were left out, such as bars.
+    """
+
+    path: str
+    left_out: Counter[str] = field(default_factory=Counter)
+    aliases: dict[str, str] = field(default_factory=dict)
+    walls: dict[str, Wall] = field(default_factory=dict)
+    solids: Counter[tuple[str, str]] = field(default_factory=Counter)
+    notes: list[str] = field(default_factory=list)
+    _rows: dict[Hashable, int] = field(default_factory=dict)
+    _places: list[tuple[float, float, float]] = field(default_factory=list)
+    _numbers: list[int] = field(default_factory=list)
+    _elements: list[tuple[int | None, int, tuple[Hashable, ...]]] = field(default_factory=list)
+    _thickness: dict[int, float] = field(default_factory=dict)
+    _sets: dict[str, list[int]] = field(default_factory=dict)
+    _of_number: dict[Hashable, list[int]] = field(default_factory=dict)
+    _masses: list[tuple[int | None, Hashable, tuple[float, float, float], float]] = field(default_factory=list)
+    _higher: int = 0
+
+    def error(self, line: int | None, message: str) -> FileError:
+        """Return the error of a line."""
+        return FileError(self.path, line, message)
+
+    def number(self, line: int | None, text: str, what: str = "a node") -> int:
+        """Return a number of a node or an element."""
+        text = text.strip()
+        if not (text.isascii() and text.isdigit() and len(text) < 11 and int(text) <= LARGEST_NUMBER):
+            message = f"{shortened(text, 40)!r} is no number of {what}, a whole number up to {LARGEST_NUMBER}"
+            raise self.error(line, message)
+        return int(text)
+
+    def value(self, line: int | None, text: str, what: str) -> float:
+        """Return a number of a card, as ``what`` is called."""
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value) or "_" in text:
+            raise self.error(line, f"{shortened(text.strip(), 40)!r} is no {what}, a finite number")
+        return value
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes so far."""
+        return len(self._places)
+
+    def add_node(self, line: int | None, key: Hashable, number: int, place: Sequence[str | float]) -> None:
+        """Add a node under a key, by which elements name it."""
+        x, y, z = (self.coordinate(line, each) for each in place)
+        if (row := self._rows.get(key)) is not None:
+            if self._places[row] != (x, y, z):
+                raise self.error(line, f"node {number} is there already, at another place")
+            return
+        self._rows[key] = len(self._places)
+        self._places.append((x, y, z))
+        self._numbers.append(number)
+
+    def coordinate(self, line: int | None, given: str | float) -> float:
+        """Return a coordinate of a node."""
+        try:
+            value = float(given)
+        except ValueError:
+            value = math.nan
+        if not abs(value) <= FARTHEST or (isinstance(given, str) and "_" in given):
+            shown = shortened(str(given).strip(), 40)
+            message = f"{shown!r} is no coordinate of a head, a number within {FARTHEST:g}"
+            raise self.error(line, message)
+        return value
+
+    def add_shell(
+        self,
+        line: int | None,
+        number: int,
+        nodes: Sequence[Hashable],
+        sets: Iterable[str] = (),
+        *,
+        thickness: float = math.nan,
+        key: Hashable = None,
+    ) -> None:
+        """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``key`` names it for :meth:`add_to_set`."""
+        corners = CORNERS[len(nodes)]
+        self._higher += len(nodes) > 4
+        row = len(self._elements)
+        self._elements.append((line, number, tuple(nodes[:corners])))
+        if not math.isnan(thickness):
+            self._thickness[row] = thickness
+        self._of_number.setdefault(number if key is None else key, []).append(row)
+        for name in sets:
+            self._sets.setdefault(name, []).append(row)
+
+    def add_to_set(self, name: str, keys: Iterable[Hashable]) -> None:
+        """Add elements to a set by their keys; those that are no shells are left out."""
+        rows = self._sets.setdefault(name, [])
+        for key in keys:
+            rows += self._of_number.get(key, ())
+
+    def add_solid(self, kind: str, name: str = UNNAMED) -> None:
+        """Count a solid element of a set."""
+        self.solids[kind, name] += 1
+
+    def add_mass(
+        self, line: int | None, node: Hashable, mass: float, offset: Sequence[float] = (0.0, 0.0, 0.0)
+    ) -> None:
+        """Add a point mass at a node, or at an offset from it."""
+        x, y, z = offset
+        self._masses.append((line, node, (x, y, z), mass))
+
+    def mesh(self) -> Mesh:
+        """Return the mesh.
+
+        Raises
+        ------
+        FileError
+            An element has a node that does not exist.
+        """
+        import numpy as np
+
+        corners = np.full((len(self._elements), 4), -1, dtype=np.int64)
+        for row, (line, number, nodes) in enumerate(self._elements):
+            for corner, key in enumerate(nodes):
+                corners[row, corner] = self._row(line, f"element {number}", key)
+        thickness = np.full(len(corners), np.nan)
+        for row, value in self._thickness.items():
+            thickness[row] = value
+        masses = []
+        for line, key, offset, mass in self._masses:
+            place = self._places[self._row(line, "a point mass", key)]
+            masses.append((*(a + b for a, b in zip(place, offset, strict=True)), mass))
+        notes = list(self.notes)
+        if self._higher:
+            notes.append(f"{_counted(self._higher, 'element')} with nodes on edges are taken by their corners")
+        if self.left_out:
+            parts = " and ".join(f"{count} {kind}" for kind, count in self.left_out.items())
+            notes.append(f"left out, as a head is made of shells: {parts}")
+        return Mesh(
+            path=self.path,
+            points=np.array(self._places, float).reshape(-1, 3),
+            node_ids=np.array(self._numbers, np.int64),
+            corners=corners,
+            ids=np.array([number for _, number, _ in self._elements], np.int64),
+            thickness=thickness,
+            sets={name: np.unique(np.array(rows, np.int64)) for name, rows in self._sets.items()},
+            aliases=self.aliases,
+            walls=self.walls,
+            masses=masses,
+            solids=self.solids,
+            notes=notes,
+        )
+
+    def _row(self, line: int | None, what: str, key: Hashable) -> int:
+        if key not in self._rows:
+            number = key[-1] if isinstance(key, tuple) else key
+            raise self.error(line, f"{what} has the node {number}, which does not exist")
+        return self._rows[key]
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def read_text(path: str) -> list[str]:
+    """Return the lines of a text file of any encoding that has ASCII in it."""
+    content = read_input(path)
+    for encoding in ("utf-8-sig", "latin-1"):
+        try:
+            return content.decode(encoding).splitlines()
+        except UnicodeDecodeError:
+            continue
+    raise FileError(path, None, "this is no text")

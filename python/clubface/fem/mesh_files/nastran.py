@@ -1,0 +1,182 @@
+"""Meshes of Nastran and OptiStruct (.bdf, .nas, .dat, .fem) in small, large and free fields.
+
+Sets are the properties, by their numbers, and by the names that pre-processors leave in comments.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from clubface.errors import shortened
+from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
+
+SHELLS = {"CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CTRIA3": 3, "CTRIAR": 3, "CTRIA6": 3, "CSHEAR": 4}
+"""Corners of surface elements."""
+THICKNESS = {"CQUAD4": 11, "CQUADR": 11, "CTRIA3": 11, "CTRIAR": 11}
+"""Field of the first thickness at a corner, the name being number 0."""
+SOLIDS = {"CTETRA": "tetrahedra", "CHEXA": "hexahedra", "CPENTA": "wedges", "CPYRAM": "pyramids", "CPYRA": "pyramids"}
+BARS = ("CBAR", "CBEAM", "CROD", "CONROD", "CBUSH", "CELAS1", "CELAS2", "CONM1", "CTUBE", "RBE2", "RBE3", "RBAR")
+NAMES = (
+    re.compile(r'\$HMNAME\s+PROP\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),  # HyperMesh
+    re.compile(r'\$HMNAME\s+COMP\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),
+    re.compile(r"\$ANSA_NAME(?:_COMMENT)?;(?P<number>\d+);PSHELL;~?(?P<name>[^;]*)"),
+    re.compile(r"\$.*\bproperty\s+(?P<number>\d+)\s*[:=]\s*(?P<name>.+)", re.IGNORECASE),  # Femap
+)
+"""Comments that name a property."""
+BEFORE = re.compile(r"\$\*?.*?\b(?:property|region|pshell|physical property|set)\b[^:]*:\s*(?P<name>.+)", re.IGNORECASE)
+"""A comment that names the property of the next card PSHELL, as Patran and NX write it."""
+
+
+class _Card:
+    """A card: its name, and its fields as text."""
+
+    def __init__(self, line: int, fields: list[str], comment: str) -> None:
+        self.line, self.fields, self.comment = line, fields, comment
+        self.name = fields[0].rstrip("*").upper()
+
+    def __getitem__(self, place: int) -> str:
+        return self.fields[place] if place < len(self.fields) else ""
+
+
+def read(path: str) -> Mesh:
+    """Read a mesh of Nastran."""
+    return _File(path).read()
+
+
+class _File:
+    def __init__(self, path: str) -> None:
+        self.builder = MeshBuilder(path)
+        self.names: dict[int, str] = {}
+        self.shells: dict[int, tuple[int, float | None]] = {}
+        self.metals: dict[int, Wall] = {}
+        self.offsets = 0
+
+    def read(self) -> Mesh:
+        for card in self._cards():
+            if card.name == "GRID":
+                self._grid(card)
+            elif card.name in SHELLS:
+                self._shell(card)
+            elif card.name in SOLIDS:
+                self.builder.add_solid(SOLIDS[card.name], card[2])
+            elif card.name == "PSHELL":
+                self._property(card)
+            elif card.name == "MAT1":
+                self._metal(card)
+            elif card.name == "CONM2":
+                self._mass(card)
+            elif card.name in BARS:
+                self.builder.left_out[f"cards {card.name}"] += 1
+            elif card.name in ("INCLUDE", "IMPORT") or card.name.startswith("INCLUDE"):
+                message = "this file includes another one, which is not read; write the mesh as one file"
+                raise self.builder.error(card.line, message)
+        self.builder.aliases = {name: str(number) for number, name in self.names.items()}
+        for number, (metal, thickness) in self.shells.items():
+            of = self.metals.get(metal, Wall())
+            source = f"PSHELL {number}" + (f" and MAT1 {metal}" if metal in self.metals else "")
+            self.builder.walls[str(number)] = Wall(
+                thickness=thickness, youngs=of.youngs, poisson=of.poisson, density=of.density, source=source
+            )
+        if self.offsets:
+            text = f"{self.offsets} elements have an offset ZOFFS, which is not used: nodes are on the middle surface"
+            self.builder.notes.append(text)
+        return self.builder.mesh()
+
+    def _cards(self) -> Iterator[_Card]:
+        card: _Card | None = None
+        comment = ""
+        for number, text in enumerate(read_text(self.builder.path), 1):
+            if text.startswith("$"):
+                self._comment(text)
+                comment = text
+                continue
+            text = text.partition("$")[0].rstrip()
+            if not text.strip():
+                continue
+            fields = _fields(text)
+            if text[0] in " +*\t," and card is not None:
+                card.fields += fields[1:]
+                continue
+            if card is not None:
+                yield card
+            card, comment = _Card(number, fields, comment), ""
+        if card is not None:
+            yield card
+
+    def _comment(self, text: str) -> None:
+        for pattern in NAMES:
+            if (found := pattern.match(text)) and found["name"].strip():
+                self.names.setdefault(int(found["number"]), found["name"].strip())
+
+    def _grid(self, card: _Card) -> None:
+        number = self.builder.number(card.line, card[1])
+        if card[2] not in ("", "0"):
+            message = (
+                f"node {number} stands in the coordinate system {shortened(card[2], 20)}; write all in the basic one"
+            )
+            raise self.builder.error(card.line, message)
+        self.builder.add_node(card.line, number, number, [_number(card[place] or "0") for place in (3, 4, 5)])
+
+    def _shell(self, card: _Card) -> None:
+        number = self.builder.number(card.line, card[1], "an element")
+        group = card[2] or card[1]  # a property left out has the number of the element
+        count = SHELLS[card.name]
+        nodes = [self.builder.number(card.line, card[3 + corner]) for corner in range(count)]
+        higher = card.name[-1] in "68"
+        middle = [each for each in card.fields[3 + count : 3 + 2 * count] if each] if higher else []
+        first = THICKNESS.get(card.name)
+        own = [] if first is None else card.fields[first : first + count]
+        if first is not None and _number(card[4 + count]).strip("0.+- "):
+            self.offsets += 1
+        values = [self.builder.value(card.line, _number(each), "thickness") for each in own if each]
+        self.builder.add_shell(
+            card.line, number, nodes if not middle else [*nodes, *nodes], [group],
+            thickness=sum(values) / len(values) if len(values) == count else float("nan"),
+        )  # fmt: skip
+
+    def _property(self, card: _Card) -> None:
+        number = self.builder.number(card.line, card[1], "a property")
+        thickness = self.builder.value(card.line, _number(card[3]), "thickness") if card[3] else None
+        metal = int(card[2]) if card[2].isdecimal() and len(card[2]) < 11 else 0
+        self.shells[number] = metal, thickness
+        if (found := BEFORE.match(card.comment)) is not None and found["name"].strip():
+            self.names.setdefault(number, found["name"].strip())
+
+    def _metal(self, card: _Card) -> None:
+        number = self.builder.number(card.line, card[1], "a material")
+
+        def value(place: int, what: str) -> float | None:
+            return self.builder.value(card.line, _number(card[place]), what) if card[place] else None
+
+        youngs, shear, poisson = value(2, "Young's modulus"), value(3, "shear modulus"), value(4, "Poisson's ratio")
+        if poisson is None and youngs and shear:
+            poisson = youngs / (2.0 * shear) - 1.0
+        if youngs is None and shear and poisson is not None:
+            youngs = 2.0 * shear * (1.0 + poisson)
+        self.metals[number] = Wall(youngs=youngs, poisson=poisson, density=value(5, "density"))
+
+    def _mass(self, card: _Card) -> None:
+        number = self.builder.number(card.line, card[2])
+        if card[3] not in ("", "0"):
+            raise self.builder.error(
+                card.line, f"CONM2 {card[1]} stands in another coordinate system than the basic one"
+            )
+        mass = self.builder.value(card.line, _number(card[4]), "mass")
+        offset = [self.builder.value(card.line, _number(card[place] or "0"), "offset") for place in (5, 6, 7)]
+        self.builder.add_mass(card.line, number, mass, offset)
+
+
+def _fields(text: str) -> list[str]:
+    """Return the fields of a line: its name, then the eight or four of its data."""
+    if "," in text:
+        return [*(each.strip() for each in text.split(",")), *[""] * 8][:9]
+    text = text.expandtabs(8)
+    width, count = (16, 4) if "*" in text[:8] else (8, 8)
+    return [text[:8].strip(), *(text[8 + width * place : 8 + width * (place + 1)].strip() for place in range(count))]
+
+
+def _number(text: str) -> str:
+    """Return a number of Nastran in the common form: 4.43-9 is 4.43e-9, 1.D3 is 1e3."""
+    text = text.strip().replace("D", "e").replace("d", "e")
+    return re.sub(r"(?<=[\d.])([+-]\d+)$", r"e\1", text)

@@ -1,0 +1,315 @@
+"""Meshes as mesh generators write them: the same head from every format, its sets, cards and point masses."""
+
+import re
+
+import numpy as np
+import pytest
+
+from clubface import fem
+from clubface.errors import ClubfaceError, FileError, MeshWarning
+from clubface.fem.heads import Group, MeshHead
+from fem_meshes import FORMATS, HEAD, abaqus, coarse_walls, gmsh_2, lsdyna, nastran, write_walls
+from fem_runs import coarse_head, shells_case
+
+FACE = {"loft": "11.5 deg", "bulge": "305 mm", "roll": "305 mm"}
+PARTS = ("face", "crown", "sole", "skirt")
+GROUPS = tuple(Group(name=name, thickness="1.4 mm", face=name == "face") for name in PARTS)
+TITANIUM = (114e3, 0.34, 4.43e-9)
+"""MPa and t/mm3."""
+WALLS = {"face": 2.8, "crown": 1.3, "sole": 1.6, "skirt": 1.4}
+pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.MeshWarning")
+
+
+@pytest.fixture(autouse=True)
+def said_anew(monkeypatch):
+    """Warnings are given once in a process."""
+    from clubface.support import warning
+
+    monkeypatch.setattr(warning, "_given", set())
+
+
+def needs(name):
+    if "binary.msh" in name or name.endswith(".vtk"):
+        pytest.importorskip("meshio")
+
+
+def read(path, groups=GROUPS, **changes):
+    return MeshHead(name="mine", file=path, groups=groups, **{**FACE, **changes}).mesh()
+
+
+def numbered(name):
+    """Groups by number, for formats without names."""
+    if not name.endswith(".vtk"):
+        return GROUPS
+    return tuple(
+        Group(name=each.name, thickness=each.thickness, face=each.face, sets=(str(place),))
+        for place, each in enumerate(GROUPS, 1)
+    )
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_every_format_gives_the_same_head(tmp_path, name):
+    needs(name)
+    head, design = read(write_walls(tmp_path, coarse_walls(), name), numbered(name)), coarse_head()
+    assert [part.name for part in head.parts] == list(PARTS)
+    low, high = (limit(head.nodes, axis=0) for limit in (np.min, np.max))
+    assert np.abs(low - design.nodes.min(axis=0)).max() < 1e-7
+    assert np.abs(high - design.nodes.max(axis=0)).max() < 1e-7
+    whole = read(write_walls(tmp_path, coarse_walls(), "abaqus.inp")).club
+    split = 1e-2 if name == "text.stl" else 1e-6  # masses at nodes: a finer mesh is a little more compact
+    assert head.club.mass == pytest.approx(whole.mass, rel=split)
+    assert head.club.izz == pytest.approx(whole.izz, rel=split)
+
+
+@pytest.mark.parametrize("name", [name for name in FORMATS if name not in ("text.stl", "unstructured.vtk")])
+@pytest.mark.parametrize("what", ["triangles", "mixed", "with_edge_nodes"])
+def test_triangles_and_elements_of_second_order_are_taken(tmp_path, name, what):
+    if name == "gmsh2-binary.msh" and what == "with_edge_nodes":
+        pytest.skip("written by meshio from corners")
+    needs(name)
+    walls = coarse_walls()
+    if what == "mixed":
+        lone = iter([True, False, False] * 300)
+        walls = walls.change(lambda row: [row[:3], [row[0], *row[2:]]] if next(lone) else [row])
+    else:
+        walls = getattr(walls, what)()
+    with pytest.warns(MeshWarning, match="corners" if what == "with_edge_nodes" else "split into three"):
+        head = read(write_walls(tmp_path, walls, name), numbered(name))
+    plain = coarse_head()
+    each_edge_twice = np.sort(np.stack([head.quads, np.roll(head.quads, -1, axis=1)], axis=-1), axis=-1).reshape(-1, 2)
+    assert (np.unique(each_edge_twice, axis=0, return_counts=True)[1] == 2).all()
+    assert len(head.quads) == (len(plain.quads) if what == "with_edge_nodes" else len(head.quads))
+    whole = read(write_walls(tmp_path, coarse_walls(), "abaqus.inp")).club
+    assert head.club.mass == pytest.approx(whole.mass, rel=1e-3)
+    assert head.club.iyy == pytest.approx(whole.iyy, rel=6e-3)  # masses at nodes: a finer mesh is a little more compact
+
+
+def test_few_triangles_split_few_quadrilaterals(tmp_path):
+    number = iter(range(10_000))
+    walls = coarse_walls().change(lambda row: [row[:3], [row[0], *row[2:]]] if next(number) in (300, 420) else [row])
+    head = read(write_walls(tmp_path, walls))
+    assert len(coarse_head().quads) < len(head.quads) < 1.3 * len(coarse_head().quads)
+
+
+def test_binary_stl_is_one_group_of_triangles(tmp_path):
+    from fem_meshes import stl_binary
+
+    path = tmp_path / "head.stl"
+    path.write_bytes(stl_binary(coarse_walls()))
+    whole = (Group(name="shell", thickness="1.4 mm", face=True),)
+    with pytest.warns(MeshWarning, match="no groups|neither groups"):
+        head = read(path, whole)
+    assert head.club.mass == pytest.approx(read(write_walls(tmp_path, coarse_walls())).club.mass, rel=1e-3)
+    with pytest.raises(FileError, match="belongs to no group"):
+        read(path)
+
+
+@pytest.mark.parametrize("name", ["own.MSH", "own.txt", "own.dat"])
+def test_a_mesh_is_known_by_what_stands_in_it(tmp_path, name):
+    for write in (abaqus, nastran, gmsh_2, lsdyna):
+        path = tmp_path / name
+        path.write_text(write(coarse_walls()))
+        assert read(path).elements == coarse_head().elements
+
+
+def test_sets_of_the_mesh_generator_do_not_matter(tmp_path):
+    text = abaqus(coarse_walls())
+    assert "Surface1" in text
+    (tmp_path / "head.inp").write_text(text)
+    assert [part.name for part in read(tmp_path / "head.inp").parts] == list(PARTS)
+
+
+def test_groups_are_named_in_any_case_by_number_and_as_several_sets(tmp_path):
+    path = write_walls(tmp_path, coarse_walls(), "free.bdf")
+    groups = (
+        Group(name="FACE", thickness="3 mm", face=True),
+        Group(name="2", thickness="1 mm"),
+        Group(name="rest", thickness="1 mm", sets=("sole", "4")),
+    )
+    head = read(path, groups)
+    assert [part.elements for part in head.parts][2] == sum(part.elements for part in coarse_head().parts[2:])
+    with pytest.raises(FileError, match=r"unknown group of the mesh 'sole'.* its sets, .* face \(\d+\)|2 \("):
+        read(path, groups[:2])
+
+
+def test_properties_without_names_are_taken_in_order_and_it_is_said(tmp_path):
+    text = re.sub(r"\$HMNAME.*\n", "", nastran(coarse_walls()))
+    (tmp_path / "head.bdf").write_text(text)
+    with pytest.warns(MeshWarning, match="1 as face, 2 as crown"):
+        head = read(tmp_path / "head.bdf")
+    assert [part.elements for part in head.parts] == [part.elements for part in coarse_head().parts]
+    with pytest.raises(FileError, match=r"belongs to no group|unknown group"):
+        read(tmp_path / "head.bdf", GROUPS[:3])
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        '$HMNAME COMP       {0}"{1}"',
+        "$ANSA_NAME_COMMENT;{0};PSHELL;{1};;NO;NO;NO;NO;",
+        "$ Femap with NX Nastran Property {0} : {1}",
+    ],
+)
+def test_names_of_properties_are_read_from_comments(tmp_path, comment):
+    text = re.sub(r"\$HMNAME.*\n", "", nastran(coarse_walls()))
+    named = "\n".join(comment.format(place, name) for place, name in enumerate(reversed(PARTS), 1))
+    walls = coarse_walls()
+    turned = walls._replace(parts={name: walls.parts[name] for name in reversed(PARTS)})
+    text = named + "\n" + re.sub(r"\$HMNAME.*\n", "", nastran(turned))
+    (tmp_path / "head.bdf").write_text(text)
+    head = read(tmp_path / "head.bdf")
+    assert [part.elements for part in head.parts] == [part.elements for part in coarse_head().parts]
+
+
+WITH_CARDS = ["abaqus.inp", "free.bdf", "small.nas", "large.fem", "dyna.k"]
+
+
+@pytest.mark.parametrize("name", WITH_CARDS)
+def test_thickness_and_metal_come_from_cards_where_the_file_of_the_head_gives_none(tmp_path, name):
+    walls = coarse_walls()._replace(cards={each: (wall, *TITANIUM) for each, wall in WALLS.items()})
+    groups = tuple(Group(name=each, face=each == "face") for each in PARTS)
+    head = read(write_walls(tmp_path, walls, name), groups)
+    for place, part in enumerate(head.parts):
+        assert (part.metal.youngs, part.metal.density) == pytest.approx((114e9, 4430.0), rel=1e-6)
+        assert head.thickness[head.part_of_elements() == place] == pytest.approx(1e-3 * WALLS[part.name])
+
+
+@pytest.mark.parametrize(
+    ("unit", "scale", "metal"),
+    [
+        ("mm", 1.0, (114.0, 0.34, 4.43e-6)),  # kg, mm, ms
+        ("mm", 1.0, (114e3, 0.34, 4.43e-3)),  # g, mm, ms
+        ("mm", 1.0, (114e9, 0.34, 4430.0)),  # lengths in mm, metals in SI
+        ("m", 1e-3, (114e9, 0.34, 4430.0)),
+        ("in", 1 / 25.4, (16.534e6, 0.34, 4.1453e-4)),  # psi, lbf s2/in4
+        ("cm", 0.1, (1.14, 0.34, 4.43)),  # Mbar, g/cm3
+    ],
+)
+def test_metals_of_cards_tell_the_system_of_units(tmp_path, unit, scale, metal):
+    walls = coarse_walls()
+    walls = walls._replace(
+        nodes=walls.nodes * scale, cards={each: (scale * wall, *metal) for each, wall in WALLS.items()}
+    )
+    path = tmp_path / "head.inp"
+    path.write_text(abaqus(walls))
+    head = read(path, tuple(Group(name=each, face=each == "face") for each in PARTS), unit=unit)
+    assert head.parts[0].metal.youngs == pytest.approx(114e9, rel=1e-3)
+    assert head.parts[0].metal.density == pytest.approx(4430.0, rel=1e-3)
+    assert head.thickness[0] == pytest.approx(2.8e-3, rel=1e-6)
+
+
+def test_a_card_of_no_metal_is_refused(tmp_path):
+    walls = coarse_walls()._replace(cards={each: (wall, 1.14, 0.34, 4.43e-9) for each, wall in WALLS.items()})
+    with pytest.raises(FileError, match=r"M-face: E 1.14 and density 4.43e-09 are those of no metal"):
+        read(write_walls(tmp_path, walls), tuple(Group(name=each, face=each == "face") for each in PARTS))
+
+
+def test_what_cards_say_otherwise_is_said_and_the_file_of_the_head_counts(tmp_path):
+    walls = coarse_walls()._replace(cards=dict.fromkeys(PARTS, (1.0, *TITANIUM)))
+    groups = (Group(name="face", thickness="2 mm", face=True, metal={"youngs": "200 GPa"}), *GROUPS[1:])
+    with pytest.warns(MeshWarning, match=r"face 1 mm there, 2 mm here.*youngs of face 114 GPa there, 200 GPa here"):
+        head = read(write_walls(tmp_path, walls), groups)
+    assert head.thickness[0] == 2e-3
+    assert head.parts[0].metal.youngs == 200e9
+    assert head.parts[0].metal.density == pytest.approx(4430.0)
+
+
+def test_a_thickness_that_nothing_gives_is_asked_for(tmp_path, write):
+    write_walls(tmp_path, coarse_walls())
+    path = write(HEAD.replace("head.msh", "abaqus.inp").replace('thickness = "1.3 mm"\n', ""), "own.toml")
+    with pytest.raises(FileError, match="thickness of crown"):
+        fem.head(path)
+
+
+def test_thickness_at_the_corners_of_nastran_elements_is_used(tmp_path):
+    text = nastran(coarse_walls())
+    lines = [line + ",,,\n,,,2.,2.,3.,3." if line.startswith("CQUAD4") else line for line in text.splitlines()]
+    (tmp_path / "head.bdf").write_text("\n".join(lines))
+    head = read(tmp_path / "head.bdf", tuple(Group(name=each, face=each == "face") for each in PARTS))
+    assert head.thickness == pytest.approx(2.5e-3)
+
+
+@pytest.mark.parametrize("form", ["nastran", "lsdyna"])
+def test_point_masses_of_a_mesh_are_added(tmp_path, form):
+    walls = coarse_walls()
+    at = int(np.argmin(np.linalg.norm(walls.nodes - [-40.0, -22.0, 0.0], axis=1)))
+    if form == "nastran":
+        text, card = nastran(walls), f"CONM2,9001,{at + 1},,2.5-5\nENDDATA"
+        (tmp_path / "head.bdf").write_text(text.replace("ENDDATA", card))
+        path = tmp_path / "head.bdf"
+    else:
+        path = tmp_path / "head.k"
+        path.write_text(lsdyna(walls).replace("*END\n", f"*ELEMENT_MASS\n{9001:8d}{at + 1:8d}{2.5e-5:16.8e}\n*END\n"))
+    with pytest.warns(MeshWarning, match="1 point masses, 25 g in all"):
+        head = read(path)
+    bare = read(write_walls(tmp_path, walls))
+    assert head.club.mass - bare.club.mass == pytest.approx(0.025, rel=1e-6)
+    point = walls.nodes[at] * 1e-3
+    cg = (bare.club.mass * -np.array(bare.club.cg) + 0.025 * point) / head.club.mass
+    assert np.abs(-np.array(head.club.cg) - cg).max() < 1e-8
+
+
+def test_a_deck_that_clubface_writes_is_read_back(tmp_path):
+    case, path = shells_case(), tmp_path / "own.k"
+    fem.keyword.write(case, path)
+    groups = tuple(Group(name=part.name, face=part.face) for part in case.club.parts)
+    with pytest.warns(MeshWarning, match="left out, as no group names them: .* solids"):
+        head = read(path, groups, unit="m", loft=0.0)
+    assert head.elements == case.club.elements
+    assert head.club.mass == pytest.approx(case.club.club.mass, rel=1e-6)
+    assert np.linalg.eigvalsh(head.club.inertia) == pytest.approx(np.linalg.eigvalsh(case.club.club.inertia), rel=2e-3)
+
+
+PART = """\
+*Part, name=Head
+{mesh}*End Part
+*Assembly, name=Assembly
+*Instance, name=Head-1, part=Head
+ {shift}, 0., 0.
+*End Instance
+*End Assembly
+"""
+
+
+def test_parts_of_abaqus_stand_where_their_instances_put_them(tmp_path):
+    (tmp_path / "head.inp").write_text("*Heading\n" + PART.format(mesh=abaqus(coarse_walls()), shift=5.0))
+    head = read(tmp_path / "head.inp", face_centre=(5.0, 0.0, 0.0))
+    assert head.nodes[:, 0].max() == pytest.approx(coarse_head().nodes[:, 0].max(), abs=1e-8)
+    with pytest.raises(ClubfaceError, match="face_centre"):
+        read(tmp_path / "head.inp")
+
+
+@pytest.mark.parametrize("form", ["abaqus", "nastran", "lsdyna"])
+def test_an_included_file_is_not_left_out_without_a_word(tmp_path, form):
+    text = {"abaqus": abaqus, "nastran": nastran, "lsdyna": lsdyna}[form](coarse_walls())
+    line = {"abaqus": "*INCLUDE, INPUT=more.inp\n", "nastran": "INCLUDE 'more.bdf'\n", "lsdyna": "*INCLUDE\nmore.k\n"}[
+        form
+    ]
+    text = text.replace("*NODE", line + "*NODE", 1) if form != "nastran" else text.replace("GRID", line + "GRID", 1)
+    (tmp_path / "head.dat").write_text(text)
+    with pytest.raises(FileError, match="another one, which is not read"):
+        read(tmp_path / "head.dat")
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "said"),
+    [
+        ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=C3D4", "tetrahedra: a head of one's own is a"),
+        ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=XYZ9", "the type XYZ9 are not read"),
+        ("free.bdf", "GRID,7,,", "GRID,7,3,", "node 7 stands in the coordinate system 3"),
+        ("dyna.k", "*KEYWORD", "*KEYWORD LONG=Y", "long or i10 format"),
+    ],
+)  # fmt: skip
+def test_what_is_not_read_is_refused_in_one_line(tmp_path, name, old, new, said):
+    path = write_walls(tmp_path, coarse_walls(), name)
+    path.write_text(path.read_text().replace(old, new))
+    with pytest.raises(ClubfaceError, match=re.escape(said)) as error:
+        read(path)
+    assert "\n" not in str(error.value)
+
+
+def test_a_solid_or_a_cad_file_says_what_to_do(tmp_path):
+    path = tmp_path / "head.step"
+    path.write_text("ISO-10303-21;\n")
+    with pytest.raises(FileError, match="a CAD file without a mesh"):
+        read(path)
