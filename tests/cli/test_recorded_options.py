@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import csv
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from clubface.benchmark_data.recipe import FOLDER
+from clubface.launch_monitor.reading import read_shots
 from command_line import assert_mistake
 
 pytest.importorskip("typer")
@@ -95,3 +98,33 @@ def test_predict_of_a_file_and_of_its_table_agree(clubface_, tmp_path):
             found.append([row["predicted_azimuth_deg"] for row in csv.DictReader(file)])
     assert found[0] == found[1]
     assert len(found[0]) == 1
+
+
+@pytest.mark.parametrize("name", ["evaluate", "identify", "infer", "golfer estimate", "predict", "monitor read",
+                                  "monitor summary", "monitor report", "monitor send", "compare"])  # fmt: skip
+def test_every_command_that_reads_a_file_refuses_numbers_without_a_unit_and_takes_the_options_it_prints(
+    clubface_, tmp_path, write, name
+):
+    shots = replace(read_shots(SHOTS).select(slice(0, 10)), players=None).columns()
+    heads = {"club_speed_mph": "Club Speed", "attack_deg": "Attack Angle"}
+    plain = [heads.get(each, re.sub(r"_[a-z]+$| \[.*", "", each) if each != "club" else each) for each in shots]
+    rows = zip(*shots.values(), strict=True)
+    path = str(write("\n".join([",".join(plain), *(",".join(map(str, row)) for row in rows)]), "plain.csv"))
+    more = {
+        "golfer estimate": ["-o", str(tmp_path / "golfer.toml")],
+        "monitor read": [],
+        "monitor report": ["-o", str(tmp_path / "report.md")],
+        "monitor send": ["--port", "9", "--timeout", "0.01 s"],
+    }
+    arguments = [path, *(commands(tmp_path) | more).get(name, [])]
+    arguments = ["7-iron", "--deliveries", path, "--no-split"] if name == "compare" else arguments
+    refused = clubface_(*name.split(), *arguments)
+    assert refused.status == 2
+    assert "Attack Angle" in refused.err
+    assert "Club Speed" in refused.err
+    printed = re.findall(r"--unit \S+", refused.err)
+    ran = clubface_(*name.split(), *arguments, *" ".join(printed).split())
+    if name == "monitor send":
+        assert "no simulator" in ran.err or "cannot" in ran.err, ran.err
+    else:
+        assert ran.status == 0, ran.err

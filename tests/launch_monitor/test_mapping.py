@@ -35,8 +35,8 @@ COLUMN = '[columns.speed]\nheading = "Tempo"\nunit = "km/h"\n'
         (COLUMN + '[columns.path]\nheading = "Bahn"\npositive = "rigt"', 6, "did you mean right"),
         (COLUMN + 'positive = "right"', 4, "speed has no sides"),
         (COLUMN + "optional = 1", 4, "optional must be true or false"),
-        (COLUMN + "optional = true", None, "at least one column must not be optional"),
-        ("columns.speed = 3", None, r"must be a table, as in \[columns.speed\]"),
+        (COLUMN + "optional = true", 1, "at least one column must not be optional"),
+        ("columns.speed = 3", 1, r"must be a table, as in \[columns.speed\]"),
     ],
 )
 def test_a_mistake_in_a_mapping_is_told_with_its_line(write, content, line, said):

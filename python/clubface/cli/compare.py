@@ -12,7 +12,7 @@ from clubface.cli import option_values, options, output, reporting
 from clubface.cli.compare_alternatives import alternatives_of
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
-from clubface.cli.quantity_units import KEYS, Shown, Units, label, shown_units
+from clubface.cli.quantity_units import KEYS, VALUES, Shown, label, shown_units
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
 from clubface.units import from_si
@@ -62,7 +62,15 @@ def compare(
     nodes: Annotated[
         int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
     ] = None,
-    unit: Units = None,
+    unit: Annotated[
+        list[str] | None,
+        options.option(
+            "--unit",
+            metavar="NAME=UNIT",
+            text="Unit of a quantity for people, carry=m, or of columns of --deliveries that name none, speed=mph. "
+            "Repeatable.",
+        ),
+    ] = None,
     target: Annotated[str | None, options.output("FILE", "Write all figures, CSV or Parquet by its ending.")] = None,
     plot: Annotated[str | None, options.picture("flights and contributions")] = None,
     report: options.Report = None,
@@ -70,18 +78,20 @@ def compare(
     **texts: Any,
 ) -> None:
     """Compare clubs, balls, models, parameters or deliveries, and tell what makes the difference."""
-    if as_json and unit and plot is None and report is None:
+    if as_json and unit and deliveries is None and plot is None and report is None:
         raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
     inputs = [*clubs, *(texts["ball"] or ()), *(texts["parameters"] or ()), deliveries]
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     output.check_report(report, inputs)
     conditions = option_values.conditions(texts)
-    shown = shown_units(unit)
+    file_units = option_values.pairs(unit or (), "--unit") if deliveries is not None else {}
+    file_units = {name: symbol for name, symbol in file_units.items() if name not in VALUES}
+    shown = shown_units(each for each in unit or () if each.partition("=")[0].strip() not in file_units)
 
     from clubface.design.comparison.comparison import MOST, compare as computed
 
-    alternatives = alternatives_of(clubs, delivery, deliveries, texts)
+    alternatives = alternatives_of(clubs, delivery, deliveries, texts, file_units)
     if nodes is not None and not split:
         raise ClubfaceError("--nodes has no effect with --no-split; leave out one of them")
     if not 2 <= len(alternatives) <= MOST:

@@ -13,16 +13,23 @@ from clubface.errors import ClubfaceError, InputError
 
 
 def alternatives_of(
-    clubs: Sequence[str], changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]
+    clubs: Sequence[str],
+    changes: Sequence[str] | None,
+    file: str | None,
+    texts: Mapping[str, Any],
+    units: Mapping[str, str] | None = None,
 ) -> dict[str, dict[str, Any]]:
-    """Return every combination of what was given, called by what differs."""
+    """Return every combination of what was given, called by what differs.
+
+    ``units`` are those of columns of ``file`` that name none.
+    """
     from clubface.equipment.balls import ball
 
     heads = _named([(option_values.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
     balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
     models = option_values.model_names(texts["model"], DEFAULT_MODEL)
     option_values.check_accuracy(models, texts["accuracy"])
-    swings = _deliveries(changes, file, texts)
+    swings = _deliveries(changes, file, units or {}, texts)
     combined = []
     for head_name, head in heads.items():
         for ball_name, made in balls.items():
@@ -75,7 +82,7 @@ def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]
 
 
 def _deliveries(
-    changes: Sequence[str] | None, file: str | None, texts: Mapping[str, Any]
+    changes: Sequence[str] | None, file: str | None, units: Mapping[str, str], texts: Mapping[str, Any]
 ) -> dict[str, dict[str, float]]:
     from clubface.simulation.delivery import DIMENSIONS
     from clubface.support.checks import check_names
@@ -87,7 +94,7 @@ def _deliveries(
         from clubface.design.comparison.comparison import MOST
         from clubface.design.comparison.rows import read_deliveries
 
-        told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"))
+        told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"), units=units)
         found = {name: {**base, **each} for name, each in told.items()}
     else:
         told, found = {}, {}

@@ -15,6 +15,7 @@ import numpy as np
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH
+from clubface.launch_monitor.columns import is_units_row
 from clubface.launch_monitor.detection import asked_for, detected, is_foreign, others
 from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
@@ -157,17 +158,20 @@ def _parquet_session(path: Path, hand: str | None, units: Mapping[str, str]) -> 
         reader.close()
 
 
-def is_monitors(path: str | os.PathLike[str]) -> bool:
-    """Tell whether a file is one of a launch monitor: CSV with the columns of a known layout."""
+def is_plain_table(path: str | os.PathLike[str]) -> bool:
+    """Tell whether a file is a table of no launch monitor, which begins with its header and names units there."""
     source = Path(path)
     _refuse_no_table(source)
     if source.suffix.lower() in PARQUET:
-        return False
+        return True
     rows = open_rows(source, head_lines=HEAD_ROWS)
     try:
-        return detected(str(path), list(islice(_rows(rows), HEAD_ROWS))) is not TABLE
+        head = [each for each in islice(_rows(rows), HEAD_ROWS) if not isinstance(each, Reject)]
+        if detected(str(path), head) is not TABLE:
+            return False
+        return TABLE.is_header(head[0][0]) and not (len(head) > 1 and is_units_row(head[1][0]))
     except FileError:
-        return False
+        return True
     finally:
         rows.close()
 

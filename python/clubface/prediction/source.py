@@ -15,7 +15,7 @@ import numpy as np
 
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
-from clubface.launch_monitor.reading import is_monitors, read
+from clubface.launch_monitor.reading import is_plain_table, read
 from clubface.launch_monitor.tables import TABLE
 from clubface.measured.ready import ReadyShots, ready_shots
 from clubface.measured.shots import assumptions
@@ -76,20 +76,21 @@ def open_source(path: Path, club: Club, *, hand: str | None, mismatch: str, **sa
         ``CHOICE`` and ``READING``.
     """
     units = check_units(said["units"] or {})
-    if any(said[name] for name in LAID_OUT) or is_monitors(path):
+    if any(said[name] for name in LAID_OUT) or not is_plain_table(path):
         recorded = read(path, hand=hand, **{name: said[name] for name in READING})
         ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
         reader = _as_read(recorded, ready, path)
         return _of_shots(reader, layout(reader.headings, reader.path, reader.header_line), recorded, ready)
     reader = open_table(path)
     try:
-        columns = layout(reader.headings, reader.path, reader.header_line, given_units=units)
-        names = {plain_name(each) for each in columns.headings}
+        place = (reader.path, reader.header_line)
         telling = {*map(plain_name, TABLE.club), *POINTS}
-        if names.isdisjoint(telling) and not any(said[name] for name in CHOICE):
-            require_speed(columns, reader.path, reader.header_line)
+        if telling.isdisjoint(map(plain_name, reader.headings)) and not any(said[name] for name in CHOICE):
+            columns = layout(reader.headings, *place, given_units=units)
+            require_speed(columns, *place)
             return Source(reader, columns, columns.used, (*reader.notes, *columns.notes))
         recorded = read(path, units=units)
+        columns = layout(reader.headings, *place, given_units=units)
         ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
         return _of_shots(reader, columns, recorded, ready)
     except BaseException:

@@ -10,6 +10,7 @@
     seed = 1                       # of the same
     chunk = 5000                   # tasks computed and kept together; or
     seconds = 2                    # the time that a chunk should take, from which the size follows
+    units = { speed = "mph" }      # of columns of the table that name none, by input or dimension
 
     [impact]                       # the table of the kind
     club = "driver"
@@ -25,7 +26,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -41,7 +42,7 @@ from clubface.support.checks import check_choice, check_name, is_count
 from clubface.support.input_files import InputRecord, absolute
 from clubface.support.strict_toml import Document
 
-KEYS = ("name", "kind", "design", "samples", "seed", "chunk", "seconds")
+KEYS = ("name", "kind", "design", "samples", "seed", "chunk", "seconds", "units")
 SAMPLED = (HYPERCUBE, SOBOL)
 MOST_ROWS = 500_000
 """Tasks of a chunk."""
@@ -72,6 +73,8 @@ class StudyFile:
     inputs
         The files that the study reads, as they were when they were read: the study itself, those that it names, and
         those that these name in turn, such as a mesh.
+    units
+        Units of columns of the table that name none.
     """
 
     path: Path
@@ -86,6 +89,7 @@ class StudyFile:
     seconds: float
     document: Document
     inputs: InputRecord
+    units: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def folder(self) -> Path:
@@ -99,6 +103,7 @@ class StudyFile:
             f"[{self.kind.name}]": self.table,
             "[sweep]": [list(self.sweep.items())],
             "design": [self.method, self.design.count],
+            **({"units": [sorted(self.units.items())]} if self.units else {}),
             **{f"file {name}": sum_ for name, sum_ in self.files().items()},
             **({"seed or version of SciPy": [self.seed, *_generators()]} if self.method in SAMPLED else {}),
             **({} if self.chunk is None else {"chunk": self.chunk}),
@@ -168,6 +173,7 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
         if not is_count(seed := head.get("seed", 0), 0, 2**63 - 1):
             raise InputError("seed", seed, "a whole number from 0")
         chunk, seconds = _chunk(head)
+        table_units = _units(head, method)
         for key in ("samples", "seed"):
             if key in head and method not in SAMPLED:
                 raise InputError(key, head[key], f"leave it out of the design {method}, which is not sampled")
@@ -182,17 +188,27 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
     except ClubfaceError as error:
         raise document.wrap(error, chosen.name) from None
     try:
-        made = _design(document, known, sweep, (method, head.get("samples"), seed))
+        made = _design(document, known, sweep, (method, head.get("samples"), seed), table_units)
         _check_held(document, chosen, table, {each.name: known[each.name] for each in made.axes})
     except InputError as error:
-        if error.parameter == "samples":
+        if error.parameter == "samples" or (error.parameter or "").startswith("the unit of"):
             raise document.wrap(error, "study") from None
         raise document.error(str(error), error.parameter.rpartition(" ")[2], "sweep") from None
     return StudyFile(
         path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed,
-        design=Remembered(made), chunk=chunk, seconds=seconds, document=document,
+        design=Remembered(made), chunk=chunk, seconds=seconds, document=document, units=table_units,
         inputs=inputs,
     )  # fmt: skip
+
+
+def _units(head: Mapping[str, Any], method: str) -> Mapping[str, str]:
+    """Return the units of columns of the table that name none."""
+    given = head.get("units", {})
+    if not isinstance(given, dict) or not all(isinstance(each, str) for each in given.values()):
+        raise InputError("units", given, 'a table of units, as in { speed = "mph", angle = "deg" }')
+    if given and method != TABLE:
+        raise InputError("units", given, f"leave it out of the design {method}, which reads no table")
+    return given
 
 
 def _table(document: Document, name: str) -> dict[str, Any]:
@@ -238,9 +254,13 @@ def _chunk(head: Mapping[str, Any]) -> tuple[int | None, float]:
 
 
 def _design(
-    document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], how: tuple[str, Any, int]
+    document: Document,
+    known: Mapping[str, Swept],
+    sweep: Mapping[str, Any],
+    how: tuple[str, Any, int],
+    table_units: Mapping[str, str],
 ) -> Design:
-    """Return the design of a study from what may be swept, and its method, samples and seed."""
+    """Return the design of a study from what may be swept, its method, samples and seed, and units of its table."""
     method, samples, seed = how
     axes: list[Axis] = []
     for name, given in sweep.items():
@@ -255,7 +275,7 @@ def _design(
         return design(method, axes, samples, seed)
     if not isinstance(sweep.get(TABLE), str):
         raise InputError(TABLE, sweep.get(TABLE), 'the name of a file of the design "table", as in "deliveries.csv"')
-    columns = table_columns(Path(document.path).parent / sweep[TABLE], known)
+    columns = table_columns(Path(document.path).parent / sweep[TABLE], known, table_units)
     for each in axes:
         if each.name in columns:
             raise InputError(each.name, Told("given twice"), "in the table or in [sweep], not in both")

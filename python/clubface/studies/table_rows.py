@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.errors import FileError
 from clubface.studies.axes import Swept, whole_flaw
-from clubface.tables.headings import Vocabulary, delivery_words, layout, plain_name
+from clubface.tables.headings import Vocabulary, check_units, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
 
 if TYPE_CHECKING:
@@ -19,8 +19,12 @@ AT_A_TIME = 100_000
 """Rows."""
 
 
-def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str, NDArray[Any]]]:
+def table_columns(
+    path: Path, known: Mapping[str, Swept], given_units: Mapping[str, str] | None = None
+) -> dict[str, tuple[str, NDArray[Any]]]:
     """Return the columns of a CSV or Parquet file that give inputs: SI unit and values [SI] by name.
+
+    ``given_units`` are the units of columns that name none, by input or dimension.
 
     Raises
     ------
@@ -32,7 +36,9 @@ def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str
 
     reader = open_table(path)
     try:
-        found = layout(reader.headings, reader.path, reader.header_line, _words(known))
+        words = _words(known)
+        units_of = check_units(given_units or {}, words.dimensions)
+        found = layout(reader.headings, reader.path, reader.header_line, words, units_of, _as_key)
         used = found.used
         for heading in found.passed:
             if plain_name(heading) in known:  # of names, which rows of numbers do not hold
@@ -64,6 +70,12 @@ def table_columns(path: Path, known: Mapping[str, Swept]) -> dict[str, tuple[str
         name: (units.SI_UNITS[units.unit(known[name].unit or "1").dimension], np.concatenate(each))
         for name, each in parts.items()
     }
+
+
+def _as_key(given: Mapping[str, str]) -> str:
+    """Say how a study gives units."""
+    pairs = ", ".join(f'{name} = "{symbol}"' for name, symbol in given.items())
+    return f"units = {{ {pairs} }} under [study]"
 
 
 def _words(known: Mapping[str, Swept]) -> Vocabulary:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -144,11 +144,13 @@ def layout(
     line: int | None,
     words: Vocabulary | None = None,
     given_units: Mapping[str, str] | None = None,
+    remedy: Callable[[Mapping[str, str]], str] | None = None,
 ) -> Layout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
     Without ``words`` they are the inputs of an impact. ``given_units`` are the units, by quantity or dimension, of
-    columns that name none; all columns that then have none are named in an error.
+    columns that name none; all columns that then have none are named in an error. ``remedy`` says how units are given,
+    by name; unless given, as options of a command.
     """
     given_units = given_units or {}
     words = words or delivery_words()
@@ -180,7 +182,7 @@ def layout(
                 without_unit.append((heading, quantity))
         used[quantity] = Column(place, heading, quantity, symbol or "1")
     if without_unit:
-        raise missing_units(without_unit, path, line, words.dimensions)
+        raise missing_units(without_unit, path, line, words.dimensions, remedy)
     return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
 
@@ -215,7 +217,11 @@ def check_units(given: Mapping[str, str], dimensions: Mapping[str, str] | None =
 
 
 def missing_units(
-    columns: Sequence[tuple[str, str]], path: str, line: int | None, dimensions: Mapping[str, str]
+    columns: Sequence[tuple[str, str]],
+    path: str,
+    line: int | None,
+    dimensions: Mapping[str, str],
+    remedy: Callable[[Mapping[str, str]], str] | None = None,
 ) -> FileError:
     """Return the error on columns, by heading and quantity, whose unit nothing names: a number alone is no value."""
     options = {}
@@ -233,10 +239,14 @@ def missing_units(
     one = len(columns) == 1
     message = (
         f"the column{'s' * (not one)} {', '.join(shown)} name{'s' * one} no unit: give {'it' if one else 'them'}, as "
-        f"in {' '.join(f'--unit {name}={unit}' for name, unit in options.items())} (in Python units={options!r}), with "
-        "the units in which the numbers were written"
+        f"in {(remedy or _as_options)(options)}, with the units in which the numbers were written"
     )
     return FileError(path, line, message, columns[0][0])
+
+
+def _as_options(units: Mapping[str, str]) -> str:
+    given = " ".join(f"--unit {name}={unit}" for name, unit in units.items())
+    return f"{given} (in Python units={units!r} of launch_monitor.read or predict)"
 
 
 def require_speed(found: Layout, path: str, line: int | None) -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from clubface.errors import FileError
-from clubface.tables.headings import layout, plain_name
+from clubface.tables.headings import check_units, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
 from clubface.units import to_si
 
@@ -16,16 +16,22 @@ NAMES = ("name", "label", "delivery", "shot")
 
 
 def read_deliveries(
-    path: str | os.PathLike[str], most: int, note: Callable[[str], object] | None = None
+    path: str | os.PathLike[str],
+    most: int,
+    note: Callable[[str], object] | None = None,
+    *,
+    units: Mapping[str, str] | None = None,
 ) -> dict[str, dict[str, float]]:
     """Read deliveries [SI] from a CSV or Parquet file of at most so many rows, by what its rows are called.
 
     A column ``name`` (or label, delivery, shot) names the rows; without one they are called after their lines. ``note``
     is called with what a reader of the result should know, such as a column whose name is nearly that of an input.
+    ``units`` are those of columns that name none, by quantity or dimension.
     """
+    given = check_units(units or {}, delivery_words().dimensions)
     reader = open_table(Path(path))
     try:
-        columns = layout(reader.headings, reader.path, reader.header_line)
+        columns = layout(reader.headings, reader.path, reader.header_line, given_units=given)
         naming = [place for place, each in enumerate(columns.headings) if plain_name(each) in NAMES]
         if note is not None:
             for text in (*reader.notes, *columns.notes):
