@@ -99,25 +99,47 @@ def check(
 
     found = Club.from_toml(file)
     if as_json:
-        output.print_json(describe(found))
+        output.print_json({**describe(found), "rules": _rules(found)})
     else:
         print_club(found)
         print()
-        _print_rules(found)
+        _print_rules(found, file)
         print(f"\n{file}: a club that can exist")
 
 
-def _print_rules(of: Club) -> None:
-    """Print what the club has of every limit of the rules that a club file knows."""
-    from clubface import units
-    from clubface.cli.tables import print_numbers
+def _rules(of: Club) -> list[dict[str, Any]]:
+    """Return what the club has of every limit of the rules, in SI."""
     from clubface.design.rules import check_rules
 
-    rows = []
+    return [
+        {"rule": each.rule.name, "value": None if each.conforms is None else each.value, "limit": each.rule.most,
+         "tolerance": each.rule.tolerance, "verdict": each.words}
+        for each in check_rules(of)
+    ]  # fmt: skip
+
+
+def _print_rules(of: Club, file: str) -> None:
+    """Print what the club has of every limit of the rules, and what is not known of it."""
+    from clubface import units
+    from clubface.cli.tables import print_numbers
+    from clubface.design.rules import NOT_KNOWN, UNMEASURED, check_rules
+    from clubface.fem.heads.meshed import mesh_of
+
+    rows, notes = [], []
     for each in check_rules(of):
-        if each.conforms is not None:
-            unit = each.rule.unit
-            told = (units.from_si(value, unit) for value in (each.value, each.rule.most, each.rule.tolerance))
-            rows.append([f"{each.rule.title}, {unit}", *(f"{value:.4g}" for value in told), each.words])
+        if each.words == NOT_KNOWN:  # a club file tells no volume, and needs none
+            continue
+        unit = each.rule.unit
+        known = "" if each.conforms is None else f"{units.from_si(each.value, unit):.4g}"
+        limits = (f"{units.from_si(value, unit):.4g}" for value in (each.rule.most, each.rule.tolerance))
+        rows.append([f"{each.rule.title}, {unit}", known, *limits, each.words])
+        if each.words == UNMEASURED:
+            told = 'characteristic_time = "250 us" in the file says what the pendulum measured'
+            if mesh_of(of) is not None:
+                told = f"clubface fem head {file} --measure simulates it, and {told}"
+            notes.append(f"nothing says how the face gives: {told}")
     if rows:
         print_numbers(("", "club", "limit", "tolerance", ""), rows, title="Rules of golf")
+    if mesh_of(of) is not None and len(rows) > 1:
+        notes.append("volume and dimensions are those of the whole mesh, with a hosel if it has one")
+    output.print_notes(notes)

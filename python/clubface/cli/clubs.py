@@ -95,8 +95,9 @@ def print_club(found: Any) -> None:
     sources: dict[str, int] = {}
     rows = []
     for key, quantity in CLUB_PROPERTIES.items():
-        if getattr(found, key) is None:
-            continue
+        if getattr(found, key) is None or (key == "characteristic_time" and hasattr(found, "head") and not found.cor
+                                           and not found.characteristic_time):  # fmt: skip
+            continue  # the mesh gives, by how much nobody has measured
         source = found.sources.get(key, "")
         mark = f"[{sources.setdefault(source, len(sources) + 1)}]" if source else ""
         rows.append([key, _cell(found, key), quantity.unit.replace("1", ""), mark, quantity.meaning])

@@ -9,9 +9,15 @@ from typing import Any, NamedTuple
 
 from clubface import measurements, units
 from clubface.equipment.clubs import Club, club as club_of
+from clubface.fem.heads.meshed import mesh_of
 
 STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
 """The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
+
+NOT_KNOWN = "not known"
+"""What is said of a value that is not given."""
+UNMEASURED = "not measured"
+"""What is said of a face whose characteristic time is not given."""
 
 
 class Rule(NamedTuple):
@@ -56,10 +62,13 @@ class RuleVerdict(NamedTuple):
         The limit.
     value
         Of the club [SI], or NaN where it is not known.
+    unknown
+        What is said of a value that is not known.
     """
 
     rule: Rule
     value: float
+    unknown: str = NOT_KNOWN
 
     @property
     def conforms(self) -> bool | None:
@@ -68,9 +77,9 @@ class RuleVerdict(NamedTuple):
 
     @property
     def words(self) -> str:
-        """The verdict: "conforms", "conforms within the tolerance", "does not conform" or "not known"."""
+        """The verdict: "conforms", "conforms within the tolerance", "does not conform", or why it is not known."""
         if self.conforms is None:
-            return "not known"
+            return self.unknown
         if not self.conforms:
             return "does not conform"
         return "conforms" if self.value <= self.rule.most else "conforms within the tolerance"
@@ -128,17 +137,25 @@ def check_rules(
         Of the head: text with a unit, or m3.
     size
         Of the head from face to back, from sole to crown and from heel to toe: texts with units, or m.
+
+    What is left out of these is that of the mesh of a meshed head. A characteristic time of 0 is that of a face which
+    nobody has measured: no face is rigid.
     """
     head = club_of(which)
+    unknown = {"characteristic_time": UNMEASURED}
+    if (mesh := mesh_of(head)) is not None:
+        if volume is None and (volume := mesh.volume) is None:
+            unknown["volume"] = "not known: the mesh is not closed"
+        size = mesh.size if size is None else size
     depth, height, length = (units.parse(each, "length", name="size") for each in size) if size else (math.nan,) * 3
     values = {
         "moment_of_inertia": head.iyy,
-        "characteristic_time": head.characteristic_time,
+        "characteristic_time": head.characteristic_time or math.nan,
         "volume": math.nan if volume is None else units.parse(volume, "volume", name="volume"),
         "heel_to_toe": length,
         "sole_to_crown": height,
     }
-    verdicts = [RuleVerdict(rule, values[rule.name]) for rule in rules_of(head)]
+    verdicts = [RuleVerdict(rule, values[rule.name], unknown.get(rule.name, NOT_KNOWN)) for rule in rules_of(head)]
     if head.kind != "iron" and size:
         source = rules()["heel_to_toe"].source
         longer = Rule("face_to_back", "face to back, beside heel to toe", length, 0.0, "in", source)

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Table
@@ -101,4 +102,10 @@ def equipment_sources(*things: Club | Ball) -> Iterator[str]:
 
 def _caveats(launches: Sequence[Launch]) -> Iterator[str]:
     for each in launches:
+        # A club that keeps a mesh has it as its head; reduced models know the rigid club alone.
+        if hasattr(each.club, "head") and not each.club.characteristic_time and each.model not in MODULES:
+            yield (
+                f"The face of {each.club.name} is taken as rigid by the model {each.model}: finite elements alone"
+                " strike its mesh, and its file gives no characteristic time."
+            )
         yield from (str(text) for text in each.provenance["parameters"]["caveats"])

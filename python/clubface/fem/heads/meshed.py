@@ -44,6 +44,22 @@ class MeshedHead(ABC):
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
 
+    @property
+    def volume(self) -> float | None:
+        """What it displaces [m3]; None where its surface is open, or where it is not known."""
+        return None
+
+    @property
+    def size(self) -> tuple[float, float, float]:
+        """Its size as soled: from face to back, from sole to crown, from heel to toe [m]."""
+        depth, height, length = (self.places.max(axis=0) - self.places.min(axis=0)).tolist()
+        return depth, height, length
+
+    @property
+    @abstractmethod
+    def places(self) -> NDArray[Any]:
+        """Places of points of its surface [m], shape (n, 3); all of it lies within their convex hull."""
+
     @cached_property
     def club(self) -> Club:
         """The same head as a rigid club, with mass, CG and inertia of the mesh, for any model."""

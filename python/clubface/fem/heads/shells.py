@@ -90,6 +90,37 @@ class ShellHead(MeshedHead):
         names = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")
         return {**{name: float(getattr(self.club, name)) for name in names}, "cg_above": self.cg_above}
 
+    @property
+    def places(self) -> NDArray[Any]:
+        """Places of its nodes on the outside of the walls [m]."""
+        import numpy as np
+
+        normals, walls = np.zeros((len(self.nodes), 3)), np.zeros(len(self.nodes))
+        np.add.at(normals, self.quads, self._area_vectors[:, None])
+        np.maximum.at(walls, self.quads, np.repeat(self.thickness[:, None], 4, axis=1))
+        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+        return self.nodes + 0.5 * walls[:, None] * normals
+
+    @property
+    def volume(self) -> float | None:
+        """What it displaces [m3], to the outside of its walls; None where the mesh is open, such as at a hosel."""
+        import numpy as np
+
+        sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+        if (np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)[1] != 2).any():
+            return None
+        area = self._area_vectors
+        middle = self.nodes[self.quads].mean(axis=1)
+        walls = np.linalg.norm(area, axis=1) @ self.thickness
+        return float(np.einsum("ij,ij->", area, middle) / 3.0 + 0.5 * walls)
+
+    @property
+    def _area_vectors(self) -> NDArray[Any]:
+        import numpy as np
+
+        a, b, c, d = (self.nodes[self.quads[:, corner]] for corner in range(4))
+        return 0.5 * np.cross(c - a, d - b)
+
     def part_of_elements(self) -> NDArray[Any]:
         """Return the number of the part of each element."""
         import numpy as np

@@ -65,6 +65,11 @@ class SolidHead(MeshedHead):
         """Number of hexahedra."""
         return len(self.hexahedra)
 
+    @property
+    def places(self) -> NDArray[Any]:
+        """Places of its nodes [m]."""
+        return self.nodes
+
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
         import numpy as np
