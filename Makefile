@@ -117,8 +117,8 @@ capture-coverage: dev ## errors and coverage of motion capture on 200 to 400 syn
 
 COUNT ?= 1000000
 SEED ?= 0
-fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; SEED=0); findings in out/fuzz
-	$(PYTHON) tests/fuzz/fuzz.py --count $(COUNT) --seed $(SEED)
+fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; or SECONDS=3600, WORKERS=1; SEED=0); findings in out/fuzz
+	$(PYTHON) tests/fuzz/fuzz.py --count $(COUNT) --seed $(SEED) --seconds $(or $(SECONDS),inf) $(if $(WORKERS),--workers $(WORKERS))
 
 KILLS ?= 50
 kills: dev ## kill every long command at random moments (KILLS=50 each), resume it, compare the bytes; an hour

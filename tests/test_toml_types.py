@@ -7,9 +7,8 @@ import pytest
 pytest.importorskip("ezc3d")
 pytest.importorskip("meshio")
 
-from clubface.errors import ClubfaceError
 from fuzz_readers import READERS
-from toml_types import must_be_refused, variants
+from toml_types import flaw_of, must_be_refused, variants
 
 SHARE = {"fem-head": 7, "fem-case": 30, "sweep-study": 13, "prior": 1, "golfer": 1, "ball": 1, "fem-ball": 1}
 """One wrong value in so many is tried, and two of each key; ``make fuzz`` tries all."""
@@ -31,20 +30,3 @@ def test_a_value_of_the_wrong_type_is_refused_with_file_line_and_key(name, tmp_p
             if flaw := flaw_of(READERS[name].read, path, place, must_be_refused(value, raw)):
                 wrong.append(f"{'.'.join(map(str, place))} = {raw}: {flaw}")
     assert not wrong, "\n" + "\n".join(wrong)
-
-
-def flaw_of(read, path, place, refused):
-    """Say what is wrong with how a file is read, or return nothing."""
-    try:
-        read(path)
-    except ClubfaceError as error:
-        message, keys = str(error), [each for each in place if isinstance(each, str)]
-        if not refused:
-            return ""
-        if not any(key in message for key in (*keys[-2:], "x must be", "unknown")):
-            return f"does not name the key: {message}"
-        # A file that is named in its turn has its own name in its errors.
-        return "" if f"{path.name}:" in message or path.name not in message else f"does not name the line: {message}"
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
-    return "is taken" if refused else ""

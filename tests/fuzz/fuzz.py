@@ -8,6 +8,7 @@ process, and is a finding.
 from __future__ import annotations
 
 import argparse
+import math
 import multiprocessing
 import os
 import queue
@@ -15,6 +16,7 @@ import resource
 import shutil
 import sys
 import tempfile
+import threading
 import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -88,35 +90,62 @@ class Worker:
             number, name, found = told
             if found is not None:
                 yield number, name, found
+        self.end()
+
+    def end(self) -> None:
+        """Stop the process, wherever it is, and remove its folder."""
+        self.process.kill()
         self.process.join()
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-def fuzz(seed: int, numbers: range, output: Path) -> int:
-    """Read inputs, and write findings to a folder; return their number."""
-    pieces = [range(start, min(start + PIECE, numbers.stop)) for start in range(numbers.start, numbers.stop, PIECE)]
+def fuzz(seed: int, numbers: range, output: Path, *, seconds: float, workers: int) -> int:
+    """Read inputs, until all are read or the time is over, and write findings to a folder; return their number."""
+    pieces = iter([range(at, min(at + PIECE, numbers.stop)) for at in range(numbers.start, numbers.stop, PIECE)])
     told: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    began, taking = time.monotonic(), threading.Lock()
 
-    def read(piece: range) -> None:
-        for each in Worker(seed, piece).findings():
-            told.put(each)
+    def over() -> bool:
+        return time.monotonic() - began > seconds
+
+    def read() -> None:
+        try:
+            while not over():
+                with taking:
+                    piece = next(pieces, None)
+                if piece is None:
+                    break
+                worker = Worker(seed, piece)
+                for each in worker.findings():
+                    told.put(each)
+                    if over():
+                        worker.end()
+                        break
+        finally:
+            told.put(None)
 
     kinds: Counter[str] = Counter()
-    began = time.monotonic()
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for piece in pieces:
-            pool.submit(read, piece)
-        for done in range(1, len(numbers) + 1):
-            number, name, found = told.get(timeout=10 * PATIENCE)
+    done, running = 0, workers
+    with ThreadPoolExecutor(workers) as pool:
+        for _ in range(workers):
+            pool.submit(read)
+        while running:
+            result = told.get()
+            if result is None:
+                running -= 1
+                continue
+            done += 1
+            number, name, found = result
             if found:
                 kind = f"{name}: {found.partition(':')[0]}"
                 kinds[kind] += 1
                 if kinds[kind] <= SHOWN:
                     keep(seed, number, found, output)
-            if done % 100 == 0 or done == len(numbers):
+            if done % 100 == 0:
                 rate = f"{done / (time.monotonic() - began):.0f} a second"
-                end = "\n" if done % 10_000 == 0 or done == len(numbers) else "\r"
-                print(f"{done} of {len(numbers)} inputs, {sum(kinds.values())} findings, {rate}", end=end, flush=True)
+                end = "\n" if done % 10_000 == 0 else "\r"
+                print(f"{done} inputs, {sum(kinds.values())} findings, {rate}", end=end, flush=True)
+    print(f"{done} inputs in {time.monotonic() - began:.0f} s, {sum(kinds.values())} findings")
     for kind, count in kinds.most_common():
         print(f"{count:6} {kind}")
     return sum(kinds.values())
@@ -139,12 +168,15 @@ def main() -> None:
     """Read the command line, and leave with status 1 if there is a finding."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1_000_000, help="number of inputs")
+    parser.add_argument("--seconds", type=float, default=math.inf, help="end after this time, whatever the count")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes at a time")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--only", type=int, help="number of one input to make and read again, in this process")
     parser.add_argument("--output", type=Path, default=Path("out/fuzz"), help="folder for findings")
     given = parser.parse_args()
     if given.only is None:
-        sys.exit(fuzz(given.seed, range(given.count), given.output) > 0)
+        how = {"seconds": given.seconds, "workers": given.workers}
+        sys.exit(fuzz(given.seed, range(given.count), given.output, **how) > 0)
     from fuzz_input import content
     from fuzz_readers import READERS
 

@@ -7,10 +7,12 @@ import json
 import os
 import shutil
 import tempfile
+import zipfile
 from collections.abc import Callable
 from contextlib import chdir, suppress
 from functools import cache
 from pathlib import Path
+from random import Random
 from typing import NamedTuple
 
 import numpy as np
@@ -41,6 +43,9 @@ from clubface.studies import study as studies
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 from fem_meshes import FORMATS, HEAD, WHOLE, coarse_walls, stl_binary, write_mesh, write_walls
+from fuzz_consistency import ORACLES
+from fuzz_mutations import mutated
+from fuzz_tables import monitor_table, own_table, own_values, workbook
 
 MONITORS = Path(__file__).parents[1] / "data" / "launch_monitors"
 TABLE = b"club_speed_mph,attack_deg,path_deg,face [deg],toe_mm,hand,ball_speed_mph,club\n" + b"".join(
@@ -118,9 +123,9 @@ designs = 30
 radius = 0.15
 neighbours = true
 [variables.thickness]
-face_centre = ["2.6 mm", "4.8 mm"]
+face_centre = ["1.6 mm", "4.8 mm"]
 [variables.shape]
-loft = ["9 deg", "11 deg"]
+loft = ["9 deg", "12 deg"]
 [delivery]
 points = [["0 mm", "0 mm"], ["12 mm", "4 mm"]]
 [hardest]
@@ -212,12 +217,15 @@ class Reader(NamedTuple):
         Makes the examples.
     share
         How often it is tried, against the others.
+    make
+        Makes an input; unless given, one of the examples is damaged.
     """
 
     ending: str
     read: Callable[[Path], object]
     seeds: Callable[[], list[bytes]]
     share: int = 1
+    make: Callable[[Random], bytes] | None = None
 
 
 FOLDERS: list[tempfile.TemporaryDirectory[str]] = []
@@ -453,6 +461,34 @@ def _toml(folder: str) -> Callable[[], list[bytes]]:
     return _files(DATA / folder, "*.toml")
 
 
+def _monitors() -> list[bytes]:
+    """Return files of monitors, and some of them in the encodings of other programs and countries."""
+    plain = _files(MONITORS, "*.csv")()
+    texts = [each.decode("utf-8-sig") for each in plain[:5]]
+    foreign = [each.encode(encoding) for each in texts for encoding in ("utf-16", "utf-16-le")]
+    return [*plain, *foreign, texts[0].replace("Desc", "備考").encode("shift_jis", "replace")]
+
+
+def _workbooks() -> list[bytes]:
+    return [workbook(own_table(own_values(Random(1)), Random(2))), workbook(monitor_table("rapsodo.csv"))]
+
+
+def _damaged_workbook(random: Random) -> bytes:
+    """Return a workbook with a damaged part, whole as an archive: damage to an archive is seen before it is read."""
+    source = zipfile.ZipFile(io.BytesIO(random.choice(_workbooks())))
+    names, file = source.namelist(), io.BytesIO()
+    chosen = random.choice(names)
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in names:
+            data = source.read(name)
+            archive.writestr(name, mutated(data, data, random) if name == chosen else data)
+    return file.getvalue()
+
+
+def _recipes(make: Callable[[Random], bytes]) -> Callable[[], list[bytes]]:
+    return lambda: [make(Random(number)) for number in range(3)]
+
+
 def _tables() -> list[bytes]:
     return [TABLE, TABLE.replace(b",", b";").replace(b".", b","), TABLE.replace(b",", b"\t")]
 
@@ -462,7 +498,9 @@ READERS = {
     "shots-tsv": Reader("tsv", read_shots, _tables),
     "shots-parquet": Reader("parquet", read_shots, _parquet, 3),
     "monitor-excel": Reader("xlsx", launch_monitor.read, _workbooks, 2),
-    "monitor": Reader("csv", launch_monitor.read, _files(MONITORS, "*.csv"), 8),
+    "monitor": Reader("csv", launch_monitor.read, _monitors, 8),
+    "workbook": Reader("xlsx", launch_monitor.read, _workbooks, 1),
+    "workbook-part": Reader("xlsx", launch_monitor.read, _workbooks, 2, _damaged_workbook),
     "predict": Reader("csv", _predict, _tables, 2),
     "predict-parquet": Reader("parquet", _predict, _parquet),
     "deliveries": Reader("csv", _deliveries, _tables),
@@ -490,5 +528,6 @@ READERS = {
     "resumed-prediction-record": _resumed("prediction", VALUES, _go_on),
     "resumed-prediction-content": _resumed("prediction", "*/record.json", _go_on),
     "resumed-inference-record": _resumed("inference", VALUES, _go_on_inferring),
+    **{name: Reader("json", read, _recipes(make), share, make) for name, (read, make, share) in ORACLES.items()},
 }  # fmt: skip
 """By name. A meshed head costs a tenth of a second and is tried least."""

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
+
+from clubface.errors import ClubfaceError
 
 WRONG = (
     "-5", "0.5", "true", '"x"', '""', '"1 parsec"', "[]", "{}", "nan", "-inf", "1979-05-27", "07:32:00",
@@ -70,12 +73,25 @@ def places(data: Any) -> Iterator[tuple[tuple[Any, ...], Any]]:
                 yield (key, *path), inner
 
 
+def all_places(text: str) -> list[tuple[Any, ...]]:
+    """Return the place of every key of a document, and of the first element of every list."""
+    return [path for path, _ in places(tomllib.loads(text))]
+
+
+def with_value(text: str, place: tuple[Any, ...], raw: str) -> tuple[Any, str]:
+    """Return the value at a place of a document, and the document with another in its stead."""
+    data = value = tomllib.loads(text)
+    for key in place:
+        value = value[key]
+    return value, _text(data, place, raw)
+
+
 def variants(text: str) -> Iterator[tuple[tuple[Any, ...], Any, str, str]]:
     """Yield the place of a key, its value, what is written in its stead, and the document with that."""
-    data = tomllib.loads(text)
-    for path, value in places(data):
+    for place in all_places(text):
         for raw in WRONG:
-            yield path, value, raw, _text(data, path, raw)
+            value, document = with_value(text, place, raw)
+            yield place, value, raw, document
 
 
 QUANTITY = re.compile(r"flat|[-+]?[\d.]+(e[-+]?\d+)?( [a-zA-Z]\S*){0,3}")
@@ -95,3 +111,20 @@ def must_be_refused(value: Any, raw: str) -> bool:
     if isinstance(value, list):
         return raw in ("true", "-5", "0.5", "{}", "[true]", '"x"')
     return raw in ("true", "-5", "0.5", "[]", "[true]", '"x"')
+
+
+def flaw_of(read: Callable[[Path], object], path: Path, place: tuple[Any, ...], refused: bool) -> str:
+    """Say what is wrong with how a file is read, or return nothing."""
+    try:
+        read(path)
+    except ClubfaceError as error:
+        message, keys = str(error), [each for each in place if isinstance(each, str)]
+        if not refused:
+            return ""
+        if not any(key in message for key in (*keys[-2:], "x must be", "unknown")):
+            return f"does not name the key: {message}"
+        # A file that is named in its turn has its own name in its errors.
+        return "" if f"{path.name}:" in message or path.name not in message else f"does not name the line: {message}"
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return "is taken" if refused else ""
