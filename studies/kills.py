@@ -86,17 +86,24 @@ def launches(rows: int) -> str:
 
 
 def study_file() -> str:
-    """Return a study of 40 chunks."""
+    """Return a study of 40 chunks with a club of one's own, a copy of whose file the store keeps."""
     return """
 [study]
 chunk = 4000
 [impact]
-club = "driver"
+club = "mine.toml"
 [sweep]
 speed = { from = "90 mph", to = "120 mph", count = 16 }
 loft = { from = "8 deg", to = "14 deg", count = 100 }
 toe = { from = "-20 mm", to = "20 mm", count = 100 }
 """
+
+
+def club_file() -> str:
+    """Return the file of a club."""
+    import clubface
+
+    return clubface.club("driver").replace(name="mine").to_toml()
 
 
 def shots(count: int) -> str:
@@ -126,6 +133,7 @@ INPUTS: dict[str, Callable[[], str]] = {
     "launches.csv": lambda: launches(2_000),
     "shots.csv": lambda: shots(40),
     "study.toml": study_file,
+    "mine.toml": club_file,
     "fitting.toml": lambda: (EXAMPLES / "fitting.toml").read_text(encoding="utf-8"),
     "few.csv": lambda: deliveries(400),
 }

@@ -1,5 +1,6 @@
 """What a study reads is read when it begins: later edits change nothing, and other contents are another study."""
 
+import csv
 import hashlib
 
 import pytest
@@ -8,6 +9,7 @@ import clubface
 from clubface import studies
 from clubface.errors import FileError
 from clubface.studies.study import read_study
+from fem_meshes import HEAD, write_mesh
 
 pytest.importorskip("pyarrow")
 
@@ -108,3 +110,19 @@ def test_a_report_of_a_store_lists_what_the_study_has_read(tmp_path, clubface_, 
     ran = clubface_("study", "summary", str(tmp_path / "study.store"), "--report", str(tmp_path / "report.html"))
     assert ran.status == 0, ran.err
     assert sum_ in (tmp_path / "report.html").read_text()
+
+
+def test_the_mesh_of_a_head_counts_and_may_be_edited_during_a_run(tmp_path, in_this_process):
+    pytest.importorskip("meshio")
+    (tmp_path / "heads").mkdir()
+    write_mesh(tmp_path / "heads")
+    (tmp_path / "heads" / "own.toml").write_text(HEAD)
+    path = described(tmp_path, "head", 'outputs = ["mass"]', 'head = ["heads/own.toml"]\nblow = ["50 m/s", "51 m/s"]')
+    assert list(read_study(path).files()) == ["heads/head.msh", "heads/own.toml"]
+    studies.run(path, progress=lambda *_: write_mesh(tmp_path / "heads", scale=1.1e3))
+    write_mesh(tmp_path / "heads")
+    studies.join(path, tmp_path / "out.csv")
+    first, second = csv.DictReader((tmp_path / "out.csv").read_text().splitlines())
+    assert [first[name] for name in first if name.startswith("mass")] == [
+        second[name] for name in second if name.startswith("mass")
+    ]
