@@ -230,7 +230,7 @@ def test_the_sweet_spot_is_the_best_of_all_points(driver):
     with pytest.raises(InputError, match="between 0 and 1"):
         driver.area(1.2)
     assert driver.area(0.99) < driver.area(0.98) < driver.outline.area()
-    assert "best ball speed" in repr(driver)
+    assert "greatest ball speed" in repr(driver)
 
 
 def test_few_points_of_a_face_are_enough_where_a_model_takes_long(driver):

@@ -8,7 +8,7 @@ import pytest
 
 import clubface
 from captures import SHOWN, captured, deviations, errors, swings, world_cameras
-from clubface.errors import CaptureWarning
+from clubface.errors import CaptureWarning, InputError
 from clubface.motion_capture import read_swing, read_swings
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.synthetic import Cameras, calibration_map, random_swing, synthesize
@@ -196,3 +196,11 @@ def test_the_error_bars_of_a_delivery_are_the_quantiles_of_its_normal_distributi
         assert np.std(drawn[name]) == pytest.approx(found.uncertainty[name], rel=0.045)
         off = np.mean(drawn[name]) - getattr(found.delivery, name)
         assert abs(off) < 0.065 * found.uncertainty[name]
+    for wrong in ({"count": 0}, {"count": -1}, {"count": 2.5}, {"count": True}, {"count": "5"}, {"count": 10**14}):
+        with pytest.raises(InputError, match="count"):
+            found.sample(**wrong)
+    for seed in (-1, 1.5, "a", None):
+        with pytest.raises(InputError, match="seed"):
+            found.sample(3, seed=seed)
+    with pytest.raises(InputError, match="memory free here"):
+        found.sample(2**32)

@@ -109,12 +109,38 @@ def test_a_view_larger_than_memory_is_refused_before_it_is_copied():
             ask()
 
 
+@pytest.mark.parametrize("ask", ["impact", "fly"])
+def test_memory_is_enough_for_the_reasons_of_shots_that_all_fail(monkeypatch, ask):
+    """Each shot without a result says why, which takes more than its numbers."""
+    import tracemalloc
+
+    counted = []
+    for module in ("inputs", "flight_inputs"):
+        monkeypatch.setattr(
+            f"clubface.simulation.{module}.check_request", lambda shots, each: counted.append(shots * each)
+        )
+    wrong, compute = np.full(20_000, -1.0), clubface.fly
+    launch = {"ball_speed": 1e3 - wrong, "launch": 0.2, "backspin": 300.0, "sidespin": 0.0}
+    tracemalloc.start()
+    if ask == "impact":
+        found = clubface.impact("driver", speed=wrong, on_error="nan")
+    else:
+        found = compute(launch, on_error="nan")
+    used = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(found.problems) == wrong.size
+    assert used < max(counted)
+
+
 def test_what_fits_is_computed_and_what_does_not_is_told(monkeypatch):
-    """Free memory set to 200 MB, of which half may be used: 22 outputs of 8 bytes make 568181 shots."""
+    """Free memory set to 200 MB, of which half may be used.
+
+    22 outputs of 8 bytes, and 400 bytes for the reason of a shot without a result, make 173611 shots.
+    """
     monkeypatch.setattr(memory, "available_memory", lambda: 200_000_000)
-    with pytest.raises(InputError, match="at most 568181"):
+    with pytest.raises(InputError, match="at most 173611"):
         clubface.impact("driver", speed=np.full(600_000, 50.0))
-    assert clubface.impact("driver", speed=np.full(500_000, 50.0)).shape == (500_000,)
+    assert clubface.impact("driver", speed=np.full(170_000, 50.0)).shape == (170_000,)
     assert memory.available_memory() > 0
 
 

@@ -172,6 +172,18 @@ def test_a_law_that_fails_says_where(law, message):
         clubface.impact("driver", speed=45.0, model="mine")
 
 
+@pytest.mark.parametrize("wrong", [lambda: math.sqrt(-1.0), lambda: math.nan, lambda: "much"])
+def test_a_law_that_fails_in_one_shot_leaves_the_others_alone(wrong):
+    registered(lambda touch, values: (wrong() if touch.rate > 44.0 else 3e11 * touch.depth**1.5, 0.0, 0.0))
+    speeds = np.array([40.0, 47.0, 41.0])
+    found = clubface.impact("driver", speed=speeds, model="mine", on_error="nan")
+    assert np.isnan(found.ball_speed).tolist() == [False, True, False]
+    assert [each.row for each in found.problems] == [(1,)]
+    assert found.ball_speed[2] == clubface.impact("driver", speed=41.0, model="mine").ball_speed
+    with pytest.raises(RunError, match="law of contact"):
+        clubface.impact("driver", speed=speeds, model="mine")
+
+
 def test_a_contact_without_an_end_is_told():
     registered(lambda touch, values: (0.0, 0.0, 0.0), friction=0.1)
     with pytest.raises(ShotError, match="did not part within 10 ms"):

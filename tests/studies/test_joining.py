@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from clubface import studies
+from clubface.cli.study_summary import document
 from clubface.errors import InputError
 from clubface.units import from_si
 from study_files import shots, squares
@@ -88,6 +89,35 @@ def test_many_values_are_put_into_classes(tmp_path):
     assert along.levels[9] == (pytest.approx(0.9), 1.0)
     assert sum(figures.count[0] for figures in along.figures) == 1001
     assert along.figures[3].least[0] == pytest.approx(0.09, abs=1e-3)  # 0.3 itself may fall on either side
+
+
+def test_a_flat_face_is_no_class_of_numbers(tmp_path):
+    """Fifty bulges from 250 mm to 299 mm in ten classes of five, and the flat face by itself."""
+    bulges = ", ".join(f'"{millimetres} mm"' for millimetres in range(250, 300))
+    text = f"""
+[study]
+chunk = {{chunk}}
+[impact]
+club = "driver"
+held = {{{{ speed = "105 mph", toe = "10 mm" }}}}
+outputs = ["azimuth"]
+[sweep]
+bulge = [{bulges}, "flat"]
+"""
+    path = shots(tmp_path, chunk=20, text=text)
+    studies.run(path)
+    found = studies.summary(path)
+    (along,) = found.along
+    assert [each.count[0] for each in along.figures] == [5] * 10 + [1]
+    assert along.levels[-1] == math.inf
+    assert along.levels[9] == (pytest.approx(0.2941), pytest.approx(0.299))
+    # The toe of a flat face points where its centre does; each class of curved ones points further to the right.
+    assert along.figures[-1].mean[0] < along.figures[9].mean[0] < along.figures[0].mean[0]
+    assert [each["level"] for each in document(found)["along"]["bulge"]["levels"]][-1] == "flat"
+    pytest.importorskip("matplotlib")
+    from clubface.studies.picture import draw
+
+    draw(found).canvas.draw()
 
 
 def test_a_summary_does_not_depend_on_chunks_beyond_rounding(tmp_path):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.cli import output, reporting
 from clubface.cli.tables import print_numbers
+from clubface.equipment.described import FLAT
 from clubface.tables.headings import heading_of
 from clubface.units import from_si, size
 
@@ -129,14 +130,16 @@ def _level_texts(along: Along) -> list[str]:
     after = "" if unit == "1" else f" {unit}"
 
     def told(each: Any) -> str:
+        if each == math.inf:
+            return FLAT
         if not isinstance(each, tuple):
-            return f"{from_si(each, unit):.6g}"
+            return f"{from_si(each, unit):.6g}{after}"
         low, high = (float(from_si(value, unit)) for value in each)
         # The ends of a class are told to a tenth of its width, or a hundredth.
         digits = max(1 - math.floor(math.log10(high - low)), 0) if high - low > 1e-6 else None
-        return f"{_number(low, digits)} to {_number(high, digits)}"
+        return f"{_number(low, digits)} to {_number(high, digits)}{after}"
 
-    return [told(each) + after for each in along.levels]
+    return [told(each) for each in along.levels]
 
 
 def _shown(figures: Figures, place: int, unit: str) -> list[float]:
@@ -173,7 +176,8 @@ def document(found: Summary) -> dict[str, Any]:
         each.name: {
             "unit": each.unit,
             "levels": [
-                {"level": level, **told(figures)} for level, figures in zip(each.levels, each.figures, strict=True)
+                {"level": FLAT if level == math.inf else level, **told(figures)}
+                for level, figures in zip(each.levels, each.figures, strict=True)
             ],
         }
         for each in found.along

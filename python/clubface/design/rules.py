@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from clubface import measurements, units
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.fem.heads.meshed import mesh_of
+from clubface.support.frozen import Frozen
 
 STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
 """The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
@@ -113,7 +114,7 @@ def rules() -> Mapping[str, Rule]:
         found[name] = Rule(
             name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source
         )
-    return found
+    return Frozen(found)
 
 
 def rules_of(which: str | Club) -> tuple[Rule, ...]:

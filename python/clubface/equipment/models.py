@@ -10,6 +10,7 @@ from importlib import import_module
 from clubface.equipment import core
 from clubface.equipment.backends import MODULES, OWN
 from clubface.errors import InputError, UnknownNameError
+from clubface.support.frozen import Frozen
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
 DEFAULT_MODEL = "response"
@@ -101,9 +102,13 @@ class Model:
         raise UnknownNameError(f"parameter of {self.name}", name, [each.name for each in self.parameters])
 
 
-@cache
 def models() -> dict[str, Model]:
-    """Return all models by name, in the order of the registry."""
+    """Return all models by name, in the order of the registry; the dictionary is the caller's own."""
+    return dict(_registered())
+
+
+@cache
+def _registered() -> Mapping[str, Model]:
     found = {}
     for entry in core.models():
         parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
@@ -116,7 +121,7 @@ def models() -> dict[str, Model]:
             parameters=parameters,
             face_in=entry["face_in"],
         )
-    return found
+    return Frozen(found)
 
 
 def models_with(parameter: str) -> list[str]:
@@ -131,15 +136,15 @@ def _listed(laws: tuple[str, ...]) -> str:
 @cache
 def further_models() -> Mapping[str, Model]:
     """Return the models of the registered backends by name; they take long, so that "all" does not mean them."""
-    return {name: import_module(module).MODEL for name, module in MODULES.items()}
+    return Frozen({name: import_module(module).MODEL for name, module in MODULES.items()})
 
 
 def model(name: str) -> Model:
     """Return the model called ``name``; an unknown one is an error that names the nearest."""
     if not isinstance(name, str):
         raise InputError("model", name, "one of " + ", ".join(models()))
-    if name in models():
-        return models()[name]
+    if name in _registered():
+        return _registered()[name]
     if name in OWN:
         return OWN[name].MODEL
     if name not in MODULES:

@@ -9,6 +9,7 @@ from typing import Any
 
 from clubface import units
 from clubface.measured.shots import QUANTITIES
+from clubface.support.frozen import Frozen
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 
@@ -69,7 +70,7 @@ def monitor_errors() -> dict[str, float]:
 
 
 @cache
-def published() -> dict[tuple[str, str], PublishedAccuracy]:
+def published() -> Mapping[tuple[str, str], PublishedAccuracy]:
     """Return the published accuracy by model and club."""
     data = _data()
     clubs = {each["club"]: each for each in data["club"]}
@@ -93,7 +94,7 @@ def published() -> dict[tuple[str, str], PublishedAccuracy]:
         )
         caveats = (*entry.get("caveats", ()), *wrong_percentages(each))
         found[each.model, each.club] = PublishedAccuracy(**{**vars(each), "caveats": caveats})
-    return found
+    return Frozen(found)
 
 
 def wrong_percentages(of: PublishedAccuracy) -> list[str]:

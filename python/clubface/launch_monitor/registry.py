@@ -6,15 +6,9 @@ from collections.abc import Mapping
 
 from clubface.launch_monitor import flightscope, foresight, garmin, rapsodo, trackman
 from clubface.launch_monitor.formats import Format
+from clubface.support.frozen import Frozen
 
-FORMATS: Mapping[str, Format] = {
-    each.name: each
-    for each in (
-        trackman.FORMAT,
-        foresight.PLAY,
-        foresight.FSX_2020,
-        garmin.FORMAT,
-        rapsodo.FORMAT,
-        flightscope.FORMAT,
-    )
-}
+_LAYOUTS = (
+    trackman.FORMAT, foresight.PLAY, foresight.FSX_2020, garmin.FORMAT, rapsodo.FORMAT, flightscope.FORMAT,
+)  # fmt: skip
+FORMATS: Mapping[str, Format] = Frozen({each.name: each for each in _LAYOUTS})

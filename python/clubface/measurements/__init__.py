@@ -8,20 +8,22 @@ column is headed by its name and unit, as in ``spin [rpm]``; a column without a 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 
 from clubface.errors import UnknownNameError
 from clubface.measurements.file import KINDS as KINDS, read as read
 from clubface.measurements.published import PublishedTable as PublishedTable
+from clubface.support.frozen import Frozen
 from clubface.support.shipped import DATA, builtin_names
 
 _FOLDER = "measurements"
 
 
 @cache
-def subjects() -> dict[str, dict[str, PublishedTable]]:
+def subjects() -> Mapping[str, Mapping[str, PublishedTable]]:
     """Return the tables of every subject by name."""
-    return {name: read(DATA / _FOLDER / f"{name}.toml") for name in builtin_names(_FOLDER)}
+    return Frozen({name: Frozen(read(DATA / _FOLDER / f"{name}.toml")) for name in builtin_names(_FOLDER)})
 
 
 def names() -> tuple[str, ...]:

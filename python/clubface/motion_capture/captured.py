@@ -16,7 +16,8 @@ from clubface.motion_capture.geometry import Known
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.rotations import Array
 from clubface.simulation.delivery import OF_CLUB, Delivery
-from clubface.support.checks import check_choice
+from clubface.support.checks import MOST_SEED, check_choice, check_count
+from clubface.support.memory import check_request
 
 
 class Trace(NamedTuple):
@@ -124,6 +125,8 @@ class CapturedDelivery:
 
     def sample(self, count: int, seed: int = 0) -> dict[str, Array]:
         """Return ``count`` random deliveries from the covariance, as :func:`impact` takes them, by name."""
+        count, seed = check_count("count", count, 1, 2**32), check_count("seed", seed, 0, MOST_SEED)
+        check_request(count, 4 * 8 * len(QUANTITIES))
         values = np.array([getattr(self.delivery, name) for name in QUANTITIES])
         drawn = np.random.default_rng(seed).multivariate_normal(values, self.covariance, size=count, method="eigh")
         return dict(zip(QUANTITIES, drawn.T, strict=True))

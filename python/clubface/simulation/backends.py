@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from clubface.equipment.backends import MODULES, OWN
 from clubface.simulation import core
@@ -40,6 +40,8 @@ class Request(NamedTuple):
         The ball as :meth:`Backend.balls` gave it.
     club
         As of :func:`clubface.club`; the inputs hold its values, some of which a shot may have changed.
+    on_error
+        As of :func:`clubface.impact`: with "nan", what goes wrong with one shot does not stop the others.
     """
 
     own: Any
@@ -51,6 +53,7 @@ class Request(NamedTuple):
     accuracy: float | None
     threads: int
     progress: Callable[[int], object] | None
+    on_error: Literal["raise", "nan"] = "raise"
 
 
 class Backend(Protocol):
@@ -82,7 +85,9 @@ class ReducedCore:
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Compute all shots at once."""
-        return core.impact(*shots[2:])
+        return core.impact(
+            shots.model, shots.inputs, shots.parameters, shots.size, shots.accuracy, shots.threads, shots.progress
+        )
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
         """Return None: :func:`clubface.history` tells more."""

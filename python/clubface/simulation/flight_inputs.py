@@ -16,7 +16,7 @@ from clubface.simulation.launch import Launch
 from clubface.simulation.launch_terms import vectors
 from clubface.simulation.quantities import flight_inputs, flight_outputs
 from clubface.support.checks import check_names
-from clubface.support.memory import check_request
+from clubface.support.memory import FAILED, check_request
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -76,7 +76,7 @@ def flight_columns(
         parsed[name] = value
     shape = common_shape(varied)
     copies = sum(each.shape != shape for each in varied.values())
-    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies))
+    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies) + 2 * FAILED)  # once more, sorted
     flat = {
         name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
         for name, value in parsed.items()

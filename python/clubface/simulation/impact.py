@@ -139,7 +139,7 @@ def impact(
     count = math.prod(hit.shape)
     try:
         computed, problems = backend.launches(
-            Request(own, hit.club, model, hit.columns, columns, count, accuracy, cores, progress)
+            Request(own, hit.club, model, hit.columns, columns, count, accuracy, cores, progress, on_error)
         )
     except ValueError as error:
         raise shot_error(error, hit.columns, chosen) from None

@@ -21,7 +21,7 @@ from clubface.errors import InputError, ShotError, Told, UnknownNameError
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import input_columns, input_dimensions, inputs
 from clubface.support.checks import check_choice
-from clubface.support.memory import check_request
+from clubface.support.memory import FAILED, check_request
 from clubface.support.shipped import is_path
 from clubface.units import parse_values
 
@@ -186,7 +186,7 @@ def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs:
             varied[name] = value
     shape = common_shape(varied)
     copies = sum(each.shape != shape for each in of.columns if not isinstance(each, float))
-    check_request(math.prod(shape), 8 * (outputs + copies))
+    check_request(math.prod(shape), 8 * (outputs + copies) + FAILED)
 
     def flat(value: Any) -> Any:
         if isinstance(value, float):

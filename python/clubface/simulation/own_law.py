@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.models import Model, Parameter, models
-from clubface.errors import InputError
+from clubface.errors import InputError, RunError
 from clubface.simulation import core
 from clubface.simulation.backends import Balls, Problems, Request
 from clubface.simulation.inputs import forget_parameters
@@ -145,11 +145,16 @@ class OwnLaw:
                     [float(each if isinstance(each, (int, float)) else each[row]) for each in columns]
                     for columns in (shots.inputs, shots.parameters)
                 )
-                solved = self._solve(given, values, shots.accuracy)
-                if isinstance(solved[0], str):
-                    problems.append((row, *solved))
-                else:
-                    found[:, row] = _outputs(*solved)
+                try:
+                    solved = self._solve(given, values, shots.accuracy)
+                    if isinstance(solved[0], str):
+                        problems.append((row, *solved))
+                    else:
+                        found[:, row] = _outputs(*solved)
+                except RunError as error:
+                    if shots.on_error == "raise":
+                        raise
+                    problems.append((row, "model", str(error)))
             if shots.progress is not None:
                 shots.progress(row + 1)
         return found, sorted(problems)

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.simulation import core
+from clubface.support.frozen import Frozen
 
 
 class Quantity(NamedTuple):
@@ -70,15 +71,15 @@ def flight_outputs() -> Mapping[str, Quantity]:
 
 
 @cache
-def input_columns() -> dict[str, int]:
+def input_columns() -> Mapping[str, int]:
     """Return the column of each input of an impact."""
-    return {name: column for column, name in enumerate(inputs())}
+    return Frozen({name: column for column, name in enumerate(inputs())})
 
 
 @cache
-def input_dimensions() -> dict[str, str]:
+def input_dimensions() -> Mapping[str, str]:
     """Return the dimension of each input of an impact."""
-    return {name: each.dimension for name, each in inputs().items()}
+    return Frozen({name: each.dimension for name, each in inputs().items()})
 
 
 def in_unit(value: Any, quantity: Quantity, unit: str) -> Any:
@@ -92,4 +93,4 @@ def _read(entries: list[dict[str, Any]]) -> Mapping[str, Quantity]:
     for entry in entries:
         values = {key: entry[key] for key in Quantity._fields if key in entry}
         found[entry["name"]] = Quantity(**values)
-    return found
+    return Frozen(found)

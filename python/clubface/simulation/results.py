@@ -178,8 +178,8 @@ class Result:
         if self.shape:
             lines[0] += f", shape {self.shape}"
             lines.append(f"  {'':<17} {'least':>11} {'mean':>11} {'greatest':>11}")
-        if self.problems:
-            lines.append(f"  {len(self.problems)} without a result; the first: {self.problems[0].reason}")
+        if self._found:
+            lines.append(f"  {len(self._found)} without a result; the first: {self._found[0][2]}")
         for name, each in self.quantities().items():
             unit = units.display_unit(name, each.unit)
             values = units.from_si(self._values[self._rows()[name]], unit)

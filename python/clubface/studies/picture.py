@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from clubface.equipment.described import FLAT
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 from clubface.studies.summaries import Along, Summary, shown_unit
 from clubface.tables.headings import heading_of
@@ -60,6 +61,12 @@ def _panel(panel: Any, along: Along, place: int, unit: str) -> None:
         return
     middles = [sum(each) / 2.0 if isinstance(each, tuple) else each for each in along.levels]
     x = from_si(np.array(middles), heading_of(along.name, along.unit)[1])
+    if np.isposinf(x[-1]):  # a flat face stands at the right of the numbers
+        at = x[-2] + 0.15 * max(x[-2] - x[0], 1e-3) if len(x) > 1 else 0.0
+        panel.vlines(at, least[-1], most[-1], color="0.5", linewidth=0.7, linestyle="--")
+        panel.errorbar(at, mean[-1], spread[-1], fmt="o", color=COLOURS[0], capsize=2.5, linewidth=1.0)
+        panel.annotate(FLAT, (at, mean[-1]), (0.0, 6.0), textcoords="offset points", ha="center", fontsize="x-small")
+        x, mean, spread, least, most = (each[:-1] for each in (x, mean, spread, least, most))
     panel.fill_between(x, mean - spread, mean + spread, color=COLOURS[0], alpha=0.2, linewidth=0)
     panel.plot(x, mean, color=COLOURS[0], marker="o" if len(x) < 12 else None, markersize=2.5)
     for each in (least, most):

@@ -57,7 +57,8 @@ class Along:
     name, unit
         The input and its SI unit; None where it has names.
     levels
-        The names, the values [SI], or the ends (from, to) of classes of values [SI].
+        The names, the values [SI], or the ends (from, to) of classes of values [SI]; a flat face, whose bulge and roll
+        are infinite, is a level of its own.
     figures
         Of the tasks at each level.
     """
@@ -147,6 +148,7 @@ class _Levels:
         self.name, self.unit, self._choices = name, unit, tuple(choices)
         self._values: set[float] = set()
         self._least, self._most = math.inf, -math.inf
+        self._holds_flat = False
 
     def look(self, values: NDArray[Any] | Names) -> None:
         """Take note of values, before any is counted."""
@@ -157,6 +159,7 @@ class _Levels:
         if len(self._values) <= MOST_LEVELS:
             self._values.update(np.unique(values)[: MOST_LEVELS + 1].tolist())
         finite = values[np.isfinite(values)]
+        self._holds_flat |= bool(np.isposinf(values).any())
         if finite.size:
             self._least, self._most = min(self._least, float(finite.min())), max(self._most, float(finite.max()))
 
@@ -169,7 +172,7 @@ class _Levels:
             return sorted(self._values)
         width = (self._most - self._least) / CLASSES
         ends = [self._least + width * place for place in range(CLASSES)] + [self._most]
-        return list(pairwise(ends))
+        return [*pairwise(ends), *([math.inf] if self._holds_flat else [])]
 
     def places(self, values: NDArray[Any] | Names) -> NDArray[Any]:
         """Return the level of each value."""
@@ -179,8 +182,8 @@ class _Levels:
             return values.codes
         if len(self._values) <= MOST_LEVELS:
             return np.searchsorted(self.levels, values)
-        inner = [first for first, _ in self.levels[1:]]
-        return np.searchsorted(inner, values, side="right")
+        inner = [first for first, _ in self.levels[1:CLASSES]]
+        return np.where(np.isposinf(values), CLASSES, np.searchsorted(inner, values, side="right"))
 
 
 def summary(

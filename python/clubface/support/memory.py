@@ -13,6 +13,8 @@ UNKNOWN = 4 * 2**30
 SHARE = 0.5
 """Part of the free memory one request may take: tables made of the result need room as well."""
 
+FAILED = 400
+"""Bytes that say why one shot has no result: its row, the parameter at fault and a sentence."""
 _SMALL = 64 * 2**20
 """Bytes nobody needs to ask for."""
 

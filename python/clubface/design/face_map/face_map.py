@@ -150,12 +150,12 @@ class FaceMap:
         return xarray.Dataset(variables, {"toe": self.toe, "high": self.high}, attrs=attrs)
 
     def __repr__(self) -> str:
-        best = self.best()
-        place = ", ".join(units.fixed(each, "mm", 1) for each in (best.toe, best.high))
-        size = units.from_si(self.area(), "mm2")
+        speeds = self.get("ball_speed")
+        up, across = np.unravel_index(np.nanargmax(speeds), speeds.shape)
+        place = ", ".join(units.fixed(float(each), "mm", 1) for each in (self.toe[across], self.high[up]))
         return (
             f"map of the face of {self.centre.club.name} by {self.centre.model}, {len(self.toe)} by {len(self.high)}:"
-            f" best ball speed {units.fixed(best.value, 'mph', 1)} at {place}, within 2 % of it on {size:.0f} mm2"
+            f" greatest ball speed of its points {units.fixed(float(speeds[up, across]), 'mph', 1)} at {place}"
         )
 
 

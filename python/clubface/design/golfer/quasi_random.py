@@ -8,6 +8,7 @@ import numpy as np
 
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_count
+from clubface.support.memory import check_request
 
 MOST_SHOTS = 2**32
 BITS = 32
@@ -24,6 +25,7 @@ def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Fl
     count = check_count("count", count, 1, MOST_SHOTS)
     start = check_count("start", start, 0, MOST_SHOTS - count)
     seed = check_count("seed", seed, 0, MOST_SEED)
+    check_request(count, 4 * 8 * dimensions)  # the points, and what is made of them
     engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
     if start:
         engine.fast_forward(start)
