@@ -9,7 +9,7 @@ import typer
 from clubface.cli import options, output
 from clubface.cli.failures import say
 from clubface.cli.golfer_report import figures, write as write_report
-from clubface.cli.recorded import RECORDED, recorded_shots
+from clubface.cli.recorded import RECORDED, Files, recorded_shots
 from clubface.cli.tables import print_numbers
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def show(
 @app.command("estimate")
 @options.takes({name: each for name, each in RECORDED.items() if name != "ball"})  # no ball is struck
 def estimate(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
+    files: Files,
     name: Annotated[str, options.option("--name", metavar="NAME", text="What to call the golfer.")] = "my golfer",
     like: Annotated[
         str | None,
@@ -105,9 +105,9 @@ def estimate(
     from clubface.design.golfer.file import to_toml
     from clubface.equipment.clubs import CLUB_NAMES
 
-    output.check_target("--output", target, (".toml",), [file, texts["mapping"], texts["club"], like])
-    output.check_report(report, [file, texts["mapping"], texts["club"], like])
-    shots = recorded_shots(file, texts)
+    output.check_target("--output", target, (".toml",), [*files, texts["mapping"], texts["club"], like])
+    output.check_report(report, [*files, texts["mapping"], texts["club"], like])
+    shots = recorded_shots(files, texts)
     found = estimate_golfer(shots, name=name, like=like)
     if target is not None:
         from clubface.support.whole_file import write_text

@@ -11,7 +11,7 @@ from clubface.cli import option_values, options, output
 from clubface.cli.monitor_live import listen, send
 from clubface.cli.monitor_report import report
 from clubface.cli.monitor_summary import Hand, summary
-from clubface.cli.recorded import READING, read_shots
+from clubface.cli.recorded import READING, Files, read_shots
 from clubface.cli.tables import print_numbers, print_words
 from clubface.errors import InputError
 from clubface.units import display_unit, from_si
@@ -31,7 +31,7 @@ app.command("report")(report)
 @app.command("read")
 @options.takes(READING)
 def read(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="A file that the monitor's program exported.")],
+    files: Files,
     hand: Hand = None,
     club: Annotated[
         list[str] | None,
@@ -53,12 +53,12 @@ def read(
     from clubface.support.input_files import same_file
     from clubface.tables.writer import KINDS
 
-    read_files = [file, texts["mapping"]]
+    read_files = [*files, texts["mapping"]]
     output.check_target("--output", target, KINDS, read_files)
     output.check_target("--rejects", rejects, (".csv",), read_files)
     if target is not None and rejects is not None and same_file(target, rejects):
         raise InputError("--rejects", rejects, "another file than the output")
-    shots = read_shots(file, texts | {"hand": hand}, _clubs(club or []), where=True)
+    shots = read_shots(files, texts | {"hand": hand}, _clubs(club or []), where=True)
     if target is not None:
         shots.write(target)
     if rejects is not None:

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-import typer
-
 from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
-from clubface.cli.recorded import READING, read_shots
+from clubface.cli.recorded import READING, Files, read_shots
 
 
 @options.takes(READING)
 def report(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a launch monitor's file, or a table.")],
+    files: Files,
     target: Annotated[str, options.output("FILE", "The report to write: .html or .md, with its pictures inside.")],
     hand: Annotated[str | None, options.option("--hand", metavar="right|left", text="Hand of the player.")] = None,
     club: Annotated[
@@ -29,10 +27,10 @@ def report(
     from clubface.player_report.document import write_report
     from clubface.reports.document import ENDINGS
 
-    output.check_target("--output", target, ENDINGS, [file, texts["mapping"]])
+    output.check_target("--output", target, ENDINGS, [*files, texts["mapping"]])
     import clubface.plots  # noqa: F401  (a missing library is told before any work)
 
-    shots = read_shots(file, texts | {"hand": hand}, where=True)
+    shots = read_shots(files, texts | {"hand": hand}, where=True)
     if club is not None:
         shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
     say(f"wrote {write_report(shots, target, more=reporting.repeat())}")

@@ -5,11 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from clubface.cli import options, output
 from clubface.cli.failures import say
-from clubface.cli.recorded import READING, read_shots
+from clubface.cli.recorded import READING, Files, read_shots
 from clubface.cli.tables import print_numbers
 from clubface.units import from_si, size
 
@@ -24,17 +22,17 @@ Hand = Annotated[str | None, options.option("--hand", metavar="right|left", text
 
 @options.takes(READING)
 def summary(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
+    files: Files,
     hand: Hand = None,
     picture: Annotated[str | None, options.picture("where each club lands and the gaps between clubs")] = None,
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Sum up the shots of each club: counts, means, spreads, and the gaps in carry."""
-    output.check_picture(picture, [file, texts["mapping"]])
+    output.check_picture(picture, [*files, texts["mapping"]])
     from clubface.launch_monitor.summary import QUANTITIES, summarised
 
-    shots = read_shots(file, texts | {"hand": hand}, where=True)
+    shots = read_shots(files, texts | {"hand": hand}, where=True)
     clubs = summarised(shots)
     measured = [name for name in QUANTITIES if any(name in each.spreads for each in clubs)]
     if picture is not None:

@@ -58,8 +58,16 @@ RECORDED: Group = {
 """The same, where the club may be that which the shots name."""
 
 
-def read_shots(path: str, texts: Mapping[str, Any], club: Any = None, *, where: bool = False) -> RecordedShots:
-    """Return the shots of a file, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
+Files = Annotated[
+    list[str],
+    typer.Argument(metavar="FILE...", help="Shots: monitors' files, or tables; several are sessions of one record."),
+]
+
+
+def read_shots(
+    path: str | list[str], texts: Mapping[str, Any], club: Any = None, *, where: bool = False
+) -> RecordedShots:
+    """Return the shots of files, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
     from clubface import launch_monitor
 
     units = option_values.pairs(texts["unit"] or (), "--unit")
@@ -71,7 +79,7 @@ def read_shots(path: str, texts: Mapping[str, Any], club: Any = None, *, where: 
     return chosen_shots(shots, texts["where"])[0]
 
 
-def recorded_shots(path: str, texts: Mapping[str, Any]) -> ReadyShots:
+def recorded_shots(path: str | list[str], texts: Mapping[str, Any]) -> ReadyShots:
     """Return the shots of one club, from the options of ``RECORDED``, ready for models."""
     from clubface.measured.ready import ready_shots
 

@@ -54,8 +54,8 @@ class Columns(NamedTuple):
         The place of the first column that is used.
     used
         The columns of each quantity: several where a heading is there more than once.
-    club, player, hand
-        The places of the columns that name the club (the preferred first), the player and the hand.
+    club, player, hand, date, file
+        The places of the columns that name the club (the preferred first), the player, the hand, the date and the file.
     points
         The places of the columns that say where on the club its data was taken.
     labels
@@ -76,6 +76,8 @@ class Columns(NamedTuple):
     club: tuple[int, ...]
     player: int | None
     hand: int | None
+    date: int | None
+    file: int | None
     points: Mapping[str, int]
     labels: Mapping[int, str]
     counted: tuple[int, ...]
@@ -137,9 +139,9 @@ def columns_of(
         raise missing_units(without_unit, *place, {name: _dimension(name) for _, name in without_unit})
     if not used:
         raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
-    player, hand = (
+    player, hand, date, file = (
         next((names.index(plain(each)) for each in known if plain(each) in names), None)
-        for known in (layout.player, layout.hand)
+        for known in (layout.player, layout.hand, layout.date, layout.file)
     )
     places = {each.place for columns in used.values() for each in columns}
     return Columns(
@@ -150,9 +152,17 @@ def columns_of(
         club=clubs,
         player=player,
         hand=hand,
+        date=date,
+        file=file,
         points={name: names.index(plain(name)) for name in POINTS if plain(name) in names},
         labels={
-            place: "club" if place in clubs else "player" if place == player else names[place]
+            place: "club"
+            if place in clubs
+            else "player"
+            if place == player
+            else "date"
+            if place == date
+            else names[place]
             for place in range(len(headings))
             if place not in places and place != hand
         },

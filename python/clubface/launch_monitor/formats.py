@@ -19,6 +19,11 @@ POINTS = {
     UNKNOWN: "a point that is not published",
 }
 """Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
+DATE = (
+    "Date", "Date Time", "Datetime", "Date and Time", "Shot Date", "Session Date", "Timestamp", "Datum", "Datum Zeit",
+    "Datum Uhrzeit", "Fecha", "Date Heure", "Data", "Dato", "Data Hora", "Fecha y hora", "日付", "日時", "日期", "날짜",
+)  # fmt: skip
+"""Headings under which exports say when a shot was hit."""
 PLAYER = ("Player", "Player Name", "Golfer")
 """Headings under which exports in English name the player."""
 
@@ -60,6 +65,8 @@ class Format:
         Groups of headings by which the layout is recognised: its header contains all headings of at least one group.
     club, player, hand
         Headings of the column that names the club, that names the player, and that says right or left.
+    date, file
+        Headings of the column that says when a shot was hit, and of the one that names the file that it comes from.
     title_of_player
         A regular expression for the first cell of a row above the header that names the player of all shots below, as
         its group; "" where no row does.
@@ -87,6 +94,8 @@ class Format:
     club: tuple[str, ...] = ("Club", "Club Name", "Club Type")
     player: tuple[str, ...] = PLAYER
     hand: tuple[str, ...] = ("Hand", "Handed", "Handedness")
+    date: tuple[str, ...] = DATE
+    file: tuple[str, ...] = ()
     title_of_player: str = ""
     needs_units: bool = False
     all_columns: bool = False

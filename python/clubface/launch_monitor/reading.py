@@ -22,7 +22,9 @@ from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader
 from clubface.launch_monitor.tables import TABLE
+from clubface.recorded.dates import iso_dates
 from clubface.recorded.possible import without_contradictions, without_impossible
+from clubface.recorded.sessions import joined
 from clubface.recorded.shots import SIDES, RecordedShots, RejectedRow
 from clubface.recorded.signs import suspected_signs
 from clubface.recorded.wrong_units import wrong_unit
@@ -46,7 +48,7 @@ SHOWN = 3
 
 
 def read(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     format: str | None = None,
     hand: str | None = None,
     mapping: str | os.PathLike[str] | None = None,
@@ -63,6 +65,7 @@ def read(
     ----------
     path
         The file: CSV with commas, semicolons or tabs, or an Excel workbook; or a table with clubface's own columns.
+        Several files are sessions, see :func:`clubface.recorded.sessions.joined`.
     format
         The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
     hand
@@ -95,13 +98,16 @@ def read(
     if format is not None and format not in (*FORMATS, TABLE.name):
         raise UnknownNameError("format", format, (*FORMATS, TABLE.name))
     mapped = mapping_of(mapping) if mapping is not None else None
-    shots = _read(Path(path), format, mapped, hand, given_units)
-    shots = replace(shots, notes=(*shots.notes, *suspected_signs(shots)))
-    if club is None:
-        return shots
-    from clubface.launch_monitor.reference_points import refer
+    paths = [path] if isinstance(path, str | os.PathLike) else list(path)
+    if not paths:
+        raise InputError("path", path, "at least one file")
+    sessions = [_read(Path(each), format, mapped, hand, given_units) for each in paths]
+    sessions = [replace(each, notes=(*each.notes, *suspected_signs(each))) for each in sessions]
+    if club is not None:
+        from clubface.launch_monitor.reference_points import refer
 
-    return refer(shots, club)
+        sessions = [refer(each, club) for each in sessions]
+    return joined(sessions)
 
 
 def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None) -> RecordedShots:
@@ -262,6 +268,8 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] =
         for name, has in (("clubs", session.names_clubs), ("players", session.names_players))
     )
     lines = [line for each in tables for line in each.lines]
+    written, files = ([text for each in tables for text in getattr(each, name)] for name in ("dates", "files"))
+    dates, date_note = iso_dates(written)
     agreeing, contradiction = without_contradictions(columns, clubs, lines)
     cleaned = without_impossible(agreeing)
     notes = [*_notes(session, layout, set(columns), of_file), *cleaned.notes]
@@ -271,11 +279,13 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] =
         clubs=clubs,
         players=players,
         hand=_hands(np.concatenate([each.hands for each in tables])),
+        dates=np.array(dates, dtype=object) if any(dates) else None,
+        files=np.array(files, dtype=object) if any(files) else None,
         rows=np.array(lines, dtype=np.int64),
         source=path,
         format=layout.name,
         rejected=rejected,
-        notes=(*notes, *([contradiction] if contradiction else [])),
+        notes=(*notes, *(each for each in (contradiction, date_note) if each)),
         speed_at=session.points.get("speed_at", layout.speed_at),
         face_at=session.points.get("face_at", layout.face_at),
     )

@@ -16,6 +16,7 @@ from clubface.launch_monitor.cells import FACE_TO_PATH, MIRRORED, WORLD, CellErr
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.summary_rows import summary_rows
+from clubface.recorded.dates import date_among
 from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
 from clubface.recorded.wrong_units import Unit
@@ -53,8 +54,8 @@ class Shots:
         Line in which the row of each begins.
     values
         What was measured, by quantity; NaN where it was not.
-    clubs, players
-        Names, or "".
+    clubs, players, dates, files
+        Names, dates as in the file, or "".
     hands
         +1 for right, -1 for left, or NaN if it is not known.
     """
@@ -64,6 +65,8 @@ class Shots:
     clubs: list[str]
     players: list[str]
     hands: Floats
+    dates: list[str]
+    files: list[str]
 
 
 @dataclass
@@ -163,7 +166,7 @@ class SessionReader:
         self._block: list[Sequence[str]] = []
         self._lines: list[int] = []
         self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
-        self._player = ""
+        self._player = self._date = ""
         self.session = Session()
 
     @property
@@ -212,6 +215,8 @@ class SessionReader:
             if self._header and self._is_foreign(cells):
                 message = "a table with columns of another kind begins here; save each table as a file of its own"
                 raise FileError(self._path, line, message)
+            if not self._header or self._title is not None:
+                self._take_date(cells)
             if self._title is not None and (title := self._title.fullmatch(cells[0].strip())):
                 self._end_block()
                 self._player = title[1]
@@ -233,6 +238,12 @@ class SessionReader:
             return
         self._block.append([*cells, *[""] * columns.width][: columns.width])
         self._lines.append(line)
+
+    def _take_date(self, cells: Sequence[str]) -> None:
+        """Take the date of a row above a table, where it has one, as that of the shots below."""
+        if (date := date_among(cells)) is not None:
+            self._end_block()
+            self._date = date
 
     def _is_header(self, cells: Sequence[str]) -> bool:
         """Tell whether a row names the columns of a table."""
@@ -305,7 +316,10 @@ class SessionReader:
             shown = Counter(text for row in kept if (text := texts[row].strip()))
             session.counts.setdefault(self._header[place].strip(), Counter()).update(shown)
         clubs = [self._texts(cells, place) for place in columns.club]
-        players = None if columns.player is None else self._texts(cells, columns.player)
+        players, dates, files = (
+            None if place is None else self._texts(cells, place)
+            for place in (columns.player, columns.date, columns.file)
+        )
         session.tables.append(
             Shots(
                 [lines[row] for row in kept],
@@ -313,6 +327,8 @@ class SessionReader:
                 [next((text for each in clubs if (text := each[row].strip())), "") for row in kept],
                 [self._player if players is None else players[row].strip() for row in kept],
                 hands[kept],
+                [self._date if dates is None else dates[row].strip() for row in kept],
+                ["" if files is None else files[row].strip() for row in kept],
             )
         )
 

@@ -27,6 +27,7 @@ TABLE = Format(
     name="clubface",
     title="table of shots",
     fields=_fields(),
+    file=("File",),
     needs_units=True,
     all_columns=True,
     speed_at=CG,

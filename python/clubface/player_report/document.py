@@ -10,6 +10,7 @@ from pathlib import Path
 from clubface.errors import InputError
 from clubface.player_report import words
 from clubface.player_report.figures_of_club import ClubFigures, figures_of
+from clubface.player_report.progress import progress
 from clubface.recorded.shots import RecordedShots
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Picture
 from clubface.reports.conditions import flight_conditions
@@ -24,10 +25,9 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     yield Heading(1, "Your shots, and what they say")
     names = [f"{each.title} ({len(each.shots)})" for each in clubs]
     player = _only_player(shots)
+    sources = Path(shots.source).name if shots.files is None else ", ".join(map(str, dict.fromkeys(shots.files)))
     whose = f" by {player}" if player else ""
-    yield Paragraph(
-        (f"This report is about {words.counted(len(shots))}{whose} of {Path(shots.source).name}: {', '.join(names)}.",)
-    )
+    yield Paragraph((f"This report is about {words.counted(len(shots))}{whose} of {sources}: {', '.join(names)}.",))
     for each in clubs:
         yield Heading(2, each.title[:1].upper() + each.title[1:])
         yield Paragraph(tuple(words.measured(each)))
@@ -43,6 +43,7 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
             yield Heading(3, "What would change your average shot")
             yield Paragraph(("Each of these alone, with all else as it is:",))
             yield Bullets(changes)
+        yield from progress(each)
         if doubts := tuple(words.doubt(each)):
             yield Heading(3, "How sure we are")
             yield Paragraph(doubts)
@@ -50,7 +51,7 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
         yield Heading(2, "Notes on the file")
         yield Bullets(tuple(f"{note[:1].upper()}{note[1:]}." for note in dict.fromkeys(shots.notes)))
     hands = "" if shots.hand is None else " and ".join(sorted(set(map(str, shots.hand))))
-    given = {"file": Path(shots.source).name, "read as": shots.format, "shots": str(len(shots)),
+    given = {"file": sources, "read as": shots.format, "shots": str(len(shots)),
              "rows that gave no shot": str(len(shots.rejected)), "hand": hands or "not told"}  # fmt: skip
     yield from origin([each.launch for each in clubs if each.launch is not None], given=given | flight_conditions())
 

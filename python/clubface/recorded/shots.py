@@ -25,6 +25,8 @@ from clubface.units import SI_UNITS, from_si, is_missing, parse_values
 if TYPE_CHECKING:
     import pandas
 
+TEXTS = {"clubs": "club", "players": "player", "hand": HAND, "dates": "date", "files": "file"}
+"""What is known of shots in words, with the headings of the columns."""
 SIDES = {1.0: "right", -1.0: "left"}
 """The hand by the sign the core takes."""
 
@@ -67,6 +69,11 @@ class RecordedShots:
         Name of the player as in the file, or None where the file has none.
     hand
         ``"right"`` or ``"left"``, or None where it is not known.
+    dates
+        When each shot was hit, as ISO text (``2026-05-01`` or ``2026-05-01T10:21:11``) or as in the file; None where
+        the file does not say.
+    files
+        Name of the file of each shot, where they are of several; else None.
     rows
         Where each shot begins in the source: its line in text, its row in Parquet.
     source
@@ -91,6 +98,8 @@ class RecordedShots:
     clubs: NDArray[Any] | None = None
     players: NDArray[Any] | None = None
     hand: NDArray[Any] | None = None
+    dates: NDArray[Any] | None = None
+    files: NDArray[Any] | None = None
     rows: NDArray[np.int64]
     source: str
     format: str
@@ -117,7 +126,7 @@ class RecordedShots:
         }
         told = notes_of(spins, checked["rows"].tolist(), self.row_word)
         checked["notes"] = tuple(dict.fromkeys((*told, *self.notes)))
-        for name in ("clubs", "players", "hand"):
+        for name in TEXTS:
             given = getattr(self, name)
             if given is not None:
                 checked[name] = _of_length(_texts(given), name, count)
@@ -159,10 +168,8 @@ class RecordedShots:
             deliveries={name: values[index] for name, values in self.deliveries.items()},
             launches={name: values[index] for name, values in self.launches.items()},
             derived={name: values[index] for name, values in self.derived.items()},
-            clubs=None if self.clubs is None else self.clubs[index],
-            players=None if self.players is None else self.players[index],
-            hand=None if self.hand is None else self.hand[index],
             rows=self.rows[index],
+            **{name: None if (texts := getattr(self, name)) is None else texts[index] for name in TEXTS},
         )
 
     def groups(self) -> NDArray[Any] | None:
@@ -199,7 +206,7 @@ class RecordedShots:
         return {name: SI_UNITS[dimensions[name]] for name in (*self.deliveries, *self.launches)}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a shot, SI: ``row``, ``club``, ``player`` and ``hand`` where known, then every quantity.
+        """Return one row a shot, SI: ``row``, the texts of ``TEXTS`` where known, then every quantity.
 
         ``attrs`` of the frame holds ``units`` and ``source``, ``format``, ``rejected``, ``notes``, ``speed_at``,
         ``face_at``.
@@ -207,9 +214,7 @@ class RecordedShots:
         import pandas
 
         columns: dict[str, Any] = {"row": self.rows}
-        for name, values in (("club", self.clubs), ("player", self.players), (HAND, self.hand)):
-            if values is not None:
-                columns[name] = values
+        columns |= {heading: texts for name, heading in TEXTS.items() if (texts := getattr(self, name)) is not None}
         frame = pandas.DataFrame(columns | self.deliveries | self.launches)
         kept = {name: getattr(self, name) for name in ("source", "format", "notes", "speed_at", "face_at")}
         frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
@@ -218,9 +223,9 @@ class RecordedShots:
     def columns(self) -> dict[str, Any]:
         """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
         columns: dict[str, Any] = {}
-        for name, texts in (("club", self.clubs), ("player", self.players), (HAND, self.hand)):
-            if texts is not None:
-                columns[name] = [str(each) for each in texts]
+        for name, heading in TEXTS.items():
+            if (texts := getattr(self, name)) is not None:
+                columns[heading] = [str(each) for each in texts]
         for name, points in POINTS.items():
             if getattr(self, name) != points[0]:
                 columns[name] = [getattr(self, name)] * len(self)
