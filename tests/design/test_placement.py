@@ -6,9 +6,12 @@ import numpy as np
 import pytest
 
 from clubface import club
-from clubface.design.feasibility import Envelope, Volume, of_club, pseudo_inertia
+from clubface.design.feasibility import Envelope, Volume, of_club, pseudo_inertia, room_inside
 from clubface.design.optimisation.placement import NEAR, PointMass, placement
+from clubface.design.optimisation.study import Head
 from clubface.design.optimisation.words import placement_table
+from clubface.errors import InputError
+from fem_runs import coarse_head
 
 BOX = Volume(shape="box", centre=(-0.055, 0.002, 0.003), size=(0.115, 0.062, 0.124))
 AROUND = Volume(shape="ellipsoid", centre=(-0.055, -0.003, 0.003), size=(0.15, 0.09, 0.16))
@@ -68,3 +71,37 @@ def test_point_masses_side_by_side_are_one_row_with_the_mass_of_all():
     masses = [PointMass(0.006, at), PointMass(0.005, far), PointMass(0.004, beside), PointMass(1e-8, (0.0, 0.0, 0.0))]
     _, rows = placement_table(SimpleNamespace(placed=lambda: masses))  # type: ignore[arg-type]
     assert rows == [["1", "10.0", "-100.0", "30.0", "0.0"], ["2", "5.0", "-100.0", "-30.0", "0.0"]]
+
+
+def test_the_room_in_a_ball_is_the_ball_and_in_a_box_the_ellipsoid_of_its_sides():
+    on_a_ball = np.random.default_rng(1).normal(size=(20_000, 3))
+    on_a_ball *= 0.03 / np.linalg.norm(on_a_ball, axis=1)[:, None]
+    far = Volume(shape="box", centre=(0.0, 0.0, 0.0), size=(0.2, 0.2, 0.2))
+    assert room_inside(on_a_ball, far).size == pytest.approx((0.058,) * 3, rel=2e-3)
+    corners = np.array([[x, y, z] for x in (-0.1, 0.0) for y in (-0.03, 0.03) for z in (-0.06, 0.06)])
+    found = room_inside(corners, far)
+    assert found.size == pytest.approx((0.098, 0.058, 0.118), rel=2e-3)
+    assert found.centre == pytest.approx((-0.05, 0.0, 0.0), abs=1e-4)
+    half = Volume(shape="box", centre=(-0.05, 0.0, 0.03), size=(0.1, 0.06, 0.06))
+    assert room_inside(corners, half).centre[2] == pytest.approx(0.03, abs=1e-3)
+    with pytest.raises(InputError, match="where the mesh of the club is"):
+        room_inside(corners, Volume(shape="box", centre=(0.2, 0.0, 0.0), size=(0.1, 0.06, 0.06)))
+
+
+def test_masses_of_a_meshed_head_lie_inside_its_mesh_and_not_at_a_corner_of_the_box():
+    head = coarse_head()
+    low, high = head.nodes.min(axis=0), head.nodes.max(axis=0)
+    box = Volume(shape="box", centre=tuple(0.5 * (low + high)), size=tuple(high - low))
+    base = head.as_club()
+    envelope = Head(volume=box, discretionary=0.03).envelope(base)
+    # All of the mass far back, high and at the toe, in the ellipsoid's direction of a corner of the box.
+    half = 0.5 * np.array(envelope.volume.size)
+    place = np.append(envelope.volume.centre + half * np.array([-1.0, 1.0, 1.0]) / np.sqrt(3.0), 1.0)
+    found = placement(envelope, envelope.shell + 0.03 * np.outer(place, place))
+    assert found
+    out = np.random.default_rng(0).normal(size=(3000, 3))
+    out /= np.linalg.norm(out, axis=1)[:, None]
+    for each in found:
+        assert (out @ np.array(each.place) <= (head.nodes @ out.T).max(axis=0) + 1e-6).all()
+    corner = np.append(high * [0, 1, 1] + low * [1, 0, 0], 1.0)
+    assert placement(envelope, envelope.shell + 0.03 * np.outer(corner, corner)) == []

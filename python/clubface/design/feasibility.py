@@ -12,7 +12,7 @@ The origin is the face centre, the axes are those of the club: x to the target, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -152,6 +152,68 @@ class Volume:
         return float(np.prod(self.size)) * (np.pi / 6.0 if self.shape == "ellipsoid" else 1.0)
 
 
+SPIRAL = 400
+"""Directions in which the room inside a mesh is looked at."""
+WALL = 1e-3
+"""How far inside the surface of a mesh a mass lies at least [m]."""
+
+
+def room_inside(places: NDArray[Any], volume: Volume) -> Volume:
+    """Return the largest ellipsoid along the axes inside the convex hull of places and in a volume.
+
+    Masses in an ellipsoid have every distribution of moments that its conditions allow, so what is found for it can be
+    built inside the mesh. Of a hull there are no such conditions.
+
+    Parameters
+    ----------
+    places
+        Of a mesh, seen from the face centre [m], shape (n, 3).
+    volume
+        Where mass may be beside that.
+
+    Raises
+    ------
+    InputError
+        There is no room in both.
+    """
+    from scipy.optimize import minimize
+
+    # A spiral from pole to pole spreads directions evenly; among them are those of the axes.
+    number = np.arange(SPIRAL) + 0.5
+    height, turn = 1.0 - 2.0 * number / SPIRAL, np.pi * (1.0 + 5.0**0.5) * number
+    ring = np.sqrt(1.0 - height**2)
+    normals = np.vstack([np.eye(3), -np.eye(3), np.stack([ring * np.cos(turn), ring * np.sin(turn), height], axis=1)])
+    half, centre = 0.5 * np.array(volume.size), np.array(volume.centre)
+    order = 1 if volume.shape == "box" else 2
+    most = np.minimum(
+        (places @ normals.T).max(axis=0) - WALL, normals @ centre + np.linalg.norm(normals * half, order, axis=1)
+    )
+    low, high = -most[3:6], most[:3]
+    size = float((high - low).max())
+    if (high - low).min() < 1e-3:
+        told = ", ".join(f'"{units.fixed(float(each), "mm", 0)}"' for each in 0.5 * (places.min(0) + places.max(0)))
+        raise InputError("head.centre", None, f"where the mesh of the club is, such as [{told}]")
+
+    def left(numbers: NDArray[Any]) -> NDArray[Any]:
+        """Return the room in each direction, in parts of the size."""
+        return (most - normals @ numbers[:3] * size - np.linalg.norm(normals * numbers[3:] * size, axis=1)) / size
+
+    def slopes(numbers: NDArray[Any]) -> NDArray[Any]:
+        reach = np.linalg.norm(normals * numbers[3:], axis=1)
+        return -np.hstack([normals, normals**2 * numbers[3:] / reach[:, None]])
+
+    start = np.concatenate([0.5 * (low + high), 0.25 * (high - low)]) / size
+    found = minimize(
+        lambda numbers: -np.log(numbers[3:]).sum(), start,
+        jac=lambda numbers: np.append(np.zeros(3), -1.0 / numbers[3:]),
+        constraints={"type": "ineq", "fun": left, "jac": slopes}, bounds=[(None, None)] * 3 + [(1e-3, 1.0)] * 3,
+        method="SLSQP", options={"maxiter": 200},
+    )  # fmt: skip
+    shrunk = 1.0 + min(0.0, float((left(found.x) / np.linalg.norm(normals * found.x[3:], axis=1)).min()))
+    x, y, z, a, b, c = (found.x * size).tolist()
+    return Volume(shape="ellipsoid", centre=(x, y, z), size=(2 * a * shrunk, 2 * b * shrunk, 2 * c * shrunk))
+
+
 class Margin(NamedTuple):
     """One condition that a head meets or misses.
 
@@ -187,11 +249,14 @@ class Envelope:
         Pseudo-inertia of what cannot be moved, shape (4, 4).
     budget
         The most mass that may be placed freely [kg].
+    whole
+        Where the whole head is; None where that is the same.
     """
 
     volume: Volume
     shell: NDArray[Any]
     budget: float
+    whole: Volume | None = None
 
     def placed(self, pseudo: NDArray[Any]) -> NDArray[Any]:
         """Return the pseudo-inertia of the mass that is placed freely in a head."""
@@ -206,7 +271,7 @@ class Envelope:
         """Return all conditions on a head with this pseudo-inertia, beside the whole head's."""
         placed = self.placed(pseudo)
         found = [_positive("the mass of the head", pseudo, self._scale(max(pseudo[3, 3], 1e-6)))]
-        found += _inside("the head", pseudo, self.volume, pseudo[3, 3])
+        found += _inside("the head", pseudo, self.whole or self.volume, pseudo[3, 3])
         found.append(_positive("the discretionary mass", placed, self.scale))
         found += _inside("the discretionary mass", placed, self.volume, self.budget)
         over = float(1.0 - placed[3, 3] / self.budget)
@@ -257,7 +322,9 @@ def _inside(of: str, pseudo: NDArray[Any], volume: Volume, mass: float) -> list[
 
 def refuse_impossible(name: str, envelope: Envelope, values: NDArray[Any]) -> None:
     """Refuse mass properties (in the order of ``MASS_PROPERTIES``) that no body in an envelope has, with the reason."""
-    missed = [each for each in envelope.margins(pseudo_inertia(values)) if not each.met]
+    # Walls of a mesh lie outside the room for masses in it: as it is now it may be anywhere in the head.
+    now = replace(envelope, volume=envelope.whole or envelope.volume)
+    missed = [each for each in now.margins(pseudo_inertia(values)) if not each.met]
     if missed:
         advice = "give other mass properties or another volume, shell or budget"
         raise InputError("club", name, f"a head that can be built: {missed[0].reason}; {advice}")

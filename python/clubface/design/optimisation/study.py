@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.design.feasibility import MASS_PROPERTIES, Envelope, Volume, of_club, pseudo_inertia
+from clubface.design.feasibility import MASS_PROPERTIES, Envelope, Volume, of_club, pseudo_inertia, room_inside
 from clubface.design.golfer.golfers import golfer as golfer_of
 from clubface.design.optimisation.landings import DEFAULT_SETTING, FREE, Landings, Setting, own_value
 from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
@@ -22,6 +22,7 @@ from clubface.design.rules import check_rules, rules_of
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.errors import InputError, Told
+from clubface.fem.heads.meshed import mesh_of
 
 if TYPE_CHECKING:
     from clubface.design.golfer.golfer import Golfer
@@ -58,7 +59,7 @@ class Head:
     shell: tuple[float, ...] | None = None
 
     def envelope(self, base: Club) -> Envelope:
-        """Return the volume with its shell, that of a base club unless it is given."""
+        """Return the volume with its shell, that of a base club unless it is given; mass goes inside a base's mesh."""
         if self.shell is not None:
             fixed = pseudo_inertia(np.array(self.shell))
         else:
@@ -66,7 +67,9 @@ class Head:
                 told = units.show(self.discretionary, "g")
                 raise InputError("discretionary_mass", told, f"between 0 and the mass of {base.name}")
             fixed = pseudo_inertia(of_club(base)) * (1.0 - self.discretionary / base.mass)
-        return Envelope(volume=self.volume, shell=fixed, budget=self.discretionary)
+        mesh = mesh_of(base)
+        room = self.volume if mesh is None else room_inside(mesh.places, self.volume)
+        return Envelope(volume=room, shell=fixed, budget=self.discretionary, whole=self.volume)
 
 
 @dataclass(frozen=True, kw_only=True)

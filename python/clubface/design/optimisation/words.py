@@ -126,6 +126,16 @@ def notes(found: Optimum) -> list[str]:
             f"It makes use of tolerances of the rules, which are there for what a measurement may be off: {which}."
             " tolerance = false under [rules] keeps to the limits."
         )
+    envelope = study.variables.envelope
+    if envelope is not None and envelope.volume is not envelope.whole:
+        size, centre = (
+            ", ".join(units.fixed(each, "mm", 0).removesuffix(" mm") for each in values)
+            for values in (envelope.volume.size, envelope.volume.centre)
+        )
+        said.append(
+            f"Mass is placed inside the mesh of {study.club.name}: in the largest ellipsoid there, {size} mm from face"
+            f" to back, sole to crown and heel to toe, about ({centre}) mm from the face centre."
+        )
     if study.moves_mass and not found.placed():
         said.append(
             "No point masses in the volume were found that have the moments of the discretionary mass: a box refuses no"
