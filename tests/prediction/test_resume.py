@@ -318,3 +318,31 @@ def test_a_law_of_ones_own_that_was_edited_begins_anew(write, tmp_path):
         assert predict(path, resume=True, **options).resumed == 2
     finally:
         OWN.clear()
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_a_file_too_large_to_be_kept_gives_the_same_and_is_refused_once_it_changes(
+    write, tmp_path, monkeypatch, ending
+):
+    note = "x" * 1000
+    path = write(HEAD.replace("\n", ",notes\n") + f"1,113,1,13,5,{note}\n" * 800)
+    if ending == "parquet":
+        from pyarrow import csv, parquet
+
+        source, path = path, tmp_path / "in.parquet"
+        parquet.write_table(csv.read_csv(source), path, row_group_size=100)
+    predict(path, club="driver", output=tmp_path / "kept.csv", chunk_rows=100)
+    monkeypatch.setattr("clubface.support.input_files.LARGEST_KEPT", 0)
+    monkeypatch.setattr("clubface.support.input_files.PIECE", 100)
+    predict(path, club="driver", output=tmp_path / "read.csv", chunk_rows=100)
+    assert (tmp_path / "read.csv").read_bytes() == (tmp_path / "kept.csv").read_bytes()
+
+    def edit(part, done):
+        with path.open("ab") as file:
+            file.write(b"x")
+
+    if ending == "parquet":
+        return  # which pyarrow has read as a whole by then
+    with pytest.raises(FileError, match="changed while it was read"):
+        predict(path, club="driver", output=tmp_path / "edited.csv", chunk_rows=100, progress=edit)
+    assert not (tmp_path / "edited.csv").exists()

@@ -1,7 +1,8 @@
 """Chunks on the workers of a Dask cluster: few in flight, messages of some hundred bytes, results in the store alone.
 
-The cluster's workers need this version of clubface, and the file of the study and its store under the same names as
-here. What the scheduler forgets or loses is given to it again; what is finished is in the store, whatever happens.
+The cluster's workers need this version of clubface, and the store, which has the files of the study, under the same
+name as here. What the scheduler forgets or loses is given to it again; what is finished is in the store, whatever
+happens.
 """
 
 from __future__ import annotations

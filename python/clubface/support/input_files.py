@@ -29,6 +29,8 @@ R = TypeVar("R")
 LARGEST_KEPT = 32_000_000
 """Bytes. The content of a larger file, such as a table of a million shots, is not kept: it is read as it goes, and
 refused if it changes meanwhile."""
+MOST_KEPT = 256_000_000
+"""Bytes of all contents that a computation keeps; further files are read as large ones are."""
 PIECE = 1_000_000
 """Bytes read at a time."""
 CHANGED = "this file was changed while it was read; start again"
@@ -51,7 +53,7 @@ class InputFile(NamedTuple):
     shipped
         Whether it came with the package, whose version says what it holds.
     content
-        The bytes; None of a file that is larger than ``LARGEST_KEPT``.
+        The bytes; None of a file that is larger than ``LARGEST_KEPT``, or that came after ``MOST_KEPT``.
     """
 
     path: str
@@ -122,6 +124,8 @@ class InputRecord:
                 if self._closed and not _is_shipped(place_of(path)):
                     raise FileError(path, None, "this file was not there, or not named, when the computation began")
                 found = _load(path, most) if self._around is None else self._around.file(path, most)
+                if sum(len(each.content or b"") for each in self._files.values()) > MOST_KEPT:
+                    found = found._replace(content=None)
                 same = next((each for each in self._files.values() if each.place == found.place), None)
                 self._files[key] = found if same is None else same._replace(path=path)
         return found._replace(path=path)
@@ -335,7 +339,7 @@ class _Unchanging(io.FileIO):
 
     def _check(self) -> None:
         state = os.fstat(self.fileno())
-        if self.size > LARGEST_KEPT and (state.st_size, state.st_mtime_ns) != self._state:
+        if (state.st_size, state.st_mtime_ns) != self._state:
             raise FileError(self._path, None, CHANGED)
 
 
@@ -347,16 +351,17 @@ def _open_without_waiting(path: str, flags: int) -> int:
 def given_files(files: Iterable[tuple[str, str, int]], contents: Path) -> dict[str, InputFile]:
     """Return files by path for a closed record: path, fingerprint and size of each, and the folder of their contents.
 
+    One whose content is not there is read in its place, if it is still the same.
+
     Raises
     ------
     FileError
-        A content is gone or damaged.
+        A content is damaged.
     """
     found = {}
     for path, sum_, size in files:
         content = None
-        if size <= LARGEST_KEPT:
-            kept = contents / sum_
+        if (kept := contents / sum_).exists():
             content = _load(str(kept), LARGEST_KEPT).content
             if content is None or hashlib.sha256(content).hexdigest() != sum_:
                 raise FileError(str(kept), None, "this copy of an input is damaged; remove it and start again")
