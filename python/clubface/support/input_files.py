@@ -207,7 +207,7 @@ def as_local_file(path: str | os.PathLike[str]) -> Iterator[str]:
     """Yield the name of a file with the bytes of :func:`read_input`, for libraries that open files themselves."""
     content = read_input(path)
     with tempfile.TemporaryDirectory(prefix="clubface-") as folder:
-        name = os.path.join(folder, f"input{os.path.splitext(os.fspath(path))[1]}")
+        name = os.path.join(folder, os.path.basename(path))
         Path(name).write_bytes(content)
         yield name
 
@@ -288,12 +288,12 @@ def _too_large(name: str, most: int) -> FileError:
 
 def _whole(file: _Unchanging, most: int) -> bytes:
     """Return the bytes of a file; one without an end, such as some of the system's, is refused."""
-    found = bytearray()
-    while piece := file.read(PIECE):
+    found = file.read(min(file.size, most) + 1)  # at once, so that it is in the memory once
+    while len(found) <= most and (piece := file.read(PIECE)):
         found += piece
-        if len(found) > most:
-            raise _too_large(str(file.name), most)
-    return bytes(found)
+    if len(found) > most:
+        raise _too_large(str(file.name), most)
+    return found
 
 
 def _sum_of(file: _Unchanging) -> str:
