@@ -107,7 +107,12 @@ def send(
                 continue
             if sent and seconds > 0.0:
                 time.sleep(seconds)
-            answer = sender.send(launch, delivery)
+            try:
+                answer = sender.send(launch, delivery)
+            except InputError as error:
+                say(f"shot {row + 1}: {error}: not sent")
+                refused += 1
+                continue
             sent += 1
             refused += not answer.was_taken
             print(f"shot {row + 1}: {answer.code} {answer.message}", flush=True)
