@@ -92,6 +92,9 @@ def read(
         from clubface.motion_capture.swing_figure import save_swings
 
         written.append(save_swings(found.captured, pictures))
+    for each in found.captured:
+        if not each.plausible:
+            say(f"WARNING: {each.source}: {each.notes[0]}")
     if as_json:
         documents: Any = [each.document() for each in found.captured]
         rejected = [each.reason for each in found.rejected]

@@ -90,7 +90,7 @@ def follow(
 
     def extended() -> Approach:
         """Fit the path about ``touch`` and move that to where the path meets the ball."""
-        frames = usable(known[-most:], rotation)
+        frames = usable(known[-most:], rotation, fewest)
         if len(frames) < fewest:
             raise FileError(where, None, _too_few(len(frames), fewest, name))
         path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
@@ -119,7 +119,7 @@ def follow_until(
     """
     extend, fewest, most = estimator(name)
     known = np.flatnonzero(followed.known & (times <= touch))
-    frames = usable(known[-most:], followed.poses.rotation)
+    frames = usable(known[-most:], followed.poses.rotation, fewest)
     if len(frames) < fewest:
         raise FileError(where, None, _too_few(len(frames), fewest, name))
     path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
@@ -172,11 +172,17 @@ def coordinates_of(followed: Track, frames: Array, noise: float) -> tuple[Array,
     return np.concatenate([position[frames], turned], 1), to_vector @ errors @ np.swapaxes(to_vector, 1, 2), attitude
 
 
-def usable(recent: Array, rotation: Array) -> Array:
-    """Return the last frames that hang together and in which the head turns by no more than ``TURN``."""
+def usable(recent: Array, rotation: Array, fewest: int) -> Array:
+    """Return the last frames that hang together and in which the head turns by no more than ``TURN``.
+
+    Those before a wide gap are used as well where otherwise there were less than ``fewest``.
+    """
+    if not len(recent):
+        return recent
     angle = np.linalg.norm(logarithm(rotation[recent] @ rotation[recent[-1]].T), axis=-1)
-    broken = (angle > TURN) | (np.diff(recent, append=recent[-1]) > WIDEST)
-    first = np.flatnonzero(broken)
+    gaps = np.diff(recent, append=recent[-1]) > WIDEST
+    gaps[len(recent) - fewest :] = False
+    first = np.flatnonzero((angle > TURN) | gaps)
     return recent[first[-1] + 1 :] if len(first) else recent
 
 

@@ -32,6 +32,21 @@ WIDEST = 8
 """Frames without a pose across which a blow is looked for."""
 FEWEST = 5
 """Frames needed on each side, for the quartic of the smoother."""
+WINDOW, STEPS = 0.02, 12
+"""Seconds on either side through whose speeds a line goes, and how many speeds these are at most."""
+LEVEL = 0.05
+"""Seconds for which speed must stay down after a blow, and must have come near to what it was before it."""
+SUDDEN, TOP = 0.5, 1.25
+"""Parts of the speed right before a blow that the speeds of ``LEVEL`` before it reach at least, and at most."""
+CLEAR, TIMES_USUAL = 0.3, 3.0
+"""Mean distance of the speeds from lines before and after a blow, at most: part of the speed lost, or times the usual
+one, which is that of the noise."""
+ALIKE = 0.5
+"""Part of the greatest loss of speed that steps near the blow seem to have as well."""
+APART = 0.1
+"""Seconds between two blows."""
+IMPOSSIBLE = 100.0
+"""m/s; faster than any clubhead."""
 MOST = 40
 LONGEST = 0.05
 """Seconds after the blow that are used."""
@@ -68,6 +83,8 @@ class Blow(NamedTuple):
         Of the origin of the head at first touch [m], shape (3,), and from body axes to the world, shape (3, 3).
     score
         How badly both paths fit their frames and cross: a sum of squares in standard deviations.
+    again
+        The frame of another drop of the speed, which is not taken; None without.
     """
 
     before: int
@@ -82,6 +99,7 @@ class Blow(NamedTuple):
     position: Array
     rotation: Array
     score: float
+    again: int | None = None
 
 
 def find_blow(
@@ -105,7 +123,7 @@ def find_blow(
     roughness
         Of the smoother.
     """
-    before, after, lost = _frames(times, followed, where)
+    before, after, lost, again = _frames(times, followed, where)
     known = np.flatnonzero(followed.known)
     place = int(np.searchsorted(known, before))
     tried = []
@@ -119,39 +137,143 @@ def find_blow(
             f"no impact can be read: the clubhead loses speed between frames {before + 1} and {after + 1}, but its"
             f" paths before and after do not meet there, or less than {FEWEST} frames show it on either side",
         )  # fmt: skip
-    return min(tried, key=lambda each: each.score)._replace(lost=lost)
+    return min(tried, key=lambda each: each.score)._replace(lost=lost, again=again)
 
 
 def last_before(times: Array, followed: Track, where: str) -> int:
     """Return the last frame before the head loses speed, to a frame or two."""
-    return _frames(times, followed, where)[0] - 1
+    return _frames(times, followed, where).before - 1
 
 
-def _frames(times: Array, followed: Track, where: str) -> tuple[int, int, float]:
-    """Return the frames between which speed is lost, and which part of it."""
-    position = followed.poses.position
+class Drop(NamedTuple):
+    """Two frames between which speed is lost.
+
+    Attributes
+    ----------
+    before, after
+        The frames.
+    lost
+        Part of the speed that is lost, and stays lost.
+    again
+        The frame before another drop of the speed by half as much or more, at another time; None without.
+    """
+
+    before: int
+    after: int
+    lost: float
+    again: int | None = None
+
+
+def _frames(times: Array, followed: Track, where: str) -> Drop:
+    """Return the frames between which the head loses speed for good."""
     known = np.flatnonzero(followed.known)
+    # The markers are on the head wherever a calibration has its origin.
+    middle = (followed.poses.position + followed.poses.rotation @ followed.shape.mean(0))[known]
     reason = "too few frames show the clubhead"
     if len(known) >= 2 * FEWEST:
-        step = np.diff(position[known], axis=0) / np.diff(times[known])[:, None]
-        # Velocity over two steps before each step and over two after it: the step itself may hold the blow.
-        earlier = np.linalg.norm(0.5 * (step[:-4] + step[1:-3]), axis=-1)
-        later = np.linalg.norm(0.5 * (step[3:-1] + step[4:]), axis=-1)
-        wide = np.diff(known)[2:-2] > WIDEST
-        lost = 1.0 - later / np.maximum(earlier, 1e-9)
-        lost[(earlier < FAST * earlier.max()) | wide] = -np.inf
-        # Frame place + 2 is the last before; enough of them are needed on both sides.
-        lost[: max(FEWEST - 3, 0)] = lost[len(known) - 2 - FEWEST :] = -np.inf
-        place = int(np.argmax(lost))
-        if lost[place] > LOST:
-            return int(known[place + 2]), int(known[place + 3]), float(lost[place])
-        most = f" (at most {100.0 * max(float(lost[place]), 0.0):.0f}% within a few frames)"
-        reason = f"the clubhead nowhere loses speed as in a blow{most}"
+        lost, speed, misfit = _losses(times[known], middle, known)
+        # Beside a spike speeds are on no line, however far apart the lines are.
+        usual = float(np.median(misfit[np.isfinite(misfit)])) if np.isfinite(misfit).any() else 0.0
+        with np.errstate(invalid="ignore"):  # where there is no loss
+            clear = misfit < np.fmax(CLEAR * lost * speed, TIMES_USUAL * usual)
+        lost = np.where(clear, lost, -np.inf)
+        best = int(np.argmax(lost))
+        size = np.zeros(len(lost))
+        np.multiply(lost, speed, out=size, where=lost > LOST)
+        if size.any():
+            best = int(np.argmax(size))
+            away = np.abs(times[known[:-1]] - times[known[best]])
+            again = int(np.argmax(np.where(away > APART, size, 0.0)))
+            another = int(known[again]) if away[again] > APART and size[again] > 0.5 * size[best] else None
+            best = int(np.argmin(np.where((away < WINDOW) & (size > ALIKE * size[best]), misfit, np.inf)))
+            return Drop(int(known[best]), int(known[best + 1]), float(lost[best]), another)
+        most = 100.0 * max(float(lost[best]), 0.0)
+        reason = f"the clubhead nowhere loses speed as in a blow (at most {most:.0f}% within a few frames)"
+        reason += _hidden(times[known], middle, known)
     raise FileError(
         where, None,
         f"no impact: {reason}. This is a swing without a ball, or the file ends less than {FEWEST} frames after impact;"
         " if there was a ball, give its marker or its position under [ball]",
     )  # fmt: skip
+
+
+def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array, Array]:
+    """Return which part of its speed the head loses for good in each step from frame to frame.
+
+    Straight lines through the speeds before and after, that hold whatever a few of them do (Theil, 1950; Sen, 1968),
+    are extended to the middle of the step. A step that is no blow has -inf: across a gap, from a speed that came at
+    once or is back soon, as in a spike, or where the head turns round. The second result is the speed before [m/s], and
+    the third how far the speeds are from both lines [m/s]: least where the blow lies in the step itself.
+    """
+    count, frame = len(times), float(np.median(np.diff(times)))
+    every, place = max(1, round(WINDOW / STEPS / frame)), np.arange(len(times) - 1)
+    near, far = (max(span, (FEWEST + 0.5) * frame) for span in (WINDOW, LEVEL))
+    middle = 0.5 * (times[:-1] + times[1:])
+    levels, speeds, apart, enough = [], [], [], []
+    for start, way in ((place, -1), (place + 1, 1)):
+        index = start[:, None] + way * every * np.arange(int(far / every / frame) + 2)
+        inside = (index[:, 1:] >= 0) & (index[:, 1:] < count)
+        index = index.clip(0, count - 1)
+        when = 0.5 * (times[index[:, 1:]] + times[index[:, :-1]]) - middle[:, None]
+        # Behind a gap the speed may be another.
+        together = inside & (np.abs(np.diff(frames[index], axis=1)) <= max(WIDEST, every))
+        since = np.abs(times[index[:, 1:]] - times[start][:, None])
+        seen = np.logical_and.accumulate(together, axis=1) & (since <= far)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            speed = np.linalg.norm(np.diff(position[index], axis=1), axis=-1) / np.abs(np.diff(times[index], axis=1))
+        speed = np.where(seen & (speed < IMPOSSIBLE), speed, np.nan)
+        close = np.where(since <= near, speed, np.nan)[:, : max(STEPS, FEWEST)]
+        level, off = _extended(when[:, : close.shape[1]], close)
+        if way < 0:
+            # A line through a longer time is not led by a rise right before the step.
+            level = np.fmin(level, _extended(when[:, ::2], speed[:, ::2])[0])
+        levels.append(level)
+        speeds.append(speed)
+        apart.append(off)
+        enough.append(np.isfinite(close).sum(1) >= FEWEST - 1)
+    (before, after), (earlier, later) = levels, speeds
+    with np.errstate(invalid="ignore", divide="ignore"):
+        lost = 1.0 - after / before
+        # Speeds beside a spike are off for some frames, those of a longer time before and after are not.
+        stays = _quantile(later, 0.75) < (1.0 - 0.5 * LOST) * np.minimum(before, _quantile(earlier, 0.75))
+        came = (_quantile(earlier, 0.5) > SUDDEN * before) & (_quantile(earlier, 0.75) < TOP * before)
+        top = np.max(before, initial=0.0, where=came & np.isfinite(before))
+        ahead = position[place] - position[np.maximum(place - 2, 0)]
+        follows = position[np.minimum(place + 3, count - 1)] - position[place + 1]
+        onward = (ahead * follows).sum(-1) > 0.0
+        fine = (np.diff(frames) <= WIDEST) & stays & came & onward & (before >= FAST * top) & np.isfinite(lost)
+    return np.where(fine & enough[0] & enough[1], lost, -np.inf), before, apart[0] + apart[1]
+
+
+def _extended(when: Array, speeds: Array) -> tuple[Array, Array]:
+    """Return robust lines through speeds, shape (lines, points) with NaN for none, at time zero, and their misfit."""
+    one, two = np.triu_indices(when.shape[1], 1)
+    slope = _quantile((speeds[:, two] - speeds[:, one]) / (when[:, two] - when[:, one]), 0.5)[:, None]
+    level = _quantile(speeds - slope * when, 0.5)
+    off = np.abs(speeds - level[:, None] - slope * when)
+    return level, np.nansum(off, axis=1) / np.maximum(np.isfinite(off).sum(1), 1)
+
+
+def _quantile(values: Array, share: float) -> Array:
+    """Return a quantile of each row, NaN left out; NaN of a row without a number."""
+    order = np.sort(values, axis=1)
+    place = share * (np.isfinite(order).sum(1) - 1).clip(0)
+    low, high = (np.take_along_axis(order, round(place).astype(int)[:, None], 1)[:, 0] for round in (np.floor, np.ceil))
+    return 0.5 * (low + high)
+
+
+def _hidden(times: Array, position: Array, frames: Array) -> str:
+    """Say which gap hides the blow, if the head is slower after it by as much; else nothing."""
+    speeds = np.linalg.norm(np.diff(position, axis=0), axis=-1) / np.diff(times)
+    for place in np.flatnonzero(np.diff(frames) > 1):
+        if FEWEST <= place < len(speeds) - FEWEST:
+            before, after = np.median(speeds[place - 3 : place]), np.median(speeds[place + 1 : place + 4])
+            if before > FAST * np.quantile(speeds, 0.98) and after < (1.0 - LOST) * before:
+                return (
+                    f"; it is not seen in frames {frames[place] + 2} to {frames[place + 1]}, and is slower after them"
+                    f" ({before:.1f} and {after:.1f} m/s): the impact may lie there"
+                )
+    return ""
 
 
 def _cross(
@@ -160,7 +282,7 @@ def _cross(
     """Return the blow between two frames from where the paths on either side cross; None with too few frames."""
     known = np.flatnonzero(followed.known)
     rotation = followed.poses.rotation
-    earlier = usable(known[known <= before][-MOST:], rotation)
+    earlier = usable(known[known <= before][-MOST:], rotation, FEWEST)
     later = known[(known >= after) & (times[known] < times[after] + LONGEST)][::-1]
     if len(earlier) < FEWEST or len(later) < FEWEST:
         return None

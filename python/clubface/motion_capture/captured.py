@@ -19,6 +19,9 @@ from clubface.simulation.delivery import OF_CLUB, Delivery
 from clubface.support.checks import MOST_SEED, check_choice, check_count
 from clubface.support.memory import check_request
 
+NOT_PLAUSIBLE = "not plausible"
+"""How the first note begins of a delivery that no shot has."""
+
 
 class Trace(NamedTuple):
     """A head through a recording, in world axes.
@@ -108,6 +111,11 @@ class CapturedDelivery:
     trace: Trace
     source: str
 
+    @property
+    def plausible(self) -> bool:
+        """Whether a shot can have this delivery; if not, the first of the notes says what is wrong with it."""
+        return not (self.notes and self.notes[0].startswith(NOT_PLAUSIBLE))
+
     def interval(self, name: str, level: float = 0.95) -> tuple[float, float]:
         """Return the limits [SI] between which a value lies with the probability ``level``."""
         check_choice("delivery value", name, QUANTITIES)
@@ -150,6 +158,7 @@ class CapturedDelivery:
             "marker_noise_freedom": self.marker_noise_freedom,
             "misfit": None if math.isnan(self.misfit) else self.misfit,
             "geometry": [each.document() for each in self.geometry],
+            "plausible": self.plausible,
             "notes": list(self.notes),
         }
 

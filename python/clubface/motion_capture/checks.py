@@ -28,11 +28,31 @@ SPEED_OFF = 0.15
 ROUGH = 1.5
 ASKEW = units.to_si(30.0, "deg")
 """Path beyond which the target line is doubted: golfers swing within some 15 degrees of it."""
+VAGUE = 0.1
+"""Part of the speed by which it is uncertain at most; three markers and assumed places give 0.02."""
+TOO_MUCH_LOFT, TOO_MUCH_LIE = units.to_si(25.0, "deg"), units.to_si(45.0, "deg")
+"""By how much dynamic loft differs from the club's, and the lie from its own, at most."""
 OPENING = units.to_si(500.0, "deg/s")
 """Full swings close the face with 1000 to 4000 deg/s; short ones with hardly any."""
 MOVED = 2e-3
 """Metres."""
 FEW_FREEDOMS = 30
+
+
+def implausible(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[str]:
+    """Return the values of a delivery that no shot has, or that are as good as unknown, with their names."""
+    off = {
+        "speed": not SLOWEST < values["speed"] < FASTEST or deviations["speed"] > VAGUE * values["speed"],
+        "path": abs(values["path"]) > ASKEW,
+        "loft": abs(values["loft"] - club.loft) > TOO_MUCH_LOFT,
+        "lie": abs(values["lie"]) > TOO_MUCH_LIE,
+    }
+    shown = {"speed": ("m/s", 1), "path": ("deg", 0), "loft": ("deg", 0), "lie": ("deg", 0)}
+    return [
+        f"{name} {units.fixed(values[name], *shown[name])} ± {units.fixed(deviations[name], *shown[name])}"
+        for name, bad in off.items()
+        if bad
+    ]
 
 
 def of_delivery(
@@ -49,12 +69,17 @@ def of_delivery(
         )
     if not SLOWEST < values["speed"] < FASTEST:
         notes.append(f"a clubhead of {values['speed']:.3g} m/s: the unit of length or the frame rate may be wrong")
-    if abs(values["loft"] - club.loft) > units.to_si(25.0, "deg"):
+    if deviations["speed"] > VAGUE * values["speed"]:
+        notes.append(
+            f"the speed is hardly known, {values['speed']:.3g} ± {deviations['speed']:.2g} m/s: too few frames before"
+            " impact show the clubhead, or markers stray there; take out of [cluster] what strays, or cut the recording"
+        )
+    if abs(values["loft"] - club.loft) > TOO_MUCH_LOFT:
         notes.append(
             f"the dynamic loft of {units.fixed(values['loft'], 'deg', 1)} is far from the"
             f" {units.fixed(club.loft, 'deg', 1)} of {club.name}: a wrong club, mapping or calibration"
         )
-    if abs(values["lie"]) > units.to_si(45.0, "deg"):
+    if abs(values["lie"]) > TOO_MUCH_LIE:
         notes.append(
             f"the lie of {units.fixed(values['lie'], 'deg', 0)} is no club's: the axis that points up may be wrong"
         )
@@ -107,12 +132,17 @@ def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched
 
 def of_track(followed: Track, cluster: Registration, first_frame: int) -> list[str]:
     """Return what had to be corrected in the markers of the clubhead."""
-    notes = [f"{words} in {_frames(frames, first_frame)}: put right" for words, frames in followed.exchanged.items()]
+    notes = [
+        f"{words} in {frames_in_words(frames, first_frame)}: put right" for words, frames in followed.exchanged.items()
+    ]
     notes += [
-        f"{name} strays in {_frames(frames, first_frame)}: left out there" for name, frames in followed.stray.items()
+        f"{name} strays in {frames_in_words(frames, first_frame)}: left out there"
+        for name, frames in followed.stray.items()
     ]
     if followed.lost:
-        notes.append(f"the markers of the clubhead do not fit in {_frames(followed.lost, first_frame)}: left out")
+        notes.append(
+            f"the markers of the clubhead do not fit in {frames_in_words(followed.lost, first_frame)}: left out"
+        )
     for place, name in enumerate(cluster.names):
         if not followed.seen[:, place].any():
             notes.append(f"{name} is never seen")
@@ -151,7 +181,7 @@ def _flight(speed: float, launch: float, azimuth: float) -> str:
     return f"{speed:.1f} m/s, {units.fixed(launch, 'deg', 1)} up and {units.fixed(azimuth, 'deg', 1)} right"
 
 
-def _frames(frames: list[int], first_frame: int) -> str:
+def frames_in_words(frames: list[int], first_frame: int) -> str:
     """Write frames as ranges, the first few of them."""
     runs: list[list[int]] = []
     for frame in (each + first_frame for each in frames):

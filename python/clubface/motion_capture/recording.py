@@ -80,7 +80,7 @@ class Recording:
             Some names are not in the file; the message lists those that are.
         """
         wanted = tuple(labels)
-        places = [self._place(label) for label in wanted]
+        places = [self.place(label) for label in wanted]
         missing = [label for label, place in zip(wanted, places, strict=True) if place is None]
         if missing:
             plural = "markers" if len(missing) > 1 else "marker"
@@ -88,7 +88,8 @@ class Recording:
             raise FileError(self.path, None, f"no {plural} {', '.join(missing)} here; the file has: {present}")
         return self.positions[:, [place for place in places if place is not None]]
 
-    def _place(self, label: str) -> int | None:
+    def place(self, label: str) -> int | None:
+        """Return which of the markers has a name, as for :meth:`markers`; None if there is none."""
         if label in self.labels:
             return self.labels.index(label)
         ends = [place for place, each in enumerate(self.labels) if each.rpartition(":")[2] == label]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import warnings
+from dataclasses import replace
 from typing import Unpack
 
 import numpy as np
@@ -14,8 +15,10 @@ from clubface.errors import CaptureWarning, FileError
 from clubface.motion_capture import checks
 from clubface.motion_capture.attitude import angles
 from clubface.motion_capture.ball_flight import Launched, flight
-from clubface.motion_capture.captured import CapturedDelivery, Trace
+from clubface.motion_capture.captured import NOT_PLAUSIBLE, CapturedDelivery, Trace
+from clubface.motion_capture.filled import without_filled
 from clubface.motion_capture.mapping_file import MarkerMap
+from clubface.motion_capture.markers import AXES
 from clubface.motion_capture.meeting import meet
 from clubface.motion_capture.recording import Recording, read_c3d
 from clubface.motion_capture.reduction import QUANTITIES, Inputs, with_covariance
@@ -25,6 +28,11 @@ from clubface.motion_capture.setup import Options, Setup, prepare
 from clubface.motion_capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 from clubface.simulation.delivery import Delivery
 
+ADVICE = (
+    "Do not use these figures: see which markers hide or stray in which frames (capture markers, --plot), cut the"
+    " recording to the frames of the swing, and check frames under [calibration], target and up under [laboratory], and"
+    " the club"
+)
 MIRROR = np.array([1.0, 1.0, -1.0])
 
 
@@ -73,7 +81,16 @@ def read_swing(
 
 def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     """Return the delivery of one recording; the errors are those of :func:`read_swing`."""
+    found = _captured(recording, setup)
+    if abs(found.delivery.path) > 0.5 * math.pi:
+        raise FileError(recording.path, None, _away(found, recording, setup))
+    return found
+
+
+def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
+    """Return the delivery of one recording, wherever the head goes."""
     where, head, radius = recording.path, setup.club, setup.ball.radius
+    recording, left_out = without_filled(recording, setup.mapping.cluster)
     turn, cluster = setup.turn(recording), setup.cluster(recording)
     followed = track(cluster.shape, recording.markers(cluster.names) @ turn.T, cluster.names, where)
     met = meet(recording, followed, cluster, setup, turn)
@@ -84,12 +101,15 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     )  # fmt: skip
     covariance, touch = reduced.covariance, approach.touch + (reduced.time if met.evidence is not None else 0.0)
     values = dict(zip(QUANTITIES, reduced.values.tolist(), strict=True))
-    if abs(values["path"]) > 0.5 * math.pi:
-        raise FileError(where, None, "the clubhead moves away from the target: turn the axis that points to it round")
+    if not (np.isfinite(reduced.values).all() and np.isfinite(covariance).all() and math.isfinite(touch)):
+        raise FileError(where, None, "the path of the clubhead does not lead to the ball")
     deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     before = math.floor(touch * recording.rate)
+    bad = checks.implausible(values, deviations, head)
     flown = flight(met.seen_ball, recording.times, met.ball, touch)
     notes = [
+        *([f"{NOT_PLAUSIBLE}: {', '.join(bad)}. {ADVICE}"] if bad else []),
+        *left_out,
         *checks.of_track(followed, cluster, recording.first_frame),
         *checks.of_delivery(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
         *checks.of_launch(values, head.replace(hand="right"), setup.ball, flown, touch),
@@ -124,6 +144,25 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
         trace=_trace(recording, followed, reduced.inputs, setup),
         source=where,
     )
+
+
+def _away(found: CapturedDelivery, recording: Recording, setup: Setup) -> str:
+    """Say what to do about a head that moves away from the target: turn the axis if that helps, and else not."""
+    away = "the clubhead moves away from the target"
+    mapping, given = setup.mapping, setup.mapping.target
+    if isinstance(given, str) and (setup.registration is None or mapping.way in ("positions", "face")):
+        for axis in (each for each in AXES if each[1] != mapping.up[1] and each != given):
+            try:
+                plausible = _captured(recording, replace(setup, mapping=replace(mapping, target=axis))).plausible
+            except FileError:
+                continue
+            if plausible:
+                return (
+                    f"{away}: turn the axis that points to it; {axis} gives a plausible delivery (target under"
+                    f" [laboratory], or --target={axis})"
+                )
+    address = "".join(f" ({note})" for note in found.notes if note.startswith("address taken"))
+    return f"{away} in frame {found.frames[0]}, where the impact seems to be. {found.notes[0]}{address}"
 
 
 def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) -> Trace:
