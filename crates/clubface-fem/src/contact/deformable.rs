@@ -7,16 +7,13 @@
 //! balance to rounding.
 
 use super::search_interval::SearchIntervals;
-use super::surface::{Projection, Surface};
+use super::surface::{Beyond, Normals, Projection, Surface};
 use super::{
     Contact, ContactEnergy, ContactMethod, Grooves, NodeState, PenaltyContact, PenaltySprings, Penetration,
     Resultant,
 };
 use crate::material::{cross, dot};
 use clubface_math::{Real, Row, Vec3};
-
-/// Steps for which a node beyond the edge is left out of the search.
-const BEYOND: u32 = 4;
 
 /// A node of the ball that may touch the face.
 struct Candidate<R> {
@@ -63,6 +60,7 @@ pub struct DeformableContact<R: Real> {
     /// Candidates that touched in the last step.
     touching: Vec<u32>,
     surface: Surface<R>,
+    normals: Normals<R>,
     /// Inverse masses of the face's nodes.
     mobilities: Vec<R>,
     forces: Vec<Row<R>>,
@@ -126,6 +124,7 @@ impl<R: Real> DeformableContact<R> {
             intervals: SearchIntervals::new(candidates.len()),
             touching: Vec::new(),
             candidates,
+            normals: Normals::new(rows.len()),
             surface,
             mobilities,
             centre: nearest.1,
@@ -158,7 +157,7 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
         let balls = self.candidates.len();
         let count = self.mobilities.len();
         let (face, rotations) = self.nodes[balls..].split_at(count);
-        self.surface.begin_step();
+        self.normals.begin_step();
         let (on_ball, on_face) = self.forces.split_at_mut(balls);
         let (on_nodes, moments) = on_face.split_at_mut(count);
         // Write only where something acts or has acted: all other forces stay in the caches of the workers that add
@@ -179,11 +178,18 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
             }
             let node = self.nodes[index];
             let x = positions[node as usize].vec();
-            let Some(projection) = self.surface.projection(positions, x, candidate.quad, candidate.at) else {
-                self.passed_edge |= candidate.state.in_contact();
-                (candidate.state, candidate.beyond) = (NodeState::free(), true);
-                self.intervals.skip(index, BEYOND);
-                continue;
+            let (quad, at) = (candidate.quad, candidate.at);
+            let projection = match self.surface.projection(&mut self.normals, positions, x, quad, at) {
+                Ok(projection) => projection,
+                Err(Beyond { quad, distance }) => {
+                    self.passed_edge |= candidate.state.in_contact();
+                    (candidate.state, candidate.beyond) = (NodeState::free(), true);
+                    (candidate.quad, candidate.at) = (quad, [R::zero(); 2]);
+                    let corner = face[self.surface.quads[quad as usize][0] as usize];
+                    let velocity = velocities[node as usize].vec() - velocities[corner as usize].vec();
+                    self.intervals.skip_gap(index, distance, velocity.norm_squared().re(), dt);
+                    continue;
+                }
             };
             (candidate.quad, candidate.at) = (projection.quad, projection.at);
             let returned = std::mem::take(&mut candidate.beyond);

@@ -16,6 +16,7 @@ pub use penalty::{
 pub use rigid::{Plane, RigidContact, RigidSurface};
 pub use rigid_head::RigidHead;
 pub use search_interval::SearchIntervals;
+pub use surface::{Beyond, Normals, Projection, Surface};
 
 use clubface_impact::first_touch::Motion;
 use clubface_math::{Real, Row, Vec3};

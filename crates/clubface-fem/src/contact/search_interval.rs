@@ -25,10 +25,6 @@ impl SearchIntervals {
         *remaining = remaining.saturating_sub(1);
         due
     }
-    /// Leaves a node out for some steps.
-    pub fn skip(&mut self, node: usize, steps: u32) {
-        self.remaining[node] = steps;
-    }
     /// Leaves a node out for as long as it cannot cross a gap (m) in steps of `dt` seconds, given the square of its
     /// speed relative to the other side.
     #[inline(always)]

@@ -4,13 +4,19 @@ use super::Grooves;
 use crate::material::{cross, dot};
 use clubface_math::{Real, Row, Vec3};
 
-/// Largest reference coordinate at which a point still belongs to a quadrilateral.
-const INSIDE: f64 = 1.0 + 1e-9;
+/// How far outside a quadrilateral, in reference coordinates, a point still belongs to it. Neighbours share an edge
+/// and its normals, so they agree on which side of it a point lies to the accuracy of the projection, a thousandth of
+/// this: a point on an edge or a corner belongs to all that meet there, and none falls between them.
+const TOLERANCE: f64 = 1e-9;
+/// Newton step, in reference coordinates, after which a projection is exact to 1e-12, since each step squares the
+/// error: the second of a node that was searched in the last time step, the third or fourth in a new quadrilateral.
+const LAST_STEP: f64 = 1e-6;
+/// Most Newton steps in one quadrilateral; none of those beside a point needs as many.
+const MOST_STEPS: usize = 12;
+/// Largest reference coordinate of a projection outside its quadrilateral.
+const LIMIT: f64 = 3.0;
 /// Most quadrilaterals that a search passes through.
 const LONGEST_SEARCH: usize = 64;
-/// Newton iterations in one quadrilateral: starting from the result of the last time step, the second is exact to
-/// rounding.
-const NEWTON_ITERATIONS: usize = 2;
 
 /// Reference coordinates of a quadrilateral's corners.
 const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
@@ -30,6 +36,42 @@ pub struct Projection<R> {
     pub weights: [R; 4],
 }
 
+/// A point that no normal of the surface leads to.
+#[derive(Clone, Copy, Debug)]
+pub struct Beyond {
+    /// Quadrilateral at the edge.
+    pub quad: u32,
+    /// Distance from it, m.
+    pub distance: f64,
+}
+
+/// Normals at the nodes of a surface, each computed at most once in a step.
+pub struct Normals<R> {
+    normals: Vec<Vec3<R>>,
+    /// Step in which each was computed.
+    computed_at: Vec<u32>,
+    step: u32,
+}
+
+impl<R: Real> Normals<R> {
+    /// Of a surface with a number of nodes.
+    pub fn new(count: usize) -> Self {
+        Self { normals: vec![Vec3::zero(); count], computed_at: vec![0; count], step: 0 }
+    }
+    /// Begins another step, in which normals are computed anew.
+    pub fn begin_step(&mut self) {
+        self.step += 1;
+    }
+    #[inline(always)]
+    fn at(&mut self, node: usize, compute: impl FnOnce() -> Vec3<R>) -> Vec3<R> {
+        if self.computed_at[node] != self.step {
+            self.computed_at[node] = self.step;
+            self.normals[node] = compute();
+        }
+        self.normals[node]
+    }
+}
+
 /// The outer side of some shells, half their thickness outside their nodes.
 pub struct Surface<R> {
     /// Corners of the quadrilaterals, as indices of its nodes.
@@ -45,10 +87,6 @@ pub struct Surface<R> {
     nodes: Vec<u32>,
     /// Grooves, and the height of each node up the undeformed face, m.
     pub grooves: Option<(Grooves, Vec<f64>)>,
-    normals: Vec<Vec3<R>>,
-    /// Step in which each normal was computed.
-    computed_at: Vec<u32>,
-    step: u32,
 }
 
 impl<R: Real> Surface<R> {
@@ -82,23 +120,7 @@ impl<R: Real> Surface<R> {
             round.extend(list);
             first.push(round.len() as u32);
         }
-        Self {
-            quads,
-            neighbours,
-            first,
-            round,
-            offsets,
-            grooves: None,
-            normals: vec![Vec3::zero(); nodes.len()],
-            computed_at: vec![0; nodes.len()],
-            step: 0,
-            nodes,
-        }
-    }
-
-    /// Begins another step, in which normals are computed anew.
-    pub fn begin_step(&mut self) {
-        self.step += 1;
+        Self { quads, neighbours, first, round, offsets, grooves: None, nodes }
     }
 
     /// Position of a node, m. Read only where it is needed: most nodes are far from the ball, and in the cache of
@@ -124,58 +146,37 @@ impl<R: Real> Surface<R> {
         sum * dot(sum, sum).sqrt().recip()
     }
 
-    /// Normals at a quadrilateral's corners in this step.
-    fn normals(&mut self, rows: &[Row<R>], quad: u32) -> [Vec3<R>; 4] {
-        self.quads[quad as usize].map(|node| {
-            let node = node as usize;
-            if self.computed_at[node] != self.step {
-                self.computed_at[node] = self.step;
-                self.normals[node] = self.compute_normal(rows, node);
-            }
-            self.normals[node]
-        })
-    }
-
     /// Quadrilateral whose centre is closest to a point.
     pub fn closest(&self, rows: &[Row<R>], point: Vec3<R>) -> u32 {
-        let distance = |quad: &[u32; 4]| {
-            let mut away = point * R::from_f64(-4.0);
-            for &node in quad {
-                away += self.position(rows, node);
-            }
-            away.norm_squared().re()
-        };
         let mut best = (f64::INFINITY, 0);
-        for (q, quad) in self.quads.iter().enumerate() {
-            let d = distance(quad);
-            if d < best.0 {
-                best = (d, q as u32);
+        for quad in 0..self.quads.len() as u32 {
+            let distance = self.distance_from_centre(rows, point, quad);
+            if distance < best.0 {
+                best = (distance, quad);
             }
         }
         best.1
     }
 
-    /// Projection of a point, searched from a quadrilateral and reference coordinates in it; none if the point is
-    /// beyond the surface's edge.
+    /// Projection of a point, searched from a quadrilateral and reference coordinates in it.
+    ///
+    /// # Errors
+    /// [`Beyond`] if the point is beyond the surface's edge.
     pub fn projection(
-        &mut self,
+        &self,
+        normals: &mut Normals<R>,
         rows: &[Row<R>],
         point: Vec3<R>,
         quad: u32,
         at: [R; 2],
-    ) -> Option<Projection<R>> {
-        let (mut quad, mut at) = (quad, at);
-        for _ in 0..LONGEST_SEARCH {
-            let normals = self.normals(rows, quad);
-            let projection = self.project(rows, point, quad, at, &normals);
-            match self.neighbour_beyond(&projection) {
-                None => return Some(projection),
-                Some(u32::MAX) => return None,
-                Some(neighbour) => quad = neighbour,
-            }
-            at = [R::zero(); 2];
-        }
-        None
+    ) -> Result<Projection<R>, Beyond> {
+        let mut normal = |n: usize| normals.at(n, || self.compute_normal(rows, n));
+        self.search(rows, point, quad, at, &mut normal)
+    }
+
+    /// The same from the middle of a quadrilateral, without keeping the normals; none beyond the edge.
+    pub fn projection_from(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> Option<Projection<R>> {
+        self.search(rows, point, quad, [R::zero(); 2], &mut |n| self.compute_normal(rows, n)).ok()
     }
 
     /// Gradients of the weights along the surface at a projection on its lands, 1/m.
@@ -210,52 +211,144 @@ impl<R: Real> Surface<R> {
         Projection { gap: (projection.gap + depth) * steep, normal: gradient * steep, ..projection }
     }
 
-    /// The same from the middle of a quadrilateral, without keeping the normals.
-    pub fn projection_from(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> Option<Projection<R>> {
-        let mut quad = quad;
-        for _ in 0..LONGEST_SEARCH {
-            let normals = self.quads[quad as usize].map(|node| self.compute_normal(rows, node as usize));
-            let rough = self.project(rows, point, quad, [R::zero(); 2], &normals);
-            match self.neighbour_beyond(&rough) {
-                None => return Some(self.project(rows, point, quad, rough.at, &normals)),
-                Some(u32::MAX) => return None,
-                Some(neighbour) => quad = neighbour,
+    /// Projection of a point, given how to compute the normal at a node.
+    #[inline(always)]
+    fn search<F: FnMut(usize) -> Vec3<R>>(
+        &self,
+        rows: &[Row<R>],
+        point: Vec3<R>,
+        quad: u32,
+        at: [R; 2],
+        normal: &mut F,
+    ) -> Result<Projection<R>, Beyond> {
+        let foot = self.foot(rows, point, quad, at, normal);
+        if foot.excess <= TOLERANCE {
+            return Ok(self.project(&foot));
+        }
+        self.walk(rows, point, foot, normal)
+    }
+
+    /// The search from a quadrilateral in which the point is not: across the edges that it lies beyond; where they end,
+    /// or lead back, round the corners of the nearest quadrilateral.
+    #[cold]
+    #[inline(never)]
+    fn walk<F: FnMut(usize) -> Vec3<R>>(
+        &self,
+        rows: &[Row<R>],
+        point: Vec3<R>,
+        start: Foot<R>,
+        normal: &mut F,
+    ) -> Result<Projection<R>, Beyond> {
+        let mut visited = [start.quad; LONGEST_SEARCH];
+        let (mut here, mut count) = (start, 1);
+        while let Some(next) = self.across(&here, &visited[..count]) {
+            here = self.foot(rows, point, next, [R::zero(); 2], normal);
+            if here.excess <= TOLERANCE {
+                return Ok(self.project(&here));
+            }
+            if count == LONGEST_SEARCH {
+                break;
+            }
+            visited[count] = next;
+            count += 1;
+        }
+        let quad = self.nearest_from(rows, point, here.quad);
+        if quad != here.quad {
+            here = self.foot(rows, point, quad, [R::zero(); 2], normal);
+        }
+        if here.excess <= TOLERANCE {
+            return Ok(self.project(&here));
+        }
+        let mut beyond = Beyond { quad, distance: self.distance(rows, point, &here) };
+        // What is farther away than some elements is not worth the search yet.
+        let [a, _, c, _] = self.corners(rows, quad);
+        if beyond.distance < 2.0 * (c - a).norm_squared().re().sqrt() {
+            for other in self.around(quad) {
+                let foot = self.foot(rows, point, other, [R::zero(); 2], normal);
+                if foot.excess <= TOLERANCE {
+                    return Ok(self.project(&foot));
+                }
+                let distance = self.distance(rows, point, &foot);
+                if distance < beyond.distance {
+                    beyond = Beyond { quad: other, distance };
+                }
             }
         }
-        None
+        Err(beyond)
     }
 
-    /// Neighbour in whose direction a projection lies outside its quadrilateral, if it does: across the edge that is
-    /// passed by more.
-    fn neighbour_beyond(&self, projection: &Projection<R>) -> Option<u32> {
-        let [xi, eta] = projection.at.map(clubface_math::Scalar::re);
-        if xi.abs() <= INSIDE && eta.abs() <= INSIDE {
-            return None;
+    /// A quadrilateral not yet visited across an edge that a foot lies beyond, the one it is farther beyond first.
+    fn across(&self, foot: &Foot<R>, visited: &[u32]) -> Option<u32> {
+        let [xi, eta] = foot.at.map(clubface_math::Scalar::re);
+        let mut sides =
+            [(xi.abs(), if xi > 0.0 { 1 } else { 3 }), (eta.abs(), if eta > 0.0 { 2 } else { 0 })];
+        if sides[1].0 >= sides[0].0 {
+            sides.swap(0, 1);
         }
-        let side = match (xi.abs() > eta.abs(), xi > 0.0, eta > 0.0) {
-            (true, true, _) => 1,
-            (true, false, _) => 3,
-            (false, _, true) => 2,
-            (false, _, false) => 0,
-        };
-        Some(self.neighbours[projection.quad as usize][side])
+        sides
+            .into_iter()
+            .filter(|(c, _)| *c > 1.0)
+            .map(|(_, side)| self.neighbours[foot.quad as usize][side])
+            .find(|next| *next != u32::MAX && !visited.contains(next))
     }
 
-    /// Point of a quadrilateral whose interpolated normal leads to `point`.
-    fn project(
+    /// Quadrilaterals that share corners with one.
+    fn around(&self, quad: u32) -> impl Iterator<Item = u32> + '_ {
+        self.quads[quad as usize].into_iter().flat_map(|n| {
+            self.round[self.first[n as usize] as usize..self.first[n as usize + 1] as usize].iter().copied()
+        })
+    }
+
+    /// Quadrilateral whose centre is closest to a point among those round it, searched from one.
+    fn nearest_from(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> u32 {
+        let (mut here, mut least) = (quad, self.distance_from_centre(rows, point, quad));
+        loop {
+            let before = here;
+            for other in self.around(before) {
+                let distance = self.distance_from_centre(rows, point, other);
+                if distance < least {
+                    (here, least) = (other, distance);
+                }
+            }
+            if here == before {
+                return here;
+            }
+        }
+    }
+
+    /// Square of four times the distance of a point from the centre of a quadrilateral, m2.
+    fn distance_from_centre(&self, rows: &[Row<R>], point: Vec3<R>, quad: u32) -> f64 {
+        let mut away = point * R::from_f64(-4.0);
+        for node in self.quads[quad as usize] {
+            away += self.position(rows, node);
+        }
+        away.norm_squared().re()
+    }
+
+    /// Distance of a point from a quadrilateral where that is nearest to a foot, m.
+    fn distance(&self, rows: &[Row<R>], point: Vec3<R>, foot: &Foot<R>) -> f64 {
+        let [xi, eta] = foot.at.map(|c| c.min(R::one()).max(-R::one()));
+        let [x0, x1, x2, x3] = modes(&self.corners(rows, foot.quad));
+        let away = point - (x0 + x1 * xi + (x2 + x3 * xi) * eta);
+        away.norm_squared().re().sqrt()
+    }
+
+    /// Point of a quadrilateral's middle surface whose interpolated normal leads to `point`.
+    #[inline(always)]
+    fn foot<F: FnMut(usize) -> Vec3<R>>(
         &self,
         rows: &[Row<R>],
         point: Vec3<R>,
         quad: u32,
         start: [R; 2],
-        normals: &[Vec3<R>; 4],
-    ) -> Projection<R> {
-        let nodes = self.quads[quad as usize];
-        let x = self.corners(rows, quad);
-        let ([x0, x1, x2, x3], [n0, n1, n2, n3]) = (modes(&x), modes(normals));
+        normal: &mut F,
+    ) -> Foot<R> {
+        let normals = self.quads[quad as usize].map(|n| normal(n as usize));
+        let ([x0, x1, x2, x3], [n0, n1, n2, n3]) = (modes(&self.corners(rows, quad)), modes(&normals));
         let mut at = start;
         let mut height = dot(point - x0, n0);
-        for _ in 0..NEWTON_ITERATIONS {
+        let mut excess = f64::INFINITY;
+        for _ in 0..MOST_STEPS {
             let [xi, eta] = at;
             let (n, nx, ny) = (n0 + n1 * xi + (n2 + n3 * xi) * eta, n1 + n3 * eta, n2 + n3 * xi);
             let position = x0 + x1 * xi + (x2 + x3 * xi) * eta;
@@ -266,22 +359,47 @@ impl<R: Real> Surface<R> {
             // Far outside, a full step would leave the neighbourhood where the element means anything.
             at = [limited(xi + dot(bn, residual) * scale), limited(eta + dot(na, residual) * scale)];
             height += dot(ab, residual) * scale;
+            let step = (at[0] - xi).re().abs().max((at[1] - eta).re().abs());
+            if step < LAST_STEP {
+                excess = at[0].re().abs().max(at[1].re().abs()) - 1.0;
+                break;
+            }
         }
         let [xi, eta] = at;
-        let n = n0 + n1 * xi + (n2 + n3 * xi) * eta;
-        let size = dot(n, n).sqrt();
+        Foot { quad, at, height, normal: n0 + n1 * xi + (n2 + n3 * xi) * eta, excess }
+    }
+
+    /// The projection with its foot in a quadrilateral.
+    #[inline(always)]
+    fn project(&self, foot: &Foot<R>) -> Projection<R> {
+        let &Foot { quad, at, height, normal, .. } = foot;
+        let [xi, eta] = at;
+        let size = dot(normal, normal).sqrt();
         let weights = SIGNS.map(|[s, t]| (xi * s + 1.0) * (eta * t + 1.0) * 0.25);
         let mut offset = R::zero();
-        for k in 0..4 {
-            offset += weights[k] * self.offsets[nodes[k] as usize];
+        for (node, &weight) in self.quads[quad as usize].into_iter().zip(&weights) {
+            offset += weight * self.offsets[node as usize];
         }
-        Projection { quad, at, gap: height * size - offset, normal: n * size.recip(), weights }
+        Projection { quad, at, gap: height * size - offset, normal: normal * size.recip(), weights }
     }
+}
+
+/// Point of a quadrilateral's middle surface from which its interpolated normal leads to a point.
+#[derive(Clone, Copy)]
+struct Foot<R> {
+    quad: u32,
+    at: [R; 2],
+    /// Distance in lengths of the normal, m.
+    height: R,
+    /// Normal, as interpolated between nodes.
+    normal: Vec3<R>,
+    /// How far it lies outside the quadrilateral, in reference coordinates; infinite if there is no such point.
+    excess: f64,
 }
 
 #[inline(always)]
 fn limited<R: Real>(c: R) -> R {
-    c.min(R::from_f64(3.0)).max(R::from_f64(-3.0))
+    c.min(R::from_f64(LIMIT)).max(R::from_f64(-LIMIT))
 }
 
 /// Bilinear map by powers: constant, along xi, along eta, both.

@@ -12,5 +12,6 @@ mod shared_constants;
 mod shells;
 mod solver;
 mod support;
+mod surface;
 mod verification;
 mod worker_pool;
