@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from itertools import islice
 from typing import NamedTuple
 
@@ -179,7 +180,7 @@ def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | 
     if not found or not any(map(str.isdigit, found["number"])):
         raise CellError("not a number")
     sides = SIDES.get(quantity, {})
-    before, after = (_side_and_unit(found[each], sides) for each in ("before", "rest"))
+    before, after = (_side_and_unit(found[each], quantity) for each in ("before", "rest"))
     if before is None or after is None or any(map(all, zip(before, after, strict=True))):
         if not found["number"].strip("+-0.,") and plain(found["before"] + found["rest"]) in _NO_SIDE:
             return found, None, None
@@ -187,14 +188,16 @@ def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | 
     return found, before[0] or after[0], before[1] or after[1]
 
 
-def _side_and_unit(text: str, sides: Mapping[str, Side]) -> tuple[Side | None, str | None] | None:
+@lru_cache(maxsize=4096)
+def _side_and_unit(text: str, quantity: str) -> tuple[Side | None, str | None] | None:
     """Return the side and the unit that words next to a number name, in any order; None where they are others."""
+    sides = SIDES.get(quantity, {})
     words = re.sub(r"[°º](?!/)", r" ° ", text).split()
     only_unit = None
     for place in range(len(words) + 1):
         parts = " ".join(words[:place]), " ".join(words[place:])
         for named, other in (parts, parts[::-1]):
-            side, symbol = sides.get(plain(named)), unit_symbol(other)
+            side, symbol = None if "°" in named else sides.get(plain(named)), unit_symbol(other)
             if side and (symbol or not other):
                 return side, symbol
             if not named and (symbol or not other):

@@ -6,12 +6,31 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from clubface.errors import FileError
+from clubface.errors import FileError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
-from clubface.launch_monitor.formats import Format, side_of
+from clubface.launch_monitor.formats import COMMON, MEASURED, Format, side_of
+from clubface.launch_monitor.summary_rows import NUMBERING
 from clubface.tables.headings import POINTS, given_unit, listed, missing_units, shot_words
 from clubface.tables.spelling import plain, unit_of_column, unit_symbol
 
+NOT_MEASURED = frozenset(
+    {
+        *NUMBERING, "shot key", "key", "session", "session id", "date", "time", "date time", "datetime",
+        "timestamp", "year", "month", "day", "tag", "tags", "note", "notes", "ball", "video", "hole", "player id",
+    }
+)  # fmt: skip
+"""Headings of columns of numbers that are no measurements."""
+EITHER_SPEED = (
+    "the column {} may be the speed of the club or of the ball and is not read: call it club_speed or ball_speed, or "
+    "name it in a mapping"
+)
+UNSIGNED = frozenset(
+    {
+        "impact offset", "horiz impact", "horizontal impact", "impact horizontal", "horizontal face impact",
+        "face impact horizontal", "face impact lateral", "lateral impact",
+    }
+)  # fmt: skip
+"""Headings of impact points that do not say whether the toe or the heel is positive."""
 _WORD = re.compile(r"[^\W\d_]|[°%]")
 """A unit has one; a number or a dash, which stands for nothing measured, has none."""
 
@@ -61,12 +80,16 @@ class Columns(NamedTuple):
     labels
         The places of the columns of texts in which a row may say that it sums up others: with "club", "player", or
         the heading.
+    others
+        Places of the columns that give none of all this, but for those that number the shots.
     counted
         Places of columns whose values a note counts.
     assumed
         Headings whose unit the file does not name, with the one taken.
     unused
         Headings that would give a quantity but for what is in their brackets, which is no unit.
+    remarks
+        What else a reader should know of the columns.
     """
 
     width: int
@@ -80,9 +103,11 @@ class Columns(NamedTuple):
     file: int | None
     points: Mapping[str, int]
     labels: Mapping[int, str]
+    others: tuple[int, ...]
     counted: tuple[int, ...]
     assumed: tuple[tuple[str, str], ...]
     unused: tuple[str, ...]
+    remarks: tuple[str, ...]
 
 
 def is_units_row(cells: Sequence[str]) -> bool:
@@ -118,25 +143,36 @@ def columns_of(
     used: dict[str, list[Used]] = {}
     assumed: list[tuple[str, str]] = []
     without_unit: list[tuple[str, str]] = []
+    remarks: list[str] = []
     for position, each in enumerate(heads):
         # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
         if each.name not in preferred or position in clubs:
             continue
         quantity = layout.names[each.name][0]
         shown = headings[position].strip()
+        if not _is_clear(layout, each.name, quantity, shown):
+            if quantity == "speed":
+                remarks.append(EITHER_SPEED.format(shortened(shown, 40)))
+            continue
         named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
         symbol = named or given_unit(units, quantity, _dimension(quantity))
         if symbol is None:
-            symbol = layout.fields[quantity].unit
+            symbol = layout.field(quantity).unit
+            if symbol is None and quantity not in layout.fields:
+                continue  # it is not the maker's, which alone says its unit
             if symbol is None:
                 without_unit.append((shown, quantity))
                 continue
             if not layout.needs_units and _dimension(quantity) in ("speed", "length"):
                 assumed.append((shown, symbol))
         side = _side(layout, quantity, each)
+        if quantity == "toe" and each.name in UNSIGNED and not (each.positive or layout.field(quantity).positive):
+            remarks.append(f"the file does not say the sign of {shortened(shown, 40)}: the toe was taken as positive")
         used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, side, named is not None))
     if without_unit:
         raise missing_units(without_unit, *place, {name: _dimension(name) for _, name in without_unit})
+    if not used and remarks:
+        raise FileError(*place, remarks[0])
     if not used:
         raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
     player, hand, date, file = (
@@ -166,6 +202,11 @@ def columns_of(
             for place in range(len(headings))
             if place not in places and place != hand
         },
+        others=tuple(
+            place
+            for place in range(len(headings))
+            if place not in {*places, *clubs, player, hand, date, file} and names[place] not in NOT_MEASURED
+        ),
         counted=tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
         assumed=tuple(assumed),
         unused=tuple(
@@ -173,17 +214,29 @@ def columns_of(
             for each, shown in zip(heads, headings, strict=True)
             if each.name != each.bare and each.bare in layout.names and layout.names[each.bare][0] not in used
         ),
+        remarks=tuple(remarks),
     )
+
+
+def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
+    """Tell whether a heading means what it is called in clubface, as everything that is written as clubface does.
+
+    In the tables of others "Speed" may be that of club or ball, and "Roll" is what the ball does on the ground.
+    """
+    is_general = layout.all_columns or name not in layout.own_names
+    if not is_general or (shown == shown.lower() and "(" not in shown):
+        return True
+    return name != "speed" and quantity in MEASURED
 
 
 def _preferred(layout: Format, heads: Sequence[Heading]) -> set[str]:
     """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none."""
     known = {each.name: layout.names[each.name] for each in heads if each.name in layout.names}
-    if layout.all_columns:
-        return set(known)
     best: dict[str, int] = {}
     for quantity, rank in known.values():
         best[quantity] = min(rank, best.get(quantity, rank))
+    if layout.all_columns:  # of nearly the same, the best
+        return {name for name, (quantity, rank) in known.items() if rank // COMMON == best[quantity] // COMMON}
     return {name for name, (quantity, rank) in known.items() if rank == best[quantity]}
 
 
@@ -212,5 +265,5 @@ def _dimension(quantity: str) -> str:
 
 
 def _side(layout: Format, quantity: str, head: Heading) -> Side:
-    positive = head.positive if head.positive in SIDES.get(quantity, {}) else layout.fields[quantity].positive
+    positive = head.positive if head.positive in SIDES.get(quantity, {}) else layout.field(quantity).positive
     return side_of(quantity, positive)

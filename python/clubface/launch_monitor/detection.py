@@ -36,7 +36,7 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format:
         names = {heading(each).name for each in cells}
         for each in FORMATS.values():
             if each.is_marked(names):
-                known.setdefault(each.name, len(names & set(each.names)))
+                known.setdefault(each.name, len(names & set(each.own_names)))
         if known:
             break
     if known:
@@ -105,4 +105,4 @@ def _marked(layout: Format, rows: Sequence[Sequence[str]]) -> bool:
 
 def _known(layout: Format, cells: Sequence[str]) -> int:
     """Return how many cells of a row are headings of a layout."""
-    return len({heading(each).name for each in cells} & set(layout.names))
+    return len({heading(each).name for each in cells} & set(layout.own_names))

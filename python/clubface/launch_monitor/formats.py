@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field as dataclass_field
+from functools import cache, cached_property
 
-from clubface.launch_monitor.cells import SIDES, Heading, Side, heading
+from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading
 from clubface.tables.cells import is_number
+from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, SECOND_CHOICE, SYNONYMS, shot_words
 from clubface.tables.spelling import bracketed, plain
 from clubface.units import parse_column_name
 
@@ -24,6 +26,10 @@ DATE = (
     "Datum Uhrzeit", "Fecha", "Date Heure", "Data", "Dato", "Data Hora", "Fecha y hora", "日付", "日時", "日期", "날짜",
 )  # fmt: skip
 """Headings under which exports say when a shot was hit."""
+MEASURED = frozenset({*SYNONYMS, *LAUNCH_SYNONYMS, FACE_TO_PATH} - {HAND})
+"""Quantities that monitors measure; the others, as "roll", are properties of club and ball, and other things there."""
+TO_PATH = ("face_to_path", "ftp", "club_face_to_path", "face_to_path_angle", "face_path")
+"""Names of the angle from the path to the face."""
 PLAYER = ("Player", "Player Name", "Golfer")
 """Headings under which exports in English name the player."""
 
@@ -47,6 +53,23 @@ class Field:
         self.headings = tuple(plain(each) for each in headings)
         self.unit = unit
         self.positive = positive
+
+
+COMMON = 100
+"""The rank from which the headings of the vocabulary of all tables count."""
+COMMON_FIELD = Field()
+
+
+@cache
+def common_names() -> Mapping[str, tuple[str, int]]:
+    """Return the quantity that each heading of the vocabulary of all tables gives, and its rank."""
+    found: dict[str, tuple[str, int]] = {}
+    counts: Counter[str] = Counter()
+    for name, quantity in (*shot_words().names.items(), *dict.fromkeys(TO_PATH, FACE_TO_PATH).items()):
+        if quantity in MEASURED:
+            found[plain(name.replace("_", " "))] = quantity, counts[quantity] + COMMON * (name in SECOND_CHOICE)
+            counts[quantity] += 1
+    return found
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,6 +96,8 @@ class Format:
     needs_units
         Whether the units of its columns, where the file names none, are those of a mapping or given, and not those
         that the maker's program has when it is installed: the latter are said to be assumed.
+    only_own
+        Whether its columns are those listed alone, and not those that the vocabulary of all tables names besides.
     all_columns
         Whether all columns of a quantity are read, and must agree, instead of those of the preferred heading.
     speed_at
@@ -98,21 +123,32 @@ class Format:
     file: tuple[str, ...] = ()
     title_of_player: str = ""
     needs_units: bool = False
+    only_own: bool = False
     all_columns: bool = False
     speed_at: str = UNKNOWN
     face_at: str = UNKNOWN
     told: tuple[str, ...] = ()
-    notes: Mapping[str, str] = field(default_factory=dict)
+    notes: Mapping[str, str] = dataclass_field(default_factory=dict)
     source: str = ""
 
     @cached_property
-    def names(self) -> Mapping[str, tuple[str, int]]:
-        """The quantity that each heading in plain words may give, and its rank among the headings of that quantity."""
+    def own_names(self) -> Mapping[str, tuple[str, int]]:
+        """The quantity that each heading of the layout, in plain words, gives, and its rank among those of it."""
         return {
-            each: (quantity, rank)
+            each: (quantity, rank + COMMON * (self.all_columns and each.replace(" ", "_") in SECOND_CHOICE))
             for quantity, columns in self.fields.items()
             for rank, each in enumerate(columns.headings)
         }
+
+    @cached_property
+    def names(self) -> Mapping[str, tuple[str, int]]:
+        """The same with the headings that the vocabulary of all tables has besides, which rank behind its own."""
+        known = {each: (quantity, rank + COMMON) for each, (quantity, rank) in common_names().items()}
+        return self.own_names if self.only_own else {**known, **self.own_names}
+
+    def field(self, quantity: str) -> Field:
+        """Return how the layout writes a quantity; one that it does not know has no unit of its own."""
+        return self.fields.get(quantity) or COMMON_FIELD
 
     @cached_property
     def _marks(self) -> list[set[str]]:

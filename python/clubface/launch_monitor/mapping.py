@@ -92,6 +92,7 @@ def mapping_of(path: str | os.PathLike[str]) -> Mapped:
         player=(data["player"],) if "player" in data else PLAYER,
         hand=(data["hand"],) if "hand" in data else (),
         needs_units=True,
+        only_own=True,
         speed_at=_choice(document, "speed_at", {each: each for each in SPEED_AT}) or UNKNOWN,
         face_at=_choice(document, "face_at", {each: each for each in FACE_AT}) or UNKNOWN,
     )

@@ -14,13 +14,13 @@ import numpy as np
 
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError, shortened
-from clubface.launch_monitor.cells import FACE_TO_PATH
 from clubface.launch_monitor.columns import is_units_row
 from clubface.launch_monitor.detection import asked_for, detected, is_foreign, others
 from clubface.launch_monitor.formats import POINTS, Format
 from clubface.launch_monitor.mapping import Mapped, mapping_of
 from clubface.launch_monitor.registry import FORMATS
 from clubface.launch_monitor.rows import Session, SessionReader
+from clubface.launch_monitor.sentinels import with_face_and_path, without_any_sentinels, without_sentinels
 from clubface.launch_monitor.tables import TABLE
 from clubface.recorded.dates import iso_dates
 from clubface.recorded.possible import without_contradictions, without_impossible
@@ -256,23 +256,21 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] =
         name: np.concatenate([each.values.get(name, np.full(len(each.lines), np.nan)) for each in tables])
         for name in dict.fromkeys(name for each in tables for name in each.values)
     }
-    to_path = columns.pop(FACE_TO_PATH, None)
-    if to_path is not None and "path" in columns:
-        face = columns["path"] + to_path
-        columns["face"] = np.where(np.isnan(columns["face"]), face, columns["face"]) if "face" in columns else face
+    lines = [line for each in tables for line in each.lines]
+    columns, sentinels = without_sentinels(columns, session.units)
+    columns, turned = with_face_and_path(columns, lines)
     columns = {name: values for name, values in columns.items() if not np.isnan(values).all()}
-    if (wrong := wrong_unit(columns, session.units)) is not None:
+    if (wrong := wrong_unit(without_any_sentinels(columns, session.units), session.units)) is not None:
         raise FileError(path, session.header_line, wrong)
     clubs, players = (
         np.array([text for each in tables for text in getattr(each, name)], dtype=object) if has else None
         for name, has in (("clubs", session.names_clubs), ("players", session.names_players))
     )
-    lines = [line for each in tables for line in each.lines]
     written, files = ([text for each in tables for text in getattr(each, name)] for name in ("dates", "files"))
     dates, date_note = iso_dates(written)
     agreeing, contradiction = without_contradictions(columns, clubs, lines)
     cleaned = without_impossible(agreeing)
-    notes = [*_notes(session, layout, set(columns), of_file), *cleaned.notes]
+    notes = [*_notes(session, layout, set(columns), of_file), *filter(None, (sentinels, turned)), *cleaned.notes]
     every = RecordedShots(
         deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
         launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
@@ -289,7 +287,7 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] =
         speed_at=session.points.get("speed_at", layout.speed_at),
         face_at=session.points.get("face_at", layout.face_at),
     )
-    emptied = np.all([np.isnan(each) for each in cleaned.columns.values()], axis=0)
+    emptied = np.all([np.ones(len(lines), bool), *(np.isnan(each) for each in cleaned.columns.values())], axis=0)
     return without_emptied(every, emptied)
 
 
@@ -330,6 +328,11 @@ def _notes(session: Session, layout: Format, measured: set[str], of_file: Sequen
     if session.unused:
         unused = ", ".join(shortened(each, 40) for each in islice(session.unused, COUNTED))
         yield f"not used, since what is in brackets is no unit: {unused}"
+    yield from session.remarks
+    if session.unread:
+        unread = ", ".join(shortened(each, 40) for each in islice(session.unread, COUNTED))
+        more = f" and {len(session.unread) - COUNTED} more" if len(session.unread) > COUNTED else ""
+        yield f"columns of numbers that are not read, since they are none of the known quantities: {unread}{more}"
     for name, counts in session.counts.items():
         shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), COUNTED)]
         yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > COUNTED)

@@ -16,13 +16,14 @@ from clubface.launch_monitor.cells import FACE_TO_PATH, MIRRORED, WORLD, CellErr
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.summary_rows import summary_rows
+from clubface.recorded.club_names import club_kind
 from clubface.recorded.dates import date_among
 from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
 from clubface.recorded.wrong_units import Unit
 from clubface.simulation.quantities import inputs
 from clubface.support.arrays import Floats
-from clubface.tables.cells import LARGE, hand_of, may_be_thousands, quoted_cell, ragged_reason
+from clubface.tables.cells import LARGE, NUMBER, hand_of, is_missing, may_be_thousands, quoted_cell, ragged_reason
 from clubface.tables.csv_rows import Row
 from clubface.tables.headings import POINTS
 from clubface.tables.rows import Reject
@@ -34,6 +35,8 @@ DERIVED = frozenset(
 """What a monitor computes from what it measured: a cell of it that cannot be read costs itself and not the shot."""
 BLOCK_ROWS = 16384
 """Rows that are made shots at a time."""
+JUDGED = 200
+"""Cells by which a column that is not read is known to be one of numbers."""
 HEADINGS = 2
 """Headings of a layout that make a row below the first header another header, if none of its cells is a number."""
 SHOWN = 3
@@ -89,6 +92,10 @@ class Session:
         Headings whose unit was assumed, with the unit.
     unused
         Headings that would give a quantity but for what is in their brackets.
+    remarks
+        What else a reader should know of the columns.
+    unread
+        Headings of columns of numbers that give no quantity.
     unreadable
         Cells of computed quantities that hold no number, by heading: how many, and one of them.
     points
@@ -112,6 +119,8 @@ class Session:
     counts: dict[str, Counter[str]] = field(default_factory=dict)
     assumed: dict[str, str] = field(default_factory=dict)
     unused: dict[str, None] = field(default_factory=dict)
+    remarks: dict[str, None] = field(default_factory=dict)
+    unread: dict[str, None] = field(default_factory=dict)
     unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
     points: dict[str, str] = field(default_factory=dict)
     units: dict[str, Unit] = field(default_factory=dict)
@@ -201,6 +210,21 @@ class SessionReader:
             self._take(cells, list(lines))
         return self.session
 
+    def _note_unread(self, cells: Sequence[Any]) -> None:
+        """Note the columns of numbers that are not read, by the first rows below a header."""
+        columns = self._columns
+        assert columns is not None
+        for place in columns.others:
+            column = cells[place]
+            shown = self._header[place].strip() or f"column {place + 1}"
+            if _is_array(column):
+                is_numeric = bool(np.isfinite(column).any())
+            else:
+                texts = [each for each in column[:JUDGED] if not is_missing(each)]
+                is_numeric = 2 * sum(map(_is_measurement, texts)) > len(texts)
+            if is_numeric:
+                self.session.unread.setdefault(shown, None)
+
     def _texts(self, cells: Sequence[Any], place: int) -> Sequence[str]:
         """Return the cells of a column of names, which a Parquet file may have as numbers."""
         column = cells[place]
@@ -273,6 +297,7 @@ class SessionReader:
             session.units.setdefault(quantity, Unit(first.heading, first.unit, first.is_named))
         session.assumed.update(columns.assumed)
         session.unused.update(dict.fromkeys(columns.unused))
+        session.remarks.update(dict.fromkeys(columns.remarks))
         session.names_clubs |= bool(columns.club)
         session.names_players |= columns.player is not None
 
@@ -289,6 +314,7 @@ class SessionReader:
         """Add the shots of some rows below the same header, whose cells come by column."""
         columns, session = self._columns, self.session
         assert columns is not None
+        self._note_unread(cells)
         reasons: dict[int, str] = {}
         hands = self._hands(cells, len(lines), reasons)
         unreadable: dict[str, dict[int, str]] = {}
@@ -507,6 +533,15 @@ def _floats(cells: Sequence[str], decimal_comma: bool) -> Floats | None:
     except ValueError:
         return None
     return values if np.isfinite(values).all() else None
+
+
+def _is_measurement(cell: str) -> bool:
+    """Tell whether a cell is a number, perhaps with a unit or a side, and no date, club or name."""
+    found = NUMBER.fullmatch(cell.strip())
+    if found is None or len(found["before"]) > 2 or len(found["rest"]) > 6:
+        return False
+    words = found["before"] + found["rest"]
+    return any(map(str.isdigit, found["number"])) and not (words and club_kind(cell))
 
 
 def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:

@@ -14,46 +14,85 @@ from clubface.support.checks import check_choice
 from clubface.tables.spelling import bracketed, plain, unit_of_column
 
 SYNONYMS = {
-    "speed": ("club_speed", "clubhead_speed", "club_head_speed", "head_speed"),
-    "attack": ("attack_angle", "angle_of_attack", "aoa"),
-    "path": ("club_path", "swing_path"),
-    "loft": ("dynamic_loft", "dyn_loft", "delivered_loft"),
-    "face": ("face_angle", "club_face_angle"),
+    "speed": (
+        "club_speed", "clubhead_speed", "club_head_speed", "head_speed", "clubspeed", "swing_speed", "club_velocity",
+        "clubhead_velocity", "club_head_velocity", "ヘッドスピード", "杆头速度", "헤드_스피드", "클럽_스피드",
+    ),
+    "attack": (
+        "attack_angle", "angle_of_attack", "aoa", "club_aoa", "attack_ang", "vert_path", "vertical_path",
+        "vertical_club_path", "club_attack_angle", "入射角",
+    ),
+    "path": (
+        "club_path", "swing_path", "horiz_path", "horizontal_path", "horizontal_club_path", "path_angle",
+        "club_path_angle", "clubhead_path", "クラブパス",
+    ),
+    "loft": ("dynamic_loft", "dyn_loft", "delivered_loft", "loft_at_impact", "impact_loft", "ダイナミックロフト"),
+    "face": (
+        "face_angle", "club_face_angle", "clubface_angle", "face_ang", "club_face", "face_to_target", "ftt",
+        "face_to_target_angle", "club_face_to_target", "フェースアングル",
+    ),
     "lie": ("lie_tilt",),
-    "toe": ("impact_toe", "toe_offset", "impact_offset"),
-    "high": ("impact_high", "high_offset", "impact_height"),
-    "closure": ("closure_rate", "face_closure"),
+    "toe": (
+        "impact_toe", "toe_offset", "impact_offset", "horiz_impact", "horizontal_impact", "impact_horizontal",
+        "horizontal_face_impact", "face_impact_horizontal", "face_impact_lateral", "lateral_impact",
+    ),
+    "high": (
+        "impact_high", "high_offset", "impact_height", "vert_impact", "vertical_impact", "impact_vertical",
+        "vertical_face_impact", "face_impact_vertical",
+    ),
+    "closure": ("closure_rate", "face_closure", "face_closure_rate", "rate_of_closure"),
     "pitch_rate": ("loft_rate",),
     "lie_rate": (),
     "ball_backspin": (),
     "ball_sidespin": (),
     "ball_riflespin": (),
     "hand": ("handedness",),
-}
-"""Other names of the inputs of a delivery, in the words of launch monitors."""
+}  # fmt: skip
+"""Other names of the inputs of a delivery, in the words of launch monitors and of those who read them."""
 
 LAUNCH_SYNONYMS = {
-    "ball_speed": ("ball_velocity",),
-    "smash": ("smash_factor",),
-    "launch": ("launch_angle", "vertical_launch_angle", "vertical_launch"),
-    "azimuth": ("launch_direction", "horizontal_launch_angle", "horizontal_launch", "side_angle"),
-    "backspin": ("back_spin",),
-    "sidespin": ("side_spin",),
-    "total_spin": ("spin_rate", "spin"),
-    "spin_axis": ("spin_axis_tilt", "spin_tilt"),
+    "ball_speed": (
+        "ball_velocity", "ballspeed", "initial_ball_speed", "launch_speed", "ボールスピード", "ボール初速", "球速",
+        "볼_스피드", "볼스피드",
+    ),
+    "smash": ("smash_factor", "efficiency", "smash_fac", "ミート率", "スマッシュファクター", "击球效率"),
+    "launch": (
+        "launch_angle", "vertical_launch_angle", "vertical_launch", "vla", "launch_ang", "launch_v", "launch_angle_v",
+        "vert_launch", "vert_launch_angle", "launch_angle_vertical", "打ち出し角", "打出角",
+    ),
+    "azimuth": (
+        "launch_direction", "horizontal_launch_angle", "horizontal_launch", "side_angle", "hla", "launch_dir",
+        "launch_h", "launch_angle_h", "horiz_launch", "horiz_launch_angle", "launch_angle_horizontal", "push_pull",
+        "launch_azimuth", "start_direction", "start_line",
+    ),
+    "backspin": ("back_spin", "バックスピン"),
+    "sidespin": ("side_spin", "サイドスピン"),
+    "total_spin": ("spin_rate", "spin", "ball_spin", "total_spin_rate", "スピン量"),
+    "spin_axis": (
+        "spin_axis_tilt", "spin_tilt", "tilt_angle", "spin_tilt_axis", "spin_axis_angle", "axis_tilt", "tilt_axis",
+        "スピン軸",
+    ),
     "contact_time": (),
     "peak_force": (),
-    "carry": ("carry_distance",),
-    "side": ("carry_side", "offline"),
-    "apex": ("peak_height", "max_height"),
-    "flight_time": ("hang_time",),
-    "landing_angle": ("landing", "descent_angle"),
+    "carry": ("carry_distance", "carry_dist", "carry_length", "carry_flat", "carry_flat_length", "flat_carry"),
+    "side": (
+        "carry_side", "side_carry", "offline", "lateral", "lateral_distance", "side_distance", "carry_offline",
+        "carry_deviation", "carry_deviation_distance",
+    ),
+    "apex": ("peak_height", "max_height", "apex_height", "height", "maximum_height", "peak_ht", "max_ht", "最高到達点"),
+    "flight_time": ("hang_time", "time_of_flight", "air_time", "hangtime", "滞空時間"),
+    "landing_angle": (
+        "landing", "descent_angle", "desc_angle", "land_angle", "angle_of_descent", "descent", "descent_v", "descentv",
+        "落下角",
+    ),
     "landing_speed": (),
-    "total": ("total_distance",),
-    "total_side": (),
-}
+    "total": ("total_distance", "total_dist", "total_length", "トータル"),
+    "total_side": ("side_total", "total_offline", "total_deviation", "total_deviation_distance"),
+}  # fmt: skip
 """The quantities of a launch and its flight that a table may hold, with other names of each."""
 
+SECOND_CHOICE = frozenset({"carry_flat", "carry_flat_length", "flat_carry"})
+"""Names of what is nearly the quantity: read only where the file has no other column of it."""
 HAND = "hand"
 MOST_NAMED = 12
 """Columns that an error names."""

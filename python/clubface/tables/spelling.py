@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 
 from clubface.errors import FileError, UnitError
 from clubface.units import unit
@@ -41,6 +42,7 @@ def bracketed(text: str) -> tuple[str, str | None]:
     return (text, None) if found is None else (text[: found.start()], found[1].strip())
 
 
+@lru_cache(maxsize=4096)
 def unit_symbol(text: str) -> str | None:
     """Return the symbol of the unit that a monitor writes as ``text``, or None for an unknown one."""
     spelled = text.strip().strip("[]()").strip()
