@@ -1,11 +1,18 @@
 """The largest stress of a head under a blow: beside runs of metal that yields, and where it is small."""
 
+import hashlib
 from dataclasses import replace
+from functools import cache
 
+import numpy as np
 import pytest
 
 from clubface import fem
 from clubface.fem import stress
+from clubface.fem.heads.read import from_toml
+from clubface.fem.recovery import SurfaceRecovery
+from clubface.support.shipped import builtin_path
+from fem_meshes import HEAD, write_mesh
 from fem_runs import coarse, coarse_head
 
 BLOW = {"speed": "50 m/s", "which": coarse("modern")}
@@ -54,18 +61,115 @@ def test_a_thick_face_and_a_slow_blow_have_less_stress():
     assert face_of(head, toe="20 mm").place[2] > 0.01
 
 
-def test_the_command_shows_stress_beside_yield(clubface_, tmp_path):
-    from clubface.support.shipped import builtin_path
+@cache
+def iron(layers):
+    """The shipped iron of few elements, some layers through the blade."""
+    return replace(from_toml(builtin_path("head", "7-iron", "fem_heads")), elements=(16, 10, layers))
 
+
+def test_a_field_that_is_linear_is_exact_at_the_surface():
+    # As patch recovery promises; in a mesh that tapers and has round corners.
+    head = iron(3).mesh()
+    recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
+    assert recovery.extrapolated.all()
+    slopes = np.array([[3e9, -1e9, 2e9], [0.0, 5e9, 1e9]]).T
+    of_elements = 1e8 + head.nodes[head.hexahedra].mean(axis=1) @ slopes
+    expected = 1e8 + head.nodes[recovery.nodes] @ slopes
+    # Rounding.
+    assert recovery.at_nodes(of_elements[None])[0] == pytest.approx(expected, abs=1.0)
+
+
+def test_the_surface_is_closed_and_looks_outwards():
+    head = iron(2).mesh()
+    recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
+    a, b, c, d = (head.nodes[recovery.quads[:, corner]] for corner in range(4))
+    areas = 0.5 * np.cross(c - a, d - b)
+    assert areas.sum(axis=0) == pytest.approx(0.0, abs=1e-12)
+    # The divergence theorem: the volume of the steel, which weighs the mass of the blade.
+    volume = (areas * (a + b + c + d)).sum() / 12.0
+    assert 7800.0 * volume == pytest.approx(head.club.mass - head.added.sum(), rel=0.01)
+
+
+def test_the_stress_of_an_iron_hardly_depends_on_the_layers_of_its_mesh():
+    # At the centres of elements two layers have half of the stress of bending, and four three quarters: 30% apart.
+    found = [stress.peak_stress(iron(layers), **BLOW)[0] for layers in (2, 3, 4)]
+    values = [part.stress for part in found]
+    assert max(values) < 1.06 * min(values)
+    # Behind the ball, in the cavity, at the surface: where the blade is bent most.
+    recovery = SurfaceRecovery.of_mesh(iron(2).mesh().nodes, iron(2).mesh().hexahedra)
+    assert any(np.allclose(found[0].place, node) for node in iron(2).mesh().nodes[recovery.nodes])
+    assert found[0].place[0] < -0.003
+
+
+def test_a_wall_of_one_layer_says_that_it_does_not_see_bending():
+    one, two = (stress.blow_stress(iron(layers), **BLOW) for layers in (1, 2))
+    assert one.parts[0].stress < two.parts[0].stress
+    assert [("one layer" in " ".join(blow.notes())) for blow in (one, two)] == [True, False]
+
+
+def test_a_head_of_dimensions_tells_how_far_its_stress_depends_on_the_mesh():
+    told = []
+    design = replace(from_toml(builtin_path("head", "7-iron", "fem_heads")), elements=(12, 8, 2))
+    blow = stress.blow_stress(design, **BLOW, meshes=2, progress=lambda time, whole: told.append(time / whole))
+    [part] = blow.parts
+    # 15 and 10 elements, even as 12 and 8 are, and 3 layers.
+    assert [elements for elements, _ in part.by_mesh] == [12 * 8 * 2, 16 * 10 * 3]
+    assert part.by_mesh[0][1] == part.stress
+    assert part.spread == pytest.approx(abs(part.by_mesh[1][1] / part.stress - 1.0))
+    assert "mesh" not in " ".join(blow.notes())
+    assert told == sorted(told)
+    assert told[-1] == pytest.approx(1.0, abs=0.01)
+    # A mesh alone cannot be made finer.
+    single = stress.blow_stress(design.mesh(), **BLOW, meshes=3)
+    assert single.parts[0].spread is None
+    assert "not known" in " ".join(single.notes())
+
+
+def test_the_picture_has_the_stress_of_both_sides_and_a_cross_at_the_largest():
+    pytest.importorskip("matplotlib")
+    from clubface.fem.figures.stress import stress_figure
+
+    blow = stress.blow_stress(iron(2), **BLOW)
+    figure = stress_figure(blow, iron(2).shape["loft"])
+    panels = {axes.get_title(loc="left"): axes for axes in figure.axes}
+    assert {"face", "back"} < set(panels)
+    peak = blow.parts[0]
+    loft = iron(2).shape["loft"]
+    up = np.cos(loft) * peak.place[1] - np.sin(loft) * peak.place[0]
+    crosses = [line.get_xydata()[0] for name in ("face", "back") for line in panels[name].lines]
+    assert [tuple(cross) for cross in crosses] == [pytest.approx((1e3 * peak.place[2], 1e3 * up))]
+    # Contours up to the largest stress, over all of the blade.
+    contours = panels["back"].collections[0]
+    assert contours.levels[-1] == pytest.approx(peak.stress * 1e-6)
+    assert contours.get_datalim(panels["back"].transData).width == pytest.approx(78.0, rel=0.01)
+
+
+def test_a_report_shows_the_place_of_the_peak_and_the_fingerprint_of_the_mesh(clubface_, tmp_path, monkeypatch):
+    pytest.importorskip("meshio")
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    write_mesh(tmp_path, "head.msh")
+    (tmp_path / "own.toml").write_text(HEAD)
+    clubface_("fem", "head", "own.toml", "--blow", "38 m/s", "--ball", "distance", "--report", "own.html")
+    page = (tmp_path / "own.html").read_text()
+    assert hashlib.sha256((tmp_path / "head.msh").read_bytes()).hexdigest() in page
+    assert "The largest stress" in page
+    assert "a cross where it is largest" in page
+    assert "not known" in page
+
+
+def test_the_command_shows_stress_beside_yield(clubface_, tmp_path):
     text = builtin_path("head", "7-iron", "fem_heads").read_text().replace("[32, 20, 2]", "[16, 10, 2]")
     file = tmp_path / "iron.toml"
     file.write_text(text + '\n[metal]\nyoungs = "200 GPa"\npoisson = 0.3\ndensity = "7800 kg/m3"\nyield = "300 MPa"\n')
     run = ("fem", "head", str(file), "--blow", "38 m/s", "--ball", "distance")
-    [part] = clubface_(*run, "--json").json["stress"]
+    [part] = clubface_(*run, "--meshes", "1", "--json").json["stress"]
     [expected] = stress.peak_stress(file, speed="38 m/s", which="distance")
+    assert part["meshes"] == [{"elements": 320, "stress_pa": expected.stress}]
+    assert part["spread"] is None
     assert part["stress_pa"] == expected.stress
     assert part["margin"] == pytest.approx(300e6 / expected.stress - 1.0)
-    shown = clubface_(*run).out
+    shown = clubface_(*run, "--meshes", "1").out
     assert "yields at" in shown
     assert "300" in shown
     assert "--blow is 'fast'" in clubface_("fem", "head", str(file), "--blow", "fast").err

@@ -130,3 +130,38 @@ def test_addresses_of_sources_are_links_and_nothing_else_is(text, links):
     page = as_html([Heading(1, "t"), Bullets([text])])
     assert re.findall(r'<a href="([^"]*)">', page) == links
     assert re.sub(r"<[^>]+>", "", page.partition("<li>")[2].partition("</li>")[0]) == html.escape(text)
+
+
+def printed(page):
+    """Headings and rows of the tables of a page as paper shows them, with the size of their letters [pt]."""
+    tables = []
+    for around, style, body in re.findall(r'<div class="([^"]*)"[^>]*><table([^>]*)>(.*?)</table>', page, re.DOTALL):
+        if "screen" not in around.split():
+            size = re.search(r"--print:([\d.]+)pt", style)
+            rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
+            tables.append((9.0 if size is None else float(size[1]), rows))
+    return tables
+
+
+@pytest.mark.parametrize("count", [1, 5, 10, 14, 40])
+def test_a_table_of_any_width_is_printed_whole_and_legibly(count):
+    columns = range(count)
+    rows = [[f"{row - 9000.5 * k:.3f}" for k in columns] for row in range(3)]
+    table = Table([f"quantity {k} (m/s)" for k in columns], rows)
+    parts = printed(as_html([table]))
+    # Together they hold every column once and in order, the first in each.
+    assert all(rows[0][0] == "quantity 0 (m/s)" for _, rows in parts)
+    for line, expected in enumerate([table.headings, *table.rows]):
+        found = [expected[0], *(cell for _, rows in parts for cell in rows[line][1:])]
+        assert found == list(expected)
+    for size, rows in parts:
+        assert 6.0 <= size <= 9.0
+        # A4 is 210 mm wide with margins of 18 mm, 493 pt; digits of the widest usual type take 0.64 of their size.
+        assert sum(max(map(len, column)) for column in zip(*rows[1:], strict=True)) * 0.64 * size < 493.0
+    assert (len(parts) > 1) is (count > 13)
+
+
+def test_numbers_are_never_broken_over_lines_and_long_words_are():
+    page = as_html([Table(("file", "SHA-256", "bytes"), [("head.msh", "ab" * 32, "123456789")])])
+    assert "td{white-space:nowrap}" in page
+    assert re.findall(r"<td( class=\"text\")?>", page) == ["", ' class="text"', ""]

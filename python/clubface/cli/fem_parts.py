@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Annotated, Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,6 +14,9 @@ from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
 from clubface.support.folders import prepared_folder
 from clubface.units import from_si
+
+if TYPE_CHECKING:
+    from clubface.fem.stress import BlowStress
 
 RULES = {"mass": 0.04593, "diameter": 0.04267}
 """Most a ball may weigh [kg], least it may measure [m]: The Equipment Rules."""
@@ -83,6 +86,16 @@ def head(
         float | None,
         options.option("--safety", metavar="SHARE", text="With these two: the time step over the stable one."),
     ] = None,
+    meshes: Annotated[
+        int,
+        typer.Option(
+            "--meshes",
+            metavar="COUNT",
+            min=1,
+            max=3,
+            help="With --blow: on how many meshes, to see how far the stress depends on them; 3 unless given.",
+        ),
+    ] = 3,
     report: options.Report = None,
     as_json: options.Json = False,
 ) -> None:
@@ -108,7 +121,7 @@ def head(
     }
     if not measure and blow is None and (place or safety is not None or ball is not None):
         raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --blow")
-    parts: list[stress.PartStress] = []
+    struck: stress.BlowStress | None = None
     speed = None if blow is None else option_values.parsed("blow", blow, "speed")
     if measure:
         document |= run_with_progress(
@@ -120,8 +133,8 @@ def head(
             }
         )
     if speed is not None:
-        how: dict[str, Any] = {"which": ball, "speed": speed, **place, "safety": safety}
-        parts = run_with_progress(lambda progress: stress.peak_stress(made, **how, progress=progress))
+        how: dict[str, Any] = {"which": ball, "speed": speed, **place, "safety": safety, "meshes": meshes}
+        blown = struck = run_with_progress(lambda progress: stress.blow_stress(name, **how, progress=progress))
         document["stress"] = [
             {
                 "part": part.part,
@@ -130,23 +143,25 @@ def head(
                 "place_m": list(part.place),
                 "yield_pa": part.yield_stress,
                 "margin": part.margin,
+                "meshes": [{"elements": elements, "stress_pa": most} for elements, most in part.by_mesh],
+                "spread": part.spread,
             }
-            for part in parts
+            for part in blown.parts
         ]
     if report is not None:
         from clubface.cli.fem_report import write_head
 
         options_given = {"blow": blow, "toe": toe, "high": high, "ball": ball, "time step over the stable one": safety}
         told = {each: str(value) for each, value in options_given.items() if value is not None}
-        write_head(report, made, name, document, parts, told, lambda: _print_head(made, document, parts, blow))
+        write_head(report, made, name, document, struck, told, lambda: _print_head(made, document, struck, blow))
     if as_json:
         output.print_json(document)
     else:
-        _print_head(made, document, parts, blow)
+        _print_head(made, document, struck, blow)
     say_written([] if report is None else [report])
 
 
-def _print_head(made: Any, document: Mapping[str, Any], parts: Sequence[Any], blow: str | None) -> None:
+def _print_head(made: Any, document: Mapping[str, Any], struck: BlowStress | None, blow: str | None) -> None:
     club, asked = made.club, document["asked"]
 
     def row(label: str, unit: str, digits: int, value: float, target: str) -> list[str]:
@@ -168,7 +183,7 @@ def _print_head(made: Any, document: Mapping[str, Any], parts: Sequence[Any], bl
         rows.append(["characteristic time, us", output.number(from_si(document["characteristic_time_s"], "us"), 0), ""])
     header = ("", "", "asked for") if asked else ("", "")
     print_numbers(header, [each[: len(header)] for each in rows], title=made.description or made.name)
-    if parts:
+    if struck is not None:
         print_numbers(
             (
                 "",
@@ -179,11 +194,31 @@ def _print_head(made: Any, document: Mapping[str, Any], parts: Sequence[Any], bl
                 "above centre\nmm",
                 "to the toe\nmm",
             ),
-            [_strength(part) for part in parts],
+            [_strength(part) for part in struck.parts],
             title=f"a blow at {blow}",
         )
+        _print_meshes(struck)
     if any(target.startswith("cg_") for target in asked):
         output.print_notes([output.HELD])
+
+
+def _print_meshes(struck: BlowStress) -> None:
+    """Print how far the stress depends on the mesh."""
+    counts = [elements for elements, _ in struck.parts[0].by_mesh]
+    if len(counts) > 1:
+        print_numbers(
+            ("", *(f"{count} elements\nMPa" for count in counts), "spread\n%"),
+            [
+                [
+                    part.part,
+                    *(output.number(from_si(most, "MPa"), 0) for _, most in part.by_mesh),
+                    output.number(100.0 * (part.spread or 0.0), 0),
+                ]
+                for part in struck.parts
+            ],
+            title="the same by finer meshes",
+        )
+    output.print_notes(struck.notes())
 
 
 def _strength(part: Any) -> list[str]:

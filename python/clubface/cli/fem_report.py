@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from clubface.fem.case import Case
     from clubface.fem.heads import MeshedHead
     from clubface.fem.result import Impact
-    from clubface.fem.stress import PartStress
+    from clubface.fem.stress import BlowStress
 
 CONTACT = {"time": "us", "normal": "N", "tangential": "N", "toe": "N", "area": "mm2"}
 """What is saved of the contact, with units."""
@@ -25,7 +25,7 @@ def write_head(
     of: MeshedHead,
     file: str,
     told: Mapping[str, Any],
-    parts: Sequence[PartStress],
+    struck: BlowStress | None,
     given: Mapping[str, str],
     show: Callable[[], None],
 ) -> None:
@@ -33,10 +33,16 @@ def write_head(
     from clubface.support.shipped import path_of
 
     picture, columns = None, {}
-    if parts:
+    if struck is not None:
         from clubface.fem.figures.stress import stress_figure
 
-        picture = ("The largest stress of every part beside where its metal yields", stress_figure(parts))
+        parts = struck.parts
+        when = fixed(struck.surface.time, "us", 0)
+        picture = (
+            f"The stress of the surface {when} after first touch, a cross where it is largest; and the largest stress "
+            "of every part beside where its metal yields",
+            stress_figure(struck, of.loft),
+        )
         columns = {
             "part": [part.part for part in parts],
             "largest stress (MPa)": [from_si(part.stress, "MPa") for part in parts],
@@ -44,11 +50,13 @@ def write_head(
             "after (us)": [from_si(part.time, "us") for part in parts],
             **{f"{axis} (mm)": [from_si(part.place[place], "mm") for part in parts]
                for place, axis in enumerate(("to the target", "above the face centre", "to the toe"))},
+            **{f"by {elements} elements (MPa)": [from_si(part.by_mesh[k][1], "MPa") for part in parts]
+               for k, (elements, _) in enumerate(parts[0].by_mesh)},
         }  # fmt: skip
     path = Path(path_of("head", file, "fem_heads"))
     reporting.write(
-        target, title=f"The head {of.name}: {'what it bears' if parts else 'mass and mesh'}",
-        words=_head_words(of, told, parts, given), picture=picture, columns=columns, show=show, launches=(),
+        target, title=f"The head {of.name}: {'mass and mesh' if struck is None else 'what it bears'}",
+        words=_head_words(of, told, struck, given), picture=picture, columns=columns, show=show, launches=(),
         given={"head": of.name, "elements": str(of.elements), **given}, files=_texts(path),
     )  # fmt: skip
 
@@ -59,7 +67,7 @@ def _texts(path: Path) -> dict[str, str]:
 
 
 def _head_words(
-    of: MeshedHead, told: Mapping[str, Any], parts: Sequence[PartStress], given: Mapping[str, str]
+    of: MeshedHead, told: Mapping[str, Any], struck: BlowStress | None, given: Mapping[str, str]
 ) -> Iterator[str]:
     """Say what a head is, and whether it holds, in sentences."""
     allowed = "; the rules of golf allow a driver 5900 g cm2" * (of.club.kind == "wood")
@@ -73,6 +81,7 @@ def _head_words(
             f" pendulum of the rules touches it for {fixed(told['characteristic_time_s'], 'us', 0)}; the rules allow"
             " a driver 239 us, and 257 us with the tolerance."
         )
+    parts = () if struck is None else struck.parts
     known = [(part.margin, part.yield_stress, part) for part in parts if part.margin is not None and part.yield_stress]
     for margin, yields, part in known:
         if margin < 0.0:
@@ -89,7 +98,19 @@ def _head_words(
     if len(known) < len(parts):
         others = ", ".join(part.part for part in parts if part.margin is None)
         yield f"At which stress the metal yields is not told for: {others}."
-    if parts:
+    if struck is not None:
+        peak = max(parts, key=lambda part: part.stress)
+        ahead, high, toe = (from_si(place, "mm") for place in peak.place)
+        yield (
+            f"The largest stress, {fixed(peak.stress, 'MPa', 0)}, is that of the {peak.part},"
+            f" {reporting.more_or_less(high, 'mm', ('above', 'below'))} the face centre,"
+            f" {reporting.more_or_less(toe, 'mm', ('to the toe', 'to the heel'))} and"
+            f" {reporting.more_or_less(ahead, 'mm', ('in front of it', 'behind it'))}."
+        )
+        if peak.spread is not None:
+            counts = " and ".join(f"{elements}" for elements, _ in peak.by_mesh[1:])
+            yield f"Meshes of {counts} elements change it by {100.0 * peak.spread:.0f} % at most."
+        yield from struck.notes()
         yield "Notches, welds and fatigue over many blows are not counted: a real head needs more than this."
 
 

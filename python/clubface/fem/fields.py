@@ -54,11 +54,16 @@ class ElementFields:
     @property
     def von_mises(self) -> NDArray[Any]:
         """Equivalent stress of von Mises [Pa]."""
-        import numpy as np
+        return von_mises(self.stress)
 
-        xx, yy, zz, xy, xz, yz = np.moveaxis(self.stress, -1, 0)
-        differences = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-        return np.sqrt(0.5 * differences + 3.0 * (xy**2 + xz**2 + yz**2))
+
+def von_mises(stress: NDArray[Any]) -> NDArray[Any]:
+    """Return the equivalent stress of von Mises of tensors, components last."""
+    import numpy as np
+
+    xx, yy, zz, xy, xz, yz = np.moveaxis(stress, -1, 0)
+    differences = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(0.5 * differences + 3.0 * (xy**2 + xz**2 + yz**2))
 
 
 def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> NDArray[Any]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead, Metal, ShellHead, SolidHead, head as meshed
-from clubface.fem.heads.read import Design
+from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
+from clubface.fem.heads.read import Design, design_of
+from clubface.fem.recovery import SurfaceRecovery
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 
@@ -17,6 +19,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from clubface.fem.result import Impact
+
 BLOW = "125 mph"
 """Speed of the club where none is given: about the most that professionals on tour reach with a driver."""
 DURATION = 0.8e-3
@@ -24,6 +28,12 @@ DURATION = 0.8e-3
 INTERVAL = 5e-6
 """Between the shapes whose stress is looked at [s]; the slowest vibrations of a face, which carry its stress, take a
 hundred times as long."""
+
+
+FINER = (1.0, 1.25, 1.5)
+"""Numbers of elements along each edge of the meshes of a convergence, over those of the head."""
+MOST_ELEMENTS = 400
+"""Along an edge of a head that is made from dimensions."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +49,13 @@ class PartStress:
     time
         When it is reached [s] after first touch.
     place
-        Centre of the element that has it [m], in the axes of :class:`clubface.Club`, from the face centre.
+        Where [m], in the axes of :class:`clubface.Club`, from the face centre: the centre of a shell, or a node of the
+        surface of hexahedra.
     yield_stress
         Stress at which the metal yields [Pa]; None if its file does not say.
+    by_mesh
+        Number of elements of the head and largest stress [Pa] by each mesh that was struck, from coarse to fine, that
+        of the head itself first.
     """
 
     part: str
@@ -49,14 +63,73 @@ class PartStress:
     time: float
     place: tuple[float, float, float]
     yield_stress: float | None
+    by_mesh: tuple[tuple[int, float], ...] = ()
 
     @property
     def margin(self) -> float | None:
         """How much more stress the part bears before it yields, as a share of the stress; negative if it yields."""
         return None if self.yield_stress is None else self.yield_stress / self.stress - 1.0
 
+    @property
+    def spread(self) -> float | None:
+        """Largest less smallest stress of all meshes over the stress; None of a single mesh."""
+        values = [stress for _, stress in self.by_mesh]
+        return (max(values) - min(values)) / self.stress if len(values) > 1 else None
 
-def peak_stress(
+
+@dataclass(frozen=True, eq=False)
+class SurfaceStress:
+    """The stress of a head at the time of its largest, over its surface.
+
+    Attributes
+    ----------
+    nodes, quads
+        Nodes [m], shape (n, 3), and quadrilaterals between them, counterclockwise as seen from outside, shape (m, 4).
+    stress
+        Equivalent stress of von Mises at the nodes [Pa]: of shells the mean of the elements round each, on the side of
+        each that has more.
+    time
+        The time [s].
+    views
+        The sides that show the walls: "face" and "back", or "face", "crown" and "sole".
+    bending
+        Whether the mesh sees how walls bend: false of hexahedra of one layer.
+    """
+
+    nodes: NDArray[Any]
+    quads: NDArray[Any]
+    stress: NDArray[Any]
+    time: float
+    views: tuple[str, ...]
+    bending: bool
+
+
+@dataclass(frozen=True, eq=False)
+class BlowStress:
+    """What a blow does to a head: the largest stress of each of its ``parts``, and the stress of its ``surface``."""
+
+    parts: tuple[PartStress, ...]
+    surface: SurfaceStress
+
+    def notes(self) -> list[str]:
+        """Return what limits the stress, in sentences."""
+        notes = []
+        if not self.surface.bending:
+            notes.append(
+                "The mesh has one layer of hexahedra, which does not see how the wall bends: the stress is too small. "
+                "Mesh it with two layers or more."
+            )
+        if self.parts[0].spread is None:
+            notes.append("How far the stress depends on the mesh is not known: compare it with that of a finer mesh.")
+        return notes
+
+
+def peak_stress(head: str | os.PathLike[str] | MeshedHead | Design, **blow: Any) -> list[PartStress]:
+    """Return the largest stress of each part of a head under a blow, as :func:`blow_stress` finds it."""
+    return list(blow_stress(head, **blow).parts)
+
+
+def blow_stress(
     head: str | os.PathLike[str] | MeshedHead | Design,
     *,
     which: AnyBall = None,
@@ -64,15 +137,17 @@ def peak_stress(
     friction: Any = None,
     safety: float | None = None,
     threads: int = 0,
+    meshes: int = 1,
     progress: Progress | None = None,
     **delivery: Any,
-) -> list[PartStress]:
-    """Return the largest stress of each part of a head under a blow.
+) -> BlowStress:
+    """Compute the stress of a head under a blow.
 
     The metals stay elastic for it, whether they yield or not, so that the stress may exceed the one at which they
     yield: the margin then says by how much a design is too weak. It is the stress on the two sides of a shell (at its
-    outermost points, if its metal has points through the thickness), and that at the centre of a hexahedron, which
-    does not see how a thin wall bends. Neither knows of notches, welds or fatigue.
+    outermost points, if its metal has points through the thickness), and that at the surface of hexahedra, to which
+    patch recovery extrapolates it from the centres of elements (:mod:`clubface.fem.recovery`). Neither knows of
+    notches, welds or fatigue.
 
     Parameters
     ----------
@@ -88,6 +163,10 @@ def peak_stress(
         As of :class:`clubface.fem.Settings`.
     threads
         Number of threads; 0 for all cores.
+    meshes
+        On how many meshes the blow is computed, 1 to 3, to see how far its stress depends on the mesh: that of the
+        head, then one with 1.25 and one with 1.5 times as many elements along each edge. A head that is not made from
+        dimensions has one mesh.
     progress
         Called with simulated time and duration [s].
     **delivery
@@ -98,45 +177,117 @@ def peak_stress(
     RunError
         The run failed.
     """
+    if not 1 <= meshes <= len(FINER):
+        raise InputError("meshes", meshes, f"1 to {len(FINER)}")
+    made = _meshes(head, meshes)
+    total = DURATION * len(made)
+    runs: list[BlowStress] = []
+    for each in made:
+        before = DURATION * len(runs)
+
+        def told(time: float, _: float, before: float = before) -> None:
+            if progress is not None:
+                progress(before + time, total)
+
+        settings = Settings(
+            duration=DURATION, frames=round(DURATION / INTERVAL) + 1, fields=True, threads=threads, safety=safety
+        )
+        found = strike(
+            _elastic(each), which=which, friction=friction, settings=settings, progress=told, speed=speed, **delivery
+        )
+        if found.interrupted:
+            raise KeyboardInterrupt
+        if found.stopped or found.head_fields is None:
+            raise RunError(found.stopped or "the run kept no stress")
+        runs.append(_solid(each, found) if isinstance(each, SolidHead) else _shells(each, found))
+    parts = (
+        replace(part, by_mesh=tuple((each.elements, run.parts[k].stress) for each, run in zip(made, runs, strict=True)))
+        for k, part in enumerate(runs[0].parts)
+    )
+    return BlowStress(tuple(parts), runs[0].surface)
+
+
+def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> list[MeshedHead]:
+    """Return a head, and the same of finer meshes if it is made from dimensions."""
+    made = [meshed(head)]
+    if not isinstance(made[0], ShellHead | SolidHead):
+        raise InputError("head", made[0].name, "a head of shells or of hexahedra")
+    design = None if count == 1 else design_of(head)
+    if isinstance(design, DriverHead | IronHead):
+        for factor in FINER[1:count]:
+            elements = tuple(min(MOST_ELEMENTS, _finer(number, factor)) for number in design.elements)
+            if elements != design.elements:
+                made.append(replace(design, elements=elements).mesh())
+    return made
+
+
+def _finer(number: int, factor: float) -> int:
+    """Return a number of elements times a factor, rounded up; even if it was, so that lines in the middle stay there.
+
+    Layers through a wall, which are one or two, are too few for that.
+    """
+    more = math.ceil(number * factor)
+    return more + (more % 2 if number % 2 == 0 and number > 2 else 0)
+
+
+def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], times: NDArray[Any]) -> PartStress:
+    """Return the largest stress of a part, given by times and places."""
     import numpy as np
 
-    made = meshed(head)
-    settings = Settings(
-        duration=DURATION, frames=round(DURATION / INTERVAL) + 1, fields=True, threads=threads, safety=safety
-    )
-    found = strike(
-        _elastic(made), which=which, friction=friction, settings=settings, progress=progress, speed=speed, **delivery
-    )
-    if found.interrupted:
-        raise KeyboardInterrupt
-    if found.stopped or found.head_fields is None:
-        raise RunError(found.stopped or "the run kept no stress")
-    stress = found.head_fields.von_mises
-    # The larger of the two sides of a shell.
-    stress = stress if stress.ndim == 2 else stress.max(axis=2)
-    parts = []
-    for name, metal, elements, places in _parts(made):
-        of_part = stress[:, elements]
-        frame, element = np.unravel_index(int(of_part.argmax()), of_part.shape)
-        x, y, z = (float(place) for place in places[element])
-        time, most = float(found.frame_times[frame]), float(of_part[frame, element])
-        parts.append(PartStress(name, most, time, (x, y, z), metal.yield_stress))
-    return parts
+    frame, at = np.unravel_index(int(stress.argmax()), stress.shape)
+    x, y, z = (float(place) for place in places[at])
+    return PartStress(part, float(stress[frame, at]), float(times[frame]), (x, y, z), metal.yield_stress)
 
 
-def _parts(head: MeshedHead) -> list[tuple[str, Metal, slice, NDArray[Any]]]:
-    """Return name, metal, elements and the places of their centres [m] of each part that has elements."""
-    if isinstance(head, SolidHead):
-        return [("head", head.metal, slice(None), head.nodes[head.hexahedra].mean(axis=1))]
-    if not isinstance(head, ShellHead):
-        raise InputError("head", head.name, "a head of shells or of hexahedra")
+def _solid(head: SolidHead, found: Impact) -> BlowStress:
+    """Return the stress at the surface of hexahedra."""
+    import numpy as np
+
+    from clubface.fem.fields import von_mises
+
+    recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
+    assert found.head_fields is not None
+    stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in found.head_fields.stress])
+    part = _peak("head", head.metal, stress, head.nodes[recovery.nodes], found.frame_times)
+    frame = int(stress.max(axis=1).argmax())
+    surface = SurfaceStress(
+        nodes=head.nodes[recovery.nodes],
+        quads=np.searchsorted(recovery.nodes, recovery.quads),
+        stress=stress[frame],
+        time=float(found.frame_times[frame]),
+        views=("face", "back"),
+        bending=bool(recovery.extrapolated.mean() > 0.5),
+    )
+    return BlowStress((part,), surface)
+
+
+def _shells(head: MeshedHead, found: Impact) -> BlowStress:
+    """Return the stress of shells, on the side of each that has more."""
+    import numpy as np
+
+    assert isinstance(head, ShellHead)
+    assert found.head_fields is not None
+    stress = found.head_fields.von_mises.max(axis=2)
+    places = head.nodes[head.quads].mean(axis=1)
     parts, start = [], 0
     for part in head.parts:
-        of_part = slice(start, start + part.elements)
+        some = slice(start, start + part.elements)
         start += part.elements
         if part.elements:
-            parts.append((part.name, part.metal, of_part, head.nodes[head.quads[of_part]].mean(axis=1)))
-    return parts
+            parts.append(_peak(part.name, part.metal, stress[:, some], places[some], found.frame_times))
+    frame = int(stress.max(axis=1).argmax())
+    sums, counts = np.zeros(len(head.nodes)), np.zeros(len(head.nodes))
+    np.add.at(sums, head.quads, stress[frame][:, None])
+    np.add.at(counts, head.quads, 1.0)
+    surface = SurfaceStress(
+        nodes=head.nodes,
+        quads=head.quads,
+        stress=sums / np.maximum(counts, 1.0),
+        time=float(found.frame_times[frame]),
+        views=("face", "crown", "sole"),
+        bending=True,
+    )
+    return BlowStress(tuple(parts), surface)
 
 
 def _elastic(head: MeshedHead) -> MeshedHead:

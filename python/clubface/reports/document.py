@@ -22,13 +22,23 @@ _STYLE = (
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
     "th,td{padding:.25em .7em;border-bottom:1px solid #ddd;text-align:right;vertical-align:top}"
     "th:first-child,td:first-child,.text{text-align:left}thead th{border-bottom:2px solid #0072B2}"
+    "td{white-space:nowrap}td.text{white-space:normal;overflow-wrap:anywhere}.paper{display:none}"
     "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
     "a{color:#005a8f}"
     "@page{margin:18mm}"
     "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt}a{color:inherit;text-decoration:none}"
-    ".wide{overflow:visible}table{font-size:9pt;overflow-wrap:anywhere}figure,tr{break-inside:avoid}"
+    ".wide{overflow:visible}.screen{display:none}.paper{display:block;margin-bottom:1em}"
+    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
     "thead{display:table-header-group}h1,h2,h3{break-after:avoid}}"
 )
+PRINTED = 9.0
+"""Size of the letters of a table in print [pt]."""
+SMALLEST = 6.0
+"""The least to which they shrink [pt] before a table is printed in parts."""
+PAPER = 480.0
+"""Width between the margins of a sheet of A4, with something to spare [pt]."""
+LETTER, GAP = 0.66, 0.8
+"""Width of a digit of the widest usual type, and of the space round a cell, over the size of the letters."""
 NUMBER = 24
 """Letters of a cell beyond which it is no number, and its column stands to the left."""
 _ADDRESS = re.compile(
@@ -80,19 +90,7 @@ def _html(block: Block) -> str:
         saved = _saved([_link(source, block.name, "the file")])
         return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
     if isinstance(block, Table):
-        wordy = [any(len(row[place]) > NUMBER for row in block.rows) for place in range(len(block.headings))]
-        kinds = [' class="text"' * each for each in wordy]
-        head = "".join(
-            f'<th scope="col"{kind}>{html.escape(text)}</th>' for kind, text in zip(kinds, block.headings, strict=True)
-        )
-        rows = "".join(
-            "<tr>"
-            + "".join(f"<td{kind}>{html.escape(cell)}</td>" for kind, cell in zip(kinds, row, strict=True))
-            + "</tr>"
-            for row in block.rows
-        )
-        table = f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>'
-        return table + _saved([] if block.data is None else [_link_to_csv(block.data)])
+        return _html_table(block) + _saved([] if block.data is None else [_link_to_csv(block.data)])
     name = block.data.name if block.data is not None else file_name(block.shows)
     source = _in_the_page(block.svg, "image/svg+xml")
     links = [_link(source, f"{name}.svg", "the picture (SVG)")]
@@ -100,6 +98,59 @@ def _html(block: Block) -> str:
         links.append(_link_to_csv(block.data))
     shows = html.escape(block.shows)
     return f'<figure><img alt="{shows}" src="{source}"><figcaption>{shows}</figcaption>{_saved(links)}</figure>'
+
+
+def _html_table(table: Table) -> str:
+    """Return a table that scrolls on a screen, and on paper is as small as its width asks, or in parts.
+
+    Numbers are never broken. Every part repeats the first column.
+    """
+    texts = [any(len(row[place]) > NUMBER for row in table.rows) for place in range(len(table.headings))]
+    widths = [_width(table, place, text=text) for place, text in enumerate(texts)]
+    parts = _parts(widths)
+
+    def rows_of(places: Sequence[int]) -> str:
+        def row(cells: Sequence[str], tag: str) -> str:
+            kinds = (' class="text"' * texts[place] for place in places)
+            inside = (
+                f"<{tag}{kind}>{html.escape(cells[place])}</{tag[:2]}>"
+                for kind, place in zip(kinds, places, strict=True)
+            )
+            return f"<tr>{''.join(inside)}</tr>"
+
+        head = row(table.headings, 'th scope="col"')
+        return f"<thead>{head}</thead><tbody>{''.join(row(each, 'td') for each in table.rows)}</tbody>"
+
+    def sized(places: Sequence[int]) -> str:
+        size = min(PRINTED, PAPER / sum(widths[place] for place in places))
+        style = "" if size == PRINTED else f' style="--print:{size:.1f}pt"'
+        return f"<table{style}>{rows_of(places)}</table>"
+
+    whole = range(len(widths))
+    if len(parts) == 1:
+        return f'<div class="wide">{sized(whole)}</div>'
+    paper = "".join(f'<div class="paper" aria-hidden="true">{sized(places)}</div>' for places in parts)
+    return f'<div class="wide screen"><table>{rows_of(whole)}</table></div>{paper}'
+
+
+def _width(table: Table, place: int, *, text: bool) -> float:
+    """Return the least width of a column over the size of its letters; words may be broken, numbers not."""
+    letters = max(map(len, table.headings[place].split()), default=1)
+    cells = max((len(row[place]) for row in table.rows), default=1)
+    return LETTER * max(letters, min(cells, NUMBER) if text else cells) + GAP
+
+
+def _parts(widths: Sequence[float]) -> list[list[int]]:
+    """Return the columns that are printed together, in order: all, or as many as fit, with the first before each."""
+    most = PAPER / SMALLEST
+    parts, room = [[0]], most - widths[0]
+    for place, width in enumerate(widths[1:], 1):
+        if width > room and len(parts[-1]) > 1:
+            parts.append([0])
+            room = most - widths[0]
+        parts[-1].append(place)
+        room -= width
+    return parts
 
 
 def _markdown(block: Block) -> str:

@@ -49,6 +49,15 @@ def head(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Me
     return _meshed(path_of("head of finite elements", which, FOLDER))
 
 
+def design_of(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Design | None:
+    """Return what a head is made from; None of a head that is a mesh already."""
+    if isinstance(which, MeshedHead | MeshedClub):
+        return None
+    if isinstance(which, DriverHead | IronHead | MeshHead):
+        return which
+    return from_toml(path_of("head of finite elements", which, FOLDER))
+
+
 def from_toml(path: str | os.PathLike[str]) -> Design:
     """Read the design of a head from a TOML file; a mesh that it names by path is looked for beside it."""
     return _design(Document.read(path), Path(os.fspath(path)).parent)
