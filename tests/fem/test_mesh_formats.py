@@ -260,6 +260,20 @@ def test_a_deck_that_clubface_writes_is_read_back(tmp_path):
     assert np.linalg.eigvalsh(head.club.inertia) == pytest.approx(np.linalg.eigvalsh(case.club.club.inertia), rel=2e-3)
 
 
+def test_a_deck_of_a_head_with_added_masses_is_read_back_with_them(tmp_path, write):
+    from clubface.fem.case import case
+
+    write_walls(tmp_path, coarse_walls())
+    path = write(HEAD.replace("head.msh", "abaqus.inp"), "own.toml")
+    head = fem.head(path)
+    deck = tmp_path / "own.k"
+    fem.keyword.write(case("paper").replace(ball=shells_case().ball, club=head), deck)
+    groups = tuple(Group(name=part.name, face=part.face) for part in head.parts)
+    again = read(deck, groups, unit="m", loft=0.0)
+    assert again.club.mass == pytest.approx(head.club.mass, rel=1e-6)
+    assert np.linalg.eigvalsh(again.club.inertia) == pytest.approx(np.linalg.eigvalsh(head.club.inertia), rel=1e-4)
+
+
 PART = """\
 *Part, name=Head
 {mesh}*End Part

@@ -162,7 +162,7 @@ def point_masses(mesh: Mesh, unit: str, notes: list[str]) -> list[tuple[float, f
         return []
     whole = sum(each[3] for each in masses)
     sizes = {system.mass for system in (*SYSTEMS.get(unit, ()), SI) if MASSES[0] <= whole * system.mass <= MASSES[1]}
-    if len(sizes) != 1 or min(each[3] for each in masses) < 0.0:
+    if len(sizes) != 1:
         message = f"its {len(masses)} point masses add up to {whole:g}, which is no mass of a head in any usual unit"
         raise FileError(mesh.path, None, f"{message}; remove them and give [[masses]]")
     (size,) = sizes

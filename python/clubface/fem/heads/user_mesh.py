@@ -31,6 +31,8 @@ SIZES = (0.06, 0.2)
 centimetres too."""
 
 
+AT_NODE = 2e-5
+"""How near to a node a point mass of a mesh file stands on it [m]."""
 FACE_COSINE = math.cos(math.radians(45.0))
 """Of the angle to the face normal up to which an element of a face group is one that the ball may touch."""
 
@@ -152,14 +154,18 @@ class MeshHead:
         self._check_unit(float(np.ptp(shells.points, axis=0).max()))
         centre = [units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre]
         nodes = shells.points * size - np.asarray(centre, float)
-        masses = dict(self.masses)
+        masses, at_nodes = dict(self.masses), np.zeros(len(nodes))
         for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit, notes), 1):
             place = np.array([x, y, z]) * size - centre
-            masses[f"point mass {number} of the mesh"] = (float(place[0]), float(place[1]), float(place[2]), mass)
+            away = np.linalg.norm(nodes - place, axis=1)
+            if away.min() <= AT_NODE:
+                at_nodes[np.argmin(away)] += mass
+            else:
+                masses[f"point mass {number} of the mesh"] = (float(place[0]), float(place[1]), float(place[2]), mass)
         self._check_frame(nodes, shells, masses, notes)
         parts = self._parts(nodes, shells, metals, notes)
         face = np.unique(shells.corners[np.repeat([part.face for part in parts], [part.elements for part in parts])])
-        carried = spread(masses, nodes, _metal_at_nodes(nodes, shells, metals), face)
+        carried = spread(masses, nodes, _metal_at_nodes(nodes, shells, metals) + at_nodes, face)
         if (note := note_of(carried)) is not None:
             notes.append(note)
         head = ShellHead(
@@ -168,7 +174,7 @@ class MeshHead:
             nodes=nodes,
             quads=shells.corners,
             thickness=shells.thickness,
-            added=carried.added,
+            added=carried.added + at_nodes,
             parts=parts,
             loft=self.loft,
             bulge=self.bulge,
