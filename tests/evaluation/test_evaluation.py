@@ -396,3 +396,18 @@ def test_a_probability_is_no_finer_than_the_resamples_tell():
     assert tables.probability(0.00099, 100_000) == "< 0.001"
     assert tables.probability(0.123, 100) == "< 0.2"
     assert tables.probability(0.234, 100) == "0.23"
+
+
+def test_no_number_of_a_printed_table_is_broken_and_none_is_cut_off(result):
+    page = report.as_html(result)
+    assert "overflow: visible" in page
+    tables = re.findall(r'<table style="--print:([\d.]+)pt">(.*?)</table>', page, re.DOTALL)
+    assert len(tables) == page.count("<table")
+    for size, body in tables:
+        rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
+        # The longest piece of each column that holds digits, in digits 0.64 of their size wide, on A4 with margins.
+        pieces = [
+            [piece for cell in column for piece in cell.split() if re.search(r"\d", piece)]
+            for column in zip(*rows, strict=True)
+        ]
+        assert sum(max(map(len, each), default=0) for each in pieces) * 0.64 * float(size) < 493.0

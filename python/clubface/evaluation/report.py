@@ -40,8 +40,13 @@ th { text-align: right; border-bottom: 1.5px solid #444; padding: .2em .7em; ver
 td { text-align: right; padding: .15em .7em; border-bottom: 1px solid #e4e4e4; }
 th.words, td.words { text-align: left; } caption { text-align: left; font-weight: 600; padding: .3em 0; }
 img { max-width: 100%; } figure { margin: 1em 0 2em; } figcaption, .note { color: #555; font-size: 13px; }
-div.wide { overflow-x: auto; }
+div.wide { overflow-x: auto; } td { white-space: nowrap; } td.words { white-space: normal; }
+@page { margin: 18mm; }
+@media print { div.wide { overflow: visible; } table { font-size: var(--print); } th, td { padding: .15em .4em; }
+  td { white-space: normal; } }
 """
+PRINTED, PAPER = 9.0, 480.0
+"""Largest letters of a table in print, and the width of a sheet of A4 between its margins, with some to spare [pt]."""
 
 
 class Section(NamedTuple):
@@ -133,7 +138,14 @@ def _html(table: Table) -> str:
         return "<tr>" + "".join(parts) + "</tr>"
 
     rows = "".join(cells("td", row) for row in table.rows)
-    return f"<table><caption>{html.escape(table.title)}</caption>{cells('th', table.heads)}{rows}</table>"
+    letters = 0.0
+    for column in zip(table.heads, *table.rows, strict=True):
+        # Cells stand in several lines if they must, as "1.33 (0.8%)", but no number is broken; the widest digits take
+        # two thirds of their size.
+        letters += 0.8 + 0.66 * min(24, max(len(word) for cell in column for word in cell.split() or [""]))
+    size = min(PRINTED, PAPER / max(letters, 1.0))
+    caption = f"<caption>{html.escape(table.title)}</caption>"
+    return f'<table style="--print:{size:.1f}pt">{caption}{cells("th", table.heads)}{rows}</table>'
 
 
 def document(of: ModelErrors) -> dict[str, Any]:
