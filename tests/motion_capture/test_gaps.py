@@ -188,3 +188,22 @@ def test_a_delivery_that_no_shot_has_stands_under_a_warning():
     assert "lie" in found.notes[0]
     assert found.document()["plausible"] is False
     assert captured(swing, cameras).plausible
+
+
+@pytest.mark.parametrize("later", [0, 1, 3])
+@pytest.mark.parametrize(("rate", "club"), [(360.0, "driver"), (720.0, "7-iron")])
+def test_a_recording_that_ends_at_the_impact_is_read_from_its_last_frames(rate, club, later):
+    """When between two frames the ball is met is not known: that is a part of a frame in every rate and angle."""
+    swing, recording, ready, impact = bare(rate=rate, club=club)
+    found = capture(replace(recording, positions=recording.positions[: impact + 1 + later]), ready)
+    assert np.abs(errors(found, swing) / deviations(found)).max() < 3.0
+    assert any("the recording ends" in note for note in found.notes)
+    turned = 2500.0 / rate * (1.0 if later == 0 else 12.0**-0.5)  # degrees that the face closes in that time
+    assert found.get("face", "deg")[1] > 0.5 * turned
+
+
+def test_a_recording_that_ends_in_the_backswing_or_follow_through_has_no_impact():
+    recording, ready, impact = free()
+    for last in (impact - 60, impact + 25, impact + 60):
+        with pytest.raises(FileError, match="no impact"):
+            capture(replace(recording, positions=recording.positions[:last]), ready)

@@ -43,6 +43,9 @@ CLEAR, TIMES_USUAL = 0.3, 3.0
 one, which is that of the noise."""
 ALIKE = 0.5
 """Part of the greatest loss of speed that steps near the blow seem to have as well."""
+NEARLY, LOW = 0.9, 0.15
+"""Part of the greatest speed, and metres above its lowest place, with which a head meets the ball at the end of a
+recording."""
 APART = 0.1
 """Seconds between two blows."""
 IMPOSSIBLE = 100.0
@@ -143,6 +146,52 @@ def find_blow(
 def last_before(times: Array, followed: Track, where: str) -> int:
     """Return the last frame before the head loses speed, to a frame or two."""
     return _frames(times, followed, where).before - 1
+
+
+class End(NamedTuple):
+    """An impact with which a recording ends, or all but ends.
+
+    Attributes
+    ----------
+    before
+        The last frame before it.
+    touch, deviation
+        First touch and its standard deviation [s]: where between two frames is not known.
+    later
+        How many frames follow.
+    """
+
+    before: int
+    touch: float
+    deviation: float
+    later: int
+
+
+def impact_at_end(times: Array, followed: Track) -> End | None:
+    """Return the impact with which a recording ends; None where it does not seem to end with one.
+
+    Up to four frames may follow, in which the head is slower. Without any the head must be fast and near the ground.
+    """
+    known = np.flatnonzero(followed.known)
+    if len(known) < 3 * FEWEST or (np.diff(known[-2 * FEWEST :]) > 1).any():
+        return None
+    middle = (followed.poses.position + followed.poses.rotation @ followed.shape.mean(0))[known]
+    frame = float(np.median(np.diff(times)))
+    speeds = np.linalg.norm(np.diff(middle, axis=0), axis=-1) / np.diff(times[known])
+    top = float(np.quantile(speeds[speeds < IMPOSSIBLE], 0.99))
+    for later in range(FEWEST - 1, -1, -1):
+        end = len(speeds) - later  # the step in which the blow lies, if any frame follows
+        some = np.arange(max(end - STEPS, 0), end)
+        level, off = _extended((some - end)[None].astype(np.float64), speeds[some][None])
+        if off[0] > 0.5 * LOST * level[0] or level[0] < NEARLY * top:
+            continue
+        if later == 0:
+            low = middle[-1, 1] - float(np.min(middle[:, 1])) < LOW
+            return End(int(known[-1]), float(times[known[-1]]) + 0.5 * frame, frame, 0) if low else None
+        if (speeds[end + (later > 1) :] < (1.0 - LOST) * level[0]).all():
+            before = int(known[end])
+            return End(before, float(times[before]) + 0.5 * frame, frame / math.sqrt(12.0), later)
+    return None
 
 
 class Drop(NamedTuple):

@@ -11,7 +11,7 @@ from clubface.errors import FileError
 from clubface.motion_capture.approach import Approach, follow, follow_until
 from clubface.motion_capture.attitude import face_axes
 from clubface.motion_capture.ball_flight import RestingBall, resting_places
-from clubface.motion_capture.blow import Blow, find_blow, last_before
+from clubface.motion_capture.blow import FEWEST, Blow, End, find_blow, impact_at_end, last_before
 from clubface.motion_capture.geometry import Known
 from clubface.motion_capture.impact_frame import find_impact
 from clubface.motion_capture.recording import Recording
@@ -102,7 +102,10 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
             return _by_blow(recording, followed, cluster, setup, turn)
         except FileError as error:
             if mapping.ball_position is None:
-                raise
+                end = impact_at_end(recording.times, followed)
+                if end is None:
+                    raise
+                return _at_end(recording, followed, setup, end)
             met = _by_ball(recording, followed, setup, turn)
             told = "the blow cannot be read, so that all depends on the given place of the ball:"
             return met._replace(remarks=(*met.remarks, f"{told} {error.message}"))
@@ -137,24 +140,54 @@ def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup
     approach = follow_until(
         times, followed, blow.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
     )
-    assumed = mapping.assumed
     if mapping.ball_position is None:
         centre, deviation = _in_front(approach, setup), ANYWHERE
         told = [Known.of("ball", "assumed: where the clubhead loses speed", "")]
     else:
         centre, deviation = turn @ np.array(mapping.ball_position), mapping.ball_deviation
         told = [Known.of("centre of the ball", "given", "mm", deviations=[deviation])]
-    told += [
-        Known.of("instant of first touch, from the blow", "measured", "ms", deviations=[blow.deviation]),
-        Known.of("impact point from the face centre, towards the toe and high", "assumed", "mm", [0.0, 0.0],
-                 [assumed.toe, assumed.high]),
-    ]  # fmt: skip
-    evidence = Evidence(np.zeros(3), np.array([blow.deviation, assumed.toe, assumed.high]))
+    told.append(Known.of("instant of first touch, from the blow", "measured", "ms", deviations=[blow.deviation]))
+    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _told(blow), told)
+
+
+def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
+    """Return the meeting of a recording that ends with the impact."""
+    where, times = recording.path, recording.times
+    noise, freedom = _noise(followed, end.before - 1, setup, where)
+    kept = followed._replace(poses=followed.poses._replace(position=followed.poses.position.copy()))
+    kept.poses.position[end.before + 1 :] = np.nan
+    approach = follow_until(
+        times, kept, end.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
+    )
+    told = [
+        Known.of("ball", "assumed: where the recording ends", ""),
+        Known.of("instant of first touch, from the end of the recording", "assumed", "ms", deviations=[end.deviation]),
+    ]
+    when = f"{end.later} frames after" if end.later else "with"
+    remark = (
+        f"the recording ends {when} the impact, which is taken to follow frame {end.before + recording.first_frame};"
+        f" record on for {FEWEST} frames or more to have the blow itself"
+    )
+    centre = _in_front(approach, setup)
+    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, remark, told)
+
+
+def _met(
+    approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
+    times: Array, remark: str, told: list[Known],
+) -> Meeting:  # fmt: skip
+    """Return a meeting at an instant [s] known to ``instant``, with a ball known to ``deviation`` [m]."""
+    assumed = setup.mapping.assumed
+    told.append(
+        Known.of(
+            "impact point from the face centre, towards the toe and high", "assumed", "mm", [0.0, 0.0],
+            [assumed.toe, assumed.high],
+        )
+    )  # fmt: skip
+    evidence = Evidence(np.zeros(3), np.array([instant, assumed.toe, assumed.high]))
     ball = RestingBall(centre, deviation, 1, (0, len(times) - 1), None)
     nowhere = np.full((len(times), 3), np.nan)
-    return Meeting(
-        approach, ball, np.eye(3) * deviation**2, nowhere, evidence, noise, freedom, (_told(blow),), tuple(told)
-    )
+    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, (remark,), tuple(told))
 
 
 def _in_front(approach: Approach, setup: Setup) -> Array:
