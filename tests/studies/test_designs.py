@@ -1,6 +1,7 @@
 """Which inputs a task has: known values, and the same ones in whatever chunks they are asked for."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -235,3 +236,22 @@ def test_designs_and_axes_that_do_not_fit_are_told():
         design("sobol", BETWEEN, None, 0)
     with pytest.raises(InputError, match="at most"):
         Grid([Axis(name=name, unit="1", ends=(0.0, 1.0), count=10**7) for name in "ab"])
+
+
+def test_a_table_without_units_is_refused_until_the_study_gives_them(tmp_path):
+    from clubface.studies.study import read_study
+
+    (tmp_path / "swings.csv").write_text("club_speed,attack\n113,2\n105,-1\n")
+    study = '[study]\ndesign = "table"\n{}[impact]\nclub = "driver"\n[sweep]\ntable = "swings.csv"\n'
+    path = tmp_path / "study.toml"
+    path.write_text(study.format(""))
+    with pytest.raises(FileError, match="'club_speed', 'attack' name no unit") as refused:
+        read_study(path)
+    line = re.search(r"units = \{.*?\}", str(refused.value))
+    assert line is not None
+    path.write_text(study.format(line[0] + "\n"))
+    columns = read_study(path).design.values(range(2))
+    np.testing.assert_allclose(columns["speed"], [113 * 0.44704, 105 * 0.44704])
+    path.write_text(study.format('units = { speed = "deg", angle = "deg" }\n'))
+    with pytest.raises(FileError, match="the unit of speed is 'deg'"):
+        read_study(path)

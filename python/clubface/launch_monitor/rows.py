@@ -332,7 +332,8 @@ class SessionReader:
             if wrong := [cell for row, cell in bad.items() if row not in left_out and row not in reasons]:
                 count, first = session.unreadable.get(heading, (0, wrong[0]))
                 session.unreadable[heading] = (count + len(wrong), first)
-        kept = [row for row in range(len(lines)) if row not in reasons and row not in left_out]
+        gone = left_out | reasons.keys()
+        kept = [row for row in range(len(lines)) if row not in gone] if gone else range(len(lines))
         if not kept:
             return
         self._leave_out_clubs(values, kept)
@@ -341,22 +342,25 @@ class SessionReader:
             texts = self._texts(cells, place)
             shown = Counter(text for row in kept if (text := texts[row].strip()))
             session.counts.setdefault(self._header[place].strip(), Counter()).update(shown)
-        clubs = [self._texts(cells, place) for place in columns.club]
-        players, dates, files = (
-            None if place is None else self._texts(cells, place)
-            for place in (columns.player, columns.date, columns.file)
-        )
+        clubs = [self._stripped(cells, place, "", kept) for place in columns.club or (None,)]
         session.tables.append(
             Shots(
                 [lines[row] for row in kept],
-                {name: each[kept] for name, each in values.items()},
-                [next((text for each in clubs if (text := each[row].strip())), "") for row in kept],
-                [self._player if players is None else players[row].strip() for row in kept],
+                {name: each[kept] for name, each in values.items()} if gone else values,
+                clubs[0] if len(clubs) == 1 else [next(filter(None, each), "") for each in zip(*clubs, strict=True)],
+                self._stripped(cells, columns.player, self._player, kept),
                 hands[kept],
-                [self._date if dates is None else dates[row].strip() for row in kept],
-                ["" if files is None else files[row].strip() for row in kept],
+                self._stripped(cells, columns.date, self._date, kept),
+                self._stripped(cells, columns.file, "", kept),
             )
         )
+
+    def _stripped(self, cells: Sequence[Any], place: int | None, otherwise: str, kept: Sequence[int]) -> list[str]:
+        """Return the texts of a column in some rows, or the same for all where there is no column."""
+        if place is None:
+            return [otherwise] * len(kept)
+        texts = [*map(str.strip, self._texts(cells, place))]
+        return texts if len(kept) == len(texts) else [texts[row] for row in kept]
 
     def _hands(self, cells: Sequence[Any], count: int, reasons: dict[int, str]) -> Floats:
         assert self._columns is not None
@@ -485,7 +489,7 @@ class SessionReader:
         """Reject rows of which no ball was measured, or nothing."""
         for row in np.flatnonzero(values.get("ball_speed", np.empty(0)) == 0.0):
             reasons.setdefault(int(row), "the ball speed is 0: no ball was measured")
-        for row in np.flatnonzero(np.all([np.isnan(each) for each in values.values()], axis=0)):
+        for row in np.flatnonzero(np.logical_and.reduce([np.isnan(each) for each in values.values()])):
             reasons.setdefault(int(row), "nothing was measured: every cell of a delivery or launch is empty")
 
     def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:

@@ -256,7 +256,8 @@ def _texts(given: Any) -> NDArray[Any]:
         np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else np.zeros(np.shape(given), dtype=bool)
     )
     names = np.array(np.ma.getdata(given), dtype=object)
-    names[[bool(gone) or is_missing(each) for each, gone in zip(names, missing, strict=True)]] = ""
+    if missing.any() or set(map(type, names.ravel())) != {str}:
+        names[[bool(gone) or is_missing(each) for each, gone in zip(names, missing, strict=True)]] = ""
     return names
 
 
