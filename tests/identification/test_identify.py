@@ -246,7 +246,7 @@ def test_an_evaluation_finds_the_cost_of_the_fit():
 @pytest.mark.parametrize(
     ("changes", "text"),
     [
-        ({"population": 2}, "population is 2; it must be a whole number of at least 4"),
+        ({"population": 2}, "population is 2; it must be a whole number from 4"),
         ({"folds": 1}, "folds is 1"),
         ({"generations": 1.5}, "generations is 1.5"),
         ({"confidence": 95}, "confidence is 95"),

@@ -10,10 +10,11 @@ import pytest
 
 import clubface
 from clubface.errors import InputError
-from clubface.player_report import words, write_report
-from clubface.player_report.document import blocks
+from clubface.player_report import document, figures_of_club, words, write_report
+from clubface.player_report.document import blocks, figures_by_club
 from clubface.player_report.figures_of_club import figure, figures_of
 from clubface.recorded.shots import RecordedShots
+from clubface.reports.blocks import Picture
 from clubface.reports.document import as_markdown
 
 pytest.importorskip("matplotlib")
@@ -228,6 +229,22 @@ def test_the_page_is_one_file_with_its_pictures(tmp_path):
     assert "<b>" not in markdown
     with pytest.raises(InputError, match=r"ends in \.html or \.md"):
         write_report(given, tmp_path / "report.pdf")
+
+
+def test_a_report_on_very_many_players_says_what_it_leaves_out(monkeypatch):
+    """A picture takes a fifth of a second, and so do the deliveries of twenty shots."""
+    monkeypatch.setattr(document, "MOST_PICTURES", 2)
+    monkeypatch.setattr(figures_of_club, "IN_ALL", 15)
+    given = shots(18)
+    given = dataclasses.replace(given, players=np.array(["Ann", "Bob", "Cid"] * 6, dtype=object))
+    clubs = figures_by_club(given)
+    assert [each.inferred.shots for each in clubs] == [5, 5, 5]
+    pieces = list(blocks(clubs, given))
+    assert sum(isinstance(each, Picture) for each in pieces) == 2
+    text = as_markdown(pieces)
+    assert "Pictures are drawn for the first 2 of 3 clubs" in text
+    assert text.count("was computed for 5 of the shots") == 3
+    assert figures_of(shots(18), "Driver").inferred.shots == 15
 
 
 def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, write):

@@ -11,7 +11,7 @@ from clubface.cli import option_values, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar, run_with_progress
 from clubface.cli.tables import print_numbers
-from clubface.errors import ClubfaceError
+from clubface.errors import ClubfaceError, InputError
 from clubface.support.folders import prepared_folder
 from clubface.units import from_si
 
@@ -122,7 +122,9 @@ def head(
     if not measure and blow is None and (place or safety is not None or ball is not None):
         raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --blow")
     struck: stress.BlowStress | None = None
-    speed = None if blow is None else option_values.parsed("blow", blow, "speed")
+    speed = None if blow is None else option_values.parsed("--blow", blow, "speed")
+    if speed is not None and not speed > 0.0:
+        raise InputError("--blow", blow, "above 0 m/s")
     if measure:
         document |= run_with_progress(
             lambda progress: {

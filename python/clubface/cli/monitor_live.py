@@ -13,6 +13,7 @@ from clubface.cli import options, output
 from clubface.cli.failures import say
 from clubface.cli.recorded import READING, read_shots
 from clubface.errors import FileError, InputError
+from clubface.support.checks import check_count
 from clubface.support.lock import Lock
 from clubface.units import from_si, parse
 
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from clubface.launch_monitor.open_connect import Message
 
 Port = Annotated[int, typer.Option("--port", metavar="NUMBER", help="Port on this machine.")]
+LONGEST = 30 * 86400.0
+"""Seconds that anything is waited for."""
+MOST_SHOTS = 1_000_000
 SHOWN = (("ball_speed", "mph", 1), ("launch", "deg", 1), ("azimuth", "deg", 1), ("total_spin", "rpm", 0))
 """What is printed of a shot: quantity, unit, digits."""
 
@@ -51,7 +55,9 @@ def listen(
     output.check_target("--output", target, KINDS)
     if target is not None and Path(target).exists():
         raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
-    wait = parse(timeout, "time", name="timeout") if timeout is not None else None
+    wait = _seconds("--timeout", timeout, above=0.0) if timeout is not None else None
+    if count is not None:
+        check_count("--shots", count, 1, MOST_SHOTS)
     got: list[Message] = []
 
     def keep(message: Message) -> None:
@@ -96,9 +102,9 @@ def send(
 
     shots = read_shots(file, texts | {"hand": None}, where=True)
     first, last = _range(which, len(shots))
-    seconds = parse(pause, "time", name="pause")
+    seconds = _seconds("--pause", pause)
     refused = sent = 0
-    with Sender(port, timeout=parse(timeout, "time", name="timeout")) as sender:
+    with Sender(port, timeout=_seconds("--timeout", timeout, above=0.0)) as sender:
         for row in range(first - 1, last):
             launch, delivery = _row(shots.launches, row), _row(shots.deliveries, row)
             if "ball_speed" not in launch or "launch" not in launch:
@@ -119,6 +125,15 @@ def send(
     if refused:
         say(f"{refused} of {last - first + 1} shots were not taken")
         raise typer.Exit(2)
+
+
+def _seconds(option: str, text: str, above: float | None = None) -> float:
+    """Return a time to wait [s], 0 too unless it must be above."""
+    value = parse(text, "time", name=option)
+    if value < 0.0 or value == above or value > LONGEST:
+        least = "above 0" if above is not None else "from 0"
+        raise InputError(option, text, f"a time {least} to {LONGEST / 86400:g} days")
+    return value
 
 
 def _say_notes(got: list[Message]) -> None:

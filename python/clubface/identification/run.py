@@ -27,6 +27,7 @@ from clubface.recorded.shots import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped
 from clubface.simulation.run_options import thread_count, tolerance
+from clubface.support.checks import MOST_SEED, is_count
 
 
 def identify(
@@ -140,12 +141,14 @@ def identify(
     """
     reduced_model(model, "one with derivatives")
     counts = {
-        "population": (population, 4), "generations": (generations, 1), "refined": (refined, 1), "folds": (folds, 0),
-        "bootstrap": (bootstrap, 0), "seed": (seed, 0),
+        "population": (population, 4, 100_000), "generations": (generations, 1, 100_000),
+        "refined": (refined, 1, population), "folds": (folds, 0, 1000), "bootstrap": (bootstrap, 0, 100_000),
+        "seed": (seed, 0, MOST_SEED),
     }  # fmt: skip
-    for name, (count, least) in counts.items():
-        if not (isinstance(count, int) and count >= least) or (name == "folds" and count == 1):
-            raise InputError(name, count, f"a whole number of at least {least}{', but 1' if name == 'folds' else ''}")
+    for name, (count, least, most) in counts.items():
+        if not is_count(count, least, most) or (name == "folds" and count == 1):
+            but = ", but 1" if name == "folds" else ""
+            raise InputError(name, count, f"a whole number from {least} to {most}{but}")
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
     with_, given = equipped(model, club, ball, parameters)

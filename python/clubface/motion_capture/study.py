@@ -23,7 +23,7 @@ from clubface.motion_capture.rotations import Array
 from clubface.motion_capture.setup import Setup, prepare
 from clubface.motion_capture.swing import capture
 from clubface.motion_capture.synthetic.bare import asked_at_random, bare_map, record_bare
-from clubface.motion_capture.synthetic.files import BARE_RATE, check_count, positions_map
+from clubface.motion_capture.synthetic.files import BARE_RATE, check_swings, positions_map
 from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
@@ -168,7 +168,7 @@ def study(
     FileError
         The checkpoint belongs to another study, or to a process that is running.
     """
-    check_count(count)
+    check_swings(count, seed)
     seen = cameras or Cameras()
     names = tuple(estimators)
     for name in names:
@@ -254,7 +254,7 @@ def bare_study(
     """
     from clubface.equipment.clubs import club as club_of
 
-    check_count(count)
+    check_swings(count, seed)
     seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)
     head = club_of(club) if hand is None else club_of(club).replace(hand=hand)
     names, blows = tuple(ways), tuple(models())

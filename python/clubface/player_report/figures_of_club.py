@@ -27,6 +27,8 @@ from clubface.support.warning import without_warnings
 
 MOST_INFERRED, SAMPLES = 60, 200
 """Shots of a club whose deliveries are inferred, spread evenly over all of them, and draws for each."""
+IN_ALL, FEWEST_INFERRED = 1200, 4
+"""The same of a whole report, and of a club where there are many."""
 CHANGES = {"speed": "1 mph", "attack": "1 deg", "loft": "1 deg", "face": "1 deg", "path": "1 deg", "toe": "5 mm"}
 """What a player may change, and by how much, for the what-if."""
 LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
@@ -136,8 +138,8 @@ class ClubFigures:
         return f"{self.player}: {self.name}" if self.player else self.name
 
 
-def figures_of(shots: RecordedShots, name: str) -> ClubFigures:
-    """Return the figures of the shots of one club, which the file calls ``name``."""
+def figures_of(shots: RecordedShots, name: str, clubs: int = 1) -> ClubFigures:
+    """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
     kind = club_kind(name)
     head = club_named(kind) if kind in CLUB_NAMES else None
     if head is not None and shots.hand is not None and set(shots.hand) == {"left"}:
@@ -152,7 +154,7 @@ def figures_of(shots: RecordedShots, name: str) -> ClubFigures:
     plain = ClubFigures(name=name, club=head, shots=shots, measured=measured, computed=computed)
     if head is None or "ball_speed" not in measured or "launch" not in measured:
         return plain
-    found = _inferred(shots, head)
+    found = _inferred(shots, head, min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs)))
     if found is None:
         return plain
     launch, changes, start, closing = _changes(head, found.mean)
@@ -172,9 +174,9 @@ def figure(values: Floats) -> Figure | None:
     return Figure(mean=float(known.mean()), spread=spread, low=float(low), high=float(high), count=int(known.size))
 
 
-def _inferred(shots: RecordedShots, head: Club) -> Inferred | None:
+def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
     prepared = Inference(club=head, prior="wide", samples=SAMPLES, speed_at=shots.speed_at, face_at=shots.face_at)
-    places = np.unique(np.linspace(0, len(shots) - 1, MOST_INFERRED).round().astype(int))
+    places = np.unique(np.linspace(0, len(shots) - 1, most).round().astype(int))
     means, doubts, refused, remarked = [], [], 0, []
     for place in places:
         launch = _at(shots.launches, QUANTITIES, place)

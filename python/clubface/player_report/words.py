@@ -206,6 +206,8 @@ def doubt(of: ClubFigures) -> Iterator[str]:
         yield f"With {3 * count} shots more we would know the averages about twice as well."
     found = of.inferred
     if found is not None and of.club is not None:
+        if found.shots + found.refused < min(count, of.measured["launch"].count):
+            yield f"How the club was delivered was computed for {found.shots} of the shots, spread evenly over all."
         yield (
             f"The what-if and what is said of face, path and strike where they were not measured come from a model of"
             f" impact with a standard {of.club.name} and average golfers, not from your own club: trust the direction"

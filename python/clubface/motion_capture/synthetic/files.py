@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from clubface.equipment.clubs import Club, club as club_of
-from clubface.errors import InputError
 from clubface.motion_capture.mapping_file import MarkerMap
 from clubface.motion_capture.recording import Recording, write_c3d
 from clubface.motion_capture.synthetic.bare import bare_map, record_bare
@@ -18,6 +17,7 @@ from clubface.motion_capture.synthetic.laboratory import BALL, CLUSTERS, FACE, C
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.delivery import OF_CLUB
+from clubface.support.checks import MOST_SEED, check_count
 from clubface.support.folders import prepared_folder
 from clubface.support.whole_file import write_text
 
@@ -85,7 +85,7 @@ def synthesize(
     list
         The files, those of the swings first.
     """
-    check_count(count)
+    check_swings(count, seed)
     seen, head = cameras or Cameras(), _head(club, hand)
     target = prepared_folder(folder)
     files = _write_swings(target, count, head, seen.record, seed, progress)
@@ -109,7 +109,7 @@ def synthesize_bare(
     What a reader has to assume is drawn at random for every swing, as widely as :class:`Assumed` says. The parameters
     and files are those of :func:`synthesize`, without a calibration; cameras have 360 Hz and no noise if left out.
     """
-    check_count(count)
+    check_swings(count, seed)
     seen, head = cameras or Cameras(rate=BARE_RATE), _head(club, hand)
     target = prepared_folder(folder)
 
@@ -147,10 +147,10 @@ def _write_swings(
     return files
 
 
-def check_count(count: object) -> None:
-    """Refuse a count that is not a positive whole number."""
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
-        raise InputError("count", count, f"a whole number from 1 to {MOST}")
+def check_swings(count: object, seed: object) -> None:
+    """Refuse a number of swings, or a seed of theirs, that is no whole number within limits."""
+    check_count("count", count, 1, MOST)
+    check_count("seed", seed, 0, MOST_SEED)
 
 
 def truth(swings: Sequence[SyntheticSwing], source: str = "synthetic") -> RecordedShots:
