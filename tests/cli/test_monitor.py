@@ -86,7 +86,7 @@ def test_a_mistake_is_one_message(clubface_, arguments, words):
 
 def test_layouts_are_listed_and_shown(clubface_):
     names = [each["name"] for each in clubface_("monitor", "formats", "--json").json]
-    assert names == ["trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope"]
+    assert names == ["trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope", "gspro", "square"]
     text = clubface_("monitor", "formats").out
     assert all(name in text for name in names)
     shown = clubface_("monitor", "formats", "garmin")

@@ -30,7 +30,7 @@ from clubface.recorded.signs import suspected_signs
 from clubface.recorded.wrong_units import wrong_unit
 from clubface.simulation.quantities import inputs
 from clubface.support.checks import check_choice
-from clubface.tables.cells import Decimals, decimals_of, quoted_cell
+from clubface.tables.cells import Decimals, decimals_of, doubt, quoted_cell
 from clubface.tables.csv_rows import DECIMAL_ROWS, Row
 from clubface.tables.headings import check_units, listed
 from clubface.tables.parquet import ENDINGS as PARQUET, ParquetReader
@@ -340,8 +340,7 @@ def _notes(session: Session, layout: Format, measured: set[str], of_file: Sequen
         cells = "1 cell holds" if count == 1 else f"{count} cells hold"
         yield f"{shortened(name, 40)}: {cells} no number, such as {quoted_cell(cell)}, and count as not measured"
     if session.doubtful_number:
-        cell, mark = quoted_cell(session.doubtful_number), "a comma" if "," in session.doubtful_number else "a point"
-        yield f"nothing says whether {mark} in {cell} and the like separates thousands or decimals: say it in a mapping"
+        yield doubt(session.doubtful_number)
     if session.summaries:
         yield f"rows of averages and deviations, which are no shots and were left out: {session.summaries}"
     if session.without_club:

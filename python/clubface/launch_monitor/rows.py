@@ -417,8 +417,9 @@ class SessionReader:
         """Return the SI values of a column with their signs here, NaN where nothing was measured."""
         mirrored = np.sign(hands) if column.quantity in MIRRORED else None
         if column.quantity in LARGE and not _is_array(cells):
+            mark = "," if self._decimal_comma else "."
             for row, cell in enumerate(cells):
-                if may_be_thousands(cell, self._decimal_comma):
+                if mark in cell and may_be_thousands(cell, self._decimal_comma):
                     what = "a number that may have thousands or decimals; other columns decide for decimals"
                     self._note_unreadable(row, cell, what, column, reasons, unreadable)
         quick = cells if _is_array(cells) else _floats(cells, self._decimal_comma)

@@ -113,6 +113,15 @@ def may_be_thousands(text: str, decimal_comma: bool) -> bool:
     return THOUSANDS["," if decimal_comma else "."].fullmatch(text.strip()) is not None
 
 
+def doubt(cell: str) -> str:
+    """Return the note on a number that may be read with thousands or decimals."""
+    mark = "a comma" if "," in cell else "a point"
+    return (
+        f"nothing says whether {mark} in {quoted_cell(cell)} and the like separates thousands or decimals: write such "
+        "numbers without signs for thousands, or say it in a mapping"
+    )
+
+
 def number(text: str, decimal_comma: bool) -> float:
     """Return the number that a text stands for, with or without signs between its thousands; else a ``ValueError``."""
     if "_" in text:

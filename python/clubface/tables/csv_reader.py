@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import FileError
-from clubface.tables.cells import decimals_of, parsed, ragged_reason
+from clubface.tables.cells import decimals_of, doubt, parsed, ragged_reason
 from clubface.tables.csv_rows import DECIMAL_ROWS, Row
 from clubface.tables.headings import Column, shot_words, split_heading
 from clubface.tables.row_source import open_rows
@@ -43,7 +43,7 @@ class CsvReader:
     @property
     def notes(self) -> tuple[str, ...]:
         """What a reader of the rows should know of the file, as far as it is read."""
-        return self._rows.notes
+        return (*self._rows.notes, *([doubt(self._doubtful)] if self._doubtful else []))
 
     def _read_header(self) -> None:
         row = self._rows.next()
@@ -65,7 +65,7 @@ class CsvReader:
         words = shot_words()
         quantities = [words.names.get(split_heading(each, words)[0]) for each in self.headings]
         cells = ((cell, quantity) for row in rows for cell, quantity in zip(row, quantities, strict=False))
-        self.decimal_comma = decimals_of(cells, self.delimiter).comma
+        self.decimal_comma, self._doubtful = decimals_of(cells, self.delimiter)
 
     def chunks(self, rows: int, skip: int) -> Iterator[CsvChunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
