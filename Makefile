@@ -121,8 +121,8 @@ fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; or SECONDS=
 	$(PYTHON) tests/fuzz/fuzz.py --count $(COUNT) --seed $(SEED) --seconds $(or $(SECONDS),inf) $(if $(WORKERS),--workers $(WORKERS))
 
 KILLS ?= 50
-kills: dev ## kill every long command at random moments (KILLS=50 each), resume it, compare the bytes; an hour
-	$(PYTHON) studies/kills.py $(KILLS)
+kills: dev ## kill every long command at random moments (KILLS=50 each, or SECONDS=3600), resume it, compare the bytes
+	$(PYTHON) studies/kills.py $(KILLS) --seconds $(or $(SECONDS),inf)
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks

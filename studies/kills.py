@@ -2,11 +2,15 @@
 
 ``python studies/kills.py [KILLS [NAME ...]]`` kills each command, or those named, that often (50 unless given), every
 second time by SIGKILL and otherwise by SIGINT, at moments drawn over the time that the whole command takes. Some are
-also run three at a time, as often. It exits with 1 if any result differs or anything is left beside the results.
+also run three at a time, as often, and of some an input is edited while they run: the results are those of one of both
+inputs, or none. ``--seconds 3600`` ends after that time, when every command has had about as many kills. It exits with
+1 if any result differs or anything is left beside the results.
 """
 
 from __future__ import annotations
 
+import argparse
+import math
 import os
 import random
 import shutil
@@ -63,6 +67,8 @@ class Command(NamedTuple):
         What runs it.
     at_once
         Whether to run it three times at the same time as well, as often.
+    edits
+        The input that is edited while it runs, as often, and what by.
     """
 
     name: str
@@ -71,6 +77,7 @@ class Command(NamedTuple):
     results: Sequence[str]
     program: str = MAIN
     at_once: bool = False
+    edits: tuple[str, Callable[[str], str]] | None = None
 
 
 def deliveries(rows: int) -> str:
@@ -106,6 +113,49 @@ def club_file() -> str:
     return clubface.club("driver").replace(name="mine").to_toml()
 
 
+def comparison_file() -> str:
+    """Return a study of comparisons, of which the other shot has what is swept, in 20 chunks of whole values."""
+    return """
+[study]
+kind = "comparison"
+chunk = 1000
+[comparison]
+club = "mine.toml"
+model = "area"
+held = { loft = "12 deg" }
+outputs = ["ball_speed", "backspin"]
+other = { parameters = { friction = 0.1 } }
+[sweep]
+speed = { from = "90 mph", to = "119 mph", step = "1 mph" }
+friction = { from = 0.05, to = 0.4, count = 36 }
+toe = { from = "-9 mm", to = "9 mm", step = "1 mm" }
+"""
+
+
+def swings_file() -> str:
+    """Return a study of swings, whose numbers are whole, in 15 chunks."""
+    return """
+[study]
+kind = "capture"
+chunk = 2
+[capture]
+outputs = ["speed_error", "face_error"]
+[sweep]
+swing = { from = 0, to = 29, step = 1 }
+"""
+
+
+def heavier(text: str) -> str:
+    """Return a file of a club with another mass."""
+    return text.replace('mass = "', 'mass = "1', 1)
+
+
+def faster(text: str) -> str:
+    """Return a table with other speeds in its first row."""
+    head, first, rest = text.split("\n", 2)
+    return f"{head}\n1{first}\n{rest}"
+
+
 def shots(count: int) -> str:
     """Return a file of measured shots."""
     import numpy as np
@@ -134,13 +184,15 @@ INPUTS: dict[str, Callable[[], str]] = {
     "shots.csv": lambda: shots(40),
     "study.toml": study_file,
     "mine.toml": club_file,
+    "comparison.toml": comparison_file,
+    "swings.toml": swings_file,
     "fitting.toml": lambda: (EXAMPLES / "fitting.toml").read_text(encoding="utf-8"),
     "few.csv": lambda: deliveries(400),
 }
 COMMANDS = (
     Command(
         "predict to CSV", ("predict", "deliveries.csv", "--club", "driver", "--model", "area", "-o", "out.csv"),
-        (), ("out.csv", "out.rejects.csv"), at_once=True,
+        (), ("out.csv", "out.rejects.csv"), at_once=True, edits=("deliveries.csv", faster),
     ),
     Command(
         "predict to Parquet",
@@ -177,7 +229,19 @@ COMMANDS = (
     Command("findings", ("found", "found.json"), (), ("found.json",), FINDINGS),
     Command(
         "study run", ("study", "run", "study.toml", "--workers", "2"), (),
-        tuple(f"study.store/parts/0000/{chunk:08d}.parquet" for chunk in range(40)),
+        tuple(f"study.store/parts/0000/{chunk:08d}.parquet" for chunk in range(40)), edits=("mine.toml", heavier),
+    ),
+    Command(
+        "study of comparisons", ("study", "run", "comparison.toml", "--workers", "1"), (),
+        tuple(f"comparison.store/parts/0000/{chunk:08d}.parquet" for chunk in range(21)), edits=("mine.toml", heavier),
+    ),
+    Command(
+        "study of swings", ("study", "run", "swings.toml", "--workers", "1"), (),
+        tuple(f"swings.store/parts/0000/{chunk:08d}.parquet" for chunk in range(15)),
+    ),
+    Command(
+        "monitor read", ("monitor", "read", "shots.csv", "-o", "read.parquet", "--rejects", "left.csv"), (),
+        ("read.parquet", "left.csv"), edits=("shots.csv", faster),
     ),
     Command("tour", ("tour", "-o", "tour"), (), ("tour/tour.csv", "tour/tour-launch.svg", "tour/tour-errors.png")),
 )  # fmt: skip
@@ -281,31 +345,78 @@ def remove(command: Command, folder: Path) -> None:
             top.unlink(missing_ok=True)
 
 
-def study(commands: Sequence[Command], kills: int, seed: int = 1) -> list[str]:
-    """Kill some commands so many times each; return what was wrong."""
-    random_, wrong = random.Random(seed), []
+def edited(
+    command: Command, folder: Path, whole: dict[str, bytes], seconds: float, random_: random.Random
+) -> list[str]:
+    """Edit an input while a command runs; return what was wrong. The results are those of one of both, or none."""
+    assert command.edits is not None
+    name, change = command.edits
+    before = (folder / name).read_text(encoding="utf-8")
+    (folder / name).write_text(change(before), encoding="utf-8")
+    other, _ = undisturbed(command, folder)
+    remove(command, folder)
+    (folder / name).write_text(before, encoding="utf-8")
+    child = start(command, folder, False)
+    time.sleep(random_.uniform(0.0, seconds))
+    (folder / name).write_text(change(before), encoding="utf-8")
+    said = child.communicate()[1].strip()
+    (folder / name).write_text(before, encoding="utf-8")
+    made, wrong = results(command, folder), []
+    if child.returncode not in (0, 2) or "Traceback" in said:
+        wrong.append(f"{command.name}, {name} edited: status {child.returncode}: {said}")
+    elif child.returncode == 0 and made not in (whole, other):
+        wrong.append(f"{command.name}, {name} edited: the results are of neither: {said}")
+    elif child.returncode == 2 and any(each not in (whole.get(file), other.get(file)) for file, each in made.items()):
+        wrong.append(f"{command.name}, {name} edited: what is left is of neither: {said}")
+    start(command, folder, False).communicate()  # what is unfinished
+    remove(command, folder)
+    return wrong
+
+
+PER_ROUND = 5
+"""Kills of a command before the next one has its turn."""
+
+
+def study(commands: Sequence[Command], kills: int, seed: int = 1, seconds: float = math.inf) -> list[str]:
+    """Kill some commands so many times each, in rounds, until the time is over; return what was wrong."""
+    random_, wrong, begun = random.Random(seed), [], time.monotonic()
+    known: dict[str, tuple[dict[str, bytes], float]] = {}
     with tempfile.TemporaryDirectory() as name:
-        for place, command in enumerate(commands):
-            folder = prepared(Path(name) / str(place))
-            whole, seconds = undisturbed(command, folder)
-            remove(command, folder)
-            found = disturbed(command, folder, whole, seconds, random_, kills)
-            remove(command, folder)
-            for _ in range(kills if command.at_once else 0):
-                found += together(command, folder, whole, seconds, random_)
-            print(f"{command.name}: {seconds:.1f} s undisturbed, {kills} kills, {len(found)} wrong", flush=True)
-            wrong += found
+        for done in range(0, kills, PER_ROUND):
+            some = min(PER_ROUND, kills - done)
+            for place, command in enumerate(commands):
+                if time.monotonic() - begun > seconds:
+                    return wrong
+                folder = Path(name) / str(place)
+                if command.name not in known:
+                    known[command.name] = undisturbed(command, prepared(folder))
+                    remove(command, folder)
+                whole, long = known[command.name]
+                found = disturbed(command, folder, whole, long, random_, some)
+                remove(command, folder)
+                for _ in range(some if command.at_once else 0):
+                    found += together(command, folder, whole, long, random_)
+                for _ in range(1 if command.edits else 0):
+                    found += edited(command, folder, whole, long, random_)
+                print(f"{command.name}: {long:.1f} s undisturbed, {done + some} kills, {len(found)} wrong", flush=True)
+                if found:
+                    print("\n".join(found), flush=True)
+                wrong += found
     return wrong
 
 
 if __name__ == "__main__":
     os.environ["OMP_NUM_THREADS"] = "1"
-    asked = sys.argv[2:]
-    if unknown := set(asked) - {each.name for each in COMMANDS}:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("kills", type=int, nargs="?", default=50, help="of each command")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="commands; all unless given")
+    parser.add_argument("--seconds", type=float, default=math.inf, help="end after this time, whatever the kills")
+    asked = parser.parse_args()
+    if unknown := set(asked.names) - {each.name for each in COMMANDS}:
         sys.exit(
             f"no such command: {', '.join(sorted(unknown))}; there are {', '.join(each.name for each in COMMANDS)}"
         )
-    chosen = [each for each in COMMANDS if not asked or each.name in asked]
-    faults = study(chosen, int(sys.argv[1]) if len(sys.argv) > 1 else 50)
-    print("\n".join(faults))
+    chosen = [each for each in COMMANDS if not asked.names or each.name in asked.names]
+    faults = study(chosen, asked.kills if asked.seconds == math.inf else 10**6, seconds=asked.seconds)
+    print(f"{len(faults)} faults")
     sys.exit(bool(faults))
