@@ -40,13 +40,14 @@ HEADINGS = ("{name}_{unit}", "{name} [{unit}]", "{name} ({unit})")
 MEANS = ("Average", "Avg", "Mean", "Durchschnitt", "Moyenne", "Promedio", "平均")
 DEVIATIONS = ("Std Dev", "St. Dev.", "StDev", "Standardabweichung", "Ecart-type", "標準偏差")
 ENCODINGS = ("utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "shift_jis", "gbk")
-EASTERN = ("shift_jis", "gbk")
-"""Encodings that are known by their letters alone."""
 DELIMITERS = (",", ";", "\t")
 REMARKS = (
-    ("Remarks", "windy", "fine"), ("Bemerkung", "böig", "schön"), ("備考", "練習場は風が強い", "とても良い天気"),
-    ("备注", "练习场风很大", "天气很好"),
+    ("Remarks", "windy", "fine"), ("Bemerkung", "böig", "schön"), ("備考", "球は右方向に高い", "距離が出ない"),
+    ("备注", "击打点偏左侧", "球杆旋转大"),
 )  # fmt: skip
+HOME = {"shift_jis": ("備考", "备"), "gbk": ("备注", "備")}
+"""What a text has that is written in an encoding of its country, and what it does not have: few letters tell no two
+such encodings apart."""
 
 
 class InconsistentError(Exception):
@@ -92,12 +93,20 @@ def monitor_table(name: str) -> Rows:
 
 def _width(rows: Rows) -> int:
     """Return the number of cells of the most rows: those of the table, without what stands above it."""
-    counts = [len(row) for row in rows]
+    counts = [len(row) for row in rows if row]
     return max(set(counts), key=counts.count)
 
 
 def _header(rows: Rows) -> int:
     return next(place for place, row in enumerate(rows) if len(row) == _width(rows) and sum(map(bool, row)) > 2)
+
+
+def _is_table(rows: Rows) -> bool:
+    return any(len(row) == _width(rows) and sum(map(bool, row)) > 2 for row in rows)
+
+
+MONITOR_FILES = [path.name for path in sorted(MONITORS.glob("*.csv")) if _is_table(monitor_table(path.name))]
+"""Files of monitors that are tables: some have a name and a number in each line."""
 
 
 def _is_units(row: list[str]) -> bool:
@@ -135,7 +144,11 @@ def _with_column(rows: Rows, random: Random, heading: str, words: list[str]) -> 
     width, head, first = _width(rows), _header(rows), _first(rows)
     at = random.randint(0, width)
     cells = [heading if place == head else "" if place < first else random.choice(words) for place in range(len(rows))]
-    return [[*row[:at], cell, *row[at:]] if len(row) == width else row for row, cell in zip(rows, cells, strict=True)]
+    found = []
+    for place, (row, cell) in enumerate(zip(rows, cells, strict=True)):
+        here = at if place >= head else width  # a title stays in the first cell
+        found.append([*row[:here], cell, *row[here:]] if len(row) == width else row)
+    return found
 
 
 def _first(rows: Rows) -> int:
@@ -200,9 +213,10 @@ def written(rows: Rows, how: dict[str, Any]) -> tuple[str, bytes]:
     delimiter = ";" if commas and how["delimiter"] == "," else how["delimiter"]
     text, quoting = io.StringIO(), csv.QUOTE_ALL if how["quoted"] else csv.QUOTE_MINIMAL
     csv.writer(text, delimiter=delimiter, quoting=quoting, lineterminator=how["end"]).writerows(rows)
-    asian = sum(letter > "\u3000" for letter in text.getvalue()) > 30
+    has, lacks = HOME.get(how["encoding"], ("", "\0"))
     try:
-        return "csv", text.getvalue().encode(how["encoding"] if asian or how["encoding"] not in EASTERN else "utf-8")
+        at_home = has in text.getvalue() and lacks not in text.getvalue()
+        return "csv", text.getvalue().encode(how["encoding"] if at_home else "utf-8")
     except UnicodeEncodeError:
         return "csv", text.getvalue().encode()
 

@@ -101,7 +101,7 @@ def summary_rows(
         for row, (kind, is_clear, rest) in rows:
             if rest and rest not in others and club_kind(rest) is None:
                 continue
-            is_telling = heading in TELLING or (place == 0 and heading not in NAMES)
+            is_telling = heading in TELLING or (place == 0 and heading not in NAMES and is_clear)
             is_rare = 2 * len(rows) <= len(column) + 1
             if (is_telling and (is_clear or is_rare)) or (is_clear and heading in NAMES):
                 certain.add(row)
