@@ -7,16 +7,15 @@ the model that made each shot stand beside. ``recipe.toml`` holds every number t
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER
 from clubface.launch_monitor.reading import read_shots
 from clubface.recorded.shots import RecordedShots
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -16,14 +16,13 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.equipment.clubs import Club
 
 MASS_PROPERTIES = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz")

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.fem.result import Impact
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 SLIDES = 0.1
 """The ball slides where its surface moves faster than this along the face [m/s]; the law's tanh is then 1."""

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.models import Model
 from clubface.errors import InputError
@@ -15,9 +18,6 @@ from clubface.fem.run import FRICTION, simulate, strike, struck
 from clubface.fem.settings import Settings
 from clubface.simulation.backends import Balls, Problems, Request
 from clubface.simulation.quantities import outputs
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 MODEL = Model(
     name="fem",
@@ -49,8 +49,6 @@ class FiniteElements:
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Run shot after shot; one that ends early has no launch."""
-        import numpy as np
-
         (friction,) = shots.parameters
         head, how = mesh_of(shots.club), replace(HOW, threads=shots.threads)
         found = np.full((len(outputs()), shots.size), np.nan)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import Any, NamedTuple, cast
+
+from numpy.typing import NDArray
 
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, ShotError
@@ -18,10 +20,6 @@ from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import outputs
 from clubface.support.checks import check_choice, check_names
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 
 VARIABLES_A_RUN = 4
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+import numpy as np
+from numpy.typing import NDArray
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 """Order of the components of tensors."""
@@ -59,8 +59,6 @@ class ElementFields:
 
 def von_mises(stress: NDArray[Any]) -> NDArray[Any]:
     """Return the equivalent stress of von Mises of tensors, components last."""
-    import numpy as np
-
     xx, yy, zz, xy, xz, yz = np.moveaxis(stress, -1, 0)
     differences = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     return np.sqrt(0.5 * differences + 3.0 * (xy**2 + xz**2 + yz**2))
@@ -68,8 +66,6 @@ def von_mises(stress: NDArray[Any]) -> NDArray[Any]:
 
 def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> NDArray[Any]:
     """Return symmetric tensors (components last) in axes in which the old ones are the columns of ``rotation``."""
-    import numpy as np
-
     xx, yy, zz, xy, xz, yz = np.moveaxis(tensors, -1, 0)
     whole = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
     seen = rotation @ whole @ rotation.T

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from typing import Any
 
+import numpy as np
+
 from clubface import units
 from clubface.equipment.clubs import Club, club
 from clubface.errors import RunError
@@ -73,8 +75,6 @@ def restitution(
     RunError
         The run failed.
     """
-    import numpy as np
-
     from clubface.equipment.face import face_point, turn_to_sole
 
     found = head if isinstance(head, MeshedHead) else club(head)
@@ -174,8 +174,6 @@ def striker() -> Ball:
 
 def _crossing(time: Any, share: Any, level: float) -> float:
     """Return when ``share`` first exceeds ``level``, by straight lines."""
-    import numpy as np
-
     after = int(np.argmax(share > level))
     before = after - 1
     part = (level - share[before]) / (share[after] - share[before])

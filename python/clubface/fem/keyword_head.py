@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from itertools import repeat
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
@@ -17,9 +20,6 @@ from clubface.fem.heads import MeshedHead, Metal, ShellHead
 from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.simulation.delivery import DIMENSIONS
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 HEAD_PART, HEAD_SECTION = 101, 2
 HEAD_HOURGLASS = 2
@@ -127,15 +127,11 @@ def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hour
 
 def _places(head: Any, hit: dict[str, Any]) -> NDArray[Any]:
     """Return the nodes of a head [m] in the axes of the deck."""
-    import numpy as np
-
     return (head.nodes @ turn_to_sole(head.loft) - hit["point"]) @ np.asarray(hit["axes"]).T
 
 
 def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, last: int) -> None:
     """Write added masses, as elements behind the ``last``, and the velocity of every node."""
-    import numpy as np
-
     deck.keyword("ELEMENT_MASS")
     added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
     deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1))
@@ -148,8 +144,6 @@ def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, 
 
 def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: int) -> None:
     """Write a rigid head: a mesh of its face for contact, its mass, inertia and motion as numbers."""
-    import numpy as np
-
     if club.characteristic_time:
         deck.comment("the face of this club gives by a spring in clubface; this deck has a rigid face")
     deck.keyword("PART_INERTIA")
@@ -171,8 +165,6 @@ def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: i
 
 def _first_touch(case: Case, club: Club) -> dict[str, Any]:
     """Return the head at first touch, in the axes of the deck, and ``axes`` and ``point`` in those of the face."""
-    import numpy as np
-
     coarse = replace(case.ball, cube=2, pieces=tuple(replace(piece, layers=1) for piece in case.ball.pieces))
     # The core sets the scene; a run of two steps is the least that tells it.
     least = Settings(duration=1e-6, interval=1e-6, threads=1)
@@ -198,8 +190,6 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
 
 def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return nodes [m] of the middle surface of the face's shells, face axes, and quadrangles, numbered from 0."""
-    import numpy as np
-
     across, up = (max(8, round(size / FACE_ELEMENT)) for size in (club.face_width, club.face_height))
     places = []
     for high in np.linspace(-0.5, 0.5, up + 1) * club.face_height:

@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
@@ -15,9 +18,6 @@ from clubface.fem.result import Impact
 from clubface.fem.settings import METHODS
 from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
 PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
@@ -63,8 +63,6 @@ def section_spin(found: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
     the deformed shapes next in time, so the run must keep ``frames`` (every 5 us is enough: the spin of all nodes found
     in this way is that of ``motion`` to 0.35 rad/s).
     """
-    import numpy as np
-
     if len(found.frames) < 4:
         raise InputError("frames", len(found.frames), "4 or more; ask for them in the settings of the run")
     section = abs(found.ball.mesh["nodes"][:, 2]) < 1e-9
@@ -75,8 +73,6 @@ def section_spin(found: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
 
 def fitted_spin(found: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return times [s] and the spin about the toe direction that fits the velocities of weighted nodes [rad/s]."""
-    import numpy as np
-
     chosen = weights > 0.0
     share = weights[chosen] / weights.sum()
     # The shape at the end of a run stands a step or so after the one before it, too near for a difference.
@@ -96,8 +92,6 @@ def table(found: Impact) -> dict[str, float]:
     ``section_spin_rpm`` fit the nodes of ball and section at take-off (the latter is left out of a run without frames),
     and ``rolling_spin_rpm`` has the ball roll off the face.
     """
-    import numpy as np
-
     launch = found.outcome()
     along, when = found.relative_velocity()[:, 1], found.motion["time"]
     least = int(along.argmin())

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+import numpy as np
+from numpy.typing import NDArray
 
 SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners of the sides of a hexahedron, counterclockwise as seen from outside; its own go round the bottom, then round
@@ -49,8 +49,6 @@ class SurfaceRecovery:
     @classmethod
     def of_mesh(cls, nodes: NDArray[Any], hexahedra: NDArray[Any]) -> SurfaceRecovery:
         """Prepare the recovery for a mesh: places of nodes [m], shape (k, 3), and corners of elements, shape (l, 8)."""
-        import numpy as np
-
         quads = outer_sides(hexahedra)
         on_surface = np.zeros(len(nodes), bool)
         on_surface[quads] = True
@@ -80,15 +78,11 @@ class SurfaceRecovery:
 
     def at_nodes(self, values: NDArray[Any]) -> NDArray[Any]:
         """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
-        import numpy as np
-
         return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
 
 
 def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
     """Return the sides of elements that belong to no second element, in their own order of corners, shape (m, 4)."""
-    import numpy as np
-
     sides = hexahedra[:, SIDES].reshape(-1, 4)
     _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
     return sides[np.sort(first[count == 1])]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, Told
@@ -10,9 +13,6 @@ from clubface.fem.result import Impact
 from clubface.simulation.history import history
 from clubface.simulation.impact import impact
 from clubface.support.warning import without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LAWS = {"volumetric": ("stiffness", "damping"), "rings": ("shear_modulus", "damping")}
 """Reduced models whose normal force has a stiffness and a damping, and the names of these."""
@@ -66,8 +66,6 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     InputError
         The impact was with a plane or ended early, or the model has no such parameters.
     """
-    import numpy as np
-
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
     if found.equipment is None or found.stopped is not None:
@@ -109,8 +107,6 @@ def _smooth(found: Impact) -> tuple[Any, Any]:
     A mesh touches node by node, a reduced model all at once: what differs within the time between two rings of nodes is
     not the law of force.
     """
-    import numpy as np
-
     time, force = found.contact["time"], found.contact["normal"]
     width = max(3, int(0.1 * found.contact_time / (time[1] - time[0])) | 1)
     within = time <= found.contact_time

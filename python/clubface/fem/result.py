@@ -5,13 +5,14 @@ from __future__ import annotations
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface.fem.balls import Ball
 from clubface.fem.fields import ElementFields
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.equipment.balls import Ball as RigidBall
     from clubface.equipment.clubs import Club
     from clubface.fem.heads import MeshedHead
@@ -200,8 +201,6 @@ class Impact:
         """The launch, as by the other models, NaN if the run ended early; None for a ball thrown at a plane."""
         if self._shots is None:
             return None
-        import numpy as np
-
         from clubface.equipment.parameters import ParameterSet
         from clubface.simulation.launch import Launch
 

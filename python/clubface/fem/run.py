@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from clubface import units
 from clubface.equipment.balls import FRICTION_LIMITS, Ball as RigidBall
 from clubface.equipment.clubs import Club, club as club_of
@@ -158,8 +160,6 @@ def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float])
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
     """Return the shot as the core takes it."""
-    import numpy as np
-
     from clubface.fem.heads import head_names
     from clubface.simulation.inputs import equipment, shots
 

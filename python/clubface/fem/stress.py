@@ -6,6 +6,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
 from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
@@ -16,8 +19,6 @@ from clubface.fem.settings import Settings
 
 if TYPE_CHECKING:
     import os
-
-    from numpy.typing import NDArray
 
     from clubface.fem.result import Impact
 
@@ -232,8 +233,6 @@ def _finer(number: int, factor: float) -> int:
 
 def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], times: NDArray[Any]) -> PartStress:
     """Return the largest stress of a part, given by times and places."""
-    import numpy as np
-
     frame, at = np.unravel_index(int(stress.argmax()), stress.shape)
     x, y, z = (float(place) for place in places[at])
     return PartStress(part, float(stress[frame, at]), float(times[frame]), (x, y, z), metal.yield_stress)
@@ -241,8 +240,6 @@ def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], t
 
 def _solid(head: SolidHead, found: Impact) -> BlowStress:
     """Return the stress at the surface of hexahedra."""
-    import numpy as np
-
     from clubface.fem.fields import von_mises
 
     recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
@@ -263,8 +260,6 @@ def _solid(head: SolidHead, found: Impact) -> BlowStress:
 
 def _shells(head: MeshedHead, found: Impact) -> BlowStress:
     """Return the stress of shells, on the side of each that has more."""
-    import numpy as np
-
     assert isinstance(head, ShellHead)
     assert found.head_fields is not None
     stress = found.head_fields.von_mises.max(axis=2)

@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
+import numpy as np
+
 from clubface.errors import InputError
 from clubface.fem.fields import turned
 from clubface.fem.heads import MeshedHead, ShellHead, SolidHead
@@ -48,7 +50,6 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
         The run kept no shapes.
     """
     import meshio
-    import numpy as np
 
     if not len(found.frames):
         raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
@@ -79,8 +80,6 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
 
 def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
     """Return kind, nodes, part and thickness [m] of the elements of a head."""
-    import numpy as np
-
     if isinstance(head, ShellHead):
         return "quad", head.quads, head.part_of_elements(), head.thickness
     assert isinstance(head, SolidHead)

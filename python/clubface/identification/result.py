@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.models import model as model_named
@@ -16,9 +18,6 @@ from clubface.measured.shots import QUANTITIES
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import outputs
 from clubface.units import display_unit, from_si
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 PARAMETER_HEADS = ("parameter", "value", "from", "to", "profile", "identified")
 DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "before", "bias", "std")

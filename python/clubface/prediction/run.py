@@ -6,7 +6,10 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.models import model as model_named
@@ -23,9 +26,6 @@ from clubface.tables.headings import HAND, Layout
 from clubface.tables.rows import GONE, Chunk, Reader, Reject
 from clubface.tables.writer import CsvForm, Form, RejectsForm, is_parquet
 from clubface.units import from_si, to_si
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LAUNCH_COLUMNS = {
     "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
@@ -105,8 +105,6 @@ class Task:
 
     def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject], Tally]:
         """Return the rows that have a launch (None: all), their results, the other rows, and those out of range."""
-        import numpy as np
-
         reasons: dict[int, str] = {}
         values: dict[str, NDArray[Any]] = {}
         for column in self.columns.used:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
@@ -26,9 +27,6 @@ from clubface.tables.headings import POINTS, Column, Layout, check_units, layout
 from clubface.tables.memory_reader import MemoryReader
 from clubface.tables.reader import open_table
 from clubface.tables.rows import Chunk, Reader, Reject
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LAID_OUT = ("format", "mapping")
 READING = (*LAID_OUT, "units")

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from clubface import units
 from clubface.errors import InputError
 from clubface.simulation import core
@@ -77,7 +79,5 @@ def air_of(values: Air | Mapping[str, Any] | None) -> Air:
 def _pressure(altitude: Any) -> Any:
     if isinstance(altitude, float):
         return core.pressure_at_altitude(altitude)
-    import numpy as np
-
     flat = [core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
     return np.array(flat, dtype=np.float64).reshape(altitude.shape)

@@ -8,14 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import RunError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LONGEST = 0.01
 """Time after which a contact is given up [s]; a drive lasts half a millisecond."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import Any, Literal, overload
+
+from numpy.typing import NDArray
 
 from clubface.simulation import core
 from clubface.simulation.air import Air
@@ -14,9 +16,6 @@ from clubface.simulation.quantities import Quantity, flight_inputs, flight_outpu
 from clubface.simulation.results import Result, Varied, first_error, index_of
 from clubface.simulation.run_options import check_on_error, thread_count
 from clubface.support.version import __version__
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class Flight(Result):

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from numpy.typing import NDArray
 
 from clubface.errors import InputError, Told
 from clubface.simulation import core
@@ -12,9 +14,6 @@ from clubface.simulation.flight_inputs import flight_columns, flight_error
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import flight_inputs, flight_outputs
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class FlightDerivatives(NamedTuple):

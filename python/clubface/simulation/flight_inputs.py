@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import ball
@@ -17,9 +20,6 @@ from clubface.simulation.launch_terms import vectors
 from clubface.simulation.quantities import flight_inputs, flight_outputs
 from clubface.support.checks import check_names
 from clubface.support.memory import FAILED, check_request
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 AXES = ("x", "y", "z")
 VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
@@ -54,8 +54,6 @@ def flight_columns(
     ground: str | Mapping[str, Any] | None,
 ) -> FlightColumns:
     """Lay out flights; the arguments are those of :func:`clubface.fly`."""
-    import numpy as np
-
     inputs = flight_inputs()
     given: dict[str, Any] = {}
     if isinstance(launch, Launch):
@@ -130,8 +128,6 @@ def _wind(wind: Any) -> Mapping[str, Any]:
 
 def _level_wind(wind: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the components of a wind that is given by speed and direction; any other as it is."""
-    import numpy as np
-
     rest = {name: value for name, value in wind.items() if name not in LEVEL}
     if len(rest) == len(wind):
         return wind

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import Ball
@@ -21,9 +23,6 @@ from clubface.simulation.quantities import Quantity, in_unit
 from clubface.simulation.results import Series
 from clubface.simulation.run_options import tolerance
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 _STEPS = {
     "normal_force": ("N", "normal force on the ball"),

@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from clubface import units
 from clubface.errors import AssumptionWarning, InputError
 from clubface.simulation.inputs import common_shape
@@ -49,8 +51,6 @@ def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
-    import numpy as np
-
     shape = common_shape({name: value for name, value in terms.items() if not isinstance(value, float)})
     check_request(math.prod(shape), 8 * (len(MONITOR) + 6))
     for name in ("ball_speed", "launch"):

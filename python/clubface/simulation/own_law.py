@@ -13,6 +13,9 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.models import Model, Parameter, models
@@ -24,8 +27,6 @@ from clubface.simulation.quantities import inputs, outputs
 from clubface.support.checks import check_text
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.simulation.contact_motion import Law
 
 USUAL_TOLERANCE = 1e-7
@@ -133,8 +134,6 @@ class OwnLaw:
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Follow one contact after the other; what every model refuses is refused, and a contact without an end."""
-        import numpy as np
-
         usual = [each.default for each in models()[CHECKED_BY].parameters]
         _, problems = core.impact(CHECKED_BY, shots.inputs, usual, shots.size, None, shots.threads, None)
         refused = {row for row, *_ in problems}
@@ -192,8 +191,6 @@ class OwnLaw:
 
 def _outputs(bodies: Any, solution: Any) -> NDArray[Any]:
     """Return the outputs of a contact in their order."""
-    import numpy as np
-
     from clubface.simulation.contact_motion import BALL_SPIN, BALL_VELOCITY, CLUB_VELOCITY
 
     end = solution.y[:, -1]
@@ -225,8 +222,6 @@ def _peak(bodies: Any, solution: Any) -> float:
 
 def _history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
     """Return the course of a contact under the names of :class:`clubface.History`."""
-    import numpy as np
-
     from clubface.simulation.contact_motion import (
         ATTITUDE,
         BALL,

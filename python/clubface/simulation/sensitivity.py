@@ -6,6 +6,9 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
@@ -24,7 +27,6 @@ from clubface.support.checks import check_choice, check_names
 if TYPE_CHECKING:
     import pandas
     import xarray
-    from numpy.typing import NDArray
 
 _SPEED = "mph"
 """The unit of speeds in a table of derivatives, in which golfers think of them."""
@@ -76,8 +78,6 @@ class Sensitivity:
     @property
     def values(self) -> NDArray[Any]:
         """The derivatives in the units shown, shape (outputs, variables)."""
-        import numpy as np
-
         rows = np.array([units.size(self._shown[name]) for name in self.outputs])
         columns = np.array([units.size(self._shown[name]) for name in self.variables])
         return self.si * columns / rows[:, None]

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface.errors import InputError, Told
 from clubface.simulation import core
@@ -13,9 +15,6 @@ from clubface.simulation.flight_inputs import flight_columns, flight_error
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import Quantity
 from clubface.simulation.results import Series
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class Trajectory(Series):

@@ -7,6 +7,9 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface import units
 from clubface.equipment.described import FLAT
 from clubface.errors import InputError
@@ -14,8 +17,6 @@ from clubface.support.checks import check_choice, check_count, check_names, is_c
 
 if TYPE_CHECKING:
     from fractions import Fraction
-
-    from numpy.typing import NDArray
 
 MOST = 10**12
 """Tasks of a study; what is more, no cluster computes."""
@@ -83,8 +84,6 @@ class Axis:
 
     def at(self, places: NDArray[Any]) -> NDArray[Any]:
         """Return the values at places from 0 on; evenly spaced ones are those that a list would hold."""
-        import numpy as np
-
         if self.choices:
             return places
         if self.values:
@@ -99,8 +98,6 @@ class Axis:
 
     def drawn(self, shares: NDArray[Any]) -> NDArray[Any]:
         """Return the values for shares of 1 in [0, 1): along an interval, or in equal parts for each of a list."""
-        import numpy as np
-
         if self.count is None:
             first, last = self.ends
             return np.floor(first + (last - first + 1.0) * shares) if self.whole else first + (last - first) * shares

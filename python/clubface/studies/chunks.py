@@ -6,7 +6,9 @@ import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface.errors import ClubfaceError, FileError
 from clubface.studies.kinds.kind import Task
@@ -14,9 +16,6 @@ from clubface.studies.parts import Names, read_part, write_part
 from clubface.studies.store import StudyStore, check_study, open_store
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.input_files import InputRecord, given_files
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 COMPUTED, KEPT, MENDED = "computed", "kept", "mended"
 """What was done for a chunk: computed, found in the store, or computed in place of a damaged part."""

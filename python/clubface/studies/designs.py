@@ -7,14 +7,14 @@ import math
 import threading
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import InputError, Told
 from clubface.studies.axes import FORMS, INTERVAL, MOST, Axis
 from clubface.support.checks import is_count
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 GRID, HYPERCUBE, SOBOL, TABLE = DESIGNS = ("grid", "latin-hypercube", "sobol", "table")
 """Every combination of values, two ways to fill the space between ends, and the rows of a file."""
@@ -60,14 +60,10 @@ class Grid:
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
         """Return the inputs of consecutive tasks by name."""
-        import numpy as np
-
         return self.at(np.arange(tasks.start, tasks.stop))
 
     def at(self, places: NDArray[Any]) -> dict[str, NDArray[Any]]:
         """Return the inputs of combinations by name."""
-        import numpy as np
-
         found = {}
         for each in reversed(self.axes):
             places, place = np.divmod(places, each.count or 1)
@@ -134,8 +130,6 @@ class Rows:
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
         """Return the inputs of consecutive tasks by name."""
-        import numpy as np
-
         blocks, rows = np.divmod(np.arange(tasks.start, tasks.stop), self._rows)
         return self._others.at(blocks) | {name: values[rows] for name, values in self._columns.items()}
 

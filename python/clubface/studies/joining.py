@@ -8,7 +8,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface.errors import FileError
 from clubface.studies.chunks import checked_part
@@ -21,9 +23,6 @@ from clubface.tables.headings import heading_of
 from clubface.tables.parquet import pyarrow_for
 from clubface.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.units import from_si
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 Write = Callable[[Values], object]
 

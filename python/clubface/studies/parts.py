@@ -11,14 +11,13 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface.errors import FileError
 from clubface.support.whole_file import whole_file
 from clubface.tables.parquet import pyarrow_for
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 TOLD, SUM = b"clubface", b"clubface-sum"
 HOLE = b"the sum of the file as it is with this text in the place of it".ljust(64, b".")

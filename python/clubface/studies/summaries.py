@@ -7,7 +7,10 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.studies.joining import parts
@@ -16,9 +19,6 @@ from clubface.studies.running import Tallied
 from clubface.studies.state import opened
 from clubface.support.checks import check_names
 from clubface.tables.headings import heading_of
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 MOST_LEVELS = 40
 """Different values of an input that are told one by one; more are put together in classes."""
@@ -102,16 +102,12 @@ class _Sums:
     """Means and spreads of levels, part by part, in an order that the study fixes (Chan, Golub and LeVeque 1983)."""
 
     def __init__(self, levels: int, quantities: int) -> None:
-        import numpy as np
-
         shape = (levels, quantities)
         self._count, self._mean, self._squares = np.zeros(shape), np.zeros(shape), np.zeros(shape)
         self._least, self._most = np.full(shape, math.inf), np.full(shape, -math.inf)
 
     def add(self, level: NDArray[Any], values: NDArray[Any]) -> None:
         """Add tasks of levels (from 0 on), values of shape (quantities, tasks)."""
-        import numpy as np
-
         levels = len(self._count)
         for place, every in enumerate(values):
             there = np.isfinite(every)
@@ -130,8 +126,6 @@ class _Sums:
 
     def figures(self) -> list[Figures]:
         """Return the statistics of each level."""
-        import numpy as np
-
         none = self._count == 0
         some = np.where(none, np.nan, self._count)
         columns = (
@@ -152,8 +146,6 @@ class _Levels:
 
     def look(self, values: NDArray[Any] | Names) -> None:
         """Take note of values, before any is counted."""
-        import numpy as np
-
         if isinstance(values, Names):
             return
         if len(self._values) <= MOST_LEVELS:
@@ -176,8 +168,6 @@ class _Levels:
 
     def places(self, values: NDArray[Any] | Names) -> NDArray[Any]:
         """Return the level of each value."""
-        import numpy as np
-
         if isinstance(values, Names):
             return values.codes
         if len(self._values) <= MOST_LEVELS:
@@ -206,8 +196,6 @@ def summary(
     progress
         Called with the parts read, each twice, and twice the parts in all.
     """
-    import numpy as np
-
     if isinstance(quantities, str) or not isinstance(quantities, Iterable | None):
         raise InputError("quantities", quantities, 'a list of quantities, as in ["carry"]')
     found = opened(which, store)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError
 from clubface.studies.axes import Swept, whole_flaw
 from clubface.tables.headings import Vocabulary, check_units, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 AT_A_TIME = 100_000
 """Rows."""
@@ -32,8 +32,6 @@ def table_columns(
         No column gives an input that is ``known``, one is named like an input that holds names, there is no row, or a
         cell that is used holds no number.
     """
-    import numpy as np
-
     reader = open_table(path)
     try:
         words = _words(known)

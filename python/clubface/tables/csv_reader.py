@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface.errors import FileError
 from clubface.tables.cells import decimals_of, doubt, parsed, ragged_reason
@@ -12,9 +14,6 @@ from clubface.tables.csv_rows import DECIMAL_ROWS, Row
 from clubface.tables.headings import Column, shot_words, split_heading
 from clubface.tables.row_source import open_rows
 from clubface.tables.rows import Reject
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LARGEST_CHUNK = 64_000_000
 """Characters of text after which a chunk ends early, so that long rows do not fill the memory."""

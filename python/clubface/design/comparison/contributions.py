@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.comparison.line import FACE, Line, Point
 from clubface.design.comparison.quantities import FLOWN, LAUNCHED, QUANTITIES, values
@@ -18,9 +19,6 @@ from clubface.simulation.flight_inputs import flight_columns
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import flight_outputs, outputs
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 NODES = {False: 8, True: 1}
 """Points of the line at which a launch is differentiated, unless given: of a model that takes long the middle alone."""

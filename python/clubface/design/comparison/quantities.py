@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.simulation.flight import Flight
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import Quantity, flight_outputs, outputs
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LAUNCHED: tuple[str, ...] = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis",

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.comparison.quantities import QUANTITIES, symbol
 from clubface.design.face_map.face_map import FaceMap, on_face
 from clubface.errors import InputError, Told
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class FaceMapDifference:

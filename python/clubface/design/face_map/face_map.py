@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.comparison.quantities import QUANTITIES, quantities, symbol
@@ -28,7 +29,6 @@ from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import NDArray
 
 GRID = (101, 101)
 COARSE = (9, 7)

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.comparison.quantities import QUANTITIES
 from clubface.design.face_map.outline import Outline
 from clubface.design.face_map.surface import Surface
 from clubface.errors import InputError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 NODES = 40
 """Of Gauss's rule across the face and up it."""

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import turn_to_sole
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 HEEL_HEIGHT = 30.0 / 54.0
 """Height of an iron's face at the heel over that at the toe: of the blade ``7-iron`` among the meshed heads."""

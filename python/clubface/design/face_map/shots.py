@@ -7,9 +7,10 @@ from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.comparison.quantities import FLOWN, LAUNCHED, QUANTITIES
 from clubface.equipment.backends import MODULES
@@ -22,9 +23,6 @@ from clubface.simulation.outside import Tally
 from clubface.simulation.quantities import outputs
 from clubface.support.resuming import Store, unfinished
 from clubface.support.warning import is_silent, without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 CHUNK = 2**16
 """Points in memory at a time."""

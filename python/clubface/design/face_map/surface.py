@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.comparison.quantities import QUANTITIES
 from clubface.design.face_map.outline import Outline
 from clubface.design.face_map.shots import Struck
 from clubface.errors import RunError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 ZOOMS = 4
 """Times that the neighbourhood of the greatest value is looked at more closely, each time by ``CLOSER``."""

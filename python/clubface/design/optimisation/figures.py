@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.optimisation.landings import own_value
@@ -17,7 +18,6 @@ from clubface.plots.style import COLOURS, WIDTH, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
     from clubface.design.optimisation.result import Optimum
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.limits import ShotLimit
@@ -19,8 +20,6 @@ from clubface.design.optimisation.result import FrontPoint
 from clubface.design.optimisation.solve import Solution, best, refused, starts
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.design.optimisation.study import DesignStudy
 
 STARTS = 6

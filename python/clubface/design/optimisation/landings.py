@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.feasibility import MASS_PROPERTIES
 from clubface.equipment.models import DEFAULT_MODEL
@@ -21,8 +22,6 @@ from clubface.simulation.inputs import broadcast, equipped, shots
 from clubface.simulation.quantities import flight_inputs, flight_outputs, input_columns, outputs
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.equipment.balls import Ball
     from clubface.equipment.clubs import Club
 

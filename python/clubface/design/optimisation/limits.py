@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.feasibility import (
@@ -21,8 +22,6 @@ from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.problem import State
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.equipment.clubs import Club
 
 

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.strokes import Hole, expected
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 SHARE = 0.9
 """Of normally distributed shots that the landing ellipse holds."""

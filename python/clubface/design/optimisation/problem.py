@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.objectives import Objective
 from clubface.design.optimisation.variables import Variables
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 REMEMBERED = 4
 """Points whose values are kept: an optimiser asks for objective, limits and gradients one after another."""

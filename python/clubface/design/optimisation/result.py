@@ -6,9 +6,10 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design import feasibility
@@ -19,9 +20,6 @@ from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy
 from clubface.equipment.clubs import Club
 from clubface.errors import RuleWarning
 from clubface.support.warning import without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 ACTIVE = 1e-4
 """A margin, as a part of the limit or of the range, below which a limit is what stops the optimum."""

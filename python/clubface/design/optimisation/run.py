@@ -8,9 +8,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.optimisation.front import front, front_solutions
 from clubface.design.optimisation.landings import Landings
@@ -22,9 +23,6 @@ from clubface.design.optimisation.study_file import design_study
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.support.resuming import kept_beside
 from clubface.support.warning import without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 COARSE = 512
 """Shots of a golfer from which all starts are tried; the first of those on which the best is solved again."""

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.feasibility import (
@@ -28,8 +29,6 @@ from clubface.errors import InputError, RuleWarning
 from clubface.support.warning import without_warnings
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from clubface.equipment.clubs import Club
 
 RADII = ("bulge", "roll")

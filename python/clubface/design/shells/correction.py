@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.shells.goal import PENALTY, Goal, Values
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 Fast = Callable[["NDArray[Any]"], Values]
 INSIDE = 5e-4

@@ -10,16 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.design.shells.correction import Correction, Fast, propose
 from clubface.design.shells.goal import Goal as Goal, Values
 from clubface.errors import RunError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 Exact = Callable[[Sequence["NDArray[Any]"]], list[Values]]
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from clubface.design.shells.broken import broken
 from clubface.design.shells.engine import Engine
 from clubface.design.shells.fast import FastModel
@@ -134,8 +136,6 @@ def improve(
 
 def design_of(study: ShellStudy, step: Step, metal: NamedMetal) -> DriverHead:
     """Return the head that was judged in a step, of a metal that stays elastic."""
-    import numpy as np
-
     return as_written(study.at(np.array(step.place), metal))
 
 

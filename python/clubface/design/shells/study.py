@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.rules import rules_of
@@ -19,9 +20,6 @@ from clubface.fem.heads.metal import Metal
 from clubface.simulation.impact import impact
 from clubface.support.checks import check_choice, check_count, check_names
 from clubface.support.warning import without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 SCALED = ("crown", "sole", "skirt")
 """Walls that a head makes thicker or thinner to meet its mass, unless they are variables."""

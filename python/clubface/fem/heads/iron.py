@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from clubface import units
 from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
@@ -89,8 +91,6 @@ class IronHead:
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
-        import numpy as np
-
         from clubface.fem.core import beside
 
         found = beside(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError, InputError
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import Mesh, Wall
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class _System(NamedTuple):
@@ -69,8 +69,6 @@ def walls(
     InputError
         A thickness is given nowhere, or a card has values that no metal has in any system of units.
     """
-    import numpy as np
-
     size = units.parse(f"1 {unit}", "length")
     card = np.full(len(mesh.corners), np.nan)
     wall_of = np.full(len(mesh.corners), -1)

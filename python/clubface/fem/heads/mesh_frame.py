@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from itertools import permutations, product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 ANGLE = math.radians(1.0)
 """How far the face normal of a mesh may be from that of the file. A mesh of a curved face with elements of 5 mm leaves
@@ -65,8 +65,6 @@ def measured_face(nodes: NDArray[Any], quads: NDArray[Any]) -> Face:
     quads
         Elements of the face.
     """
-    import numpy as np
-
     corners = nodes[quads]
     area = 0.5 * np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     away = np.linalg.norm(corners.mean(axis=1), axis=1)
@@ -85,8 +83,6 @@ def measured_face(nodes: NDArray[Any], quads: NDArray[Any]) -> Face:
 
 def _quadric(places: NDArray[Any], normal: NDArray[Any], reach: float) -> Face | None:
     """Return the quadric through the nodes within a radius about the centre; None where they are too few."""
-    import numpy as np
-
     up = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
     if np.linalg.norm(up) < 1e-3:
         return None
@@ -142,8 +138,6 @@ def check_frame(
     InputError
         Loft, bulge, roll or face centre differ, or the axes are others; with both numbers.
     """
-    import numpy as np
-
     face = measured_face(nodes, quads)
     expected = np.array([math.cos(loft), math.sin(loft), 0.0])
     _check_axes(face.normal, expected, file)
@@ -184,7 +178,6 @@ def _degrees(angle: float) -> str:
 
 def _check_axes(normal: NDArray[Any], expected: NDArray[Any], file: str) -> None:
     """Refuse a mesh whose face looks where it should with the axes exchanged or reversed."""
-    import numpy as np
 
     def apart(direction: NDArray[Any]) -> float:
         return math.acos(max(-1.0, min(1.0, float(direction @ expected))))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import FileError, UnknownNameError
 from clubface.fem.mesh_files import Mesh
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 OWN = re.compile(r"gmsh:|Surface\d+$|Volume\d+$|_?(?:PickedSet|All)\d*$|Line\d+$", re.IGNORECASE)
 """Sets that programs make for themselves."""
@@ -38,8 +38,6 @@ def assign(mesh: Mesh, groups: Sequence[Named], notes: list[str]) -> NDArray[Any
     FileError
         An element belongs to no group or to two, or a group has no element.
     """
-    import numpy as np
-
     _check_solids(mesh, groups)
     if not len(mesh.corners):
         raise FileError(mesh.path, None, "there are no elements of surfaces, triangles or quadrilaterals, in this file")
@@ -96,8 +94,6 @@ def _plain(name: str) -> str:
 
 def _by_order(mesh: Mesh, count: int) -> list[str]:
     """Return sets with numbers for names, if there are as many as wanted and every element is in one of them."""
-    import numpy as np
-
     names = [name for name, rows in mesh.sets.items() if len(rows)]
     if len(names) != count or not all(name.isdecimal() and name not in mesh.aliases.values() for name in names):
         return []
@@ -107,8 +103,6 @@ def _by_order(mesh: Mesh, count: int) -> list[str]:
 
 def _refuse_rest(mesh: Mesh, groups: Sequence[Named], found: NDArray[Any]) -> None:
     """Say which elements belong to no group, and how to give them one."""
-    import numpy as np
-
     rest = np.flatnonzero(found < 0)
     holders = {name: int(np.isin(rest, rows).sum()) for name, rows in mesh.sets.items() if not OWN.match(name)}
     holders = {name: count for name, count in holders.items() if count}

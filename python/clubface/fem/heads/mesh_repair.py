@@ -6,13 +6,13 @@ Every step works on arrays and says what it changed; elements are called by the 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import FileError
 from clubface.fem.mesh_files import Mesh
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 MERGED = 1e-4
 """Nodes nearer to each other than this part of the head's size are one: 0.01 mm of a driver. Files with five digits
@@ -89,8 +89,6 @@ def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any], notes: list[st
 
 def _take_triangles(path: str, shells: Shells) -> None:
     """Take quadrilaterals whose last two nodes are the same as the triangles that they stand for; refuse other ones."""
-    import numpy as np
-
     corners = shells.corners
     corners[corners[:, 2] == corners[:, 3], 3] = -1
     ordered = np.sort(corners, axis=1)
@@ -104,8 +102,6 @@ def _take_triangles(path: str, shells: Shells) -> None:
 
 def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
     """Make one of nodes that lie at one place, and elements that lose an edge by that triangles, or nothing."""
-    import numpy as np
-
     used = np.unique(shells.corners[shells.corners >= 0])
     points = shells.points[used]
     near = MERGED * float(np.ptp(points, axis=0).max())
@@ -140,8 +136,6 @@ def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
 
 def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
     """Return for each point the first of those that are nearer than ``near``, itself among them."""
-    import numpy as np
-
     along = points @ np.array(DIRECTION)
     order = np.argsort(along, kind="stable")
     ranked, places = along[order], points[order]
@@ -161,8 +155,6 @@ def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
 
 
 def _drop_unused(shells: Shells) -> None:
-    import numpy as np
-
     used, corners = np.unique(shells.corners, return_inverse=True)
     shift = int(used[0] == -1)  # the missing corner of triangles is no node
     shells.corners = corners.reshape(-1, 4) - shift
@@ -172,8 +164,6 @@ def _drop_unused(shells: Shells) -> None:
 
 def _check_doubles(path: str, shells: Shells) -> None:
     """Refuse two elements of the same nodes."""
-    import numpy as np
-
     ordered = np.sort(shells.corners, axis=1)
     _, first, back = np.unique(ordered, axis=0, return_index=True, return_inverse=True)
     doubled = np.flatnonzero(first[back.reshape(-1)] != np.arange(len(ordered)))
@@ -184,8 +174,6 @@ def _check_doubles(path: str, shells: Shells) -> None:
 
 def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
     """Return the edges of elements: their nodes in order, shape (k, 2), their elements, and their places there."""
-    import numpy as np
-
     count = np.where(corners[:, 3] >= 0, 4, 3)
     element = np.repeat(np.arange(len(corners)), count)
     place = np.concatenate([np.arange(each) for each in count]) if len(count) else np.zeros(0, int)
@@ -195,8 +183,6 @@ def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[A
 
 def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
     """Let all elements of a connected surface list their corners counterclockwise as seen from outside."""
-    import numpy as np
-
     nodes, element, _ = _edges(shells.corners)
     keys, edge, count = np.unique(np.sort(nodes, axis=1), axis=0, return_inverse=True, return_counts=True)
     edge = edge.reshape(-1)
@@ -235,8 +221,6 @@ def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str
 
 
 def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
-    import numpy as np
-
     triangle = corners[:, 3] < 0
     found = corners[:, [0, 3, 2, 1]]
     found[triangle] = np.stack([corners[triangle, each] for each in (0, 2, 1, 3)], axis=1)
@@ -245,8 +229,6 @@ def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
 
 def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return which elements to turn so that neighbours agree with the first of their piece, and the pieces."""
-    import numpy as np
-
     neighbours: list[list[tuple[int, bool]]] = [[] for _ in range(count)]
     for (one, other), alike in zip(pairs.tolist(), same.tolist(), strict=True):
         neighbours[one].append((other, alike))
@@ -272,16 +254,12 @@ def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[ND
 
 
 def _area_vectors(shells: Shells) -> NDArray[Any]:
-    import numpy as np
-
     a, b, c = (shells.points[shells.corners[:, place]] for place in range(3))
     d = np.where((shells.corners[:, 3] >= 0)[:, None], shells.points[shells.corners[:, 3]], a)
     return 0.5 * np.cross(c - a, d - b)
 
 
 def _centres(shells: Shells) -> NDArray[Any]:
-    import numpy as np
-
     a, b, c = (shells.points[shells.corners[:, place]] for place in range(3))
     quad = (shells.corners[:, 3] >= 0)[:, None]
     d = np.where(quad, shells.points[shells.corners[:, 3]], 0.0)
@@ -290,8 +268,6 @@ def _centres(shells: Shells) -> NDArray[Any]:
 
 def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None:
     """Cut quadrilaterals with an angle of nearly 180 degrees or more into two triangles; refuse what has no area."""
-    import numpy as np
-
     corners = shells.corners
     length = float(np.ptp(shells.points, axis=0).max())
     area = np.linalg.norm(_area_vectors(shells), axis=1)
@@ -340,8 +316,6 @@ def _split(shells: Shells, notes: list[str]) -> None:
     A quadrilateral with such a node on an edge gets one on another edge too, and so on to the next triangle: so each is
     split into two, three or four, and no node hangs on an edge.
     """
-    import numpy as np
-
     triangles = shells.corners[:, 3] < 0
     if not triangles.any():
         return
@@ -412,8 +386,6 @@ def _marked(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDAr
     count
         Number of edges.
     """
-    import numpy as np
-
     marked = np.zeros(count, bool)
     marked[of_place[triangles, :3]] = True
     sides: list[list[int]] = [[] for _ in range(count)]

@@ -7,15 +7,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.fem import core
 from clubface.fem.core import beside
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class MeshedHead(ABC):
@@ -63,8 +63,6 @@ class MeshedHead(ABC):
     @cached_property
     def club(self) -> Club:
         """The same head as a rigid club, with mass, CG and inertia of the mesh, for any model."""
-        import numpy as np
-
         found = beside(core.fem_head_properties, self.values())
         places = self.face_places()
         size = places.max(axis=0) - places.min(axis=0)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 SPREAD = 8e-3
 """Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
@@ -96,8 +96,6 @@ def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArr
     face
         Nodes of the face, whose metal stays as it is.
     """
-    import numpy as np
-
     added = np.zeros(len(nodes))
     points = np.array([place[:3] for place in places.values()]).reshape(-1, 3)
     masses = np.array([place[3] for place in places.values()])
@@ -131,8 +129,6 @@ def _shares(arms: NDArray[Any], usual: NDArray[Any]) -> NDArray[Any]:
     They are those of the greatest entropy relative to ``usual``, by Newton's method; where the origin is not among the
     nodes, such as off a wall, the usual ones.
     """
-    import numpy as np
-
     usual = usual / usual.sum()
     slope = np.zeros(3)
     for _ in range(TRIES):
@@ -150,15 +146,12 @@ def _shares(arms: NDArray[Any], usual: NDArray[Any]) -> NDArray[Any]:
 
 def _moments(places: NDArray[Any]) -> NDArray[Any]:
     """Return 1, x, y, z and the products of two of them at places, shape (n, 10)."""
-    import numpy as np
-
     products = [places[:, i] * places[:, j] for i in range(3) for j in range(i, 3)]
     return np.column_stack([np.ones(len(places)), places, *products])
 
 
 def _missed(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[float, float]:
     """Return how far two bodies' CGs are apart [m], and the greatest part by which their moments of inertia differ."""
-    import numpy as np
 
     def body(values: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
         cg = values[1:4] / values[0]

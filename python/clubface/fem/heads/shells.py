@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -93,8 +93,6 @@ class ShellHead(MeshedHead):
     @property
     def places(self) -> NDArray[Any]:
         """Places of its nodes on the outside of the walls [m]."""
-        import numpy as np
-
         normals, walls = np.zeros((len(self.nodes), 3)), np.zeros(len(self.nodes))
         np.add.at(normals, self.quads, self._area_vectors[:, None])
         np.maximum.at(walls, self.quads, np.repeat(self.thickness[:, None], 4, axis=1))
@@ -104,8 +102,6 @@ class ShellHead(MeshedHead):
     @property
     def volume(self) -> float | None:
         """What it displaces [m3], to the outside of its walls; None where the mesh is open, such as at a hosel."""
-        import numpy as np
-
         sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
         if (np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)[1] != 2).any():
             return None
@@ -116,21 +112,15 @@ class ShellHead(MeshedHead):
 
     @property
     def _area_vectors(self) -> NDArray[Any]:
-        import numpy as np
-
         a, b, c, d = (self.nodes[self.quads[:, corner]] for corner in range(4))
         return 0.5 * np.cross(c - a, d - b)
 
     def part_of_elements(self) -> NDArray[Any]:
         """Return the number of the part of each element."""
-        import numpy as np
-
         return np.repeat(np.arange(len(self.parts)), [part.elements for part in self.parts])
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
-        import numpy as np
-
         parts = [
             {
                 "name": part.name,
@@ -156,7 +146,5 @@ class ShellHead(MeshedHead):
 
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
-        import numpy as np
-
         chosen = [number for number, part in enumerate(self.parts) if part.face]
         return self.nodes[np.unique(self.quads[np.isin(self.part_of_elements(), chosen)])]

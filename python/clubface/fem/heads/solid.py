@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 ROUND = (0, 1, 3, 2, 4, 5, 7, 6)
 """Corners of an element round the bottom, then round the top, from their binary order, and back."""
@@ -72,14 +72,10 @@ class SolidHead(MeshedHead):
 
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
-        import numpy as np
-
         return self.nodes[np.unique(self.face)]
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
-        import numpy as np
-
         material = Material.linear(self.metal.youngs, self.metal.poisson, density=self.metal.density)
         return {
             "nodes": np.ascontiguousarray(self.nodes, float).reshape(-1),

@@ -7,7 +7,10 @@ import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.described import FLAT
@@ -22,9 +25,6 @@ from clubface.fem.heads.shells import Part, ShellHead
 from clubface.fem.mesh_files import read_mesh
 from clubface.support.checks import check_name, check_text
 from clubface.support.warning import warn_once
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 SIZES = (0.06, 0.2)
 """Least and largest size of a head along an axis [m]: between them a unit that is another one is seen, inches for
@@ -142,8 +142,6 @@ class MeshHead:
         InputError
             The mesh is no head in the given unit, or does not lie as loft, radii and face centre say.
         """
-        import numpy as np
-
         path = os.fspath(self.file)
         mesh = read_mesh(path)
         notes = mesh.notes
@@ -192,8 +190,6 @@ class MeshHead:
 
         A group of the face may wrap round its edge, as a cup does, and the whole head of a file without sets is one.
         """
-        import numpy as np
-
         a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
         normal = np.cross(c - a, d - b)
         toward = normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
@@ -237,8 +233,6 @@ class MeshHead:
 
     def _check_frame(self, nodes: NDArray[Any], shells: Shells, masses: Mapping[str, Place], notes: list[str]) -> None:
         """Refuse a face centre that is not on the face, and a mesh that lies otherwise than this says."""
-        import numpy as np
-
         face = np.array([group.face for group in self.groups])[shells.group]
         quads = shells.corners[face]
         corners = nodes[quads]
@@ -262,8 +256,6 @@ class MeshHead:
 
 def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:
     """Return the mass of metal at each node [kg]."""
-    import numpy as np
-
     a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
     area = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
     density = np.array([metal.density for metal in metals])[shells.group]

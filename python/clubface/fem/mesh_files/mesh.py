@@ -6,13 +6,13 @@ import math
 from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import FileError, shortened
 from clubface.support.input_files import read_input
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 LARGEST_NUMBER = 999_999_999
 """Of a node or an element; numbering is free, and only what is there takes memory."""
@@ -215,8 +215,6 @@ class MeshBuilder:
         FileError
             An element has a node that does not exist.
         """
-        import numpy as np
-
         corners = np.full((len(self._elements), 4), -1, dtype=np.int64)
         for row, (line, number, nodes) in enumerate(self._elements):
             for corner, key in enumerate(nodes):

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.ranges import RANGES
 from clubface.support.warning import without_warnings
 from clubface.units import parse
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 RANGE = RANGES["response"]
 SPINS = ("ball_backspin", "ball_sidespin", "ball_riflespin")
@@ -87,7 +87,6 @@ def _spinning(of: list[Strike], shares: NDArray[Any]) -> list[Strike]:
 
 def _heads(points: NDArray[Any]) -> list[Strike]:
     """Return strikes with free heads from points of the unit cube."""
-    import numpy as np
     from scipy.spatial.transform import Rotation
 
     found = []

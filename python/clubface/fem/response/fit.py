@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.equipment.models import model
 from clubface.fem.response.runs import TARGETS, Strikes
 from clubface.simulation import core
 from clubface.simulation.quantities import inputs, outputs
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 MODEL = "response"
 GIVEN = "friction"
@@ -35,8 +35,6 @@ def fitted() -> list[str]:
 
 def simulated(values: Mapping[str, float], strikes: Strikes, variables: list[str]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the targets by the model, shape (strikes, targets), and their derivatives, with a last axis more."""
-    import numpy as np
-
     count, all_outputs = len(strikes.friction), list(outputs())
     parameters = [
         np.ascontiguousarray(strikes.friction) if each.name == GIVEN else values[each.name]
@@ -54,8 +52,6 @@ def simulated(values: Mapping[str, float], strikes: Strikes, variables: list[str
 
 def scales(strikes: Strikes) -> NDArray[Any]:
     """Return the deviations that count alike, shape (strikes, targets)."""
-    import numpy as np
-
     found = strikes.found
     speed, spin = (np.linalg.norm(found[:, part], axis=1) for part in (slice(0, 3), slice(3, 6)))
     spin = np.maximum(SPIN_SHARE * spin, SPIN_LEAST)
@@ -65,15 +61,11 @@ def scales(strikes: Strikes) -> NDArray[Any]:
 
 def weights(strikes: Strikes, of_clubs: NDArray[Any]) -> NDArray[Any]:
     """Return the weights of the strikes, given which are with built-in clubs."""
-    import numpy as np
-
     return np.where(of_clubs, CLUB_WEIGHT, np.clip(effective_mass(strikes) / LIGHT, 0.2, 1.0))
 
 
 def effective_mass(strikes: Strikes) -> NDArray[Any]:
     """Return the masses [kg] as which the heads resist the ball, from the impulse that the ball took at a flat face."""
-    import numpy as np
-
     from clubface.equipment.face import face_point, nearest, turn_to_sole
 
     names = list(inputs())
@@ -103,7 +95,6 @@ def fit(
 
     The search begins with those of the registry, which stay where no others fit better.
     """
-    import numpy as np
     from scipy.optimize import least_squares
 
     names = fitted()

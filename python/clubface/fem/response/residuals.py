@@ -7,13 +7,15 @@ from collections.abc import Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface.fem.response.design import Part
 from clubface.fem.response.fit import effective_mass, fitted, simulated
 from clubface.fem.response.runs import Strikes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
 SPIN_SHARE, SPIN_LEAST = 0.02, 40.0 * math.pi / 30.0
 """A spin is met within this share of itself, or within this much [rad/s]."""
@@ -29,8 +31,6 @@ def differences(values: Mapping[str, float], strikes: Strikes) -> dict[str, NDAr
     spins' sizes and ``spin_vector`` that of the vectors, over 2% of the spin or 40 rpm, whichever is larger;
     ``contact_time`` and ``peak_force`` [1].
     """
-    import numpy as np
-
     got, _ = simulated(values, strikes, fitted()[:1])
     want = strikes.found
     size = np.linalg.norm
@@ -51,8 +51,6 @@ def summary(
     values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]
 ) -> dict[str, dict[str, list[float]]]:
     """Return the percentiles of the differences by part and quantity, for held-out heads also by effective mass."""
-    import numpy as np
-
     found = {}
     for place, (name, part) in enumerate(parts.items()):
         of_part = strikes.where(strikes.part == place)
@@ -74,7 +72,6 @@ def _class(least: float, most: float) -> str:
 
 def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]) -> Figure:
     """Draw what share of the held-out strikes is within a difference, for ball speed, direction and spin."""
-    import numpy as np
     from matplotlib.figure import Figure
 
     from clubface.plots.style import legend_above

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.fem.balls import Ball
 from clubface.fem.response.design import Part, Strike, strikes
@@ -13,9 +16,6 @@ from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
 from clubface.support.fingerprint import fingerprint
 from clubface.support.warning import without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 TARGETS = (
     "velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z", "contact_time", "peak_force",
@@ -76,8 +76,6 @@ def run(
     progress
         Called with the rows there are and the rows in all.
     """
-    import numpy as np
-
     planned = strikes(parts)
 
     with without_warnings():
@@ -103,15 +101,11 @@ def run(
 
 def in_fit(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     """Return which strikes the coefficients are fitted to: those that are not held out."""
-    import numpy as np
-
     return np.isin(of.part, [place for place, part in enumerate(parts.values()) if not part.held_out])
 
 
 def of_clubs(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     """Return which strikes are with built-in clubs."""
-    import numpy as np
-
     return np.isin(of.part, [place for place, part in enumerate(parts.values()) if part.built_in])
 
 

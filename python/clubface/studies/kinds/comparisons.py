@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from numpy.typing import NDArray
 
 from clubface.errors import ClubfaceError, FileError, InputError, Told
 from clubface.studies.axes import inputs_named
@@ -20,9 +22,6 @@ from clubface.studies.kinds.shot_inputs import (
     swept_shots,
 )
 from clubface.support.checks import check_names
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 OTHER = "other"
 """The table of what is different in the second shot."""

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from clubface.design.golfer.golfer import Golfer
 from clubface.design.strokes import Hole
 from clubface.errors import InputError
@@ -31,8 +33,6 @@ def changed_golfer(of: Golfer, task: Mapping[str, Any]) -> Golfer:
     InputError
         The golfer does not vary what is swept, or a figure is out of its range.
     """
-    import numpy as np
-
     mean, spread = np.array(of.mean), np.array(of.spread)
     for place, name in enumerate(of.variables):
         mean[place] = task.get(f"mean_{name}", mean[place])

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.simulation.flight import fly
@@ -13,9 +16,6 @@ from clubface.simulation.quantities import flight_outputs, outputs
 from clubface.studies.kinds.kind import Column, Computed, Described, Kind, chosen_columns
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.warning import without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 USUAL = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
 """The quantities that are kept where nothing is said."""
@@ -36,8 +36,6 @@ class Impacts:
 
     def run(self, indices: range) -> Computed:
         """Compute shots, those of the same club, ball, hand and model together."""
-        import numpy as np
-
         values = self._design.values(indices)
         codes = {name: values.pop(name) for name in self._shot_inputs.choices}
         found = {name: np.full(len(indices), np.nan) for name in self.columns}
@@ -70,8 +68,6 @@ class Impacts:
 
 def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str, int], Any]]:
     """Return each combination of names that occurs, and its rows."""
-    import numpy as np
-
     if not codes:
         return [({}, slice(None))]
     rows, which = np.unique(np.stack([*codes.values()], axis=1), axis=0, return_inverse=True)

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
+
 from clubface.errors import ClubfaceError
 from clubface.studies.kinds.kind import Column, Computed, Described
 from clubface.support.processors import vector_units
@@ -48,8 +50,6 @@ class OneByOne:
 
     def run(self, indices: range) -> Computed:
         """Compute one task after the other; why one has no result is told."""
-        import numpy as np
-
         values = {name: each.tolist() for name, each in self._design.values(indices).items()}
         found = {name: np.full(len(indices), math.nan) for name in self.columns}
         failed: list[tuple[int, str]] = []
