@@ -135,7 +135,9 @@ def test_what_is_no_number_is_refused_with_the_name_of_the_argument(entry, conta
         (ENTRIES | REFUSING)[entry](given)
 
 
-@pytest.mark.parametrize("value", ONE_NUMBER, ids=lambda value: f"{type(value).__name__} {value}".split(" object at")[0])
+@pytest.mark.parametrize(
+    "value", ONE_NUMBER, ids=lambda value: f"{type(value).__name__} {value}".split(" object at")[0]
+)
 @pytest.mark.parametrize(
     "entry",
     [

@@ -10,6 +10,7 @@ import tempfile
 from collections.abc import Callable
 from contextlib import chdir
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 
 import clubface
+from clubface import launch_monitor
 from clubface.errors import ClubfaceError
 from clubface.launch_monitor.open_connect import MessageError, from_json, recorded
 from clubface.prediction.predict import predict
@@ -97,6 +99,29 @@ def without_units(path: Path) -> None:
 def bare(random: Random) -> bytes:
     """Draw a recipe for :func:`without_units`."""
     return recipe(share=random.choice((0.0, 0.5, 0.8)), seed=random.randrange(2**32))
+
+
+def in_several_files(path: Path) -> None:
+    """Shots in several files, each written in its own way and one of them given twice, are those of one file."""
+    given = json.loads(path.read_bytes())
+    random = Random(given["seed"])
+    values = own_values(random)
+    ends = [0, *sorted(random.sample(range(1, SHOTS), given["files"] - 1)), SHOTS]
+    with tempfile.TemporaryDirectory(prefix="clubface-fuzz-") as name:
+        folder, paths = Path(name), []
+        plain = read_rows(own_table(values, random, USUAL), folder)
+        for number, (start, stop) in enumerate(pairwise(ends)):
+            rows = own_table({key: each[start:stop] for key, each in values.items()}, random)
+            ending, data = written(rows, some_way(random))
+            paths.append(folder / f"session-{number}.{ending}")
+            paths[-1].write_bytes(data)
+        again = [random.choice(paths)] if given["again"] else []
+        same_shots(plain, launch_monitor.read([*paths, *again]))
+
+
+def several(random: Random) -> bytes:
+    """Draw a recipe for :func:`in_several_files`."""
+    return recipe(files=random.randint(2, 4), again=random.random() < 0.5, seed=random.randrange(2**32))
 
 
 PAIRS = (("backspin", "sidespin"), ("total_spin", "spin_axis"), ("backspin", "spin_axis"), ("sidespin", "total_spin"))
@@ -369,7 +394,8 @@ def _whole(read: Callable[[Path], None]) -> Callable[[Path], None]:
 
 ORACLES = {
     "written-in-two-ways": (_whole(written_in_two_ways), ways, 8), "without-units": (_whole(without_units), bare, 2),
-    "spins": (_whole(spins), some_spins, 2), "mirrored": (_whole(mirrored), mirror, 1),
+    "in-several-files": (_whole(in_several_files), several, 2), "spins": (_whole(spins), some_spins, 2),
+    "mirrored": (_whole(mirrored), mirror, 1),
     "one-field": (_whole(one_field), field, 2), "edited": (_whole(edited), edits, 1),
     "meshed-in-two-ways": (_whole(meshed_in_two_ways), some_mesh, 1), "wrong-type": (_whole(wrong_type), some_type, 4),
 }  # fmt: skip
