@@ -35,7 +35,7 @@ class _Part:
     """What stands in a part, or outside of all parts."""
 
     nodes: list[tuple[int, int, list[str]]] = field(default_factory=list)
-    elements: list[tuple[int, int, tuple[int, ...], str, str]] = field(default_factory=list)
+    elements: list[tuple[int, int, tuple[int, ...]]] = field(default_factory=list)
     sets: dict[str, list[int | str]] = field(default_factory=dict)
 
 
@@ -61,8 +61,7 @@ class _File:
         for keyword in self._keywords():
             name, options = keyword.name, keyword.options
             if name == "INCLUDE":
-                message = "this file includes another one, which is not read; write the mesh as one file"
-                raise self.builder.error(keyword.line, message)
+                raise self.builder.includes(keyword.line)
             if name == "PART":
                 self.part = self.parts.setdefault(options.get("NAME", "").upper(), _Part())
             elif name in ("END PART", "ASSEMBLY", "END ASSEMBLY"):
@@ -93,7 +92,8 @@ class _File:
                 line, cells = keyword.rows[0]
                 material.density = self.builder.value(line, cells[0], "density")
         self._place_parts()
-        self._give_walls()
+        for name, metal, thickness, what in self.sections:
+            self.builder.add_wall(name, f"{what} {name}", thickness, self.materials.get(metal))
         return self.builder.mesh()
 
     def _keywords(self) -> Iterator[_Keyword]:
@@ -145,7 +145,9 @@ class _File:
                 if len(numbers) != count + 1:
                     message = f"this element of type {kind} has {len(numbers) - 1} nodes, not {count}"
                     raise self.builder.error(line, message)
-                self.part.elements.append((line, numbers[0], tuple(numbers[1:]), name, ""))
+                self.part.elements.append((line, numbers[0], tuple(numbers[1:])))
+                if name:
+                    self.part.sets.setdefault(name, []).append(numbers[0])
             elif cells[-1] != "":
                 self._other(kind, name)
             row = [] if shell or cells[-1] != "" else row
@@ -198,21 +200,13 @@ class _File:
         for line, number, cells in part.nodes:
             place = [self.builder.coordinate(line, cell) for cell in cells]
             self.builder.add_node(line, (key, number), number, moved(place))
-        for line, number, nodes, of_set, _ in part.elements:
+        for line, number, nodes in part.elements:
             corners = [(key, node) for node in nodes]
-            sets = [each for each in (of_set, name) if each]
-            self.builder.add_shell(line, number, corners, sets, key=(key, number))
+            self.builder.add_shell(line, number, corners, [name] if name else (), key=(key, number))
         names = {each.upper(): each for each in part.sets}
         for each in part.sets:
             numbers = _members(each, part, names, frozenset())
             self.builder.add_to_set(each, ((key, number) for number in numbers))
-        # A set that a set names may be one that *ELEMENT made.
-        own = {of_set.upper() for *_, of_set, _ in part.elements if of_set}
-        for each, members in part.sets.items():
-            for member in members:
-                if isinstance(member, str) and member.upper() in own:
-                    numbers = (number for _, number, _, of_set, _ in part.elements if of_set.upper() == member.upper())
-                    self.builder.add_to_set(each, [(key, number) for number in numbers])
 
     def _motion(self, rows: list[tuple[int, list[str]]]) -> Callable[[Sequence[float]], Sequence[float]]:
         """Return how an instance moves its part: a translation, then a turn about the line from a point to another."""
@@ -227,14 +221,6 @@ class _File:
             return place if not turn else _turned(place, turn[:3], turn[3:6], math.radians(turn[6]))
 
         return moved
-
-    def _give_walls(self) -> None:
-        for name, material, thickness, what in self.sections:
-            metal = self.materials.get(material, Wall())
-            source = f"{what} {name}" + (f" and {metal.source}" if metal.source else "")
-            self.builder.walls[name] = Wall(
-                thickness=thickness, youngs=metal.youngs, poisson=metal.poisson, density=metal.density, source=source
-            )
 
 
 def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]) -> list[int]:

@@ -50,8 +50,7 @@ class _File:
             if name != keyword:
                 rows = rows[1:]
             if name.startswith("INCLUDE"):
-                message = "this file includes another one, which is not read; write the mesh as one file"
-                raise self.builder.error(line, message)
+                raise self.builder.includes(line)
             if name == "NODE":
                 for row in rows:
                     number, *place = row.fields(8, 16, 16, 16)
@@ -141,7 +140,7 @@ class _File:
             for each, what in zip(values, ("density", "Young's modulus", "Poisson's ratio"), strict=True)
         )
         known = self.builder.number(row.line, number, "a material")
-        self.metals[known] = Wall(youngs=youngs, poisson=poisson, density=density)
+        self.metals[known] = Wall(youngs=youngs, poisson=poisson, density=density, source=f"*MAT {known}")
 
     def _finish(self) -> Mesh:
         titles = [title for title, *_ in self.parts.values() if title]
@@ -154,14 +153,8 @@ class _File:
         for part in self.solids:
             self.builder.add_solid("solids", names.get(part, str(part)))
         for number, (_, section, metal) in self.parts.items():
-            of = self.metals.get(metal, Wall())
-            cards = [f"*SECTION_SHELL {section}"] * (section in self.sections) + [f"*MAT {metal}"] * (
-                metal in self.metals
-            )
-            self.builder.walls[names[number]] = Wall(
-                thickness=self.sections.get(section), youngs=of.youngs, poisson=of.poisson, density=of.density,
-                source=" and ".join(cards),
-            )  # fmt: skip
+            source = f"*SECTION_SHELL {section}" if section in self.sections else ""
+            self.builder.add_wall(names[number], source, self.sections.get(section), self.metals.get(metal))
             self.builder.aliases[str(number)] = names[number]
             # A title of clubface's own decks is that of the head and of the part: "paper: face".
             short = shortened(names[number], 200).rpartition(": ")[2]

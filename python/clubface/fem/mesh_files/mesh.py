@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -123,6 +123,10 @@ class MeshBuilder:
         """Return the error of a line."""
         return FileError(self.path, line, message)
 
+    def includes(self, line: int) -> FileError:
+        """Return the error on a line that includes another file."""
+        return self.error(line, "this file includes another one, which is not read; write the mesh as one file")
+
     def number(self, line: int | None, text: str, what: str = "a node") -> int:
         """Return a number of a node or an element."""
         text = text.strip()
@@ -200,6 +204,12 @@ class MeshBuilder:
         """Count a solid element of a set."""
         self.solids[kind, name] += 1
 
+    def add_wall(self, name: str, section: str, thickness: float | None, metal: Wall | None) -> None:
+        """Add what cards say of a set: that of its section, called ``section``, and that of its metal."""
+        metal = metal or Wall()
+        source = " and ".join(filter(None, (section, metal.source)))
+        self.walls[name] = replace(metal, thickness=thickness, source=source)
+
     def add_mass(
         self, line: int | None, node: Hashable, mass: float, offset: Sequence[float] = (0.0, 0.0, 0.0)
     ) -> None:
@@ -228,7 +238,8 @@ class MeshBuilder:
             masses.append((*(a + b for a, b in zip(place, offset, strict=True)), mass))
         notes = list(self.notes)
         if self._higher:
-            notes.append(f"{_counted(self._higher, 'element')} with nodes on edges are taken by their corners")
+            count = f"{self._higher} element{'s' * (self._higher != 1)}"
+            notes.append(f"{count} with nodes on edges are taken by their corners")
         if self.left_out:
             parts = " and ".join(f"{count} {kind}" for kind, count in self.left_out.items())
             notes.append(f"left out, as a head is made of shells: {parts}")
@@ -252,10 +263,6 @@ class MeshBuilder:
             number = key[-1] if isinstance(key, tuple) else key
             raise self.error(line, f"{what} has the node {number}, which does not exist")
         return self._rows[key]
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def read_text(path: str) -> list[str]:

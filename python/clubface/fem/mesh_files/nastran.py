@@ -69,15 +69,10 @@ class _File:
             elif card.name in BARS:
                 self.builder.left_out[f"cards {card.name}"] += 1
             elif card.name in ("INCLUDE", "IMPORT") or card.name.startswith("INCLUDE"):
-                message = "this file includes another one, which is not read; write the mesh as one file"
-                raise self.builder.error(card.line, message)
+                raise self.builder.includes(card.line)
         self.builder.aliases = {name: str(number) for number, name in self.names.items()}
         for number, (metal, thickness) in self.shells.items():
-            of = self.metals.get(metal, Wall())
-            source = f"PSHELL {number}" + (f" and MAT1 {metal}" if metal in self.metals else "")
-            self.builder.walls[str(number)] = Wall(
-                thickness=thickness, youngs=of.youngs, poisson=of.poisson, density=of.density, source=source
-            )
+            self.builder.add_wall(str(number), f"PSHELL {number}", thickness, self.metals.get(metal))
         if self.offsets:
             text = f"{self.offsets} elements have an offset ZOFFS, which is not used: nodes are on the middle surface"
             self.builder.notes.append(text)
@@ -154,7 +149,8 @@ class _File:
             poisson = youngs / (2.0 * shear) - 1.0
         if youngs is None and shear and poisson is not None:
             youngs = 2.0 * shear * (1.0 + poisson)
-        self.metals[number] = Wall(youngs=youngs, poisson=poisson, density=value(5, "density"))
+        metal = Wall(youngs=youngs, poisson=poisson, density=value(5, "density"), source=f"MAT1 {number}")
+        self.metals[number] = metal
 
     def _mass(self, card: _Card) -> None:
         number = self.builder.number(card.line, card[2])
