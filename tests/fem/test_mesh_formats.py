@@ -312,6 +312,12 @@ def test_an_included_file_is_not_left_out_without_a_word(tmp_path, form):
         ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=XYZ9", "the type XYZ9 are not read"),
         ("free.bdf", "GRID,7,,", "GRID,7,3,", "node 7 stands in the coordinate system 3"),
         ("dyna.k", "*KEYWORD", "*KEYWORD LONG=Y", "long or i10 format"),
+        ("dyna.k", "*KEYWORD", "*KEYWORD I10=Y", "long or i10 format"),
+        ("abaqus.inp", "*NODE,", "*SYSTEM\n0, 0, 10\n*NODE,", "*SYSTEM is not read"),
+        ("abaqus.inp", "*ELSET, ELSET=nothing", "*ELGEN\n1, 2, 1, 1", "*ELGEN is not read"),
+        ("abaqus.inp", "NSET=ALLNODES", "INPUT=nodes.txt", "includes another one"),
+        ("free.bdf", "BEGIN BULK", "BEGIN BULK\nGRDSET,,3", "coordinate system 3"),
+        ("free.bdf", "CQUAD4,1,1,142,144,145,143", "CQUAD4,1,1,142,144,145,143,,,\n,,1,.5,.5,.5,.5", "TFLAG"),
     ],
 )  # fmt: skip
 def test_what_is_not_read_is_refused_in_one_line(tmp_path, name, old, new, said):
@@ -320,6 +326,146 @@ def test_what_is_not_read_is_refused_in_one_line(tmp_path, name, old, new, said)
     with pytest.raises(ClubfaceError, match=re.escape(said)) as error:
         read(path)
     assert "\n" not in str(error.value)
+
+
+# What programs write -------------------------------------------------------------------------------------------------
+
+
+def with_cards():
+    """Walls whose parts differ in thickness, and the face in its metal: what goes to another part is seen."""
+    steel = (200e3, 0.3, 7.85e-9)
+    return coarse_walls()._replace(
+        cards={each: (WALLS[each], *(TITANIUM if each == "face" else steel)) for each in PARTS}
+    )
+
+
+def lsdyna_blocks(walls):
+    """Sections and materials of all parts under one keyword each, without titles of sections but with their lines."""
+    text = lsdyna(walls)
+    cards = list(walls.cards.values())
+    lines = ["*PART"]
+    for number, name in enumerate(walls.parts, 1):
+        lines += [name, f"{number:10d}" * 3]
+    lines += ["*SECTION_SHELL_TITLE"]
+    for number, (thickness, *_) in enumerate(cards, 1):
+        lines += ["", f"{number:10d}{2:10d}", f"{thickness:10.4f}" * 4]
+    lines += ["*MAT_ELASTIC_TITLE"]
+    for number, (_, youngs, poisson, density) in enumerate(cards, 1):
+        lines += ["", f"{number:10d}{density:10.3e}{youngs:10.1f}{poisson:10.3f}"]
+    return text[: text.index("*PART")] + "\n".join([*lines, "", "*END"]) + "\n"
+
+
+def hypermesh(walls, form):
+    """Names of components, whose numbers are not those of the properties."""
+    text = nastran(walls, 8)
+    if form == "names of both":
+        names = [f'$HMNAME COMP                   {5 - place}"{each}"' for place, each in enumerate(PARTS, 1)]
+    else:
+        text = re.sub(r"\$HMNAME.*\n", "", text)
+        names = [
+            f'$HMNAME COMP                   {5 - place}"{each}" {place} "p_{each}" 4'
+            for place, each in enumerate(PARTS, 1)
+        ]
+    if form == "lists of elements":
+        text = text.replace("BEGIN BULK\n", '$HMNAME PROP                   1"p_face" 4\nBEGIN BULK\n')
+        names, last = [], 0
+        for place, each in enumerate(PARTS, 1):
+            count = len(walls.parts[each])
+            names += [f'$HMNAME COMP                   {5 - place}"{each}"', f"$HMMOVE {5 - place:8d}"]
+            names += [f"${'':7}{last + 1:8d}THRU    {last + count - 1:8d}", f"${'':7}{last + count:8d}", "$"]
+            last += count
+    return text.replace("BEGIN BULK\n", "\n".join(["BEGIN BULK", *names, ""]))
+
+
+def ansa(walls):
+    names = "\n".join(f"$ANSA_NAME;{place};PSHELL;~\n${each}" for place, each in enumerate(PARTS, 1))
+    return re.sub(r"\$HMNAME.*\n", "", nastran(walls, 8)).replace("BEGIN BULK", "BEGIN BULK\n" + names)
+
+
+def abaqus_cae(walls):
+    """One part for each wall, each with a section of the set "Set-1", as its program names them."""
+    walls, lines, instances = walls.apart(), ["*Heading"], ["*Assembly, name=Assembly"]
+    for name, rows in walls.parts.items():
+        used = sorted({each for row in rows for each in row})
+        to = {each: number for number, each in enumerate(used, 1)}
+        lines += [f"*Part, name={name.title()}", "*Node"]
+        lines += ["{}, {:.9g}, {:.9g}, {:.9g}".format(to[each], *walls.nodes[each]) for each in used]
+        lines += ["*Element, type=S4R"]
+        lines += [", ".join(map(str, (number, *(to[each] for each in row)))) for number, row in enumerate(rows, 1)]
+        lines += ["*Elset, elset=Set-1, generate", f" 1, {len(rows)}, 1", "** Section: Section-1"]
+        lines += [f"*Shell Section, elset=SET-1, material=M-{name}", f"{walls.cards[name][0]}, 5", "*End Part"]
+        instances += [f"*Instance, name={name}-1, part={name}", "*End Instance"]
+    lines += [*instances, "*End Assembly"]
+    for name, (_, youngs, poisson, density) in walls.cards.items():
+        lines += [f"*Material, name=M-{name}", "*Density", f" {density},", "*Elastic", f"{youngs}, {poisson}"]
+    return "\n".join(lines) + "\n"
+
+
+PROGRAMS = {
+    "blocks.k": lsdyna_blocks,
+    "components and properties.bdf": lambda walls: hypermesh(walls, "names of both"),
+    "components with properties.bdf": lambda walls: hypermesh(walls, "properties"),
+    "components with elements.bdf": lambda walls: hypermesh(walls, "lists of elements"),
+    "ansa.nas": ansa,
+    "sections in capitals.inp": lambda walls: re.sub(
+        r"(?<=SHELL SECTION, ELSET=)\w+", lambda name: name[0].upper(), abaqus(walls)
+    ),
+    "parts of cae.inp": abaqus_cae,
+}
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_each_part_has_its_own_wall_and_metal_whatever_program_wrote_the_mesh(tmp_path, name):
+    walls = with_cards()
+    (tmp_path / name).write_text(PROGRAMS[name](walls))
+    head = read(tmp_path / name, tuple(Group(name=each, face=each == "face") for each in PARTS))
+    assert [part.name for part in head.parts] == list(PARTS)
+    for place, part in enumerate(head.parts):
+        assert part.elements == len(walls.parts[part.name])
+        assert head.thickness[head.part_of_elements() == place] == pytest.approx(1e-3 * WALLS[part.name])
+        assert part.metal.youngs == pytest.approx(114e9 if part.name == "face" else 200e9)
+
+
+def test_parts_of_lsdyna_without_titles_go_by_their_numbers(tmp_path):
+    text = lsdyna(with_cards())
+    for each in PARTS:
+        text = text.replace(f"*PART\n{each}\n", "*PART\n\n")
+    (tmp_path / "head.k").write_text(text)
+    head = read(tmp_path / "head.k", tuple(Group(name=str(number), face=number == 1) for number in range(1, 5)))
+    assert head.thickness[0] == pytest.approx(2.8e-3)
+    assert head.parts[3].metal.youngs == pytest.approx(200e9)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "note"),
+    [
+        ("dyna.k", r"MAT_ELASTIC", "MAT_JOHNSON_COOK", r"metal of face, \*MAT 1, .* taken as of titanium"),
+        ("small.nas", r"MAT1    1 ", "MAT8    1 ", "metal of face, MAT 1, .* taken as of titanium"),
+        ("abaqus.inp", r"ELASTIC\n", "ELASTIC, TYPE=LAMINA\n", "no card gives youngs or poisson of face; taken"),
+        ("abaqus.inp", r"SECTION,", "SECTION, OFFSET=SPOS,", "4 sections have an offset"),
+        ("dyna.k", r"(    1.6000){4}", r"\1\1\1\1      -1.0", "1 sections have an offset"),
+        ("small.nas", r"(PSHELL  1 .*)\n", r"\g<1>                        1.0-8\n", "spread over the wall"),
+        ("abaqus.inp", r"\Z", "*NONSTRUCTURAL MASS, ELSET=sole, UNITS=TOTAL MASS\n 3e-5,\n", "spread over walls"),
+    ],
+)
+def test_what_a_card_means_and_the_head_does_not_take_is_said(tmp_path, name, old, new, note):
+    path = write_walls(tmp_path, with_cards(), name)
+    text, count = re.subn(old, new, path.read_text())
+    assert count
+    path.write_text(text)
+    with pytest.warns(MeshWarning, match=note):
+        read(path, tuple(Group(name=each, face=each == "face") for each in PARTS))
+
+
+def test_point_masses_of_abaqus_are_added(tmp_path):
+    walls = with_cards()
+    path = write_walls(tmp_path, walls)
+    bare = read(path)
+    at = int(np.argmin(np.linalg.norm(walls.nodes - [-40.0, -22.0, 0.0], axis=1)))
+    mass = f"*ELEMENT, TYPE=MASS, ELSET=screw\n9001, {at + 1}\n*MASS, ELSET=SCREW\n 2.5e-5\n"
+    path.write_text(path.read_text() + mass)
+    with pytest.warns(MeshWarning, match="1 point masses, 25 g in all"):
+        assert read(path).club.mass - bare.club.mass == pytest.approx(0.025, rel=1e-6)
 
 
 def test_a_solid_or_a_cad_file_says_what_to_do(tmp_path):

@@ -127,6 +127,12 @@ def _metal(mesh: Mesh, group: Given, walls: Sequence[Wall], unit: str, differing
     if isinstance(given, Metal):
         return given
     found = Metal(**{**card, **given})
+    unread = sorted({wall.material for wall in walls if wall.material and wall.youngs is None and wall.density is None})
+    if unread and not set(METAL) <= {*given}:
+        values = " and ".join(f"{key} {units.show(getattr(found, key), _UNITS[key])}" for key in METAL)
+        few = ", ".join(unread[:3])
+        told = f"the metal of {group.name}, {few}, is not in the file or of a law that is not read"
+        notes.append(f"{told}; taken as of titanium where the group does not give it: {values}")
     if card and not set(METAL) <= {*card, *given}:
         left = [key for key in METAL if key not in card and key not in given]
         values = " and ".join(f"{key} {units.show(getattr(found, key), _UNITS[key])}" for key in left)

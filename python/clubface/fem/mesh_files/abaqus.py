@@ -17,6 +17,8 @@ SOLID = re.compile(r"(?:C3D|DC3D|AC3D|SC|CSS)(\d+)")
 SOLID_KINDS = {4: "tetrahedra", 10: "tetrahedra", 5: "pyramids", 6: "wedges", 15: "wedges", 8: "hexahedra",
                20: "hexahedra", 27: "hexahedra"}  # fmt: skip
 LINE = re.compile(r"T2D|T3D|B2|B3|FRAME|PIPE|CONN|SPRING|DASHPOT|MASS|ROTARY|GAP|ELBOW|RB[23]|SAX")
+GENERATORS = ("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM")
+"""Keywords that make or move nodes and elements."""
 LARGEST_RANGE = 10_000_000
 """Elements that a GENERATE line may span."""
 
@@ -34,9 +36,13 @@ class _Keyword(NamedTuple):
 class _Part:
     """What stands in a part, or outside of all parts."""
 
+    name: str = ""
     nodes: list[tuple[int, int, list[str]]] = field(default_factory=list)
     elements: list[tuple[int, int, tuple[int, ...]]] = field(default_factory=list)
     sets: dict[str, list[int | str]] = field(default_factory=dict)
+    sections: list[tuple[str, str, float | None, str]] = field(default_factory=list)
+    points: list[tuple[int, int, str]] = field(default_factory=list)
+    masses: dict[str, float] = field(default_factory=dict)
 
 
 def read(path: str) -> Mesh:
@@ -52,7 +58,8 @@ class _File:
         self.part = self.parts[""]
         self.assembly_sets: list[tuple[str, str, list[int | str]]] = []
         self.materials: dict[str, Wall] = {}
-        self.sections: list[tuple[str, str, float | None, str]] = []
+        self.labels: dict[str, str] = {}
+        self.offsets = 0
 
     def read(self) -> Mesh:
         material = Wall()
@@ -60,10 +67,14 @@ class _File:
         instance = ""
         for keyword in self._keywords():
             name, options = keyword.name, keyword.options
-            if name == "INCLUDE":
+            if name == "INCLUDE" or "INPUT" in options:
                 raise self.builder.includes(keyword.line)
+            if name in GENERATORS:
+                message = f"*{name} is not read; write every node and element where it stands"
+                raise self.builder.error(keyword.line, message)
             if name == "PART":
-                self.part = self.parts.setdefault(options.get("NAME", "").upper(), _Part())
+                part = options.get("NAME", "")
+                self.part = self.parts.setdefault(part.upper(), _Part(part))
             elif name in ("END PART", "ASSEMBLY", "END ASSEMBLY"):
                 self.part, in_assembly = self.parts[""], name == "ASSEMBLY"
             elif name == "INSTANCE":
@@ -80,6 +91,11 @@ class _File:
                 self._set(keyword, in_assembly)
             elif name in ("SHELL SECTION", "MEMBRANE SECTION", "SHELL GENERAL SECTION"):
                 self._section(keyword)
+            elif name == "MASS" and keyword.rows:
+                line, cells = keyword.rows[0]
+                self.part.masses[self._label(options.get("ELSET", ""))] = self.builder.value(line, cells[0], "mass")
+            elif name == "NONSTRUCTURAL MASS":
+                self.builder.left_out["cards of masses spread over walls (*NONSTRUCTURAL MASS)"] += 1
             elif name == "MATERIAL":
                 material = self.materials.setdefault(options.get("NAME", "").upper(), Wall())
                 material.source = f"*MATERIAL {options.get('NAME', '')}"
@@ -92,9 +108,12 @@ class _File:
                 line, cells = keyword.rows[0]
                 material.density = self.builder.value(line, cells[0], "density")
         self._place_parts()
-        for name, metal, thickness, what in self.sections:
-            self.builder.add_wall(name, f"{what} {name}", thickness, self.materials.get(metal))
+        self.builder.note_offsets(self.offsets, "sections")
         return self.builder.mesh()
+
+    def _label(self, name: str) -> str:
+        """Return the name of a set as it is first written: capitals make no difference."""
+        return self.labels.setdefault(name.upper(), name)
 
     def _keywords(self) -> Iterator[_Keyword]:
         keyword: _Keyword | None = None
@@ -129,7 +148,7 @@ class _File:
             self.part.nodes.append((line, number, cells[1:4]))
 
     def _elements(self, keyword: _Keyword) -> None:
-        kind, name = keyword.options.get("TYPE", "").upper(), keyword.options.get("ELSET", "")
+        kind, name = keyword.options.get("TYPE", "").upper(), self._label(keyword.options.get("ELSET", ""))
         shell = SHELL.match(kind)
         count = int(shell["nodes"] or 6) if shell else 0
         if not shell and not SOLID.match(kind) and not LINE.match(kind):
@@ -148,6 +167,8 @@ class _File:
                 self.part.elements.append((line, numbers[0], tuple(numbers[1:])))
                 if name:
                     self.part.sets.setdefault(name, []).append(numbers[0])
+            elif kind == "MASS" and len(row) > 1 and row[1].isdecimal():
+                self.part.points.append((line, self.builder.number(line, row[1]), name))
             elif cells[-1] != "":
                 self._other(kind, name)
             row = [] if shell or cells[-1] != "" else row
@@ -160,7 +181,7 @@ class _File:
             self.builder.left_out[f"of type {kind}"] += 1
 
     def _set(self, keyword: _Keyword, in_assembly: bool) -> None:
-        name, instance = keyword.options.get("ELSET", ""), keyword.options.get("INSTANCE", "")
+        name, instance = self._label(keyword.options.get("ELSET", "")), keyword.options.get("INSTANCE", "")
         members: list[int | str] = []
         for line, cells in keyword.rows:
             if "GENERATE" in keyword.options:
@@ -183,7 +204,9 @@ class _File:
             if cells[0]:
                 thickness = self.builder.value(line, cells[0], "thickness")
         material = keyword.options.get("MATERIAL", "").upper()
-        self.sections.append((keyword.options.get("ELSET", ""), material, thickness, f"*{keyword.name}"))
+        self.offsets += keyword.options.get("OFFSET", "0").upper().strip("0.+- ") not in ("", "MID", "SMID", "MIDDLE")
+        name = self._label(keyword.options.get("ELSET", ""))
+        self.part.sections.append((name, material, thickness, f"*{keyword.name}"))
 
     def _place_parts(self) -> None:
         """Add the parts where their instances stand, or all of them where there are no instances."""
@@ -191,22 +214,42 @@ class _File:
         self._add("", self.parts[""], lambda place: place)
         for number, (name, part, rows) in enumerate(placed):
             moved = self._motion(rows) if rows else (lambda place: place)
-            self._add(f"{number}:{name}", self.parts.get(part, _Part()), moved, part if not self.instances else name)
+            self._add(f"{number}:{name}", self.parts.get(part, _Part()), moved, name)
         for name, instance, members in self.assembly_sets:
             keys = [f"{number}:{each}" for number, (each, *_) in enumerate(placed) if each.upper() == instance.upper()]
             self.builder.add_to_set(name, [(key, member) for key in keys for member in members])
 
     def _add(self, key: str, part: _Part, moved: Callable[[Sequence[float]], Sequence[float]], name: str = "") -> None:
+        """Add a part, as an instance of this name.
+
+        Sets of the same name in several parts are several sets: they go by the name of the instance too, as
+        "face-1.Set-1".
+        """
+        others = [other for other in self.parts.values() if other is not part and (other.nodes or other.elements)]
+        elsewhere = {each for other in others for each in other.sets}
+
+        def known_as(of_set: str) -> str:
+            return f"{name or part.name}.{of_set}" if of_set in elsewhere else of_set
+
         for line, number, cells in part.nodes:
             place = [self.builder.coordinate(line, cell) for cell in cells]
             self.builder.add_node(line, (key, number), number, moved(place))
+        sets = [each for each in dict.fromkeys((name, part.name)) if each]
         for line, number, nodes in part.elements:
             corners = [(key, node) for node in nodes]
-            self.builder.add_shell(line, number, corners, [name] if name else (), key=(key, number))
+            self.builder.add_shell(line, number, corners, sets, key=(key, number))
         names = {each.upper(): each for each in part.sets}
         for each in part.sets:
             numbers = _members(each, part, names, frozenset())
-            self.builder.add_to_set(each, ((key, number) for number in numbers))
+            self.builder.add_to_set(known_as(each), ((key, number) for number in numbers))
+        for of_set, metal, thickness, what in part.sections:
+            known = known_as(of_set)
+            material = f"*MATERIAL {metal}" if metal else ""
+            self.builder.add_wall(known, f"{what} {known}", thickness, self.materials.get(metal), material)
+        for line, node, of_set in part.points:
+            if of_set not in part.masses:
+                raise self.builder.error(line, f"no *MASS says how much the elements of {of_set or 'no set'} weigh")
+            self.builder.add_mass(line, (key, node), part.masses[of_set])
 
     def _motion(self, rows: list[tuple[int, list[str]]]) -> Callable[[Sequence[float]], Sequence[float]]:
         """Return how an instance moves its part: a translation, then a turn about the line from a point to another."""

@@ -43,12 +43,14 @@ class _File:
         self.parts: dict[int, tuple[str, int, int]] = {}
         self.sections: dict[int, float] = {}
         self.metals: dict[int, Wall] = {}
+        self.offsets = 0
 
     def read(self) -> Mesh:
         for line, keyword, rows in self._keywords():
             name = keyword.removesuffix("_TITLE")
-            if name != keyword:
-                rows = rows[1:]
+            titled = name != keyword
+            if name.startswith(("NODE", "ELEMENT")):
+                rows = [row for row in rows if row.text.strip()]
             if name.startswith("INCLUDE"):
                 raise self.builder.includes(line)
             if name == "NODE":
@@ -69,28 +71,29 @@ class _File:
                 self.builder.left_out[f"lines of *{name}"] += len(rows)
             elif name.startswith("PART") and len(rows) > 1 and name not in ("PART_MOVE", "PART_DUPLICATE"):
                 self._parts(name, rows)
-            elif name.startswith("SECTION_SHELL") and len(rows) > 1:
-                (number,), (thickness,) = rows[0].fields(10), rows[1].fields(10)
-                if thickness:
-                    value = self.builder.value(rows[1].line, thickness, "thickness")
-                    self.sections[self.builder.number(rows[0].line, number, "a section")] = value
-            elif name.removeprefix("MAT_") in METALS and name.startswith("MAT_") and rows:
-                self._metal(rows[0])
+            elif name.startswith("SECTION_SHELL"):
+                self._sections(rows, titled)
+            elif name.removeprefix("MAT_") in METALS and name.startswith("MAT_"):
+                # Of the other laws, whose cards are several, one stands under a keyword.
+                single = name.removeprefix("MAT_") in METALS[:2]
+                for row in rows[titled :: 1 + titled] if single else rows[titled : titled + 1]:
+                    self._metal(row)
+        self.builder.note_offsets(self.offsets, "sections")
         return self._finish()
 
     def _keywords(self) -> Iterator[tuple[int, str, list[_Row]]]:
         line, keyword, rows = 0, "", []
         for number, text in enumerate(read_text(self.builder.path), 1):
-            if text.startswith("$") or not text.strip():
+            if text.startswith("$"):
                 continue
             if not text.startswith("*"):
                 rows.append(_Row(number, text))
                 continue
-            yield line, keyword, rows
+            yield line, keyword, _without_end(rows)
             words = text[1:].upper().split()
             line, keyword, rows = number, words[0] if words else "", []
             if (
-                "LONG=Y" in text.upper().replace(" ", "")
+                any(each in text.upper().replace(" ", "") for each in ("LONG=Y", "I10=Y"))
                 or keyword.endswith(("%", "+"))
                 or words[1:2] in (["%"], ["+"])
             ):
@@ -99,7 +102,7 @@ class _File:
                 )
             if keyword == "END":
                 return
-        yield line, keyword, rows
+        yield line, keyword, _without_end(rows)
 
     def _shells(self, name: str, rows: list[_Row]) -> None:
         options = name.removeprefix("ELEMENT_SHELL")
@@ -133,6 +136,20 @@ class _File:
             numbers = [int(each) if each.isdecimal() and len(each) < 11 else 0 for each in (section, metal)]
             self.parts[number] = (rows[place].text.strip(), numbers[0], numbers[1])
 
+    def _sections(self, rows: list[_Row], titled: bool) -> None:
+        at = int(titled)
+        while at + 1 < len(rows):
+            cards = rows[at : at + 2]
+            number, *_, points, _, _, angles, _ = cards[0].fields(*[10] * 8)
+            thickness, *_, offset = cards[1].fields(*[10] * 5)
+            self.offsets += bool(offset.strip("0.+- "))
+            if thickness:
+                value = self.builder.value(cards[1].line, thickness, "thickness")
+                self.sections[self.builder.number(cards[0].line, number, "a section")] = value
+            # A composite has a card with the angles of every eight of its points.
+            more = -(-int(points) // 8) if angles == "1" and points.isdecimal() else 0
+            at += 2 + min(more, len(rows)) + titled
+
     def _metal(self, row: _Row) -> None:
         number, *values = row.fields(10, 10, 10, 10)
         density, youngs, poisson = (
@@ -154,9 +171,16 @@ class _File:
             self.builder.add_solid("solids", names.get(part, str(part)))
         for number, (_, section, metal) in self.parts.items():
             source = f"*SECTION_SHELL {section}" if section in self.sections else ""
-            self.builder.add_wall(names[number], source, self.sections.get(section), self.metals.get(metal))
+            material = f"*MAT {metal}" if metal else ""
+            self.builder.add_wall(names[number], source, self.sections.get(section), self.metals.get(metal), material)
             self.builder.aliases[str(number)] = names[number]
             # A title of clubface's own decks is that of the head and of the part: "paper: face".
             short = shortened(names[number], 200).rpartition(": ")[2]
             self.builder.aliases.setdefault(short, names[number])
         return self.builder.mesh()
+
+
+def _without_end(rows: list[_Row]) -> list[_Row]:
+    """Return the rows of a keyword without blank ones at its end; elsewhere a blank row is a card or a title."""
+    last = max((place for place, row in enumerate(rows) if row.text.strip()), default=-1)
+    return rows[: last + 1]

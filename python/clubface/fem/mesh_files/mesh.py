@@ -36,6 +36,8 @@ class Wall:
         Of its metal.
     source
         The cards, such as "PSHELL 1 and MAT1 7".
+    material
+        The material that they name, which may be one that is not read or not there, such as "MAT 7".
     """
 
     thickness: float | None = None
@@ -43,6 +45,7 @@ class Wall:
     poisson: float | None = None
     density: float | None = None
     source: str = ""
+    material: str = ""
 
 
 @dataclass(kw_only=True)
@@ -204,11 +207,19 @@ class MeshBuilder:
         """Count a solid element of a set."""
         self.solids[kind, name] += 1
 
-    def add_wall(self, name: str, section: str, thickness: float | None, metal: Wall | None) -> None:
-        """Add what cards say of a set: that of its section, called ``section``, and that of its metal."""
+    def add_wall(
+        self, name: str, section: str, thickness: float | None, metal: Wall | None, material: str = ""
+    ) -> None:
+        """Add what cards say of a set: that of its section, called ``section``, and that of its ``material``."""
         metal = metal or Wall()
         source = " and ".join(filter(None, (section, metal.source)))
-        self.walls[name] = replace(metal, thickness=thickness, source=source)
+        self.walls[name] = replace(metal, thickness=thickness, source=source, material=material)
+
+    def note_offsets(self, count: int, noun: str) -> None:
+        """Say that walls lie beside the nodes, if some do."""
+        if count:
+            text = f"{count} {noun} have an offset from the nodes, which is not used: nodes are on the middle surface"
+            self.notes.append(text)
 
     def add_mass(
         self, line: int | None, node: Hashable, mass: float, offset: Sequence[float] = (0.0, 0.0, 0.0)

@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 
 from clubface.errors import shortened
-from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
+from clubface.fem.mesh_files.mesh import LARGEST_NUMBER, Mesh, MeshBuilder, Wall, read_text
 
 SHELLS = {"CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CTRIA3": 3, "CTRIAR": 3, "CTRIA6": 3, "CSHEAR": 4}
 """Corners of surface elements."""
@@ -17,9 +17,13 @@ THICKNESS = {"CQUAD4": 11, "CQUADR": 11, "CTRIA3": 11, "CTRIAR": 11}
 """Field of the first thickness at a corner, the name being number 0."""
 SOLIDS = {"CTETRA": "tetrahedra", "CHEXA": "hexahedra", "CPENTA": "wedges", "CPYRAM": "pyramids", "CPYRA": "pyramids"}
 BARS = ("CBAR", "CBEAM", "CROD", "CONROD", "CBUSH", "CELAS1", "CELAS2", "CONM1", "CTUBE", "RBE2", "RBE3", "RBAR")
+COMPONENT = re.compile(r'\$HMNAME\s+COMPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"\s*(?P<property>\d+)?')
+"""A component of HyperMesh, at times with the property of its elements. Its number is another than that of a property,
+and equals it in files without names of properties alone."""
+MEMBERS = re.compile(r"\$HMMOVE\s+(?P<number>\d+)\s*$")
+"""What begins a list of the elements of a component, in fields of 8 characters."""
 NAMES = (
-    re.compile(r'\$HMNAME\s+PROP\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),  # HyperMesh
-    re.compile(r'\$HMNAME\s+COMP\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),
+    re.compile(r'\$HMNAME\s+PROPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),  # HyperMesh
     re.compile(r"\$ANSA_NAME(?:_COMMENT)?;(?P<number>\d+);PSHELL;~?(?P<name>[^;]*)"),
     re.compile(r"\$.*\bproperty\s+(?P<number>\d+)\s*[:=]\s*(?P<name>.+)", re.IGNORECASE),  # Femap
 )
@@ -48,6 +52,10 @@ class _File:
     def __init__(self, path: str) -> None:
         self.builder = MeshBuilder(path)
         self.names: dict[int, str] = {}
+        self.components: dict[int, tuple[str, int | None]] = {}
+        self.members: dict[int, list[str]] = {}
+        self.taking: int | None = None
+        self.unnamed: int | None = None
         self.shells: dict[int, tuple[int, float | None]] = {}
         self.metals: dict[int, Wall] = {}
         self.offsets = 0
@@ -70,12 +78,15 @@ class _File:
                 self.builder.left_out[f"cards {card.name}"] += 1
             elif card.name in ("INCLUDE", "IMPORT") or card.name.startswith("INCLUDE"):
                 raise self.builder.includes(card.line)
-        self.builder.aliases = {name: str(number) for number, name in self.names.items()}
+            elif card.name == "GRDSET" and card[2] not in ("", "0"):
+                message = f"nodes stand in the coordinate system {shortened(card[2], 20)}; write all in the basic one"
+                raise self.builder.error(card.line, message)
+        self._name_components()
+        self.builder.aliases |= {name: str(number) for number, name in self.names.items()}
         for number, (metal, thickness) in self.shells.items():
-            self.builder.add_wall(str(number), f"PSHELL {number}", thickness, self.metals.get(metal))
-        if self.offsets:
-            text = f"{self.offsets} elements have an offset ZOFFS, which is not used: nodes are on the middle surface"
-            self.builder.notes.append(text)
+            material = f"MAT {metal}" if metal else ""
+            self.builder.add_wall(str(number), f"PSHELL {number}", thickness, self.metals.get(metal), material)
+        self.builder.note_offsets(self.offsets, "elements")
         return self.builder.mesh()
 
     def _cards(self) -> Iterator[_Card]:
@@ -100,9 +111,37 @@ class _File:
             yield card
 
     def _comment(self, text: str) -> None:
+        if self.unnamed is not None:  # ANSA writes a long name into a line of its own
+            self.names.setdefault(self.unnamed, text[1:].strip())
+            self.unnamed = None
+        if found := COMPONENT.match(text):
+            own = found["property"]
+            self.components[int(found["number"])] = found["name"].strip(), None if own is None else int(own)
+        if found := MEMBERS.match(text):
+            self.taking = int(found["number"])
+        elif self.taking is not None:
+            fields = [text[at : at + 8].strip() for at in range(8, len(text), 8)]
+            words = [word for each in fields for word in re.findall(r"\d+|THRU", each)]
+            self.members.setdefault(self.taking, []).extend(words)
+            self.taking = self.taking if words else None
         for pattern in NAMES:
-            if (found := pattern.match(text)) and found["name"].strip():
-                self.names.setdefault(int(found["number"]), found["name"].strip())
+            if found := pattern.match(text):
+                name = found["name"].strip()
+                if name:
+                    self.names.setdefault(int(found["number"]), name)
+                elif "ANSA" in text:
+                    self.unnamed = int(found["number"])
+
+    def _name_components(self) -> None:
+        """Make components sets of their elements, or name the properties that are theirs."""
+        named = bool(self.names)
+        for number, (name, own) in self.components.items():
+            if number in self.members:
+                self.builder.add_to_set(name, _numbers(self.members[number]))
+            elif own is not None:
+                self.builder.aliases[name] = str(own)
+            elif not named:
+                self.names.setdefault(number, name)
 
     def _grid(self, card: _Card) -> None:
         number = self.builder.number(card.line, card[1])
@@ -124,6 +163,9 @@ class _File:
         own = [] if first is None else card.fields[first : first + count]
         if first is not None and _number(card[4 + count]).strip("0.+- "):
             self.offsets += 1
+        if first is not None and card[10] == "1":
+            message = f"the thicknesses of element {number} are parts of that of its property (TFLAG = 1), which is not"
+            raise self.builder.error(card.line, f"{message} read; write them with TFLAG = 0")
         values = [self.builder.value(card.line, _number(each), "thickness") for each in own if each]
         self.builder.add_shell(
             card.line, number, nodes if not middle else [*nodes, *nodes], [group],
@@ -133,6 +175,8 @@ class _File:
     def _property(self, card: _Card) -> None:
         number = self.builder.number(card.line, card[1], "a property")
         thickness = self.builder.value(card.line, _number(card[3]), "thickness") if card[3] else None
+        if _number(card[8]).strip("0.+- "):
+            self.builder.left_out["properties with a mass spread over the wall (NSM of PSHELL)"] += 1
         metal = int(card[2]) if card[2].isdecimal() and len(card[2]) < 11 else 0
         self.shells[number] = metal, thickness
         if (found := BEFORE.match(card.comment)) is not None and found["name"].strip():
@@ -161,6 +205,18 @@ class _File:
         mass = self.builder.value(card.line, _number(card[4]), "mass")
         offset = [self.builder.value(card.line, _number(card[place] or "0"), "offset") for place in (5, 6, 7)]
         self.builder.add_mass(card.line, number, mass, offset)
+
+
+def _numbers(words: list[str]) -> Iterator[int]:
+    """Return the numbers of a list with ranges: 1 THRU 10 12."""
+    last = None
+    for place, word in enumerate(words):
+        if word == "THRU":
+            after = int(words[place + 1]) if place + 1 < len(words) and words[place + 1].isdecimal() else 0
+            yield from range((last or after) + 1, min(after, LARGEST_NUMBER))
+        else:
+            last = int(word)
+            yield last
 
 
 def _fields(text: str) -> list[str]:
