@@ -38,14 +38,15 @@ def assert_si(shots, **expected):
         ("ヘッドスピード (m/s)", "speed"), ("Attack Ang. (deg)", "attack"), ("Spin Rate (U/min)", "total_spin"),
     ],
 )  # fmt: skip
-@pytest.mark.parametrize("maker", ["", "Swing Direction (deg),Dyn. Loft (deg),"])
-def test_a_quantity_is_known_by_the_names_that_programs_give_it(write, heading, quantity, maker):
-    if maker and "Push/Pull" in heading:
-        return  # the mark of another maker
+def test_a_quantity_is_known_by_the_names_that_programs_give_it(write, heading, quantity):
     value = 45 if "m/s" in heading else 100 if quantity == "speed" else 3
-    content = f"Club,Ball Speed (mph),{maker}{heading}\nDriver,147,{'1,12,' * bool(maker)}{value}\n"
-    shots = launch_monitor.read(write(content))
-    assert quantity in shots.deliveries | shots.launches
+    unit = heading.replace("[", "(").partition("(")[2].rstrip(")]")
+    unit = {"°": "deg", "º": "deg", "Grad": "deg", "U/min": "rpm"}.get(unit, unit)
+    for maker in ("", "Swing Direction (deg),Dyn. Loft (deg),"):
+        if maker and "Push/Pull" in heading:
+            continue  # the mark of another maker
+        content = f"Club,Ball Speed (mph),{maker}{heading}\nDriver,147,{'1,12,' * bool(maker)}{value}\n"
+        assert_si(launch_monitor.read(write(content)), **{quantity: ([value], unit)})
 
 
 def test_the_shot_of_fsx_has_its_club_speed_and_its_club_path_but_not_what_it_did_not_measure():

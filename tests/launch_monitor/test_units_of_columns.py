@@ -79,7 +79,9 @@ def test_a_row_of_units_serves_a_table_of_no_maker(write):
         ("Club,Club Speed (km/h),Ball Speed (mph)\n" + "Driver,100,147\n" * 3, "mph"),
         ("Club,Club Speed (mph),Ball Speed (km/h),Smash Factor\n" + "Driver,100,147,1.47\n" * 3, "mph"),
         ("Club,Ball Speed (km/h),Carry (yd)\n" + "Driver,65,230\n" * 3, "m/s"),
-        ("Club,Ball Speed (mph),Carry (yd)\n" + "Driver,150,690\n" * 3, "ft"),
+        # Longer than any flight at this speed lasts, though not longer than without air; and the other way about.
+        ("Club,Ball Speed (mph),Carry (yd)\n" + "Driver,165,750\n" * 3, "ft"),
+        ("Club,Ball Speed (mph),Carry (yd)\n" + "LW,20,30\n" * 3, "m/s"),
     ],
 )
 def test_values_that_only_another_unit_explains_are_said_to_be_in_it(write, content, unit):
@@ -94,12 +96,30 @@ def test_what_no_unit_explains_is_not_measured_and_said_so(write):
     assert any("face in 3 of 3 shots" in note for note in shots.notes)
 
 
+def test_a_unit_that_was_given_with_the_command_is_corrected_there_and_not_in_the_file(write):
+    path = write("Club,Ball Speed\n" + "Driver,212\n" * 3)
+    with pytest.raises(FileError, match=r"most likely in mph or km/h .*--unit ball_speed=mph"):
+        launch_monitor.read(path, units={"ball_speed": "m/s"})
+
+
+def test_one_speed_that_no_shot_has_costs_itself_and_not_the_unit_of_the_column(write):
+    """The others would be slow balls if they were in mph, too."""
+    shots = launch_monitor.read(write("Ball Speed (m/s),Launch Angle (deg)\n66,12\n65,13\n700,12\n64,11\n"))
+    assert np.isnan(shots.launches["ball_speed"]).tolist() == [False, False, True, False]
+
+
+def test_two_shots_that_contradict_themselves_do_not_condemn_a_unit(write):
+    shots = launch_monitor.read(write("Club Speed (m/s),Ball Speed (m/s),Launch Angle (deg)\n20,66,12\n21,65,13\n"))
+    assert np.isnan(shots.launches["ball_speed"]).all()
+    assert shots.launches["launch"] == pytest.approx([12 * DEG, 13 * DEG])
+
+
 def test_slow_and_odd_shots_are_no_sign_of_a_wrong_unit(write):
     """Chips, putts, topped balls and tailwinds of a real session."""
     head = "Club,Club Speed (mph),Ball Speed (mph),Launch Angle (deg),Carry (yd)\n"
-    rows = "Putter,5,8.4,2,0.5\nLW,20,15,40,8\nSW,25,30,35,20\nDriver,110,90,2,60\nDriver,115,170,13,300\n"
+    rows = "Putter,5,8.4,2,0.5\nMallet,5,8.4,2,0.5\nLW,20,15,40,8\nSW,25,30,35,20\nDriver,110,90,2,60\nDriver,115,170,13,300\n"
     shots = launch_monitor.read(write(head + rows))
-    assert len(shots) == 5
+    assert len(shots) == 6
     assert shots.notes == ()
 
 
@@ -127,22 +147,22 @@ def test_a_computed_cell_that_holds_no_number_costs_itself_and_not_the_shot(writ
 
 
 @pytest.mark.parametrize(
-    ("heads", "cells", "agree"),
+    ("heads", "cells", "speed"),
     [
-        ("Ball Speed (mph),Ball Speed (m/s)", "147.0,65.7", True),
-        ("Ball Speed (mph),Ball Speed (m/s)", "147.0,65.9", False),
-        ("Ball Speed (mph),Ball Speed (km/h)", "147,237", True),
-        ("ball_speed_mph,Ball Speed [mph]", "147,146.8", True),
-        ("ball_speed_mph,Ball Speed [mph]", "147,146", False),
-        ("ball_speed_mph;Ball Speed [m/s]", '147,0;65,7', True),
+        ("Ball Speed (mph),Ball Speed (m/s)", "147.0,65.7", 147 * MPH),
+        ("Ball Speed (mph),Ball Speed (m/s)", "147.0,65.9", None),
+        ("Ball Speed (mph),Ball Speed (km/h)", "147,237", 237 / 3.6),
+        ("ball_speed_mph,Ball Speed [mph]", "147,146.8", 146.8 * MPH),
+        ("ball_speed_mph,Ball Speed [mph]", "147,146", None),
+        ("ball_speed_mph;Ball Speed [m/s]", '147,0;65,7', 147 * MPH),
     ],
 )  # fmt: skip
-def test_a_quantity_that_stands_twice_is_one_if_it_agrees_within_its_rounding(write, heads, cells, agree):
+def test_a_quantity_that_stands_twice_is_the_finer_one_if_they_agree_within_their_rounding(write, heads, cells, speed):
     delimiter = ";" if ";" in heads else ","
     row = delimiter.join(["Driver", cells, "12"])
     path = write(f"{delimiter.join(['club', heads, 'launch_deg'])}\n{row}\n")
-    if agree:
-        assert launch_monitor.read(path).launches["ball_speed"][0] == pytest.approx(147 * MPH, rel=3e-3)
+    if speed is not None:
+        assert launch_monitor.read(path).launches["ball_speed"][0] == pytest.approx(speed, rel=1e-14)
     else:
         with pytest.raises(FileError, match=r"line 2: .*differ"):
             launch_monitor.read(path)

@@ -57,6 +57,17 @@ def test_whole_numbers_are_whole_at_every_step(how):
     assert sorted(made.at(np.arange(200)).tolist()) == list(range(200))
 
 
+@pytest.mark.parametrize("how", [{"from": 0, "to": 10, "count": 4}, {"from": 0, "to": 1, "step": 0.5}])
+def test_a_number_of_things_is_not_swept_in_parts(how):
+    with pytest.raises(InputError, match="whole numbers at every step"):
+        axis("swing", how, Swept("1", limits=(0, 10**9)))
+
+
+def test_values_of_more_digits_than_a_float_holds_are_evenly_spaced_too():
+    made = axis("speed", {"from": "0.12345678901234567890 m/s", "to": "1 m/s", "count": 3}, SPEED)
+    np.testing.assert_allclose(made.at(np.arange(3)), [0.12345678901234568, 0.5617283945061728, 1.0], rtol=1e-15)
+
+
 @pytest.mark.parametrize("method", ["sobol", "latin-hypercube"])
 def test_samples_of_whole_numbers_are_whole_and_each_as_frequent(method):
     pytest.importorskip("scipy")
@@ -82,6 +93,11 @@ def test_a_step_of_a_temperature_is_a_difference(how, unit, degrees):
     made = axis("temperature", how, Swept("K"))
     assert made.count == len(degrees)
     np.testing.assert_allclose(made.at(np.arange(made.count)), to_si(np.array(degrees, dtype=float), unit), atol=1e-10)
+
+
+def test_an_axis_that_ends_where_it_begins_has_one_value():
+    made = axis("speed", {"from": "90 mph", "to": "90 mph", "step": "1 mph"}, SPEED)
+    assert made.at(np.arange(made.count)).tolist() == [to_si(90.0, "mph")]
 
 
 def test_units_are_mixed_between_the_ends_and_the_step():

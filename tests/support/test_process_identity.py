@@ -32,6 +32,8 @@ def test_a_process_that_has_ended_runs_no_more_even_if_nobody_has_asked_for_its_
     assert not begun(child.pid)
     child.wait()
     assert not begun(child.pid)
+    for unknown in ("", None):  # of a machine that does not tell when a process began
+        assert not is_running({**this_process(), "process": child.pid, "begun": unknown})
 
 
 def test_a_reused_number_does_not_keep_unfinished_work_from_being_begun_anew(tmp_path, monkeypatch):
