@@ -85,7 +85,8 @@ LISTED = 8
 
 _WORDS = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
 _TWO_SIDES = re.compile(rf"(?:^|\s)({_WORDS})([-+])\s*/\s*({_WORDS})([-+])$", re.IGNORECASE)
-_PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
+PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
+"""A number as most cells of most files hold it."""
 
 
 class CellError(ValueError):
@@ -148,7 +149,7 @@ def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0
     numbers of the column are to the right (``positive`` is the sign of its positive side here), -1.2 L is 1.2 to the
     left and -1.2 R is an error.
     """
-    if not decimal_comma and _PLAIN.fullmatch(cell):
+    if not decimal_comma and PLAIN.fullmatch(cell):
         return Reading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
     if is_missing(cell):
         return None

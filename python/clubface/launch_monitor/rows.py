@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from clubface.errors import FileError, shortened
-from clubface.launch_monitor.cells import FACE_TO_PATH, MIRRORED, WORLD, CellError, reading
+from clubface.launch_monitor.cells import FACE_TO_PATH, MIRRORED, PLAIN, WORLD, CellError, reading
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.summary_rows import summary_rows
@@ -23,7 +23,16 @@ from clubface.recorded.shots import RejectedRow
 from clubface.recorded.wrong_units import Unit
 from clubface.simulation.quantities import inputs
 from clubface.support.arrays import Floats
-from clubface.tables.cells import LARGE, NUMBER, hand_of, is_missing, may_be_thousands, quoted_cell, ragged_reason
+from clubface.tables.cells import (
+    LARGE,
+    NUMBER,
+    all_numbers,
+    hand_of,
+    is_missing,
+    may_be_thousands,
+    quoted_cell,
+    ragged_reason,
+)  # fmt: skip
 from clubface.tables.csv_rows import Row
 from clubface.tables.headings import POINTS
 from clubface.tables.rows import Reject
@@ -44,7 +53,6 @@ SHOWN = 3
 SAME = 1e-9
 """Relative difference up to which two cells say the same."""
 _NUMERIC = frozenset("0123456789+-.,−")
-_PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
 
 
 @dataclass
@@ -129,6 +137,38 @@ class Session:
     doubtful_number: str = ""
     names_clubs: bool = False
     names_players: bool = False
+
+
+class _Faults:
+    """What is wrong with some rows.
+
+    Attributes
+    ----------
+    reasons
+        Why a row gives no shot.
+    unreadable
+        Cells of computed quantities that hold no number, by heading and row.
+    """
+
+    def __init__(self) -> None:
+        self.reasons: dict[int, str] = {}
+        self.unreadable: dict[str, dict[int, str]] = {}
+
+    @property
+    def rows(self) -> set[int]:
+        """The rows with any of it."""
+        return {*self.reasons, *(row for cells in self.unreadable.values() for row in cells)}
+
+    def reject(self, row: int, reason: str) -> None:
+        """Add the reason why a row gives no shot, if it has none yet."""
+        self.reasons.setdefault(row, reason)
+
+    def add(self, row: int, cell: str, what: str, column: Used) -> None:
+        """Add a cell that holds no number: of a computed quantity it costs the cell, otherwise the row."""
+        if column.quantity in DERIVED:
+            self.unreadable.setdefault(column.heading, {})[row] = cell.strip()
+        else:
+            self.reject(row, f"{column.heading}: {quoted_cell(cell.strip())} is {what}")
 
 
 class SessionReader:
@@ -315,20 +355,17 @@ class SessionReader:
         columns, session = self._columns, self.session
         assert columns is not None
         self._note_unread(cells)
-        reasons: dict[int, str] = {}
-        hands = self._hands(cells, len(lines), reasons)
-        unreadable: dict[str, dict[int, str]] = {}
-        values = {
-            quantity: self._quantity(cells, used, hands, reasons, unreadable) for quantity, used in columns.used.items()
-        }
+        faults = _Faults()
+        hands = self._hands(cells, len(lines), faults)
+        values = {quantity: self._quantity(cells, used, hands, faults) for quantity, used in columns.used.items()}
         labels = {place: each for place, each in columns.labels.items() if not _is_array(cells[place])}
-        doubtful = {*reasons, *(row for bad in unreadable.values() for row in bad)}
-        left_out = summary_rows(labels, cells, values, doubtful)
+        left_out = summary_rows(labels, cells, values, faults.rows)
         session.summaries += len(left_out)
-        self._check(values, reasons)
+        self._check(values, faults)
+        reasons = faults.reasons
         for row in sorted(reasons.keys() - left_out):
             self._reject(lines[row], reasons[row])
-        for heading, bad in unreadable.items():
+        for heading, bad in faults.unreadable.items():
             if wrong := [cell for row, cell in bad.items() if row not in left_out and row not in reasons]:
                 count, first = session.unreadable.get(heading, (0, wrong[0]))
                 session.unreadable[heading] = (count + len(wrong), first)
@@ -362,7 +399,7 @@ class SessionReader:
         texts = [*map(str.strip, self._texts(cells, place))]
         return texts if len(kept) == len(texts) else [texts[row] for row in kept]
 
-    def _hands(self, cells: Sequence[Any], count: int, reasons: dict[int, str]) -> Floats:
+    def _hands(self, cells: Sequence[Any], count: int, faults: _Faults) -> Floats:
         assert self._columns is not None
         place = self._columns.hand
         hands = np.full(count, self._hand)
@@ -375,45 +412,31 @@ class SessionReader:
             except ValueError:
                 text = cell.strip()
                 what = f"{quoted_cell(text)} is not a hand" if text else "the cell is empty"
-                reasons.setdefault(row, f"{self._header[place].strip()}: {what}")
+                faults.reject(row, f"{self._header[place].strip()}: {what}")
         return hands
 
-    def _quantity(
-        self,
-        cells: Sequence[Any],
-        used: Sequence[Used],
-        hands: Floats,
-        reasons: dict[int, str],
-        unreadable: dict[str, dict[int, str]],
-    ) -> Floats:
+    def _quantity(self, cells: Sequence[Any], used: Sequence[Used], hands: Floats, faults: _Faults) -> Floats:
         """Return the values of a quantity; where several columns have it, of the one with the finest steps."""
-        values = self._numbers(cells[used[0].place], used[0], hands, reasons, unreadable)
+        values = self._numbers(cells[used[0].place], used[0], hands, faults)
         if len(used) == 1:
             return values
         step = _steps(cells[used[0].place], used[0], self._decimal_comma)
         for each in used[1:]:
-            other = self._numbers(cells[each.place], each, hands, reasons, unreadable)
+            other = self._numbers(cells[each.place], each, hands, faults)
             other_step = _steps(cells[each.place], each, self._decimal_comma)
             # In two units both are rounded; in the same, one is a rounding of the other.
             coarser = np.where(step == other_step, 0.0, np.maximum(step, other_step))
             rounding = coarser if each.unit == used[0].unit else step + other_step
             apart = np.abs(values - other) > 0.5 * rounding * (1.0 + 1e-6) + SAME * np.abs(values)
             for row in np.flatnonzero(apart):
-                pair = [quoted_cell(str(cells[of.place][row]).strip()) for of in (used[0], each)]
-                reasons.setdefault(int(row), f"{_both(used[0], each)}: {pair[0]} and {pair[1]}")
+                pair = [quoted_cell(str(cells[column.place][row]).strip()) for column in (used[0], each)]
+                faults.reject(int(row), f"{_both(used[0], each)}: {pair[0]} and {pair[1]}")
             taken = np.isnan(values) | (other_step < step)
             taken &= ~np.isnan(other)
             values, step = np.where(taken, other, values), np.where(taken, other_step, step)
         return values
 
-    def _numbers(
-        self,
-        cells: Any,
-        column: Used,
-        hands: Floats,
-        reasons: dict[int, str],
-        unreadable: dict[str, dict[int, str]],
-    ) -> Floats:
+    def _numbers(self, cells: Any, column: Used, hands: Floats, faults: _Faults) -> Floats:
         """Return the SI values of a column with their signs here, NaN where nothing was measured."""
         mirrored = np.sign(hands) if column.quantity in MIRRORED else None
         if column.quantity in LARGE and not _is_array(cells):
@@ -421,11 +444,11 @@ class SessionReader:
             for row, cell in enumerate(cells):
                 if mark in cell and may_be_thousands(cell, self._decimal_comma):
                     what = "a number that may have thousands or decimals; other columns decide for decimals"
-                    self._note_unreadable(row, cell, what, column, reasons, unreadable)
-        quick = cells if _is_array(cells) else _floats(cells, self._decimal_comma)
+                    faults.add(row, cell, what, column)
+        quick = cells if _is_array(cells) else all_numbers(cells, self._decimal_comma)
         if quick is not None:
             for row in np.flatnonzero(np.isinf(quick)):
-                self._note_unreadable(int(row), f"{quick[row]}", "not a finite number", column, reasons, unreadable)
+                faults.add(int(row), f"{quick[row]}", "not a finite number", column)
             values = to_si(np.where(np.isinf(quick), nan, quick) * column.side.sign, column.unit)
             if mirrored is not None and column.side.frame != WORLD:
                 self._guess_hands(hands, ~np.isnan(values))
@@ -436,22 +459,21 @@ class SessionReader:
         signs = np.full(len(cells), column.side.sign)
         in_club_terms = np.full(len(cells), column.side.frame != WORLD)
         for row, cell in enumerate(cells):
-            if not self._decimal_comma and _PLAIN.fullmatch(cell):
+            if not self._decimal_comma and PLAIN.fullmatch(cell):
                 values[row] = float(cell)
                 continue
             try:
                 content = reading(cell, column.quantity, self._decimal_comma, column.side.sign)
             except CellError as error:
-                self._note_unreadable(row, cell, str(error), column, reasons, unreadable)
+                faults.add(row, cell, str(error), column)
                 continue
             if content is None:
                 continue
             if content.unit is not None and unit(content.unit).dimension != unit(column.unit).dimension:
-                what = f"not in {column.unit} or another such unit"
-                self._note_unreadable(row, cell, what, column, reasons, unreadable)
+                faults.add(row, cell, f"not in {column.unit} or another such unit", column)
                 continue
             if not isfinite(content.value):
-                self._note_unreadable(row, cell, "not a finite number", column, reasons, unreadable)
+                faults.add(row, cell, "not a finite number", column)
                 continue
             values[row] = content.value
             if content.side is not None:
@@ -467,31 +489,16 @@ class SessionReader:
             in_si[row] = to_si(values[row], symbol)
         return in_si
 
-    def _guess_hands(self, hands: Floats, told: Any) -> None:
-        self.session.guessed_hand |= bool((np.isnan(hands) & told).any())
-
-    def _note_unreadable(
-        self,
-        row: int,
-        cell: str,
-        what: str,
-        column: Used,
-        reasons: dict[int, str],
-        unreadable: dict[str, dict[int, str]],
-    ) -> None:
-        """Note a cell that holds no number: of a computed quantity it costs the cell, otherwise the row."""
-        if column.quantity in DERIVED:
-            unreadable.setdefault(column.heading, {})[row] = cell.strip()
-        else:
-            reasons.setdefault(row, f"{column.heading}: {quoted_cell(cell.strip())} is {what}")
+    def _guess_hands(self, hands: Floats, measured: Any) -> None:
+        self.session.guessed_hand |= bool((np.isnan(hands) & measured).any())
 
     @staticmethod
-    def _check(values: Mapping[str, Floats], reasons: dict[int, str]) -> None:
+    def _check(values: Mapping[str, Floats], faults: _Faults) -> None:
         """Reject rows of which no ball was measured, or nothing."""
         for row in np.flatnonzero(values.get("ball_speed", np.empty(0)) == 0.0):
-            reasons.setdefault(int(row), "the ball speed is 0: no ball was measured")
+            faults.reject(int(row), "the ball speed is 0: no ball was measured")
         for row in np.flatnonzero(np.logical_and.reduce([np.isnan(each) for each in values.values()])):
-            reasons.setdefault(int(row), "nothing was measured: every cell of a delivery or launch is empty")
+            faults.reject(int(row), "nothing was measured: every cell of a delivery or launch is empty")
 
     def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:
         """Leave out the club data of shots whose club was not measured, which a speed that cannot be tells."""
@@ -526,18 +533,6 @@ class SessionReader:
 
 def _is_array(cells: Any) -> bool:
     return isinstance(cells, np.ndarray)
-
-
-def _floats(cells: Sequence[str], decimal_comma: bool) -> Floats | None:
-    """Return the cells of a column as numbers where each is one, as for most columns of most files; else None."""
-    joined = "".join(cells)
-    if "_" in joined or (decimal_comma and "." in joined):
-        return None
-    try:
-        values = np.array([*map(float, [each.replace(",", ".") for each in cells] if decimal_comma else cells)])
-    except ValueError:
-        return None
-    return values if np.isfinite(values).all() else None
 
 
 def _is_measurement(cell: str) -> bool:

@@ -145,20 +145,27 @@ def hand_of(text: str) -> float:
     return float(_HANDS[told])
 
 
+def all_numbers(cells: Sequence[str], decimal_comma: bool) -> NDArray[Any] | None:
+    """Return a column of finite numbers, as most columns of most files are, at a tenth of the usual cost; else None."""
+    import numpy as np
+
+    joined = "".join(cells)
+    if "_" in joined or (decimal_comma and "." in joined):
+        return None
+    try:
+        values = np.array([*map(float, [each.replace(",", ".") for each in cells] if decimal_comma else cells)])
+    except ValueError:
+        return None
+    return values if np.isfinite(values).all() else None
+
+
 def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[NDArray[Any], dict[int, str]]:
     """Return the numbers ``cells`` hold, and for those that hold none, why."""
     import numpy as np
 
     is_hand = column.quantity == HAND
-    joined = "".join(cells)
-    if not is_hand and "_" not in joined and (not decimal_comma or "." not in joined):
-        # As below, but for most columns of most files at a tenth of the cost.
-        try:
-            values = np.array([*map(float, [c.replace(",", ".") for c in cells] if decimal_comma else cells)])
-            if np.isfinite(values).all():
-                return values, {}
-        except ValueError:
-            pass
+    if not is_hand and (quick := all_numbers(cells, decimal_comma)) is not None:
+        return quick, {}
     values = np.full(len(cells), math.nan)
     reasons = {}
     for row, cell in enumerate(cells):
