@@ -18,7 +18,7 @@ from clubface.reports.document import check_ending, file_name, write_document
 from clubface.reports.origin import origin
 
 CLUBLESS = "a club without a name"
-MOST_PICTURES = 60
+MOST_PICTURES = 40
 """Pictures of a report; each takes a fifth of a second and 150 kB."""
 
 
