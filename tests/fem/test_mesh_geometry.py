@@ -203,3 +203,40 @@ def test_mass_and_cg_of_added_masses_are_exact_and_what_the_inertia_misses_is_sa
     assert missed < exact
     (text,) = [str(each.message) for each in said if "moment of inertia" in str(each.message)]
     assert float(re.search(r"inertia ([\d.]+)%", text)[1]) == pytest.approx(100.0 * missed, rel=0.3, abs=0.1)
+
+
+def test_the_sides_of_a_wall_and_loose_parts_are_pieces_that_are_refused(tmp_path):
+    walls = coarse_walls()
+    count, middle = len(walls.nodes), walls.nodes.mean(axis=0)
+    inner = [[each + count for each in row[::-1]] for _, row in walls.elements]
+    skins = walls._replace(
+        nodes=np.vstack([walls.nodes, middle + 0.97 * (walls.nodes - middle)]),
+        parts={**walls.parts, "skirt": walls.parts["skirt"] + inner},
+    )
+    with pytest.raises(FileError, match=r"in 2 that share .* mesh a wall once, on its middle"):
+        read(tmp_path, skins)
+    with pytest.raises(FileError, match=r"in 4 that .* smallest are 0\.08\d* from the others"):
+        read(tmp_path, walls.apart(0.05))
+
+
+@pytest.mark.filterwarnings("default::clubface.errors.MeshWarning")
+def test_a_hole_in_the_head_is_said(tmp_path):
+    walls = coarse_walls()
+    with pytest.warns(MeshWarning, match="the surface is open"):
+        read(tmp_path, walls._replace(parts={**walls.parts, "crown": walls.parts["crown"][:-30]}))
+
+
+@pytest.mark.filterwarnings("default::clubface.errors.MeshWarning")
+def test_a_face_group_that_ends_in_the_middle_of_the_face_is_said(tmp_path):
+    walls = coarse_walls()
+    high = [float(walls.nodes[row].mean(axis=0)[1]) for row in walls.parts["face"]]
+    upper = [row for row, at in zip(walls.parts["face"], high, strict=True) if at > -3.0]
+    lower = [row for row, at in zip(walls.parts["face"], high, strict=True) if at <= -3.0]
+    parts = {**walls.parts, "face": upper, "sole": walls.parts["sole"] + lower}
+    with pytest.warns(MeshWarning, match=r"elements of sole continue the face within 12 mm .* face = true"):
+        read(tmp_path, walls._replace(parts=parts))
+
+
+@pytest.mark.filterwarnings("error::clubface.errors.MeshWarning")
+def test_a_closed_head_with_its_whole_face_is_read_without_a_word(tmp_path):
+    assert read(tmp_path, coarse_walls()).parts[0].face

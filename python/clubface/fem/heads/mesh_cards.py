@@ -79,7 +79,7 @@ def walls(
             card[rows] = wall.thickness
         wall_of[rows] = place
     card = size * np.where(np.isnan(mesh.thickness), card, mesh.thickness)
-    thickness, metals, differing = np.zeros(len(card)), [], []
+    thickness, metals, differing, unread = np.zeros(len(card)), [], [], []
     for number, group in enumerate(groups):
         own = of_group == number
         told = card[own]
@@ -96,9 +96,13 @@ def walls(
         if (told <= 0.0).any():
             differing.append(f"{group.name} 0 mm there")
         which = [cards[each][1] for each in np.unique(wall_of[own]) if each >= 0]
-        metals.append(_metal(mesh, group, which, unit, differing, notes))
+        metals.append(_metal(mesh, group, which, unit, differing, unread, notes))
     if differing:
         notes.append(f"its cards differ from the head's own file, which counts: {'; '.join(differing)}")
+    if unread:
+        values = " and ".join(f"{key} {units.show(getattr(Metal(), key), _UNITS[key])}" for key in METAL)
+        told = f"metals that are not in the file or of a law that is not read: {'; '.join(unread)}"
+        notes.append(f"{told}; taken as of titanium where the group does not give it: {values}")
     return thickness, metals
 
 
@@ -107,8 +111,9 @@ def _range(values: NDArray[Any]) -> str:
     return least if least == most else f"{least} to {most}"
 
 
-def _metal(mesh: Mesh, group: Given, walls: Sequence[Wall], unit: str, differing: list[str], notes: list[str]) -> Metal:
-    """Return the metal of a group, and note where file and cards differ."""
+def _metal(mesh: Mesh, group: Given, walls: Sequence[Wall], unit: str, differing: list[str], unread: list[str],
+           notes: list[str]) -> Metal:  # fmt: skip
+    """Return the metal of a group, and note where file and cards differ, and metals that are not read."""
     given = group.metal
     cards = [_in_si(mesh, wall, unit) for wall in walls if wall.youngs is not None or wall.density is not None]
     card = cards[0] if cards else {}
@@ -127,12 +132,9 @@ def _metal(mesh: Mesh, group: Given, walls: Sequence[Wall], unit: str, differing
     if isinstance(given, Metal):
         return given
     found = Metal(**{**card, **given})
-    unread = sorted({wall.material for wall in walls if wall.material and wall.youngs is None and wall.density is None})
-    if unread and not set(METAL) <= {*given}:
-        values = " and ".join(f"{key} {units.show(getattr(found, key), _UNITS[key])}" for key in METAL)
-        few = ", ".join(unread[:3])
-        told = f"the metal of {group.name}, {few}, is not in the file or of a law that is not read"
-        notes.append(f"{told}; taken as of titanium where the group does not give it: {values}")
+    named = sorted({wall.material for wall in walls if wall.material and wall.youngs is None and wall.density is None})
+    if named and not set(METAL) <= {*given}:
+        unread.append(f"{', '.join(named[:3])} of {group.name}")
     if card and not set(METAL) <= {*card, *given}:
         left = [key for key in METAL if key not in card and key not in given]
         values = " and ".join(f"{key} {units.show(getattr(found, key), _UNITS[key])}" for key in left)

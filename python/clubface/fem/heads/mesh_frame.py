@@ -146,7 +146,7 @@ def check_frame(
     if abs(elevation - loft) > ANGLE:
         message = (
             f"the loft of the mesh, to 1 deg: the face of {file} has {_degrees(elevation)} at the face centre;"
-            " correct loft, or turn the mesh about z until it is soled as at address"
+            " correct loft or face_centre, or turn the mesh about z until it is soled as at address"
         )
         raise InputError("loft", _degrees(loft), message)
     turned = math.atan2(float(face.normal[2]), float(face.normal[0]))

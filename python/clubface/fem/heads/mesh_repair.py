@@ -20,6 +20,8 @@ leave 0.001 mm between the nodes of a seam, and no element of a head is as small
 LEAST_ANGLE = 0.05
 """Least angle of a quadrilateral as it is left: its triangle there over the parallelogram of the diagonals, which is
 0.5 in a square. The core takes 0.02 and more."""
+SAMPLE = 500
+"""Nodes of a piece whose distances from the others are looked at."""
 WINDOW = 200
 """Most neighbours along a line that are compared with a node."""
 DIRECTION = (0.4815, 0.6297, 0.6098)
@@ -198,6 +200,10 @@ def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str
     pairs = order[np.repeat(count == 2, count)].reshape(-1, 2)
     same = (nodes[pairs[:, 0]] == nodes[pairs[:, 1]]).all(axis=1)
     flip, piece = _consistent(len(shells.corners), element[pairs], same)
+    _check_pieces(path, shells, piece)
+    _note_open_edges(
+        shells, keys[count == 1], element[np.argsort(edge, kind="stable")][np.repeat(count == 1, count)], notes
+    )
     area = _area_vectors(shells) * np.where(flip, -1.0, 1.0)[:, None]
     centre = _centres(shells)
     size = np.linalg.norm(area, axis=1)
@@ -217,6 +223,42 @@ def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str
     parts = "all" if flip.all() else f"{int(flip.sum())} of {len(flip)}"
     notes.append(
         f"the normals of {parts} elements point inward and are turned, element {shells.ids[flip][0]} the first"
+    )
+
+
+def _check_pieces(path: str, shells: Shells, piece: NDArray[Any]) -> None:
+    """Refuse a mesh in pieces, such as the inner and the outer side of walls, or parts whose seams are not closed."""
+    import numpy as np
+
+    sizes = np.bincount(piece)
+    if len(sizes) == 1:
+        return
+    some = ", ".join(
+        f"{size} with element {shells.ids[np.argmax(piece == each)]}" for each, size in enumerate(sizes[:4])
+    )
+    least = piece == int(np.argmin(sizes))
+    one, other = (shells.points[np.unique(shells.corners[rows][shells.corners[rows] >= 0])] for rows in (least, ~least))
+    distances = np.concatenate([np.linalg.norm(other - place, axis=1) for place in one[:SAMPLE]])
+    away = float(distances[distances > 0.0].min())  # pieces that touch in a node alone are two
+    message = (
+        f"a mesh must be in one piece, and this is in {len(sizes)} that share no edge, of {some} elements; nodes of the"
+        f" smallest are {away:.3g} from the others, in the unit of the file: merge the nodes of seams, and mesh a wall"
+        " once, on its middle surface"
+    )
+    raise FileError(path, None, message)
+
+
+def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any], notes: list[str]) -> None:
+    """Note a hole or a slit: edges of one element alone."""
+    import numpy as np
+
+    if not len(edges):
+        return
+    ends = shells.points[edges]
+    length = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
+    notes.append(
+        f"the surface is open, as at a hole or a slit: along {length:.3g}, in the unit of the file, elements such as"
+        f" {shells.ids[element[0]]} have no neighbour at an edge"
     )
 
 

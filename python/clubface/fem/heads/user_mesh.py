@@ -33,6 +33,10 @@ centimetres too."""
 
 AT_NODE = 2e-5
 """How near to a node a point mass of a mesh file stands on it [m]."""
+REACHED = 0.012
+"""Radius about the face centre that a ball touches in a fast drive [m]."""
+FLUSH_COSINE = math.cos(math.radians(20.0))
+"""Of the angle to the face normal up to which another group continues the face."""
 FACE_COSINE = math.cos(math.radians(45.0))
 """Of the angle to the face normal up to which an element of a face group is one that the ball may touch."""
 
@@ -252,6 +256,25 @@ class MeshHead:
             nodes, quads, file=os.path.basename(os.fspath(self.file)), loft=self.loft, bulge=self.bulge, roll=self.roll,
             wall=wall, centre=shown, parts=parts, notes=notes,
         )  # fmt: skip
+        self._note_rest_of_face(nodes, shells, face, notes)
+
+    def _note_rest_of_face(self, nodes: NDArray[Any], shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
+        """Note groups that the ball reaches in a strike at the face centre although they are no part of the face."""
+        import numpy as np
+
+        corners = nodes[shells.corners]
+        normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+        toward = normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
+        away = np.linalg.norm(corners.mean(axis=1), axis=1)
+        rest = ~face & (toward > FLUSH_COSINE) & (away < REACHED)
+        for place in np.unique(shells.group[rest]):
+            own = rest & (shells.group == place)
+            notes.append(
+                f"{int(own.sum())} elements of {self.groups[place].name} continue the face within"
+                f" {units.show(REACHED, 'mm')} of the face centre, the nearest"
+                f" {units.fixed(float(away[own].min()), 'mm', 1)} from it, and are no part of the face, at whose edge"
+                " contact ends; give them to a group with face = true"
+            )
 
 
 def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:
