@@ -134,8 +134,9 @@ def database():
 @pytest.mark.parametrize(
     ("content", "kind"),
     [
-        (archive("session/shots.csv"), "ZIP archive with session/shots.csv"), (gzip.compress(b"speed\n1\n", mtime=0), "gzip"),
-        (b"%PDF-1.7\n1 0 obj\n", "PDF"), (b"\n <!DOCTYPE html><html><table>", "web page"),
+        (archive("session/shots.csv"), "ZIP archive with session/shots.csv"),
+        (gzip.compress(b"speed\n1\n", mtime=0), "gzip"), (b"%PDF-1.7\n1 0 obj\n", "PDF"),
+        (b"\n <!DOCTYPE html><html><table>", "web page"),
         (b"\xef\xbb\xbf<html><body>", "web page"), (b"<?xml version='1.0'?><Workbook/>", "XML"),
         (database(), "SQLite"), (json.dumps([{"speed": 1}], indent=1).encode(), "JSON"),
         (b'{"shots": []}', "JSON"), (archive("mimetype", "content.xml"), "OpenDocument"),

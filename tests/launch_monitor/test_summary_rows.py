@@ -57,6 +57,45 @@ def test_a_player_called_max_and_a_club_called_max_keep_their_shots(write):
     assert not any("left out" in note for note in shots.notes)
 
 
+@pytest.mark.parametrize(
+    ("label", "kind"), [("Max", "max"), ("Best", "max"), ("Worst", "min"), ("Total", "mean"), ("SD", "deviation")]
+)
+@pytest.mark.parametrize("place", [0, 1])
+def test_where_nothing_numbers_the_shots_the_numbers_tell_a_summary_from_a_name(write, label, kind, place):
+    rows = [["Driver", "Ann", str(speed), str(ball)] for speed, ball in zip(SPEEDS, (146.0, 144.0, 151.0), strict=True)]
+    rows.append(["Driver", "Ann", *map(str, ROWS[kind])])
+    rows[-1][place] = label
+    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
+    assert_left_out(launch_monitor.read(write(head + "\n".join(map(",".join, rows)) + "\n")))
+    rows[-1][2] = "101.2"  # the ball speed alone may be so by chance
+    assert len(launch_monitor.read(write(head + "\n".join(map(",".join, rows)) + "\n"))) == 4
+
+
+def test_each_clubs_best_is_that_of_its_own_shots(write):
+    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
+    rows = "Driver,Ann,100,146\nDriver,Ann,103,150\nDriver,Best,103,150\n7i,Ann,80,106\n7i,Ann,78,104\n7i,Best,80,106\n"
+    assert launch_monitor.read(write(head + rows)).rows.tolist() == [2, 3, 5, 6]
+
+
+def test_an_average_is_no_shot_though_the_shots_it_is_of_are_not_all_in_the_file(write):
+    head = "Type,Club,Player,Club Speed (mph),Ball Speed (mph)\n"
+    rows = "x,Driver,Ann,100,146\nx,Driver,Ann,103,150\nx,Driver Average,Ann,95,139\n"
+    assert launch_monitor.read(write(head + rows)).rows.tolist() == [2, 3]
+
+
+def test_players_called_average_joe_and_mean_gene_keep_their_shots(write):
+    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
+    shots = launch_monitor.read(
+        write(head + "Driver,Average Joe,100,146\nDriver,Ann,98,144\nDriver,Mean Gene,99,145\n")
+    )
+    assert shots.players.tolist() == ["Average Joe", "Ann", "Mean Gene"]
+
+
+def test_what_most_rows_say_sums_nothing_up(write):
+    head = "Type,Club Speed (mph),Ball Speed (mph)\n"
+    assert len(launch_monitor.read(write(head + "Mini,100,146\nMini,98,144\nMini,103,151\n"))) == 3
+
+
 def test_how_good_a_shot_was_is_no_summary(write):
     head = "Club,Quality,Club Speed (mph),Ball Speed (mph),Launch Angle (deg)\n"
     rows = "Driver,Good,100,146,12\nDriver,Average,95,133,15\nDriver,Best,104,153,11\nDriver,Average,97,139,9\n"

@@ -117,7 +117,8 @@ def test_two_shots_that_contradict_themselves_do_not_condemn_a_unit(write):
 def test_slow_and_odd_shots_are_no_sign_of_a_wrong_unit(write):
     """Chips, putts, topped balls and tailwinds of a real session."""
     head = "Club,Club Speed (mph),Ball Speed (mph),Launch Angle (deg),Carry (yd)\n"
-    rows = "Putter,5,8.4,2,0.5\nMallet,5,8.4,2,0.5\nLW,20,15,40,8\nSW,25,30,35,20\nDriver,110,90,2,60\nDriver,115,170,13,300\n"
+    rows = "Putter,5,8.4,2,0.5\nMallet,5,8.4,2,0.5\nLW,20,15,40,8\nSW,25,30,35,20\n"
+    rows += "Driver,110,90,2,60\nDriver,115,170,13,300\n"
     shots = launch_monitor.read(write(head + rows))
     assert len(shots) == 6
     assert shots.notes == ()
