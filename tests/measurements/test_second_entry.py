@@ -23,6 +23,7 @@ DIGESTS = {
     "measurements/ball.toml": "b4afb422",
     "measurements/club-heads.toml": "512e67f9",
     "measurements/heads-irons-2022-2026.csv": "b249cd9c",
+    "measurements/launches.toml": "059aab97",
     "measurements/lpga-2019.csv": "acc1d46c",
     "measurements/lpga-2023.csv": "462ad632",
     "measurements/optimum-launch.toml": "e3b0c442",

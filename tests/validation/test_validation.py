@@ -12,7 +12,7 @@ from clubface import measurements, units
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, UnknownNameError
 from clubface.tour.averages import averages
-from clubface.validation import Figure, deliveries, directions, irons, optimum, plates, strikes, tables, validate
+from clubface.validation import Figure, at_launch, deliveries, directions, irons, optimum, plates, strikes, tables, validate
 from clubface.validation.catalogue import CHECKS
 from clubface.validation.check import Judged, figure
 from clubface.validation.run import summary
@@ -90,6 +90,9 @@ def test_the_published_figures_are_those_of_the_tables():
         ("standard-shots", "pitching-wedge", "launch angle", "deg", 26.7),
         ("amateur-drives", "female, 15", "spin", "rpm", 3287),
         ("trackman-drives", "100 mph, +5 deg, for carry", "spin", "rpm", 2538),
+        ("irons-at-launch", "one golfer, TrackMan 4, 7-iron", "spin", "rpm", 6390),
+        ("irons-at-launch", "robot, two blades, 7-iron", "spin", "rpm", (5908 + 6007) / 2),
+        ("drives-at-launch", "many golfers, 110 mph", "ball speed", "mph", 161.3),
         ("launch-shares", "7-iron", "share of start direction (PING)", "1", 0.69),
         ("curvature", "LPGA Tour, driver, face to path -5 deg", "curve", "yd", -32),
         ("robot-irons", "7-iron, dynamic loft 25.5 deg", "spin", "rpm", 140516 / 26),
@@ -108,6 +111,8 @@ ALLOWED = {
     "tour-woods": {"ball speed": 2.5, "spin": 8},
     "amateur-drives": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
     "trackman-drives": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
+    "irons-at-launch": {"ball speed": 2.5, "spin": 15},
+    "drives-at-launch": {"ball speed": 2.5, "spin": 9},
     "curvature": {"curve": 25},
     "head-after-impact": {"attack angle steeper by": 1},
     "robot-irons": {"spin": 5, "spin by a degree": 15},
@@ -173,6 +178,28 @@ def test_a_published_loft_is_used_and_another_is_solved():
     average = next(each for each in averages("pga-2019") if each.club == "6-iron")
     shot = clubface.impact("6-iron", speed=average.club_speed, attack=average.attack, loft="20.2 deg", model="slip")
     assert found[0].computed == pytest.approx(shot.ball_speed, rel=1e-12)
+
+
+def test_at_its_own_launch_a_model_has_its_own_spin_whatever_the_loft_was():
+    judged = Judged("response")
+    shot = judged.hit("7-iron", speed=38.0, attack=-3 * DEG, loft=26 * DEG, high=0.002)
+    row = {"club": "7-iron", "club_speed": 38.0, "attack": -3 * DEG, "launch": float(shot.launch)}
+    again = at_launch.at_launch(judged, row, high=0.002)
+    # The loft is solved to 1e-10 rad.
+    assert again.total_spin == pytest.approx(shot.total_spin, rel=1e-8)
+    assert again.ball_speed == pytest.approx(shot.ball_speed, rel=1e-8)
+
+
+def test_the_spin_of_drives_counts_as_missed_only_beyond_what_the_height_of_the_strike_explains():
+    judged = Judged("standard")
+    (spin,) = [each for each in at_launch.drives(judged) if each.what == "many golfers, 110 mph" and each.unit == "rpm"]
+    row = {"club": "driver", "club_speed": 109.98 * 0.44704, "attack": 1.6 * DEG, "launch": 12.58 * DEG}
+    low, middle, high = (at_launch.at_launch(judged, row, high=each) for each in (0.0, 0.003, 0.006))
+    # At one launch a strike higher on a driver spins less, by tens of rpm a mm.
+    assert 20 * RPM < (low.total_spin - high.total_spin) / 6 < 150 * RPM
+    assert spin.computed == pytest.approx(middle.total_spin, rel=1e-9)
+    least, most = (2805 * RPM * middle.total_spin / each.total_spin for each in (low, high))
+    assert spin.published == pytest.approx((least, most), rel=1e-6)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.25])

@@ -29,10 +29,13 @@ def solve_loft(
     attack: float,
     launch: float,
     *,
+    high: float = 0.0,
     model: str,
     ball: str | os.PathLike[str] | Ball | None = None,
 ) -> float:
     """Return the dynamic loft [rad] with which a model launches the ball at the angle ``launch`` [rad].
+
+    The ball is struck ``high`` [m] above the face centre.
 
     Secants; tries closer together than ``FAR_APART`` keep the slope, which the steps of contact models would spoil.
     """
@@ -41,7 +44,7 @@ def solve_loft(
     tried: list[tuple[float, float]] = []
     while len(tried) < TRIES:
         with without_warnings(RangeWarning):  # of tries
-            found = impact(club, speed=speed, attack=attack, loft=loft, model=model, ball=ball)
+            found = impact(club, speed=speed, attack=attack, loft=loft, high=high, model=model, ball=ball)
         tried.append((float(found.launch) - launch, loft))
         missing = tried[-1][0]
         if abs(missing) <= resolution:

@@ -98,10 +98,10 @@ class Judged:
         self.tally.add(found)
         return found
 
-    def loft(self, club: str, speed: float, attack: float, launch: float) -> float:
+    def loft(self, club: str, speed: float, attack: float, launch: float, high: float = 0.0) -> float:
         """Return the dynamic loft [rad] with which the model launches at an angle; NaN if no loft does."""
         try:
-            return solve_loft(club, speed, attack, launch, model=self.model, ball=self.ball)
+            return solve_loft(club, speed, attack, launch, high=high, model=self.model, ball=self.ball)
         except InputError:
             return math.nan
 
