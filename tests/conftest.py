@@ -35,6 +35,12 @@ def clubface_(capsys, monkeypatch):
 
 
 @pytest.fixture
+def new_process(monkeypatch):
+    """Warnings that are given once in a process are given again."""
+    monkeypatch.setattr("clubface.support.warning._given", set())
+
+
+@pytest.fixture
 def write(tmp_path):
     """Write a file of deliveries; return its path."""
 

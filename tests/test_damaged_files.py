@@ -111,12 +111,11 @@ def test_a_reject_repeats_no_more_than_a_few_cells(write):
 @pytest.mark.parametrize("name", ["head.msh", "head.inp"])
 @pytest.mark.parametrize("value", ["nan", "1e300", "99999999999", "1_0", "zwei", ""])
 def test_a_damaged_coordinate_of_a_mesh_is_named_by_its_line(tmp_path, write, name, value):
-    pytest.importorskip("meshio")
     write_mesh(tmp_path, name)
     path = tmp_path / name
     lines = path.read_text().splitlines()
     place = next(place for place, line in enumerate(lines) if re.match(r"5[ ,]", line))
-    lines[place] = re.sub(r"(?<=[ ,]) ?-?\d+\.\d+e[-+]\d+", value, lines[place], count=1)
+    lines[place] = re.sub(r"(?<=[ ,]) ?-?\d+\.\d+(e[-+]\d+)?", value, lines[place], count=1)
     path.write_text("\n".join(lines))
     own = write(HEAD.replace("head.msh", name), "own.toml")
     refused(lambda: fem.head(own), f"{name}:{place + 1}: ", "coordinate")
@@ -132,7 +131,6 @@ def test_a_damaged_coordinate_of_a_mesh_is_named_by_its_line(tmp_path, write, na
     ],
 )
 def test_a_damaged_number_of_a_mesh_is_named_by_its_line(tmp_path, write, old, new, words):
-    pytest.importorskip("meshio")
     path = write_mesh(tmp_path)
     text = path.read_text()
     assert old in text

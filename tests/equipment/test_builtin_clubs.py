@@ -11,12 +11,9 @@ from clubface.equipment.balls import Ball, ball, ball_names, published_ball
 from clubface.equipment.clubs import CLUB_NAMES, CLUB_PROPERTIES, club
 from clubface.errors import RuleWarning
 from clubface.simulation.impact import impact
-from clubface.support import shipped, warning
+from clubface.support import shipped
 
-
-@pytest.fixture(autouse=True)
-def _nothing_said_yet(monkeypatch):
-    monkeypatch.setattr(warning, "_given", set())
+pytestmark = pytest.mark.usefixtures("new_process")
 
 
 def test_the_driver_and_the_7_iron_are_those_of_table_1():

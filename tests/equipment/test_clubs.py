@@ -15,12 +15,8 @@ from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club
 from clubface.equipment.face import turn_to_sole
 from clubface.errors import FileError, ImplausibleWarning, InputError, RuleWarning, UnitError, UnknownNameError
-from clubface.support import warning
 
-
-@pytest.fixture(autouse=True)
-def _nothing_said_yet(monkeypatch):
-    monkeypatch.setattr(warning, "_given", set())
+pytestmark = pytest.mark.usefixtures("new_process")
 
 
 @st.composite

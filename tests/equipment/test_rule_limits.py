@@ -10,12 +10,7 @@ from clubface.cli.fem_parts import RULES
 from clubface.errors import RuleWarning
 
 OUNCE, INCH = 28.349523125e-3, 25.4e-3
-
-
-@pytest.fixture(autouse=True)
-def nothing_told_yet(monkeypatch):
-    """Whatever other tests were told: the same is told once in a process."""
-    monkeypatch.setattr("clubface.support.warning._given", set())
+pytestmark = pytest.mark.usefixtures("new_process")
 
 
 def told(**changes):

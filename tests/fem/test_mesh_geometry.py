@@ -7,21 +7,10 @@ import pytest
 
 from clubface.errors import ClubfaceError, FileError, MeshWarning
 from clubface.fem.heads import Group, MeshHead
-from fem_meshes import coarse_walls, write_walls
+from fem_meshes import FACE, GROUPS, PARTS, coarse_walls, write_walls
 from fem_runs import coarse_head
 
-FACE = {"loft": "11.5 deg", "bulge": "305 mm", "roll": "305 mm"}
-PARTS = ("face", "crown", "sole", "skirt")
-GROUPS = tuple(Group(name=name, thickness="1.4 mm", face=name == "face") for name in PARTS)
-pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.MeshWarning")
-
-
-@pytest.fixture(autouse=True)
-def said_anew(monkeypatch):
-    """Warnings are given once in a process."""
-    from clubface.support import warning
-
-    monkeypatch.setattr(warning, "_given", set())
+pytestmark = [pytest.mark.filterwarnings("ignore::clubface.errors.MeshWarning"), pytest.mark.usefixtures("new_process")]
 
 
 def read(folder, walls, groups=GROUPS, **changes):

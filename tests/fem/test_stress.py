@@ -145,7 +145,6 @@ def test_the_picture_has_the_stress_of_both_sides_and_a_cross_at_the_largest():
 
 
 def test_a_report_shows_the_place_of_the_peak_and_the_fingerprint_of_the_mesh(clubface_, tmp_path, monkeypatch):
-    pytest.importorskip("meshio")
     pytest.importorskip("matplotlib")
     monkeypatch.chdir(tmp_path)
     write_mesh(tmp_path, "head.msh")

@@ -48,37 +48,12 @@ mass = "60 g"
 WHOLE = HEAD.partition("[[groups]]")[0] + '[[groups]]\nname = "shell"\nthickness = "2 mm"\nface = true\n'
 """A head of one group, for files without any."""
 
+FACE = {"loft": "11.5 deg", "bulge": "305 mm", "roll": "305 mm"}
+PARTS = ("face", "crown", "sole", "skirt")
 GROUPS = (
     Group(name="face", thickness="2.8 mm", face=True),
-    *(Group(name=name, thickness="1.4 mm") for name in ("crown", "sole", "skirt")),
+    *(Group(name=each, thickness="1.4 mm") for each in PARTS[1:]),
 )
-
-
-def write_mesh(folder, name="head.msh", scale=1e3, change=lambda quads: quads):
-    """Write the coarse head of the paper as a mesh with groups, lengths in mm; return its path."""
-    import meshio
-
-    head = coarse_head()
-    cells: list[Any] = []
-    sets: dict[str, list[Any]] = {part.name: [] for part in head.parts}
-    start = 0
-    for number, part in enumerate(head.parts):
-        quads = head.quads[start : start + part.elements].astype(np.int64)
-        cells.append(("quad", change(quads) if number == 0 else quads))
-        start += part.elements
-        for each in head.parts:
-            sets[each.name].append(np.arange(part.elements) if each is part else np.array([], dtype=np.int64))
-    # A point that no element uses.
-    points = np.vstack([head.nodes * scale, [[0.0, 0.0, 0.0]]])
-    tags = [np.full(len(quads), number + 1) for number, (_, quads) in enumerate(cells)]
-    fields = {part.name: np.array([number + 1, 2]) for number, part in enumerate(head.parts)}
-    data: dict[str, Any] = {"gmsh:physical": tags, "gmsh:geometrical": tags}
-    path = folder / name
-    if path.suffix == ".msh":
-        meshio.write(path, meshio.Mesh(points, cells, cell_data=data, field_data=fields), "gmsh22", binary=False)
-    else:
-        meshio.write(path, meshio.Mesh(points, cells, cell_sets=sets))
-    return path
 
 
 class Walls(NamedTuple):
@@ -332,4 +307,15 @@ def write_walls(folder, walls, name="abaqus.inp"):
     content = FORMATS[name](walls)
     path = folder / name
     path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+def write_mesh(folder, name="head.msh", scale=1.0, change=lambda quad: quad):
+    """Write the coarse head of the paper, its quadrilaterals of the face changed; return the path."""
+    walls = coarse_walls()
+    parts = {**walls.parts, "face": [change(quad) for quad in walls.parts["face"]]}
+    nodes = np.vstack([scale * walls.nodes, [[0.0, 0.0, 0.0]]])  # and a point that no element uses
+    walls = walls._replace(nodes=nodes, parts=parts)
+    path = folder / name
+    path.write_text((gmsh_2 if name.endswith(".msh") else abaqus)(walls))
     return path

@@ -60,8 +60,8 @@ def test_any_spins_that_settle_the_others_fly_the_same_ball():
     assert carries == pytest.approx(carries[:1] * 4, rel=1e-6)
 
 
-def test_a_flight_says_which_spin_it_assumes(monkeypatch):
-    monkeypatch.setattr("clubface.support.warning._given", set())
+@pytest.mark.usefixtures("new_process")
+def test_a_flight_says_which_spin_it_assumes():
     with pytest.warns(AssumptionWarning, match="sidespin is not known"):
         clubface.fly(TOUR_DRIVE)
     with warnings.catch_warnings():

@@ -15,19 +15,13 @@ from clubface.errors import FileError, RangeWarning
 from clubface.fem.response.design import heads
 from clubface.motion_capture.attitude import delivered, face_axes
 from clubface.simulation.outside import Tally
-from clubface.support import warning
 from clubface.support.warning import without_warnings
 from clubface.tour.tour import tour
 from clubface.validation import validate
 from deliveries import table
 
 RANGE = RANGES[DEFAULT_MODEL]
-
-
-@pytest.fixture(autouse=True)
-def nothing_said_before(monkeypatch):
-    """As in a process of its own."""
-    monkeypatch.setattr(warning, "_given", set())
+pytestmark = pytest.mark.usefixtures("new_process")
 
 
 def remark(*launches):

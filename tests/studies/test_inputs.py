@@ -113,13 +113,12 @@ def test_a_report_of_a_store_lists_what_the_study_has_read(tmp_path, clubface_, 
 
 
 def test_the_mesh_of_a_head_counts_and_may_be_edited_during_a_run(tmp_path, in_this_process):
-    pytest.importorskip("meshio")
     (tmp_path / "heads").mkdir()
     write_mesh(tmp_path / "heads")
     (tmp_path / "heads" / "own.toml").write_text(HEAD)
     path = described(tmp_path, "head", 'outputs = ["mass"]', 'head = ["heads/own.toml"]\nblow = ["50 m/s", "51 m/s"]')
     assert list(read_study(path).files()) == ["heads/head.msh", "heads/own.toml"]
-    studies.run(path, progress=lambda *_: write_mesh(tmp_path / "heads", scale=1.1e3))
+    studies.run(path, progress=lambda *_: write_mesh(tmp_path / "heads", scale=1.1))
     write_mesh(tmp_path / "heads")
     studies.join(path, tmp_path / "out.csv")
     first, second = csv.DictReader((tmp_path / "out.csv").read_text().splitlines())

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, Protocol
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError, InputError
+from clubface.fem.heads.mesh_groups import Group
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import Mesh, Wall
 
@@ -45,19 +46,8 @@ METAL = ("youngs", "poisson", "density")
 _UNITS = {"youngs": "GPa", "density": "kg/m3", "poisson": "1"}
 
 
-class Given(Protocol):
-    """A group of a head's file: its name, and the thickness [m] and the values of a metal that it gives."""
-
-    @property
-    def name(self) -> str: ...  # noqa: D102
-    @property
-    def thickness(self) -> Any: ...  # noqa: D102
-    @property
-    def metal(self) -> Metal | Mapping[str, Any]: ...  # noqa: D102
-
-
 def walls(
-    mesh: Mesh, groups: Sequence[Given], of_group: NDArray[Any], unit: str, notes: list[str]
+    mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str, notes: list[str]
 ) -> tuple[NDArray[Any], list[Metal]]:
     """Return the thickness of each element [m] and the metal of each group.
 
@@ -111,7 +101,7 @@ def _range(values: NDArray[Any]) -> str:
     return least if least == most else f"{least} to {most}"
 
 
-def _metal(mesh: Mesh, group: Given, walls: Sequence[Wall], unit: str, differing: list[str], unread: list[str],
+def _metal(mesh: Mesh, group: Group, walls: Sequence[Wall], unit: str, differing: list[str], unread: list[str],
            notes: list[str]) -> Metal:  # fmt: skip
     """Return the metal of a group, and note where file and cards differ, and metals that are not read."""
     given = group.metal

@@ -1,16 +1,20 @@
-"""Which elements of a mesh file belong to which group of a head."""
+"""The groups of a head, and which elements of a mesh file belong to which."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import Any, Protocol
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import FileError, UnknownNameError
+from clubface import units
+from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import Mesh
+from clubface.support.checks import check_name
 
 OWN = re.compile(r"gmsh:|Surface\d+$|Volume\d+$|_?(?:PickedSet|All)\d*$|Line\d+$", re.IGNORECASE)
 """Sets that programs make for themselves."""
@@ -18,16 +22,46 @@ SHOWN = 12
 """Sets that a message names."""
 
 
-class Named(Protocol):
-    """A group: its name, and the sets of the file that it is made of."""
+@dataclass(frozen=True, kw_only=True)
+class Group:
+    """The shells of one group of the mesh.
 
-    @property
-    def name(self) -> str: ...  # noqa: D102
-    @property
-    def sets(self) -> tuple[str, ...]: ...  # noqa: D102
+    Attributes
+    ----------
+    name
+        Its name in the file: a physical group, a set of elements, a part or a property, or the number of one.
+    thickness
+        Thickness [m]; None if cards of the mesh give it.
+    metal
+        The metal; or some of its values by name, where cards of the mesh give the others.
+    face
+        Whether the ball may touch them.
+    sets
+        The sets of the file that it is made of, where it is not the one of its name.
+    """
+
+    name: str
+    thickness: Any = None
+    metal: Metal | Mapping[str, Any] = field(default_factory=dict)
+    face: bool = False
+    sets: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        if self.thickness is not None:
+            object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
+            if not 2e-4 <= self.thickness <= 0.02:
+                raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
+        if not isinstance(self.metal, Metal):
+            Metal(**self.metal)  # refuses what no metal has
+        if not isinstance(self.face, bool):
+            raise InputError(f"face of {self.name}", self.face, "true or false")
+        if isinstance(self.sets, str) or not all(isinstance(each, str) for each in self.sets):
+            raise InputError(f"sets of {self.name}", self.sets, 'a list of names of sets in the mesh, as ["1", "2"]')
+        object.__setattr__(self, "sets", tuple(self.sets))
 
 
-def assign(mesh: Mesh, groups: Sequence[Named], notes: list[str]) -> NDArray[Any]:
+def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any]:
     """Return the place among ``groups`` of the group of each element.
 
     A group takes the set of its name, or the sets that it lists; sets that no group names do not matter. What is
@@ -71,7 +105,7 @@ def assign(mesh: Mesh, groups: Sequence[Named], notes: list[str]) -> NDArray[Any
     return found
 
 
-def _sets_of(mesh: Mesh, group: Named) -> list[str]:
+def _sets_of(mesh: Mesh, group: Group) -> list[str]:
     """Return the sets of a group: under the very name, another of its names, or one that differs in capitals alone."""
     found = []
     for name in group.sets or (group.name,):
@@ -101,7 +135,7 @@ def _by_order(mesh: Mesh, count: int) -> list[str]:
     return sorted(names, key=int) if len(whole) == len(np.unique(whole)) == len(mesh.corners) else []
 
 
-def _refuse_rest(mesh: Mesh, groups: Sequence[Named], found: NDArray[Any]) -> None:
+def _refuse_rest(mesh: Mesh, groups: Sequence[Group], found: NDArray[Any]) -> None:
     """Say which elements belong to no group, and how to give them one."""
     rest = np.flatnonzero(found < 0)
     holders = {name: int(np.isin(rest, rows).sum()) for name, rows in mesh.sets.items() if not OWN.match(name)}
@@ -128,7 +162,7 @@ def _listed(mesh: Mesh) -> str:
     return f"its sets, with their numbers of elements, are {', '.join(names[:SHOWN])}{more}"
 
 
-def _check_solids(mesh: Mesh, groups: Sequence[Named]) -> None:
+def _check_solids(mesh: Mesh, groups: Sequence[Group]) -> None:
     """Refuse solid elements of a group; others, such as those of a ball, are left out and said to be."""
     if not mesh.solids:
         return

@@ -17,7 +17,7 @@ from clubface.equipment.described import FLAT
 from clubface.errors import InputError, MeshWarning
 from clubface.fem.heads.mesh_cards import point_masses, walls
 from clubface.fem.heads.mesh_frame import check_frame
-from clubface.fem.heads.mesh_groups import assign
+from clubface.fem.heads.mesh_groups import Group, assign
 from clubface.fem.heads.mesh_repair import Shells, repaired
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, note_of, parsed_places, spread
@@ -29,8 +29,6 @@ from clubface.support.warning import warn_once
 SIZES = (0.06, 0.2)
 """Least and largest size of a head along an axis [m]: between them a unit that is another one is seen, inches for
 centimetres too."""
-
-
 AT_NODE = 2e-5
 """How near to a node a point mass of a mesh file stands on it [m]."""
 REACHED = 0.012
@@ -39,45 +37,6 @@ FLUSH_COSINE = math.cos(math.radians(20.0))
 """Of the angle to the face normal up to which another group continues the face."""
 FACE_COSINE = math.cos(math.radians(45.0))
 """Of the angle to the face normal up to which an element of a face group is one that the ball may touch."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Group:
-    """The shells of one group of the mesh.
-
-    Attributes
-    ----------
-    name
-        Its name in the file: a physical group, a set of elements, a part or a property, or the number of one.
-    thickness
-        Thickness [m]; None if cards of the mesh give it.
-    metal
-        The metal; or some of its values by name, where cards of the mesh give the others.
-    face
-        Whether the ball may touch them.
-    sets
-        The sets of the file that it is made of, where it is not the one of its name.
-    """
-
-    name: str
-    thickness: Any = None
-    metal: Metal | Mapping[str, Any] = field(default_factory=dict)
-    face: bool = False
-    sets: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        check_name(self.name)
-        if self.thickness is not None:
-            object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
-            if not 2e-4 <= self.thickness <= 0.02:
-                raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
-        if not isinstance(self.metal, Metal):
-            Metal(**self.metal)  # refuses what no metal has
-        if not isinstance(self.face, bool):
-            raise InputError(f"face of {self.name}", self.face, "true or false")
-        if isinstance(self.sets, str) or not all(isinstance(each, str) for each in self.sets):
-            raise InputError(f"sets of {self.name}", self.sets, 'a list of names of sets in the mesh, as ["1", "2"]')
-        object.__setattr__(self, "sets", tuple(self.sets))
 
 
 @dataclass(frozen=True, kw_only=True)

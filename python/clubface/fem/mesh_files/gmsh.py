@@ -9,7 +9,6 @@ from __future__ import annotations
 import shlex
 import struct
 from collections.abc import Callable
-from typing import Protocol
 
 from clubface.errors import FileError, shortened
 from clubface.fem.mesh_files.mesh import UNNAMED, Mesh, MeshBuilder
@@ -21,31 +20,12 @@ SOLIDS = {4: "tetrahedra", 5: "hexahedra", 6: "wedges", 7: "pyramids", 11: "tetr
           13: "wedges", 14: "pyramids", 17: "hexahedra", 18: "wedges", 19: "pyramids"}  # fmt: skip
 NODES = {1: 2, 4: 4, 5: 8, 6: 6, 7: 5, 8: 3, 11: 10, 12: 27, 13: 18, 14: 14, 15: 1, 17: 20, 18: 15, 19: 13, **SHELLS}
 """Numbers of nodes of every type that may stand in a file of a head."""
-
-
 MOST_TAGS = 99
 """Of an element: its physical and geometrical group, and parts of a partition."""
 
 
-class _Rows(Protocol):
-    """A section: values in rows."""
-
-    @property
-    def line(self) -> int | None:
-        """The line of the row."""
-        ...
-
-    def values(self, kinds: str) -> tuple[float, ...]:
-        """Return the next values of a row: "i" a whole number, "n" a count or tag of 8 bytes, "d" a real."""
-        ...
-
-    def end_row(self) -> None:
-        """Refuse a row that has more."""
-        ...
-
-
 class _TextRows:
-    """The rows of a section of a text file."""
+    """The rows of a section of a text file; ``line`` is that of the row."""
 
     def __init__(self, builder: MeshBuilder, lines: list[str], first: int, last: int) -> None:
         self._builder, self._lines, self._next, self._last = builder, lines, first, last
@@ -54,6 +34,7 @@ class _TextRows:
         self.line: int | None = first
 
     def values(self, kinds: str) -> tuple[float, ...]:
+        """Return the next values of a row: "i" a whole number, "n" a count or tag of 8 bytes, "d" a real."""
         while not self._cells:
             if self._next >= self._last:
                 raise self._builder.error(self._next, "the section ends here, and says that it has more rows")
@@ -72,6 +53,7 @@ class _TextRows:
         return self._builder.number(self.line, cell.removeprefix("-"))
 
     def end_row(self) -> None:
+        """Refuse a row that has more."""
         if self._place < len(self._cells):
             raise self._builder.error(self.line, f"this row has {len(self._cells)} cells, {self._place} are expected")
         self._cells, self._place = [], 0
@@ -96,6 +78,9 @@ class _ByteRows:
 
     def end_row(self) -> None:
         pass
+
+
+_Rows = _TextRows | _ByteRows
 
 
 class _File:
