@@ -8,6 +8,7 @@ import pytest
 
 import clubface
 from clubface import fem
+from clubface.design.optimisation.study_file import design_study
 from clubface.design.rules import check_rules
 from clubface.fem.heads import MeshHead
 from fem_meshes import GROUPS, HEAD, coarse_walls, write_walls
@@ -90,3 +91,25 @@ def test_a_report_says_that_the_face_of_a_mesh_was_taken_as_rigid(own, clubface_
     own.write_text(own.read_text().replace("unit =", 'characteristic_time = "230 us"\nunit ='))
     assert clubface_(*arguments).status == 0
     assert "taken as rigid" not in report.read_text()
+
+
+def test_an_optimum_of_a_meshed_head_is_held_against_the_volume_and_size_of_its_mesh(own, write):
+    head = fem.head(own)
+    study = f"""\
+title = "Mass inside a mesh"
+club = "{own.name}"
+golfer = "handicap-10-driver"
+objective = "carry"
+[variables]
+mass_distribution = "free"
+[head]
+size = ["115 mm", "62 mm", "124 mm"]
+centre = ["-55 mm", "-1 mm", "3 mm"]
+volume = "450 cm3"
+discretionary_mass = "30 g"
+[rules]
+conform = false
+"""
+    found = design_study(write(study, "study.toml"))
+    values = {each.rule.name: each.value for each in found.rule_values(found.club)}
+    assert (values["volume"], values["heel_to_toe"]) == (head.volume, head.size[2])

@@ -220,10 +220,11 @@ class DesignStudy:
         )  # fmt: skip
 
     def rule_values(self, club: Club) -> Any:
-        """Return what a club with the head of the study has of every rule."""
-        if self.head is None:
-            return check_rules(club)
-        return check_rules(club, volume=self.head.displaced, size=self.head.volume.size)
+        """Return what a club with the head of the study has of every rule; a mesh says its own volume and size."""
+        volume, size = (None, None) if self.head is None else (self.head.displaced, self.head.volume.size)
+        if (mesh := mesh_of(self.club)) is not None:
+            volume, size = mesh.volume or volume, mesh.size
+        return check_rules(club, volume=volume, size=size)
 
     def _refuse_rules_that_are_broken_for_good(self) -> None:
         if not self.conform:
