@@ -61,6 +61,11 @@ def test_a_sign_beside_a_letter_is_that_of_its_column():
         reading("-300 L", "sidespin", False, positive=-1.0)
 
 
+def test_a_letter_says_the_side_whichever_side_of_its_column_is_positive(write):
+    shots = launch_monitor.read(write("Ball Speed (mph),Launch Direction (deg L+/R-)\n147,1.2 L\n147,1.2\n147,1.2 R\n"))
+    np.testing.assert_allclose(shots.launches["azimuth"], np.array([-1.2, -1.2, 1.2]) * DEG, rtol=1e-14)
+
+
 @pytest.mark.parametrize("cell", ["", "---", "--.-", "–", "n/a", "#N/A", "Not measured", "?", " . "])
 def test_what_was_not_measured_is_written_in_many_ways(cell):
     assert reading(cell, "face", decimal_comma=False) is None

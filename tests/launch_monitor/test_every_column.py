@@ -105,19 +105,27 @@ def test_a_face_to_path_that_contradicts_face_and_path_is_not_used_and_named(wri
 
 def test_columns_of_numbers_that_are_not_understood_are_listed_and_names_and_dates_are_not(write):
     content = (
-        "Shot,Date,Club,Ball Speed (mph),Swing Direction (deg),Wobble,Roll (yd),Remark,Distance to Pin (m)\n"
-        "1,2026-05-01,Driver,147,0.1,12.5,22,7 iron next,198.2\n2,2026-05-01,Driver,146,0.2,12.7,21,good,190.1 m\n"
+        "Shot,Date,Club,Ball Speed (mph),Swing Direction (deg),Wobble,Roll (yd),Remark,Next,Distance to Pin (m)\n"
+        "1,2026-05-01,Driver,147,0.1,12.5,22,7 iron next,7 iron,198.2\n"
+        "2,2026-05-01,Driver,146,0.2,12.7,21,good,8 iron,190.1 m\n"
     )
     (note,) = [each for each in launch_monitor.read(write(content)).notes if "not read" in each]
     for name in ("Swing Direction (deg)", "Wobble", "Roll (yd)", "Distance to Pin (m)"):
         assert name in note
-    for name in ("Shot", "Date", "Remark", "Club,"):
+    for name in ("Shot", "Date", "Remark", "Next", "Club,"):
         assert name not in note.replace("known quantities", "").replace("Distance to Pin", "")
 
 
 def test_a_makers_file_lists_its_columns_that_are_not_read_too():
     notes = launch_monitor.read(DATA / "trackman.csv").notes
     assert any("Swing Plane" in note and "Swing Direction" in note and "not read" in note for note in notes)
+
+
+def test_an_impact_point_without_a_side_is_said_to_be_taken_towards_the_toe(write):
+    for heading, is_said in (("Horiz Impact (mm)", True), ("Impact Toe (mm)", False)):
+        shots = launch_monitor.read(write(f"Ball Speed (mph),{heading}\n147,4\n"))
+        assert any("toe was taken as positive" in note for note in shots.notes) == is_said
+        assert_si(shots, toe=([4], "mm"))
 
 
 def test_the_direction_of_the_swing_is_not_the_path_of_the_club(write):
