@@ -33,6 +33,14 @@ COLUMNS = [
 ]  # fmt: skip
 
 
+def test_the_player_in_a_title_is_read_where_an_empty_column_stands_before_it(write):
+    plain = (DATA / "rapsodo.csv").read_text(encoding="utf-8")
+    moved = write("".join(f",{line}" if line.strip() else line for line in plain.splitlines(keepends=True)))
+    whole, shifted = launch_monitor.read(DATA / "rapsodo.csv"), launch_monitor.read(moved)
+    assert whole.players is not None
+    assert shifted.players.tolist() == whole.players.tolist()
+
+
 @pytest.mark.parametrize(("name", "header", "row"), COLUMNS)
 def test_the_player_is_read_by_the_heading_of_each_maker(write, name, header, row):
     shots = launch_monitor.read(write("\n".join([header, *(row.format(who) for who in ("Ann", "Ben", ""))]) + "\n"))

@@ -281,7 +281,8 @@ class SessionReader:
                 raise FileError(self._path, line, message)
             if not self._header or self._title is not None:
                 self._take_date(cells)
-            if self._title is not None and (title := self._title.fullmatch(cells[0].strip())):
+            first = next((text for cell in cells if (text := cell.strip())), "")
+            if self._title is not None and (title := self._title.fullmatch(first)):
                 self._end_block()
                 self._player = title[1]
                 self.session.names_players = True
