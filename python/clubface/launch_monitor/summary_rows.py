@@ -14,8 +14,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from clubface.launch_monitor.formats import PLAYER
 from clubface.recorded.club_names import club_kind
 from clubface.support.arrays import Floats
+from clubface.tables.headings import HAND, Layout
+from clubface.tables.rows import Chunk
+from clubface.tables.spelling import plain
 
 MEAN, MEDIAN, DEVIATION, MOST, LEAST, SUM = "mean", "median", "deviation", "most", "least", "sum"
 _WORDS = {
@@ -58,6 +62,7 @@ AGREES = 0.6
 """Part of the numbers of a row that must be those of a summary."""
 MOST_JUDGED = 200
 """Rows of some that may sum up others, above which none does."""
+_LETTER = re.compile(r"[^\W\d_]")
 MANY = 1000
 """Different texts of a column, above which those that begin with a digit, as dates do, are no summaries."""
 
@@ -120,6 +125,22 @@ def summary_rows(
         if row not in certain and (row in uncounted or _sums_up(row, kind, is_shot, values)):
             certain.add(row)
     return certain
+
+
+def summaries_in(chunk: Chunk, columns: Layout) -> dict[int, str]:
+    """Return the rows of a plain table of deliveries that sum up others, and what is to be said of each."""
+    used = {each.place for each in columns.used}
+    cells = [() if place in used else chunk.cells(place) for place in range(len(columns.headings))]
+    texts = {place: each for place, each in enumerate(cells) if isinstance(each, list)}
+    if not any(_LETTER.search(each) and _label(each) for column in texts.values() for each in set(column)):
+        return {}
+    names = {place: plain(columns.headings[place]) for place in texts}
+    players = set(map(plain, PLAYER))
+    labels = {place: "player" if each in players and each not in NUMBERING else each for place, each in names.items()}
+    values = {each.quantity: chunk.numbers(each)[0] for each in columns.used if each.quantity != HAND}
+    rows = summary_rows(labels, cells, values)
+    words = {row: next(each[row] for each in texts.values() if _label(each[row])) for row in rows}
+    return {row: f"{word!r}: the row sums up others and is no shot" for row, word in words.items()}
 
 
 @lru_cache(maxsize=8192)

@@ -117,8 +117,8 @@ def predict(
 ) -> PredictReport:
     """Compute the launch of every delivery in a CSV or Parquet file.
 
-    Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``; a column without
-    a unit is in SI units. Columns of other names are passed through untouched. A row that cannot be used goes to the
+    Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``, or
+    ``units`` gives it. Columns of other names are passed through untouched. A row that cannot be used goes to the
     file of rejects with its line and the reason.
 
     A launch monitor's file, and a table that names clubs or says where on the club its data was taken, is one of

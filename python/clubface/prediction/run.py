@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from clubface.equipment.balls import Ball
 from clubface.equipment.models import model as model_named
 from clubface.errors import FileError, RangeWarning
+from clubface.launch_monitor.summary_rows import summaries_in
 from clubface.simulation.flight import fly
 from clubface.simulation.flight_inputs import conditions
 from clubface.simulation.impact import impact
@@ -105,7 +106,8 @@ class Task:
 
     def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject], Tally]:
         """Return the rows that have a launch (None: all), their results, the other rows, and those out of range."""
-        reasons: dict[int, str] = {}
+        # Of recorded shots they are left out already.
+        reasons = {} if self.content else summaries_in(chunk, self.columns)
         values: dict[str, NDArray[Any]] = {}
         for column in self.columns.used:
             numbers, bad = chunk.numbers(column)

@@ -185,6 +185,11 @@ class _ReadyChunk:
     def _rows(self, rows: Sequence[int] | None) -> Sequence[int]:
         return self._kept if rows is None else [self._kept[row] for row in rows]
 
+    def cells(self, place: int) -> Any:
+        """Return the cells of a column: an array of numbers, or a list of texts."""
+        cells = self._base.cells(place)
+        return [cells[row] for row in self._kept] if isinstance(cells, list) else cells[self._kept]
+
     def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
         return self._base.texts(self._rows(rows))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError
+from clubface.launch_monitor.summary_rows import summaries_in
 from clubface.studies.axes import Swept, whole_flaw
 from clubface.tables.headings import Vocabulary, check_units, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
@@ -49,6 +50,8 @@ def table_columns(
         for chunk in reader.chunks(AT_A_TIME, 0):
             if chunk.ragged:
                 raise FileError(str(path), chunk.ragged[0].line, chunk.ragged[0].reason)
+            for row, reason in summaries_in(chunk, found).items():
+                raise FileError(str(path), chunk.lines[row], f"{reason}; remove it")
             for column in used:
                 numbers, bad = chunk.numbers(column)
                 if bad:

@@ -135,6 +135,10 @@ class CsvChunk:
         cells = [row[column.place] for row in self._rows]
         return parsed(cells, column, self._decimal_comma)
 
+    def cells(self, place: int) -> list[str]:
+        """Return the cells of a column."""
+        return [row[place] for row in self._rows]
+
     def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
         return self._rows if rows is None else [self._rows[row] for row in rows]

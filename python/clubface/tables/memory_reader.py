@@ -72,6 +72,11 @@ class MemoryChunk:
         values = self._columns[column.place]
         return values, dict.fromkeys(np.flatnonzero(np.isnan(values)).tolist(), f"{column.heading}: the cell is empty")
 
+    def cells(self, place: int) -> Any:
+        """Return the cells of a column: an array of numbers, or a list of texts."""
+        column = self._columns[place]
+        return column if column.dtype.kind == "f" else [cell_text(each) for each in column]
+
     def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
         which = range(len(self.lines)) if rows is None else rows

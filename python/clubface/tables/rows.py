@@ -49,6 +49,10 @@ class Chunk(Protocol):
         """Return the numbers of a column in its unit, and for rows without one, why."""
         ...
 
+    def cells(self, place: int) -> Any:
+        """Return the cells of a column: an array of numbers, or a list of texts."""
+        ...
+
     def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
         ...

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from clubface.errors import FileError
+from clubface.launch_monitor.summary_rows import summaries_in
 from clubface.tables.headings import check_units, delivery_words, layout, plain_name
 from clubface.tables.reader import open_table
 from clubface.units import to_si
@@ -41,7 +42,12 @@ def read_deliveries(
             for reject in chunk.ragged:
                 raise FileError(reader.path, reject.line, reject.reason)
             values = {column.quantity: (column, *chunk.numbers(column)) for column in columns.used}
+            summaries = summaries_in(chunk, columns)
             for row, line in enumerate(chunk.lines):
+                if row in summaries:
+                    if note is not None:
+                        note(f"{reader.counts} {line}: {summaries[row]}")
+                    continue
                 for _, _, missing in values.values():
                     if row in missing:
                         raise FileError(reader.path, line, missing[row])
