@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface.recorded.shots import TEXTS, RecordedShots
+from clubface.support.input_files import short_names
 
 FEWEST_SAME = 3
 """Values that two shots of different files must share to be the same shot."""
@@ -32,7 +32,7 @@ def joined(sessions: Sequence[RecordedShots]) -> RecordedShots:
     """
     if len(sessions) == 1:
         return sessions[0]
-    names = _file_names([each.source for each in sessions])
+    names = short_names([each.source for each in sessions])
     sessions = [
         each if each.files is not None else replace(each, files=np.array([name] * len(each), dtype=object))
         for each, name in zip(sessions, names, strict=True)
@@ -93,12 +93,6 @@ def in_order(labels: NDArray[Any]) -> list[str]:
     different = list(dict.fromkeys(labels.tolist()))
     days = sorted(each for each in different if re.fullmatch(r"\d{4}-\d\d-\d\d", each))
     return [*days, *(each for each in different if each not in days)]
-
-
-def _file_names(sources: Sequence[str]) -> list[str]:
-    """Return the names of files, with their folders where the names alone are the same."""
-    names = [Path(each).name for each in sources]
-    return names if len(set(names)) == len(set(sources)) else list(sources)
 
 
 def _first_of_each(sessions: Sequence[RecordedShots]) -> list[NDArray[np.bool_]]:

@@ -321,26 +321,22 @@ class _Unchanging(io.FileIO):
 
     def readinto(self, buffer: bytearray | memoryview, /) -> int | None:  # pyright: ignore[reportIncompatibleMethodOverride]
         """Read on."""
-        count = super().readinto(buffer)
-        self._check()
-        return count
+        return self._checked(super().readinto(buffer))
 
     def read(self, size: int | None = -1, /) -> bytes:
         """Read on."""
-        found = super().read(-1 if size is None else size)
-        self._check()
-        return found or b""
+        return self._checked(super().read(-1 if size is None else size)) or b""
 
     def readall(self) -> bytes:
         """Read to the end."""
-        found = super().readall()
-        self._check()
-        return found or b""
+        return self._checked(super().readall()) or b""
 
-    def _check(self) -> None:
+    def _checked(self, result: R) -> R:
+        """Return what was read of a file that is still as it was."""
         state = os.fstat(self.fileno())
         if (state.st_size, state.st_mtime_ns) != self._state:
             raise FileError(self._path, None, CHANGED)
+        return result
 
 
 def _open_without_waiting(path: str, flags: int) -> int:

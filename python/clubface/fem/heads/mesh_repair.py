@@ -228,8 +228,6 @@ def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str
 
 def _check_pieces(path: str, shells: Shells, piece: NDArray[Any]) -> None:
     """Refuse a mesh in pieces, such as the inner and the outer side of walls, or parts whose seams are not closed."""
-    import numpy as np
-
     sizes = np.bincount(piece)
     if len(sizes) == 1:
         return
@@ -250,8 +248,6 @@ def _check_pieces(path: str, shells: Shells, piece: NDArray[Any]) -> None:
 
 def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any], notes: list[str]) -> None:
     """Note a hole or a slit: edges of one element alone."""
-    import numpy as np
-
     if not len(edges):
         return
     ends = shells.points[edges]

@@ -219,8 +219,6 @@ class MeshHead:
 
     def _note_rest_of_face(self, nodes: NDArray[Any], shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
         """Note groups that the ball reaches in a strike at the face centre although they are no part of the face."""
-        import numpy as np
-
         corners = nodes[shells.corners]
         normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
         toward = normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
