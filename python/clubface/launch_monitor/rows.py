@@ -357,6 +357,8 @@ class SessionReader:
         assert columns is not None
         self._note_unread(cells)
         faults = _Faults()
+        large = (cells[each.place] for name in columns.used.keys() & LARGE for each in columns.used[name])
+        self._doubtful = may_be_thousands((each for each in large if not _is_array(each)), self._decimal_comma)
         hands = self._hands(cells, len(lines), faults)
         values = {quantity: self._quantity(cells, used, hands, faults) for quantity, used in columns.used.items()}
         labels = {place: each for place, each in columns.labels.items() if not _is_array(cells[place])}
@@ -440,10 +442,9 @@ class SessionReader:
     def _numbers(self, cells: Any, column: Used, hands: Floats, faults: _Faults) -> Floats:
         """Return the SI values of a column with their signs here, NaN where nothing was measured."""
         mirrored = np.sign(hands) if column.quantity in MIRRORED else None
-        if column.quantity in LARGE and not _is_array(cells):
-            mark = "," if self._decimal_comma else "."
+        if column.quantity in LARGE and self._doubtful and not _is_array(cells):
             for row, cell in enumerate(cells):
-                if mark in cell and may_be_thousands(cell, self._decimal_comma):
+                if cell in self._doubtful:
                     what = "a number that may have thousands or decimals; other columns decide for decimals"
                     faults.add(row, cell, what, column)
         quick = cells if _is_array(cells) else all_numbers(cells, self._decimal_comma)

@@ -75,11 +75,13 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
     """Return how numbers are written, by cells with the quantity of their column, None where it is not known.
 
     "12,5" and "1.234,5" have a decimal comma, "12.5" and "1,234.5" a point. "2.845" is one or the other, which its
-    column decides: spins have thousands in rpm, and no other quantity reaches them. Most cells win; where there are
+    column decides: spins have thousands in rpm, unless some show decimals, as 2845.312 does, and no other quantity
+    reaches them. Most cells win; where there are
     none but such of unknown columns, a comma between cells is no decimal comma, and a point is a decimal point.
     """
     votes = {",": 0, ".": 0}
     doubtful = {",": "", ".": ""}
+    large, shown = {",": 0, ".": 0}, {",": False, ".": False}
     for cell, quantity in cells:
         if "." not in cell and "," not in cell:
             continue
@@ -96,21 +98,39 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
         elif not THOUSANDS[last].fullmatch(text):
             if marks[last] == 1:
                 votes[last] += 1
-        elif marks[last] > 1 or quantity in LARGE:
+                shown[last] |= quantity in LARGE
+        elif marks[last] > 1:
             votes[other] += 1
+        elif quantity in LARGE:
+            large[last] += 1
         elif quantity is not None:
             votes[last] += 1
         else:
             doubtful[last] = doubtful[last] or cell.strip()
+    for mark, other in (",.", ".,"):
+        votes[mark if shown[mark] else other] += large[mark]
     if votes[","] != votes["."]:
         return Decimals(votes[","] > votes["."])
     comma = bool(doubtful[","]) and not doubtful["."] and delimiter != ","
     return Decimals(comma, doubtful[","] or doubtful["."])
 
 
-def may_be_thousands(text: str, decimal_comma: bool) -> bool:
-    """Tell whether a number has its decimal mark where one that separates thousands would stand: 2.845."""
-    return THOUSANDS["," if decimal_comma else "."].fullmatch(text.strip()) is not None
+def may_be_thousands(columns: Iterable[Sequence[str]], decimal_comma: bool) -> set[str]:
+    """Return the cells whose decimal mark stands where one that separates thousands would: 2.845, 2.845 rpm.
+
+    There are none in columns in which another number, such as 2845.312 or 12.5, shows that its mark is that of
+    decimals: one program writes all of them.
+    """
+    mark = "," if decimal_comma else "."
+    found = set()
+    for cell in (cell for column in columns for cell in column if mark in cell):
+        match = NUMBER.fullmatch(cell.strip())
+        text = "".join(match["number"].split()) if match else ""
+        if THOUSANDS[mark].fullmatch(text):
+            found.add(cell)
+        elif text.count(mark) == 1 and not text.startswith(mark):
+            return set()
+    return found
 
 
 def doubt(cell: str) -> str:
