@@ -16,6 +16,7 @@ from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER
 from clubface.launch_monitor.reading import read_shots
 from clubface.recorded.shots import RecordedShots
 from clubface.support.checks import check_choice
+from clubface.tables.parquet import pyarrow_for
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,7 +56,6 @@ class BenchmarkShots:
 def load(club: str) -> BenchmarkShots:
     """Return the benchmark shots of ``club``, "driver" (550) or "7-iron" (120). Needs pyarrow."""
     check_choice("benchmark club", club, CLUBS)
-    from clubface.tables.parquet import pyarrow_for
 
     true_file = FOLDER / f"{club}-truth.parquet"
     beside = pyarrow_for(true_file).parquet.read_table(true_file, columns=["player", "model", "restitution_offset"])

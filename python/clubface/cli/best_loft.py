@@ -12,6 +12,8 @@ from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
+from clubface.support.checks import check_choice
+from clubface.units import from_si, size
 
 if TYPE_CHECKING:
     from clubface.design.best_loft import Beside, BestLoft
@@ -53,7 +55,6 @@ def best_loft(
 ) -> None:
     """Find the dynamic loft of the longest carry; by club speed, or beside a published chart."""
     from clubface.design import best_loft as job
-    from clubface.support.checks import check_choice
 
     output.check_picture(plot, (club,))
     output.check_report(report, (club,))
@@ -150,8 +151,6 @@ def _write(
 
 def _words(found: BestLoft, beside: Beside | None, chart: str) -> Iterator[str]:
     """Say which loft is best and how much it matters, in sentences."""
-    from clubface.units import from_si
-
     level = abs(found.attack) == abs(found.attack).min()
     for speed in sorted({float(found.speed[level].min()), float(found.speed[level].max())}):
         place = int((level & (found.speed == speed)).argmax())
@@ -173,8 +172,6 @@ def _words(found: BestLoft, beside: Beside | None, chart: str) -> Iterator[str]:
 
 
 def _columns(found: BestLoft, beside: Beside | None, chart: str) -> dict[str, list[float]]:
-    from clubface.units import from_si
-
     told = {"speed": "mph", "attack": "deg", **{name: unit for name, (unit, _) in SHOWN.items()}, "total": "yd"}
     columns = {f"{name.replace('_', ' ')} ({unit})": getattr(found, name) for name, unit in told.items()}
     columns = {head: from_si(values, head.split("(")[1][:-1]) for head, values in columns.items()}
@@ -202,8 +199,6 @@ def _heads() -> list[str]:
 
 
 def _cells(of: BestLoft, place: int) -> list[str]:
-    from clubface.units import from_si
-
     cells = [
         output.number(float(from_si(of.speed[place], "mph"))),
         output.number(float(from_si(of.attack[place], "deg"))),
@@ -227,8 +222,6 @@ def _rows_of(of: BestLoft) -> list[dict[str, Any]]:
 
 def _of_chart(beside: Beside, chart: str, club: str, model: str) -> tuple[Callable[[], None], dict[str, Any]]:
     """Return what prints the lofts beside a chart, and the same as JSON has it."""
-    from clubface.units import from_si, size
-
     found, published = beside.found, beside.published
     document = _rows_of(found)
     for place, row in enumerate(document):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from clubface import units
 from clubface.cli import option_values, options, output
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
@@ -52,7 +53,6 @@ def new(
 
 def _changes(base: Club, typed: dict[str, str]) -> dict[str, Any]:
     """Return the fields that change, the whole tensor of inertia as its elements."""
-    from clubface import units
     from clubface.equipment.clubs import CLUB_PROPERTIES
 
     for key in typed:
@@ -120,7 +120,6 @@ def _rules(of: Club) -> list[dict[str, Any]]:
 
 def _print_rules(of: Club, file: str) -> None:
     """Print what the club has of every limit of the rules, and what is not known of it."""
-    from clubface import units
     from clubface.cli.tables import print_numbers
     from clubface.design.rules import NOT_KNOWN, UNMEASURED, check_rules
     from clubface.fem.heads.meshed import mesh_of

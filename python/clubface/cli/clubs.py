@@ -71,7 +71,6 @@ def clubs(
 
 def describe(subject: Any) -> dict[str, Any]:
     """Return a club or ball as a document: its values in SI with the unit of each, and their sources."""
-    from clubface import units
     from clubface.equipment.balls import BALL_PROPERTIES
     from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 
@@ -110,7 +109,6 @@ def print_club(found: Any) -> None:
 def _cell(found: Any, key: str) -> str:
     import math
 
-    from clubface import units
     from clubface.equipment.clubs import CLUB_PROPERTIES
 
     value = getattr(found, key)

@@ -8,12 +8,14 @@ from typing import Annotated, Any
 
 import typer
 
+from clubface import units
 from clubface.cli import option_values, options, output, reporting
 from clubface.cli.compare_alternatives import alternatives_of
 from clubface.cli.failures import say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import KEYS, VALUES, Shown, label, shown_units
 from clubface.cli.tables import print_numbers
+from clubface.equipment.models import model
 from clubface.errors import ClubfaceError
 from clubface.units import from_si
 
@@ -174,8 +176,6 @@ def _print(found: Any, shown: Shown) -> None:
 
 
 def _print_split(found: Any, name: str, shown: Shown) -> None:
-    from clubface import units
-
     made = found.contributions[name]
     title = f"What makes {name} differ from {found.names[0]}"
     if made.left_out:
@@ -198,8 +198,6 @@ def _print_split(found: Any, name: str, shown: Shown) -> None:
 
 def _told(launch: Any, made: Any) -> list[tuple[list[str], Any]]:
     """Return name and values of each change with its contribution; the coefficients of a fit are taken together."""
-    from clubface import units
-    from clubface.equipment.models import model
     from clubface.simulation.quantities import inputs
     from clubface.simulation.sensitivity import FEW, OF_THE_BALL
 
@@ -238,8 +236,6 @@ def _by_name(part: Any) -> dict[str, float]:
 
 def _cells(part: Any) -> dict[str, float]:
     """Return differences or contributions [SI] in the units of ``KEYS``."""
-    from clubface import units
-
     by_name = _by_name(part)
     return {key: by_name[name] / units.size(unit) for key, (name, unit) in KEYS.items()}
 
@@ -276,8 +272,6 @@ def _write(found: Any, target: str) -> None:
 
 def _columns(found: Any) -> dict[str, list[Any]]:
     """Return all figures as a long table, in the units of its headings."""
-    from clubface import units
-
     rows = found.rows()
     columns: dict[str, list[Any]] = {key: [row[key] for row in rows] for key in ("alternative", "part", "change")}
     parts = [{key: row[name] / units.size(unit) for key, (name, unit) in KEYS.items()} for row in rows]

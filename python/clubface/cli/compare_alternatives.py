@@ -10,6 +10,7 @@ from clubface.cli import option_values
 from clubface.cli.failures import say
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
+from clubface.support.checks import check_names
 
 
 def alternatives_of(
@@ -85,7 +86,6 @@ def _deliveries(
     changes: Sequence[str] | None, file: str | None, units: Mapping[str, str], texts: Mapping[str, Any]
 ) -> dict[str, dict[str, float]]:
     from clubface.simulation.delivery import DIMENSIONS
-    from clubface.support.checks import check_names
 
     base = option_values.quantities(texts, DIMENSIONS, {})
     if changes and file is not None:

@@ -14,8 +14,9 @@ from clubface.cli.golfer import GolferArgument
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import VALUES
 from clubface.cli.tables import print_numbers
+from clubface.equipment.models import models
 from clubface.errors import ClubfaceError, InputError
-from clubface.units import from_si
+from clubface.units import from_si, size
 
 if TYPE_CHECKING:
     from clubface.design.dispersion.derivatives import ByDerivatives
@@ -125,7 +126,6 @@ def dispersion(
 def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
     """Ask for a number of shots where they take long, and say so where golfer and club do not go together."""
     from clubface.equipment.clubs import CLUB_NAMES, club
-    from clubface.equipment.models import models
 
     if count is None and model not in models():
         raise ClubfaceError(f"--count is missing; give it, as in --count 64: each shot by {model} takes long")
@@ -178,8 +178,6 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
 
 def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
     """Return the spread by derivatives, or None for a model that has none."""
-    from clubface.equipment.models import models
-
     if of.model not in models():
         return None
     from clubface.design.dispersion.derivatives import by_derivatives
@@ -188,8 +186,6 @@ def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
 
 
 def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> None:
-    from clubface.units import size
-
     heads = ["", "unit", "mean", "±", *(f"{share:.0%}" for share in QUANTILES)]
     if slopes is not None:
         heads += ["by derivatives\nmean", "\n±"]

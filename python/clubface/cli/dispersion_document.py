@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from clubface.support.version import __version__
+
 if TYPE_CHECKING:
     from clubface.design.dispersion.derivatives import ByDerivatives
     from clubface.design.dispersion.indices import Indices
@@ -18,7 +20,6 @@ def document(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | Non
     from dataclasses import asdict
 
     from clubface.design.dispersion.sampling import SHARES
-    from clubface.support.version import __version__
 
     found: dict[str, Any] = {
         "golfer": of.golfer.name, "club": of.club.name, "ball": of.ball.name, "model": of.model, "shots": of.count,

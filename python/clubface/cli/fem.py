@@ -16,6 +16,7 @@ from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_R
 from clubface.cli.progress import progress_bar, run_with_progress
 from clubface.cli.tables import print_numbers
 from clubface.errors import InputError, RunError, Told
+from clubface.support.checks import check_choice
 from clubface.support.folders import prepared_folder
 from clubface.units import fixed, from_si
 
@@ -224,7 +225,6 @@ def export(
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
     from clubface.fem import case as cases, keyword, vtu
-    from clubface.support.checks import check_choice
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from clubface.cli import reporting
 from clubface.support.input_files import read_input
+from clubface.support.shipped import builtin_names, builtin_path, path_of
 from clubface.units import fixed, from_si
 
 if TYPE_CHECKING:
@@ -30,8 +31,6 @@ def write_head(
     show: Callable[[], None],
 ) -> None:
     """Write the report of a head from ``file``; ``told`` has what was measured, ``given`` how it was struck."""
-    from clubface.support.shipped import path_of
-
     picture, columns = None, {}
     if struck is not None:
         from clubface.fem.figures.stress import stress_figure
@@ -118,7 +117,6 @@ def write_run(target: str, found: Impact, case: Case, file: str, show: Callable[
     """Write the report of one impact, the run of a case from ``file``."""
     from clubface.fem.case import FOLDER
     from clubface.fem.figures.impact import impact_figure
-    from clubface.support.shipped import builtin_names, builtin_path, path_of
 
     picture = None
     if len(found.patch["time"]):

@@ -11,6 +11,7 @@ from clubface.cli.failures import say
 from clubface.cli.golfer_report import figures, write as write_report
 from clubface.cli.recorded import RECORDED, Files, recorded_shots
 from clubface.cli.tables import print_numbers
+from clubface.units import size
 
 if TYPE_CHECKING:
     from clubface.design.golfer.estimate import Estimate
@@ -172,8 +173,6 @@ def _pairs(of: Golfer) -> tuple[list[str], int]:
 
 
 def _told(of: Estimate, name: str) -> list[str]:
-    from clubface.units import size
-
     if name not in of.measured:
         return ["", ""]
     unit, digits = _unit(name)
@@ -190,8 +189,6 @@ def _unit(name: str) -> tuple[str, int]:
 
 
 def _value(of: Golfer, values: Any, name: str, digits: int) -> str:
-    from clubface.units import size
-
     if name not in of.variables:
         return ""
     return output.number(float(values[of.variables.index(name)]) / size(_unit(name)[0]), digits)

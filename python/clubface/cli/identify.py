@@ -12,6 +12,7 @@ from clubface.cli import option_values, options, output
 from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
+from clubface.equipment.models import model as model_named
 from clubface.errors import ClubfaceError, InputError
 from clubface.support.whole_file import write_text
 
@@ -111,8 +112,6 @@ def identify(
     **texts: Any,
 ) -> None:
     """Identify parameters of a model from shots whose delivery and launch were measured."""
-    from clubface.equipment.models import model as model_named
-
     ties = {name: value.strip() for name, value in option_values.pairs(tie or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)

@@ -12,6 +12,8 @@ from clubface.cli.progress import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
+from clubface.simulation.quantities import outputs
+from clubface.support.checks import check_choice
 from clubface.tables.writer import KINDS
 
 app = typer.Typer(add_completion=False)
@@ -60,7 +62,6 @@ def infer(
 ) -> None:
     """Sample the deliveries that can have made a launch, and say what the launch leaves open."""
     from clubface.simulation.delivery import OF_CLUB
-    from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
     launch, delivery = option_values.quantities(texts, dimensions, {}), option_values.quantities(texts, OF_CLUB, {})
@@ -116,7 +117,6 @@ def _without(recorded: Any, ignored: list[str]) -> Any:
     from dataclasses import replace
 
     from clubface.simulation.delivery import OF_CLUB
-    from clubface.support.checks import check_choice
 
     for name in ignored:
         check_choice("--ignore", name, (*OF_CLUB, "all"))

@@ -16,6 +16,7 @@ from clubface.cli.map_tables import DEFAULT, print_map
 from clubface.cli.progress import progress_bar
 from clubface.cli.quantity_units import VALUES, Units, shown_units
 from clubface.errors import ClubfaceError, InputError
+from clubface.support.checks import check_names
 from clubface.units import fixed, from_si
 
 app = typer.Typer(add_completion=False)
@@ -166,8 +167,6 @@ def _second(target: str) -> str:
 
 
 def _quantities(texts: Sequence[str] | None) -> list[str]:
-    from clubface.support.checks import check_names
-
     names = option_values.names(texts)
     if texts and not names:
         raise InputError("--quantity", ",".join(texts), f"a quantity, such as carry: one of {', '.join(VALUES)}")

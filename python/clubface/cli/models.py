@@ -8,7 +8,7 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.tables import print_numbers, print_words
-from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.models import DEFAULT_MODEL, further_models, model, models as registry
 from clubface.equipment.ranges import RANGES, in_words
 
 app = typer.Typer(add_completion=False)
@@ -27,8 +27,6 @@ def models(
     as_json: options.Json = False,
 ) -> None:
     """List the impact models, or show one with its parameters and their published values."""
-    from clubface.equipment.models import further_models, model, models as registry
-
     if name is not None:
         found = model(name)
         if as_json:

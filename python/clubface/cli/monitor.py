@@ -13,7 +13,9 @@ from clubface.cli.monitor_report import report
 from clubface.cli.monitor_summary import Hand, summary
 from clubface.cli.recorded import READING, Files, read_shots
 from clubface.cli.tables import print_numbers, print_words
-from clubface.errors import InputError
+from clubface.errors import InputError, UnknownNameError
+from clubface.support.input_files import same_file
+from clubface.support.whole_file import whole_file
 from clubface.units import display_unit, from_si
 
 if TYPE_CHECKING:
@@ -50,7 +52,6 @@ def read(
     **texts: Any,
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
-    from clubface.support.input_files import same_file
     from clubface.tables.writer import KINDS
 
     read_files = [*files, texts["mapping"]]
@@ -82,7 +83,6 @@ def formats(
     as_json: options.Json = False,
 ) -> None:
     """List the layouts that are read, or show the columns of one."""
-    from clubface.errors import UnknownNameError
     from clubface.launch_monitor import FORMATS
 
     if name is not None and name not in FORMATS:
@@ -172,7 +172,6 @@ def _layout(of: Any) -> dict[str, Any]:
 
 
 def _write_rejects(shots: RecordedShots, path: Path) -> None:
-    from clubface.support.whole_file import whole_file
     from clubface.tables.writer import csv_lines
 
     with whole_file(path) as file:

@@ -6,8 +6,10 @@ import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from clubface import units
 from clubface.cli import options
 from clubface.cli.failures import say
+from clubface.equipment.models import model, models, models_with
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
 
@@ -38,8 +40,6 @@ def parsed(option: str, text: str, dimension: str) -> float:
     A number without a unit is said to be taken so. One that no shot has in SI was meant in another unit, which is asked
     for.
     """
-    from clubface import units
-
     value = units.parse(text, dimension, name=option)
     if text.strip()[-1:] not in "0123456789." or value == 0.0 or dimension == units.DIMENSIONLESS:
         return value
@@ -90,8 +90,6 @@ def club_of(which: str, hand: str | None = None) -> Any:
 
 def model_names(given: Iterable[str] | None, unless_given: str = "all") -> list[str]:
     """Return the models asked for, in the order asked; "all" are those of the registry."""
-    from clubface.equipment.models import model, models
-
     asked = names(given or [unless_given])
     if not asked:
         raise UnknownNameError("model", "", models())
@@ -106,8 +104,6 @@ def names(texts: Iterable[str] | None) -> list[str]:
 
 def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
     """Refuse an accuracy of which none of the models makes any use."""
-    from clubface.equipment.models import model, models
-
     if accuracy is not None and all(model(name).kind == "impulse" for name in names):
         contact = [name for name in models() if model(name).kind == "contact"]
         told = f"leave it out: no steps are taken by {', '.join(names)}; those with steps are {', '.join(contact)}"
@@ -132,7 +128,6 @@ def parameter_sets(
     A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
     that fits none of the models is an error; of several, the last wins.
     """
-    from clubface.equipment.models import models_with
     from clubface.equipment.parameters import ParameterSet
 
     sets = {name: ParameterSet.builtin(name, family) for name in names}
@@ -208,8 +203,6 @@ def own_lofts(struck: Iterable[tuple[Club, Collection[str]]]) -> str:
 
     ``struck`` are clubs with the names of what was given of their deliveries.
     """
-    from clubface import units
-
     told = {head.name: f"{units.from_si(head.loft, 'deg'):.4g} deg" for head, known in struck if "loft" not in known}
     if not told:
         return ""

@@ -16,6 +16,7 @@ from typing import Any
 from clubface.cli.failures import say
 from clubface.errors import LINES, ClubfaceError, InputError, in_a_line, legible
 from clubface.support.folders import prepared_folder
+from clubface.support.input_files import place_of, recorded_files
 from clubface.support.plain_json import plain
 from clubface.support.whole_file import write_text
 
@@ -109,8 +110,6 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
 
 def check_not_read(target: str | None) -> None:
     """Refuse ``--output`` that is a file which the command has read, such as a club that a study names."""
-    from clubface.support.input_files import place_of, recorded_files
-
     if target is not None and place_of(target) in {each.place for each in recorded_files()}:
         raise InputError("--output", target, "another file than those that are read")
 

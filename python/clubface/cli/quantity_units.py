@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Annotated
 
+from clubface import units
 from clubface.cli import option_values, options
 from clubface.reports.quantity_units import SHOWN
+from clubface.support.checks import check_names
 
 KEYS = {
     "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
@@ -30,9 +32,6 @@ Shown = Mapping[str, tuple[str, int]]
 
 def shown_units(texts: Iterable[str] | None) -> dict[str, tuple[str, int]]:
     """Return unit and digits of each quantity of a table; of another unit as many digits as tell as much."""
-    from clubface import units
-    from clubface.support.checks import check_names
-
     told = option_values.pairs(texts or (), "--unit")
     check_names("quantity of --unit", told, VALUES)
     found = dict(VALUES)

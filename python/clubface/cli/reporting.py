@@ -8,6 +8,7 @@ from contextlib import redirect_stdout
 from typing import Any
 
 from clubface.cli import invocation, output
+from clubface.support.input_files import recorded_files, short_names
 
 MOST_BYTES = 2**17
 """Larger descriptions are told by their fingerprint alone, as tables are."""
@@ -84,7 +85,6 @@ def flown(conditions: Mapping[str, Any] | None) -> dict[str, str]:
 def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
     """Return the end of a report: the command that was typed, the files that it read, and other ``files`` by name."""
     from clubface.reports.blocks import Heading, Listing, Paragraph, Table
-    from clubface.support.input_files import recorded_files, short_names
 
     read = [each for each in recorded_files() if not each.shipped]
     names = short_names([each.path for each in read])

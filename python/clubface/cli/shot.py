@@ -10,7 +10,8 @@ import typer
 from clubface.cli import option_values, options, output, reporting
 from clubface.cli.failures import say, say_written
 from clubface.cli.quantity_units import KEYS
-from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.models import DEFAULT_MODEL, model
+from clubface.errors import RangeWarning
 from clubface.reports.quantity_units import SHOWN
 
 app = typer.Typer(add_completion=False)
@@ -60,7 +61,6 @@ def shot(
     sets = option_values.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
     conditions = option_values.conditions(texts)
 
-    from clubface.errors import RangeWarning
     from clubface.simulation.flight import fly
     from clubface.simulation.impact import impact
     from clubface.simulation.outside import Tally
@@ -152,7 +152,6 @@ def _draw(
 ) -> None:
     """Draw forces and flights of all models into one file, and write the report around the same picture."""
     from clubface import plots, units
-    from clubface.equipment.models import model
     from clubface.simulation.backends import backend_of
     from clubface.simulation.delivery import DIMENSIONS
     from clubface.simulation.history import history

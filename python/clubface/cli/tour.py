@@ -11,6 +11,7 @@ from clubface.cli import option_values, options, output
 from clubface.cli.failures import say, say_written
 from clubface.cli.progress import progress_bar
 from clubface.cli.tables import print_numbers
+from clubface.errors import RangeWarning
 
 if TYPE_CHECKING:
     from clubface.tour.tour import Tour
@@ -37,7 +38,6 @@ def tour(
     for each in which:
         published.averages(each)  # before the work: a name that does not exist is found at once
     output.prepare_folder(folder)
-    from clubface.errors import RangeWarning
     from clubface.simulation.outside import Tally
     from clubface.support.warning import without_warnings
     from clubface.tour import report, tables

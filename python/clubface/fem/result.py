@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from clubface.fem.balls import Ball
 from clubface.fem.fields import ElementFields
+from clubface.fem.heads import ShellHead
+from clubface.simulation.quantities import inputs
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
@@ -171,7 +173,6 @@ class Impact:
     def _delivery(self) -> dict[str, float]:
         if self._shots is None:
             return self.given
-        from clubface.simulation.quantities import inputs
 
         named = zip(inputs().values(), self._shots.columns, strict=True)
         return {each.name: float(value) for each, value in named if each.group == "delivery"}
@@ -269,7 +270,6 @@ def _fields(
     """Return the fields of ball and head."""
     if not settings.fields or frames == 0:
         return None, None
-    from clubface.fem.heads import ShellHead
 
     of_ball = ElementFields.from_core(told[0], frames, ball.elements, shells=False)
     if head is None:

@@ -17,6 +17,7 @@ from clubface.errors import EdgeWarning, InputError
 from clubface.fem import core
 from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball, friction_value
 from clubface.fem.core import Progress, core_call
+from clubface.fem.heads import head_names
 from clubface.fem.heads.meshed import MeshedHead, mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.settings import Settings, settings_of
@@ -160,7 +161,6 @@ def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float])
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
     """Return the shot as the core takes it."""
-    from clubface.fem.heads import head_names
     from clubface.simulation.inputs import equipment, shots
 
     if isinstance(club, str) and club in head_names() and club not in builtin_names("clubs"):

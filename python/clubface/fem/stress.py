@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
+from clubface.fem.fields import von_mises
 from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
 from clubface.fem.heads.read import Design, design_of
 from clubface.fem.recovery import SurfaceRecovery
@@ -240,8 +241,6 @@ def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], t
 
 def _solid(head: SolidHead, found: Impact) -> BlowStress:
     """Return the stress at the surface of hexahedra."""
-    from clubface.fem.fields import von_mises
-
     recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
     assert found.head_fields is not None
     stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in found.head_fields.stress])

@@ -9,6 +9,7 @@ import numpy as np
 from clubface.identification.free_parameters import FreeParameters
 from clubface.identification.prepared import PreparedShots
 from clubface.simulation import core
+from clubface.simulation.quantities import outputs
 from clubface.support.arrays import Floats
 
 MOST_ROWS = 1 << 18
@@ -126,8 +127,6 @@ class Simulator:
 
     def contact(self, point: Floats) -> tuple[Floats, Floats]:
         """Return contact times [s] and peak forces [N] of the shots; NaN for a model without a time scale."""
-        from clubface.simulation.quantities import outputs
-
         order = list(outputs())
         found, _ = core.impact(
             self.free.fixed.model, self.shots.columns, self.free.single(point), len(self.shots), self.accuracy,

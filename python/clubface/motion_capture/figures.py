@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from clubface import units
+from clubface.motion_capture.reduction import QUANTITIES
 from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
 
 if TYPE_CHECKING:
@@ -30,7 +31,6 @@ def study_figure(studies: Mapping[str, Study]) -> Figure:
     studies
         The studies by the text written beside each group, such as "no noise".
     """
-    from clubface.motion_capture.reduction import QUANTITIES
     from clubface.motion_capture.study import UNITS
 
     figure = Figure(figsize=(WIDTH, 4.0), layout="constrained")

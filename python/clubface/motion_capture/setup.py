@@ -9,8 +9,8 @@ from typing import Any, TypedDict
 import numpy as np
 
 from clubface import units
-from clubface.equipment.balls import Ball
-from clubface.equipment.clubs import Club
+from clubface.equipment.balls import Ball, ball as ball_of
+from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
 from clubface.motion_capture.address import from_address
@@ -121,9 +121,6 @@ def prepare(
     InputError
         An option cannot be used, or the club is not that of the mapping.
     """
-    from clubface.equipment.balls import ball as ball_of
-    from clubface.equipment.clubs import club as club_of
-
     estimator_of(estimator)
     told: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}
     if unit is not None:

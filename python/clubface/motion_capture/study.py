@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import FileError
 from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS, estimator
@@ -28,6 +28,7 @@ from clubface.motion_capture.synthetic.golfer import random_swing
 from clubface.motion_capture.synthetic.laboratory import Cameras
 from clubface.motion_capture.synthetic.synthetic_swing import LAUNCH
 from clubface.simulation.delivery import OF_CLUB
+from clubface.simulation.impact import impact
 from clubface.support.resuming import Store
 from clubface.support.warning import without_warnings
 
@@ -107,8 +108,6 @@ class Study:
         dict
             ``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin`` [SI], shape (swings,).
         """
-        from clubface.simulation.impact import impact
-
         true, seen = (
             impact(self.club, dict(zip(QUANTITIES, values.T, strict=True)), model=model)
             for values in (self.truth, self.truth + self.errors[name])
@@ -252,8 +251,6 @@ def bare_study(
     reader's own model is not the truth. The parameters are those of :func:`study`; errors are by the way of calibration
     instead of the estimator, and a swing that is refused has NaN.
     """
-    from clubface.equipment.clubs import club as club_of
-
     check_swings(count, seed)
     seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)
     head = club_of(club) if hand is None else club_of(club).replace(hand=hand)

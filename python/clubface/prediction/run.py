@@ -24,6 +24,7 @@ from clubface.support.input_files import input_file
 from clubface.support.resuming import Store, unfinished
 from clubface.support.warning import without_warnings
 from clubface.tables.headings import HAND, Layout
+from clubface.tables.parquet import ParquetForm
 from clubface.tables.rows import GONE, Chunk, Reader, Reject
 from clubface.tables.writer import CsvForm, Form, RejectsForm, is_parquet
 from clubface.units import from_si, to_si
@@ -262,7 +263,6 @@ def _form(target: Path, reader: Reader, task: Task) -> Form:
     headings = task.columns.headings
     if not is_parquet(target):
         return CsvForm([*headings, *task.headings], reader)
-    from clubface.tables.parquet import ParquetForm
 
     types = [reader.schema(place) for place in range(len(headings))]
     return ParquetForm(target, headings, types, task.headings, task.provenance)

@@ -21,6 +21,7 @@ from clubface.simulation.inputs import as_values, equipped, shot_error, shots, s
 from clubface.simulation.launch import Launch
 from clubface.simulation.outside import warn_if_outside
 from clubface.simulation.quantities import Quantity, inputs, outputs as launch_outputs
+from clubface.simulation.results import flattened
 from clubface.simulation.run_options import tolerance
 from clubface.support.checks import check_choice, check_names
 
@@ -126,8 +127,6 @@ class Sensitivity:
     def to_xarray(self) -> xarray.DataArray:
         """Return an array over ``output`` and ``variable`` in SI, their units as coordinates."""
         import xarray
-
-        from clubface.simulation.results import flattened
 
         coordinates = {
             "output": list(self.outputs),

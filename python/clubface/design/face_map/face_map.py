@@ -24,6 +24,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.quantities import outputs
+from clubface.simulation.results import attributes, flattened
 from clubface.support.checks import check_choice, check_share, check_text, is_count, is_number
 from clubface.support.warning import without_warnings
 
@@ -139,8 +140,6 @@ class FaceMap:
     def to_xarray(self) -> xarray.Dataset:
         """Return a dataset over ``high`` and ``toe`` [SI], with units, meanings and what it was computed with."""
         import xarray
-
-        from clubface.simulation.results import attributes, flattened
 
         variables = {
             name: (("high", "toe"), self.get(name), attributes(each.unit, each.meaning))

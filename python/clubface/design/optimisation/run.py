@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.design.feasibility import of_club, refuse_impossible
 from clubface.design.optimisation.front import front, front_solutions
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.problem import Problem
@@ -136,8 +137,6 @@ class _Run:
         )  # fmt: skip
 
     def _refuse_an_impossible_start(self) -> None:
-        from clubface.design.feasibility import of_club, refuse_impossible
-
         envelope = self.study.variables.envelope
         if envelope is not None:
             refuse_impossible(self.study.club.name, envelope, of_club(self.study.club))

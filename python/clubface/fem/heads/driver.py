@@ -9,6 +9,7 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError, TargetWarning
 from clubface.fem import core
+from clubface.fem.core import beside
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, parsed_places
 from clubface.fem.heads.shells import Part, ShellHead
@@ -90,8 +91,6 @@ class DriverHead:
 
     def mesh(self) -> ShellHead:
         """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
-        from clubface.fem.core import beside
-
         target = self.target
         values = {
             "shape": [self.shape[key] for key in SHAPE],

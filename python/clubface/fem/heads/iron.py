@@ -12,6 +12,7 @@ from clubface import units
 from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
 from clubface.fem.balls import ELEMENTS
+from clubface.fem.core import beside
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.places import Place, note_of, parsed_places, spread
 from clubface.fem.heads.solid import ROUND, SolidHead
@@ -91,8 +92,6 @@ class IronHead:
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
-        from clubface.fem.core import beside
-
         found = beside(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
         nodes = found["nodes"].reshape(-1, 3)
         hexahedra, face = found["elements"].reshape(-1, 8)[:, ROUND], found["face"].reshape(-1, 4)

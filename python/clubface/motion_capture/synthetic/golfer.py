@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.motion_capture.synthetic.path import Chain, Turn
 from clubface.motion_capture.synthetic.synthetic_swing import SyntheticSwing, swing
@@ -57,8 +57,6 @@ def random_swing(
         Values to use instead of random ones [SI]: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``,
         ``toe``, ``high``; path and face as for a right-hander.
     """
-    from clubface.equipment.clubs import club as club_of
-
     random = np.random.default_rng(seed)
     head = club_of(club) if hand is None else club_of(club).replace(hand=hand)
     iron = head.kind == "iron"

@@ -10,6 +10,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from clubface.errors import ClubfaceError, FileError, InputError, Told
+from clubface.simulation.outside import Tally
 from clubface.studies.axes import inputs_named
 from clubface.studies.designs import Design
 from clubface.studies.kinds.impacts import KIND as IMPACT, Impacts
@@ -110,8 +111,6 @@ class Comparisons:
 
     def run(self, indices: range) -> Computed:
         """Compute both shots of every task."""
-        from clubface.simulation.outside import Tally
-
         first, second = (each.run(indices) for each in self._both)
         found, tally = {}, Tally()
         for each in (first, second):

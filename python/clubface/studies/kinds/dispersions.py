@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from clubface.design.strokes import Hole
+from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
 from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.quantities import flight_outputs, outputs
@@ -61,8 +63,6 @@ def _of_golfer(name: str, value: Any) -> InputError:
 def _task(study: Described) -> OneByOne:
     from clubface.design.dispersion.sampling import COUNT, MOST, dispersion
     from clubface.design.golfer.golfers import golfer as golfer_of
-    from clubface.design.strokes import Hole
-    from clubface.equipment.clubs import club as club_of
 
     table = study.table
     swept = {each.name: each for each in study.design.axes}
