@@ -100,7 +100,6 @@ def test_options_reach_the_fit(clubface_, drives):
         ),
         (("drives.csv", "--model", "fem"), ("fem", "volumetric")),
         (("swing.c3d",), ("swing.c3d", "clubface capture read")),
-        (("range.xlsx",), ("range.xlsx", "save it as CSV")),
         (("empty.csv",), ("empty.csv",)),
         (("header.csv",), ("header.csv", "no shots")),
         (("words.csv",), ("words.csv",)),

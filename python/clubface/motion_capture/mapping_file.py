@@ -138,8 +138,9 @@ class _Reader:
     def position(self, value: Any, key: str, table: str) -> Point | None:
         """Read the position of a marker, ``"seen"`` for one that the calibration places."""
         if isinstance(value, dict):
-            whole = f"{key}.{next(iter(value), '')}"
-            raise self.document.error(f"a name with a point needs quotes: {quoted(whole)} = ...", whole, table)
+            rest = next(iter(value), "")
+            message = f"a name with a point needs quotes: {quoted(f'{key}.{rest}')} = ..."
+            raise self.document.error(message, rest, f"{table}.{key}")
         return None if value == SEEN else self.vector(value, key, table)
 
     def face_point(self, value: Any, key: str) -> FacePoint:

@@ -16,7 +16,7 @@ from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import model
-from clubface.equipment.parameters import ParameterSet
+from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, Told, UnknownNameError
 from clubface.simulation.delivery import Delivery
 from clubface.simulation.quantities import input_columns, input_dimensions, inputs
@@ -242,7 +242,7 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
         for name in given:
             model(model_name).parameter(name)
         return _published(model_name, family).replace(**given)
-    if is_path(given):
+    if is_path(given) and given not in {each.name for each in builtin_sets(model_name)}:
         return ParameterSet.from_toml(given, model=model_name, club=family)
     if isinstance(given, str):
         return ParameterSet.builtin(model_name, family, given)

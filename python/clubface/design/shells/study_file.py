@@ -110,7 +110,7 @@ def _variables(document: Document) -> dict[str, tuple[float, float]]:
     for name in given:
         if name not in ("thickness", "shape"):
             told = UnknownNameError("table of variables", name, ("thickness", "shape"))
-            raise document.error(str(told), f"variables.{name}")
+            raise document.error(str(told), "", f"variables.{name}")
     found = {}
     for table, known in (("thickness", WALLS), ("shape", SHAPE)):
         values = given.get(table, {})
