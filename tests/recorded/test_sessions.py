@@ -89,6 +89,31 @@ def test_several_files_are_sessions_with_date_and_file_and_are_read_back(write, 
     assert session_labels(again).tolist() == ["2026-01-01", "2026-01-01", "2026-02-01"]
 
 
+def test_shots_of_one_day_are_one_session_whatever_the_hour(write):
+    times = ("2026-01-01 10:00", "2026-01-01 10:01", "2026-01-02 9:30")
+    shots = launch_monitor.read(write(HEAD + "".join(day(time, [100]) for time in times)))
+    assert session_labels(shots).tolist() == ["2026-01-01", "2026-01-01", "2026-01-02"]
+
+
+def test_files_of_one_name_are_told_apart_by_their_folders(tmp_path):
+    paths = [tmp_path / month / "range.csv" for month in ("may", "june")]
+    for place, path in enumerate(paths):
+        path.parent.mkdir()
+        path.write_text(HEAD + day("", [100 + place]))
+    shots = launch_monitor.read(paths)
+    assert [str(path) for path in paths] == shots.files.tolist() == session_labels(shots).tolist()
+
+
+def test_the_hand_of_shots_is_not_known_where_only_one_of_the_files_says_it(write):
+    speeds = "Club Speed (mph),Ball Speed (mph)"
+    left = write(f"Handed,{speeds}\nleft,100,146\n", "left.csv")
+    both = write(f"{speeds}\n99,145\n", "unknown.csv")
+    assert launch_monitor.read([left, both]).hand is None
+    assert launch_monitor.read([left, write(f"Hand,{speeds}\nright,98,144\n", "c.csv")]).hand.tolist() == [
+        "left", "right"
+    ]  # fmt: skip
+
+
 def test_shots_of_overlapping_exports_and_of_a_file_given_twice_count_once(write):
     first = write(HEAD + day("2026-01-01", [100, 99]), "a.csv")
     both = write(HEAD + day("2026-01-01", [100, 99]) + day("2026-02-01", [100, 98]), "b.csv")
