@@ -81,6 +81,7 @@ MISSING = {
     "NA of objects": lambda: pandas().Series([50.0, pandas().NA, 45.0], dtype=object),
     "NaT in a list": lambda: [50.0, pandas().NaT, 45.0],
     "Arrow": lambda: arrow().array([50.0, None, 45.0]),
+    "nulls of Arrow in a list": lambda: list(arrow().array([50.0, None, 45.0])),
     "Arrow in chunks": lambda: arrow().chunked_array([[50], [None, 45]]),
     "Arrow in pandas": lambda: pandas().Series([50.0, None, 45.0], dtype=pandas().ArrowDtype(arrow().float64())),
     "xarray": lambda: pytest.importorskip("xarray").DataArray(np.ma.array([50.0, 1.0, 45.0], mask=[0, 1, 0])),

@@ -171,8 +171,31 @@ def test_noise_never_lies_on_a_polynomial_and_a_filled_gap_does():
             marked = np.flatnonzero(filled(in_file, 500.0).any(1))
             assert set(range(impact - 40, impact - 20)) <= set(marked)
             assert len(marked) <= 22
-    assert not filled(np.round(seen, 4), 500.0).any()
+    for digits in (3, 4):  # whole and tenths of millimetres
+        assert not filled(np.round(seen, digits), 500.0).any()
     assert not filled(seen, 500.0).any()
+
+
+def test_a_gap_that_is_filled_by_a_polynomial_through_three_frames_on_each_side_is_recognised():
+    _, recording, _, impact = bare(rate=500.0)
+    made, gap = recording.positions.copy(), np.arange(impact - 40, impact - 20)
+    around = np.r_[gap[0] - 3 : gap[0], gap[-1] + 1 : gap[-1] + 4]
+    for marker in range(made.shape[1]):
+        quintic = np.polynomial.polynomial.polyfit(around - impact + 30.0, made[around, marker], 5)
+        made[gap, marker] = np.polynomial.polynomial.polyval(gap - impact + 30.0, quintic).T
+    assert set(gap) <= set(np.flatnonzero(filled(made, 500.0).all(1)))
+
+
+def test_a_straight_line_may_fill_the_end_of_a_recording_and_a_curve_is_a_smooth_motion():
+    _, recording, _, impact = bare(rate=500.0)
+    after = np.arange(len(recording.positions) - impact)[:, None, None]
+    line, curve = recording.positions.copy(), recording.positions.copy()
+    step = line[impact] - line[impact - 1]
+    line[impact:] = line[impact] + after * step
+    curve[impact:] = curve[impact] + after * step - 1e-4 * after**3
+    assert filled(line, 500.0)[impact + 1 :].all()
+    assert filled(line[::-1], 500.0)[: -impact - 1].all()
+    assert not filled(curve, 500.0).any()
 
 
 @pytest.mark.parametrize("rate", [120.0, 720.0, 2000.0])

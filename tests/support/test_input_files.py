@@ -8,7 +8,15 @@ import pytest
 
 import clubface
 from clubface.errors import FileError
-from clubface.support.input_files import InputRecord, input_file, open_input, read_input, recorded_files, short_names
+from clubface.support.input_files import (
+    InputRecord,
+    given_files,
+    input_file,
+    open_input,
+    read_input,
+    recorded_files,
+    short_names,
+)
 
 ROOT = Path(clubface.__file__).parent
 READERS = {"read_text", "read_bytes"}
@@ -113,6 +121,38 @@ def test_a_large_table_that_changes_while_it_is_read_is_refused(tmp_path, monkey
             writer.write("b")
         with pytest.raises(FileError, match="changed while it was read"):
             file.read()
+
+
+def test_files_beyond_what_is_kept_are_read_in_their_place_and_refused_once_they_change(tmp_path, monkeypatch):
+    monkeypatch.setattr("clubface.support.input_files.MOST_KEPT", 5)
+    first, second = tmp_path / "first.toml", tmp_path / "second.toml"
+    first.write_text("before one")
+    second.write_text("before two")
+    with InputRecord().active():
+        assert (read_input(first), read_input(second)) == (b"before one", b"before two")
+        first.write_text("later")
+        second.write_text("after two.")
+        assert read_input(first) == b"before one"
+        with pytest.raises(FileError, match="changed while it was read"):
+            read_input(second)
+
+
+def test_a_worker_is_given_no_damaged_copy_of_an_input(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text("before")
+    read = input_file(path)
+    (tmp_path / read.sha256).write_text("before")
+    given = [(str(path), read.sha256, read.size)]
+    assert given_files(given, tmp_path)[str(path)].content == b"before"
+    (tmp_path / read.sha256).write_text("beforE")
+    with pytest.raises(FileError, match="damaged"):
+        given_files(given, tmp_path)
+
+
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="no files of the system that say no size")
+def test_a_file_that_says_no_size_is_limited_all_the_same():
+    with pytest.raises(FileError, match="larger than"):
+        input_file("/proc/self/maps", most=10)
 
 
 def special(kind, folder):

@@ -94,7 +94,9 @@ def _filled(path: Array, rate: float) -> NDArray[np.bool_]:
             enough = len(seen) == 2 or (order == 2 and len(seen) == 1)
             moves = np.linalg.norm(path[first + points] - path[first]) * rate > SLOW * points
             if enough and min(seen) > SHARP * max(limit, coarse) and moves:
-                out[first + 1 : first + points] = True
+                # A gap lies between frames that were seen, but for one with which the recording begins or ends.
+                begins, ends = first == 0, first + points == len(path) - 1
+                out[first + (not begins) : first + points + ends] = True
     return out
 
 
