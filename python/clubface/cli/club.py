@@ -107,25 +107,25 @@ def check(
         print(f"\n{file}: a club that can exist")
 
 
-def _rules(of: Club) -> list[dict[str, Any]]:
+def _rules(checked: Club) -> list[dict[str, Any]]:
     """Return what the club has of every limit of the rules, in SI."""
     from clubface.design.rules import check_rules
 
     return [
         {"rule": each.rule.name, "value": None if each.conforms is None else each.value, "limit": each.rule.most,
          "tolerance": each.rule.tolerance, "verdict": each.words}
-        for each in check_rules(of)
+        for each in check_rules(checked)
     ]  # fmt: skip
 
 
-def _print_rules(of: Club, file: str) -> None:
+def _print_rules(checked: Club, file: str) -> None:
     """Print what the club has of every limit of the rules, and what is not known of it."""
     from clubface.cli.tables import print_numbers
     from clubface.design.rules import NOT_KNOWN, UNMEASURED, check_rules
     from clubface.fem.heads.meshed import mesh_of
 
     rows, notes = [], []
-    for each in check_rules(of):
+    for each in check_rules(checked):
         if each.words == NOT_KNOWN:  # a club file tells no volume, and needs none
             continue
         unit = each.rule.unit
@@ -134,11 +134,11 @@ def _print_rules(of: Club, file: str) -> None:
         rows.append([f"{each.rule.title}, {unit}", known, *limits, each.words])
         if each.words == UNMEASURED:
             told = 'characteristic_time = "250 us" in the file says what the pendulum measured'
-            if mesh_of(of) is not None:
+            if mesh_of(checked) is not None:
                 told = f"clubface fem head {file} --measure simulates it, and {told}"
             notes.append(f"nothing says how the face gives: {told}")
     if rows:
         print_numbers(("", "club", "limit", "tolerance", ""), rows, title="Rules of golf")
-    if mesh_of(of) is not None and len(rows) > 1:
+    if mesh_of(checked) is not None and len(rows) > 1:
         notes.append("volume and dimensions are those of the whole mesh, with a hosel if it has one")
     output.print_notes(notes)

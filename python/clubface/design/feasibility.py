@@ -190,8 +190,8 @@ def room_inside(places: NDArray[Any], volume: Volume) -> Volume:
     low, high = -most[3:6], most[:3]
     size = float((high - low).max())
     if (high - low).min() < 1e-3:
-        told = ", ".join(f'"{units.fixed(float(each), "mm", 0)}"' for each in 0.5 * (places.min(0) + places.max(0)))
-        raise InputError("head.centre", None, f"where the mesh of the club is, such as [{told}]")
+        middle = ", ".join(f'"{units.fixed(float(each), "mm", 0)}"' for each in 0.5 * (places.min(0) + places.max(0)))
+        raise InputError("head.centre", None, f"where the mesh of the club is, such as [{middle}]")
 
     def left(numbers: NDArray[Any]) -> NDArray[Any]:
         """Return the room in each direction, in parts of the size."""
@@ -202,14 +202,14 @@ def room_inside(places: NDArray[Any], volume: Volume) -> Volume:
         return -np.hstack([normals, normals**2 * numbers[3:] / reach[:, None]])
 
     start = np.concatenate([0.5 * (low + high), 0.25 * (high - low)]) / size
-    found = minimize(
+    optimum = minimize(
         lambda numbers: -np.log(numbers[3:]).sum(), start,
         jac=lambda numbers: np.append(np.zeros(3), -1.0 / numbers[3:]),
         constraints={"type": "ineq", "fun": left, "jac": slopes}, bounds=[(None, None)] * 3 + [(1e-3, 1.0)] * 3,
         method="SLSQP", options={"maxiter": 200},
     )  # fmt: skip
-    shrunk = 1.0 + min(0.0, float((left(found.x) / np.linalg.norm(normals * found.x[3:], axis=1)).min()))
-    x, y, z, a, b, c = (found.x * size).tolist()
+    shrunk = 1.0 + min(0.0, float((left(optimum.x) / np.linalg.norm(normals * optimum.x[3:], axis=1)).min()))
+    x, y, z, a, b, c = (optimum.x * size).tolist()
     return Volume(shape="ellipsoid", centre=(x, y, z), size=(2 * a * shrunk, 2 * b * shrunk, 2 * c * shrunk))
 
 

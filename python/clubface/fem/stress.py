@@ -239,36 +239,36 @@ def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], t
     return PartStress(part, float(stress[frame, at]), float(times[frame]), (x, y, z), metal.yield_stress)
 
 
-def _solid(head: SolidHead, found: Impact) -> BlowStress:
+def _solid(head: SolidHead, run: Impact) -> BlowStress:
     """Return the stress at the surface of hexahedra."""
     recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
-    assert found.head_fields is not None
-    stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in found.head_fields.stress])
-    part = _peak("head", head.metal, stress, head.nodes[recovery.nodes], found.frame_times)
+    assert run.head_fields is not None
+    stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in run.head_fields.stress])
+    part = _peak("head", head.metal, stress, head.nodes[recovery.nodes], run.frame_times)
     frame = int(stress.max(axis=1).argmax())
     surface = SurfaceStress(
         nodes=head.nodes[recovery.nodes],
         quads=np.searchsorted(recovery.nodes, recovery.quads),
         stress=stress[frame],
-        time=float(found.frame_times[frame]),
+        time=float(run.frame_times[frame]),
         views=("face", "back"),
         bending=bool(recovery.extrapolated.mean() > 0.5),
     )
     return BlowStress((part,), surface)
 
 
-def _shells(head: MeshedHead, found: Impact) -> BlowStress:
+def _shells(head: MeshedHead, run: Impact) -> BlowStress:
     """Return the stress of shells, on the side of each that has more."""
     assert isinstance(head, ShellHead)
-    assert found.head_fields is not None
-    stress = found.head_fields.von_mises.max(axis=2)
+    assert run.head_fields is not None
+    stress = run.head_fields.von_mises.max(axis=2)
     places = head.nodes[head.quads].mean(axis=1)
     parts, start = [], 0
     for part in head.parts:
         some = slice(start, start + part.elements)
         start += part.elements
         if part.elements:
-            parts.append(_peak(part.name, part.metal, stress[:, some], places[some], found.frame_times))
+            parts.append(_peak(part.name, part.metal, stress[:, some], places[some], run.frame_times))
     frame = int(stress.max(axis=1).argmax())
     sums, counts = np.zeros(len(head.nodes)), np.zeros(len(head.nodes))
     np.add.at(sums, head.quads, stress[frame][:, None])
@@ -277,7 +277,7 @@ def _shells(head: MeshedHead, found: Impact) -> BlowStress:
         nodes=head.nodes,
         quads=head.quads,
         stress=sums / np.maximum(counts, 1.0),
-        time=float(found.frame_times[frame]),
+        time=float(run.frame_times[frame]),
         views=("face", "crown", "sole"),
         bending=True,
     )

@@ -112,10 +112,10 @@ class Columns(NamedTuple):
 
 def is_units_row(cells: Sequence[str]) -> bool:
     """Return whether a row holds nothing but units, usually in brackets."""
-    told = [cell.strip() for cell in cells if cell.strip()]
-    bracketed = [cell for cell in told if cell[0] in "[(" and cell[-1] in "])"]
-    known = [cell for cell in told if cell in ("[]", "()") or (_WORD.search(cell) and unit_symbol(cell) is not None)]
-    return bool(told) and (len(bracketed) == len(told) or len(known) == len(told))
+    named = [cell.strip() for cell in cells if cell.strip()]
+    bracketed = [cell for cell in named if cell[0] in "[(" and cell[-1] in "])"]
+    known = [cell for cell in named if cell in ("[]", "()") or (_WORD.search(cell) and unit_symbol(cell) is not None)]
+    return bool(named) and (len(bracketed) == len(named) or len(known) == len(named))
 
 
 def columns_of(

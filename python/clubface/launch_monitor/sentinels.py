@@ -66,25 +66,25 @@ def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple
     With the path it gives the face angle, and with the face angle the path, where they were not measured. Where all
     three were measured and do not go together, face angle and path stay.
     """
-    found = dict(columns)
-    if FACE_TO_PATH not in found:
-        return found, ""
-    to_path = found.pop(FACE_TO_PATH)
+    completed = dict(columns)
+    if FACE_TO_PATH not in completed:
+        return completed, ""
+    to_path = completed.pop(FACE_TO_PATH)
     nothing = np.full_like(to_path, np.nan)
-    face, path = found.get("face", nothing), found.get("path", nothing)
+    face, path = completed.get("face", nothing), completed.get("path", nothing)
     apart = np.abs(face - path - to_path) > ROUNDING
     for name, values, other in (("face", face, path + to_path), ("path", path, face - to_path)):
         filled = np.where(np.isnan(values), other, values)
         if not np.isnan(filled).all():
-            found[name] = filled
+            completed[name] = filled
     if not apart.any():
-        return found, ""
+        return completed, ""
     first = int(np.flatnonzero(apart)[0])
     shown = ", ".join(
         f"{what} {float(from_si(each[first], 'deg')):.3g}"
         for what, each in (("face angle", face), ("path", path), ("face to path", to_path))
     )
-    return found, (
+    return completed, (
         f"face angle, path and face to path contradict each other in {int(apart.sum())} of {apart.size} shots, such as "
         f"line {lines[first]}: {shown} deg; face to path is not used there"
     )

@@ -152,9 +152,9 @@ def _label(text: str) -> _Label | None:
         for count in range(_LONGEST, 0, -1):
             phrase = tuple(words[place : place + count])
             if len(phrase) == count and phrase in _PHRASES:
-                found = _PHRASES[phrase]
-                kind = kind or found
-                is_clear |= found in (MEAN, MEDIAN, DEVIATION) and not (count == 1 and phrase[0] in _NAMES_TOO)
+                meaning = _PHRASES[phrase]
+                kind = kind or meaning
+                is_clear |= meaning in (MEAN, MEDIAN, DEVIATION) and not (count == 1 and phrase[0] in _NAMES_TOO)
                 place += count
                 break
         else:

@@ -49,11 +49,11 @@ def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recordin
             positions[each, recording.place(name)] = np.nan
             words = frames_in_words(np.flatnonzero(each).tolist(), recording.first_frame)
             notes.setdefault(words, []).append(name)
-    told = [
+    left_out = [
         f"{', '.join(each)}: {words} not seen but filled by the capture program (a line or a spline): left out"
         for words, each in notes.items()
     ]
-    return replace(recording, positions=positions), told
+    return replace(recording, positions=positions), left_out
 
 
 def filled(positions: Array, rate: float) -> NDArray[np.bool_]:

@@ -201,12 +201,12 @@ def _in_front(approach: Approach, setup: Setup) -> Array:
 
 
 def _told(blow: Blow) -> str:
-    told = f"impact is taken from the blow: the head loses {100.0 * blow.lost:.0f}% of its speed"
+    message = f"impact is taken from the blow: the head loses {100.0 * blow.lost:.0f}% of its speed"
     if blow.again is None:
-        return told
+        return message
     return (
-        f"{told} in frame {blow.before + 1} of the recording. It loses speed in frame {blow.again + 1} as well: cut the"
-        " recording to read that"
+        f"{message} in frame {blow.before + 1} of the recording. It loses speed in frame {blow.again + 1} as well: cut"
+        " the recording to read that"
     )
 
 

@@ -146,7 +146,7 @@ def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
     )
 
 
-def _away(found: CapturedDelivery, recording: Recording, setup: Setup) -> str:
+def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
     """Say what to do about a head that moves away from the target: turn the axis if that helps, and else not."""
     away = "the clubhead moves away from the target"
     mapping, given = setup.mapping, setup.mapping.target
@@ -161,8 +161,8 @@ def _away(found: CapturedDelivery, recording: Recording, setup: Setup) -> str:
                     f"{away}: turn the axis that points to it; {axis} gives a plausible delivery (target under"
                     f" [laboratory], or --target={axis})"
                 )
-    address = "".join(f" ({note})" for note in found.notes if note.startswith("address taken"))
-    return f"{away} in frame {found.frames[0]}, where the impact seems to be. {found.notes[0]}{address}"
+    address = "".join(f" ({note})" for note in result.notes if note.startswith("address taken"))
+    return f"{away} in frame {result.frames[0]}, where the impact seems to be. {result.notes[0]}{address}"
 
 
 def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) -> Trace:

@@ -19,9 +19,9 @@ SHOWN = ("speed", "ball_speed", "launch", "total_spin", "carry", "side", "azimut
 """Quantities whose means are shown."""
 
 
-def progress(of: ClubFigures) -> Iterator[Block]:
+def progress(club: ClubFigures) -> Iterator[Block]:
     """Yield the section on the sessions of a club; nothing where there is one."""
-    sessions = by_session(of.shots)
+    sessions = by_session(club.shots)
     if len(sessions) < 2:
         return
     names = [name for name in SHOWN if sum(name in each for each in sessions.values()) > 1]
@@ -33,7 +33,7 @@ def progress(of: ClubFigures) -> Iterator[Block]:
         [label, str(counts[label]), *(_cell(figures.get(name), name) for name in names)]
         for label, figures in sessions.items()
     ]
-    yield Table(["session", "shots", *(NAMES[name] for name in names)], rows, _data(of, sessions, names))
+    yield Table(["session", "shots", *(NAMES[name] for name in names)], rows, _data(club, sessions, names))
     yield Paragraph(("± is how much the shots of a session differ (one standard deviation).",))
     first, *_, last = sessions
     changes = [text for name in names if (text := _change(name, sessions[first], sessions[last]))]
@@ -57,10 +57,10 @@ def by_session(shots: RecordedShots) -> dict[str, dict[str, Figure]]:
     return {label: each for label, each in sessions.items() if each}
 
 
-def _cell(of: Figure | None, name: str) -> str:
-    if of is None:
+def _cell(figures: Figure | None, name: str) -> str:
+    if figures is None:
         return ""
-    return amount(of.mean, name) + ("" if math.isnan(of.spread) else f" ± {amount(of.spread, name)}")
+    return amount(figures.mean, name) + ("" if math.isnan(figures.spread) else f" ± {amount(figures.spread, name)}")
 
 
 def _change(name: str, first: Mapping[str, Figure], last: Mapping[str, Figure]) -> str | None:
@@ -97,7 +97,7 @@ def _difference_error(one: Figure, other: Figure) -> float:
     return float(stdtrit(freedom, 0.975)) * math.sqrt(total)
 
 
-def _data(of: ClubFigures, sessions: Mapping[str, Mapping[str, Figure]], names: list[str]) -> Data:
+def _data(club: ClubFigures, sessions: Mapping[str, Mapping[str, Figure]], names: list[str]) -> Data:
     headings = ["session"]
     for name in names:
         unit = unit_of(name)
@@ -110,4 +110,4 @@ def _data(of: ClubFigures, sessions: Mapping[str, Mapping[str, Figure]], names: 
             mean, spread = (each.mean, each.spread) if each else (np.nan, np.nan)
             row += [float(from_si(mean, unit)), spread / size(unit), each.count if each else 0]
         rows.append(row)
-    return Data(file_name(f"{of.title} sessions"), headings, rows)
+    return Data(file_name(f"{club.title} sessions"), headings, rows)

@@ -44,8 +44,8 @@ def joined(sessions: Sequence[RecordedShots]) -> RecordedShots:
         if not mask.all()
     ]
     for note in dict.fromkeys(note for each in sessions for note in each.notes):
-        of = [name for name, each in zip(names, sessions, strict=True) if note in each.notes]
-        notes.append(note if len(of) == len(sessions) else f"{', '.join(of)}: {note}")
+        holders = [name for name, each in zip(names, sessions, strict=True) if note in each.notes]
+        notes.append(note if len(holders) == len(sessions) else f"{', '.join(holders)}: {note}")
     points = {}
     for point, (what, quantities) in _MEASURED_AT.items():
         where = list(dict.fromkeys(getattr(each, point) for each in sessions if quantities & each.deliveries.keys()))

@@ -124,8 +124,8 @@ class RecordedShots:
             name: np.where(np.isnan(measured.get(name, np.nan)), values, np.nan)
             for name, values in spins.values.items()
         }
-        told = notes_of(spins, checked["rows"].tolist(), self.row_word)
-        checked["notes"] = tuple(dict.fromkeys((*told, *self.notes)))
+        spin_notes = notes_of(spins, checked["rows"].tolist(), self.row_word)
+        checked["notes"] = tuple(dict.fromkeys((*spin_notes, *self.notes)))
         for name in TEXTS:
             given = getattr(self, name)
             if given is not None:
@@ -149,12 +149,12 @@ class RecordedShots:
         return "row" if self.source.lower().endswith(PARQUET) else "line"
 
     def __repr__(self) -> str:
-        told = [f"{len(self)} shot{'s' * (len(self) != 1)} of {self.source} ({self.format})"]
+        lines = [f"{len(self)} shot{'s' * (len(self) != 1)} of {self.source} ({self.format})"]
         for kind in ("deliveries", "launches"):
-            told.append(f"  {kind}: {', '.join(getattr(self, kind)) or 'none'}")
+            lines.append(f"  {kind}: {', '.join(getattr(self, kind)) or 'none'}")
         if self.rejected:
-            told.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
-        return "\n".join(told)
+            lines.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
+        return "\n".join(lines)
 
     def select(self, which: Any) -> Self:
         """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""

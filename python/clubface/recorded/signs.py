@@ -68,8 +68,8 @@ def suspected_signs(shots: RecordedShots) -> tuple[str, ...]:
     notes = []
     for name, others in found.items():
         turned = "it" if len(others) > 1 else "one of them"
-        told = f"the sign of {name} disagrees with {' and '.join(others)} from shot to shot"
-        notes.append(f"{told}: is {turned} turned in this file?")
+        message = f"the sign of {name} disagrees with {' and '.join(others)} from shot to shot"
+        notes.append(f"{message}: is {turned} turned in this file?")
     if "attack" not in found:
         notes += _upward_irons(shots, clubs)
     return tuple(notes)

@@ -123,7 +123,7 @@ def _contradiction(
     usual: tuple[float, float],
     powers: Mapping[str, int],
     units: Mapping[str, Unit],
-    said: str,
+    message: str,
 ) -> Iterator[str]:
     """Yield what is wrong where most values are, and another unit of one of the quantities makes their median usual."""
     known = values[np.isfinite(values)]
@@ -132,20 +132,22 @@ def _contradiction(
     median = float(np.median(known))
     if not is_wrong(median):
         return
-    found = []
+    columns = []
     for name, power in powers.items():
         if name in units:
             others = [each for each in _others(units[name]) if usual[0] <= median * each[1] ** power <= usual[1]]
             if others:
-                found.append((name, units[name], others))
-    if found:
-        yield _message(f"{said.format(median)} in the median of {known.size} shots", found)
+                columns.append((name, units[name], others))
+    if columns:
+        yield _message(f"{message.format(median)} in the median of {known.size} shots", columns)
 
 
-def _others(of: Unit) -> list[tuple[str, float]]:
+def _others(current: Unit) -> list[tuple[str, float]]:
     """Return the other units of the dimension of a column, and by what values must be multiplied to be in them."""
     return [
-        (each, size(each) / size(of.symbol)) for each in IN_USE.get(unit(of.symbol).dimension, ()) if each != of.symbol
+        (each, size(each) / size(current.symbol))
+        for each in IN_USE.get(unit(current.symbol).dimension, ())
+        if each != current.symbol
     ]
 
 

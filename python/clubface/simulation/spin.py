@@ -112,13 +112,13 @@ def complete(given: Mapping[str, Any]) -> Spins:
     """
     arrays = {name: np.asarray(given[name], dtype=np.float64) for name in SPINS if name in given}
     count = len(next(iter(arrays.values()))) if arrays else 0
-    found = {name: arrays[name].copy() if name in arrays else np.full(count, np.nan) for name in SPINS}
-    found[AXIS] = wrapped(found[AXIS])
-    contradictions = _settle(found)
-    lifting = _follow(found)
-    alone = ~np.isnan(found[TOTAL]) & np.isnan(found[AXIS])
+    completed = {name: arrays[name].copy() if name in arrays else np.full(count, np.nan) for name in SPINS}
+    completed[AXIS] = wrapped(completed[AXIS])
+    contradictions = _settle(completed)
+    lifting = _follow(completed)
+    alone = ~np.isnan(completed[TOTAL]) & np.isnan(completed[AXIS])
     notes = [text for text, where in ((ONE_SIDED, lifting), (NO_DIRECTION, alone)) if where.any()]
-    kept = {name: values for name, values in found.items() if name in given or not np.isnan(values).all()}
+    kept = {name: values for name, values in completed.items() if name in given or not np.isnan(values).all()}
     return Spins(kept, contradictions, tuple(notes))
 
 
@@ -151,19 +151,19 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
     shape = np.broadcast_shapes(*(each.shape for each in whole.values()))
     flat = {name: np.broadcast_to(each, shape).ravel() for name, each in whole.items()}
     spins = agreeing(flat)
-    found = {name: values.reshape(shape) if shape else float(values[0]) for name, values in spins.values.items()}
+    completed = {name: values.reshape(shape) if shape else float(values[0]) for name, values in spins.values.items()}
     assumed = "; ".join(note for note in spins.notes if note == ONE_SIDED)
-    if BACK in found and SIDE in found:
-        return found[BACK], found[SIDE], assumed
+    if BACK in completed and SIDE in completed:
+        return completed[BACK], completed[SIDE], assumed
     if AXIS in names:
         needs = "give total_spin with it" if names == [AXIS] else "give total_spin too: the axis says too little of it"
         raise InputError(AXIS, Told(show(float(flat[AXIS][0]), "deg")), needs)
     if BACK in names:
-        return found[BACK], 0.0, "the sidespin is not known and taken as 0: the ball does not curve"
+        return completed[BACK], 0.0, "the sidespin is not known and taken as 0: the ball does not curve"
     if TOTAL in names:
-        return found[TOTAL], 0.0, "the spin axis is not known and taken as level: the ball does not curve"
+        return completed[TOTAL], 0.0, "the spin axis is not known and taken as level: the ball does not curve"
     if SIDE in names:
-        return 0.0, found[SIDE], "the backspin is not known and taken as 0"
+        return 0.0, completed[SIDE], "the backspin is not known and taken as 0"
     return 0.0, 0.0, "the spin is not known and taken as 0: the ball has no lift"
 
 
@@ -172,8 +172,8 @@ def notes_of(spins: Spins, places: Iterable[Any], what: str = "line") -> tuple[s
     at = list(places)
     listed = "; ".join(f"{what} {at[each.place]}: {each}" for each in spins.contradictions[:LISTED])
     more = len(spins.contradictions) - LISTED
-    told = [f"{listed}; and {more} more such shots" if more > 0 else listed] if listed else []
-    return (*told, *spins.notes)
+    contradictions = [f"{listed}; and {more} more such shots" if more > 0 else listed] if listed else []
+    return (*contradictions, *spins.notes)
 
 
 def _listed(parts: Sequence[str]) -> str:
@@ -184,11 +184,11 @@ def _name(name: str) -> str:
     return name.replace("_", " ")
 
 
-def _settle(of: dict[str, Floats]) -> tuple[Contradiction, ...]:
-    """Take what contradicts the rest out of ``of``, and return it."""
-    before = {name: values.copy() for name, values in of.items()}
-    has = {name: ~np.isnan(values) for name, values in of.items()}
-    strict, misfit = _misfits(of, 0.0), _misfits(of, ALONG)
+def _settle(spins: dict[str, Floats]) -> tuple[Contradiction, ...]:
+    """Take what contradicts the rest out of ``spins``, and return it."""
+    before = {name: values.copy() for name, values in spins.items()}
+    has = {name: ~np.isnan(values) for name, values in spins.items()}
+    strict, misfit = _misfits(spins, 0.0), _misfits(spins, ALONG)
     polar, parts = has[TOTAL] & has[AXIS], has[BACK] & has[SIDE]
     without_axis, without_total = misfit[BACK, SIDE, TOTAL], misfit[BACK, SIDE, AXIS]
     with_back, with_side = misfit[BACK, TOTAL, AXIS], misfit[SIDE, TOTAL, AXIS]
@@ -199,7 +199,7 @@ def _settle(of: dict[str, Floats]) -> tuple[Contradiction, ...]:
         drop = {
             BACK: (with_back > 1.0) & ~by_parts,
             SIDE: (with_side > 1.0) & ~by_parts,
-            TOTAL: (without_axis > 1.0) & (by_parts | ~has[AXIS]) | (of[TOTAL] < 0.0),
+            TOTAL: (without_axis > 1.0) & (by_parts | ~has[AXIS]) | (spins[TOTAL] < 0.0),
             AXIS: (without_total > 1.0) & (by_parts | ~has[TOTAL]),
         }
         for part, other_part in ((BACK, SIDE), (SIDE, BACK)):
@@ -207,7 +207,7 @@ def _settle(of: dict[str, Floats]) -> tuple[Contradiction, ...]:
                 wrong = (misfit[part, other] > 1.0) & ~has[other_part] & ~has[third]
                 drop[part], drop[other] = drop[part] | wrong, drop[other] | wrong
     for name, where in drop.items():
-        of[name][where] = np.nan
+        spins[name][where] = np.nan
     return tuple(
         Contradiction(
             int(place),
@@ -218,7 +218,7 @@ def _settle(of: dict[str, Floats]) -> tuple[Contradiction, ...]:
     )
 
 
-def _misfits(of: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Floats]:
+def _misfits(spins: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Floats]:
     """Return by how much spins, two or three together, miss being one vector, over what rounding explains.
 
     ``along`` is the part by which the total spin may exceed what the others say.
@@ -229,8 +229,8 @@ def _misfits(of: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Fl
         allowed = (by_total * seen >= 0.0) & (excess > 0.0)
         return np.where(allowed, np.maximum(excess - along * np.abs(by_total), 0.0), np.abs(by_total - seen))
 
-    back, side, total, axis = (of[name] for name in SPINS)
-    error = {name: _rounding(values, UNITS[name]) for name, values in of.items()}
+    back, side, total, axis = (spins[name] for name in SPINS)
+    error = {name: _rounding(values, UNITS[name]) for name, values in spins.items()}
     cos, sin = np.cos(axis), np.sin(axis)
     both, parts = np.hypot(back, side), error[BACK] + error[SIDE]
     turned = error[TOTAL] + np.abs(total) * error[AXIS]
@@ -247,19 +247,19 @@ def _misfits(of: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Fl
     }
 
 
-def _follow(of: dict[str, Floats]) -> NDArray[np.bool_]:
+def _follow(spins: dict[str, Floats]) -> NDArray[np.bool_]:
     """Fill in what follows; return for which shots only as the ball is not topped."""
-    error = {name: _rounding(values, UNITS[name]) for name, values in of.items()}
+    error = {name: _rounding(values, UNITS[name]) for name, values in spins.items()}
 
     def known(*names: str) -> NDArray[np.bool_]:
-        return ~np.any([np.isnan(of[name]) for name in names], axis=0)
+        return ~np.any([np.isnan(spins[name]) for name in names], axis=0)
 
     def fill(where: NDArray[np.bool_], values: Mapping[str, Floats]) -> None:
         for name, each in values.items():
-            of[name] = np.where(where & np.isnan(of[name]), each, of[name])
+            spins[name] = np.where(where & np.isnan(spins[name]), each, spins[name])
 
     with np.errstate(invalid="ignore", divide="ignore"):
-        back, side, total, axis = (of[name] for name in SPINS)
+        back, side, total, axis = (spins[name] for name in SPINS)
         fill(known(TOTAL, AXIS), {BACK: total * np.cos(axis), SIDE: total * np.sin(axis)})
         tangent = np.abs(np.tan(axis))
         sure = error[BACK] / np.abs(back) + error[AXIS] * tangent < WEAKEST
@@ -269,7 +269,7 @@ def _follow(of: dict[str, Floats]) -> NDArray[np.bool_]:
         sure = total - np.abs(side) > error[TOTAL] + error[SIDE]
         lifting = known(TOTAL, SIDE) & ~known(BACK) & sure
         fill(lifting, {BACK: np.sqrt((total - side) * (total + side))})
-        back, side = of[BACK], of[SIDE]
+        back, side = spins[BACK], spins[SIDE]
         fill(known(BACK, SIDE), {TOTAL: np.hypot(back, side), AXIS: np.arctan2(side, back)})
     return lifting
 

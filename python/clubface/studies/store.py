@@ -66,12 +66,12 @@ class StudyStore(PartStore):
         """The folder of what the study has read, each file under its fingerprint: workers read nothing else."""
         return self.folder / INPUTS
 
-    def keep_input(self, of: InputFile) -> None:
+    def keep_input(self, given: InputFile) -> None:
         """Keep a file that the study has read; one too large to be kept is read in its own place."""
-        path = self.inputs / of.sha256
-        if of.content is not None and not path.exists():
+        path = self.inputs / given.sha256
+        if given.content is not None and not path.exists():
             with whole_file(self.prepare(path)) as file:
-                file.write(of.content)
+                file.write(given.content)
 
     def input(self, sum_: str) -> bytes | None:
         """Return what was read under a fingerprint, None where it is not kept."""

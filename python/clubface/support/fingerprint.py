@@ -26,8 +26,8 @@ def _told(value: Any) -> Any:
     if value is None or isinstance(value, (str, int, float)):
         return value
     if isinstance(value, Mapping):
-        told = {key: _told(each) for key, each in value.items()}
-        return told if all(isinstance(key, str) for key in told) else sorted((repr(key), told[key]) for key in told)
+        plain = {key: _told(each) for key, each in value.items()}
+        return plain if all(isinstance(key, str) for key in plain) else sorted((repr(key), plain[key]) for key in plain)
     if isinstance(value, (set, frozenset)):
         value = sorted(value)
     if isinstance(value, (list, tuple)):
@@ -54,7 +54,7 @@ def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
 
 def check_same(
     folder: Path,
-    told: Mapping[str, str],
+    now: Mapping[str, str],
     begun: Mapping[str, str],
     otherwise: str,
     change: Callable[[str], str] = lambda _: "",
@@ -63,7 +63,7 @@ def check_same(
 
     ``change`` says what is different in a part, by its name.
     """
-    if other := [f"{name}{change(name)}" for name in {**told, **begun} if told.get(name) != begun.get(name)]:
+    if other := [f"{name}{change(name)}" for name in {**now, **begun} if now.get(name) != begun.get(name)]:
         what = f"with another {', another '.join(other)}" if begun else "as other work, whose record is damaged"
         raise FileError(str(folder), None, f"this was begun {what}; {otherwise}")
 

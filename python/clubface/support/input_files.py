@@ -218,14 +218,14 @@ def short_names(paths: Sequence[str]) -> list[str]:
     Of ``a/anna.toml``, ``b/anna.toml`` and ``a/my.toml`` these are ``a/anna.toml``, ``b/anna.toml`` and ``my.toml``.
     """
     parts = [Path(each).parts for each in paths]
-    found = []
+    names = []
     for each in parts:
         others = [other for other in parts if other != each]
         length = 1
         while length < len(each) and any(other[-length:] == each[-length:] for other in others):
             length += 1
-        found.append("/".join(each[-length:]))
-    return found
+        names.append("/".join(each[-length:]))
+    return names
 
 
 def absolute(path: str | os.PathLike[str]) -> str:

@@ -159,10 +159,10 @@ def number(text: str, decimal_comma: bool) -> float:
 
 def hand_of(text: str) -> float:
     """Return +1 for a right hand and -1 for a left one, as people and monitors write them; else a ``ValueError``."""
-    told = text.strip().lower().replace("-handed", " handed")
-    if told not in _HANDS:
+    words = text.strip().lower().replace("-handed", " handed")
+    if words not in _HANDS:
         raise ValueError
-    return float(_HANDS[told])
+    return float(_HANDS[words])
 
 
 def all_numbers(cells: Sequence[str], decimal_comma: bool) -> NDArray[Any] | None:

@@ -304,15 +304,15 @@ def listed(headings: Sequence[str]) -> str:
 
 def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
-    before, told = bracketed(heading)
+    before, unit_text = bracketed(heading)
     name = plain_name(before)
-    if told is None:
+    if unit_text is None:
         for spelled in (before, before.lower()):
             short, unit = units.parse_column_name("_".join(spelled.replace("-", "_").split()), words.names)
             if plain_name(short) in words.names:
                 return plain_name(short), unit
         return name, None
-    return name, told or None
+    return name, unit_text or None
 
 
 def plain_name(name: str) -> str:

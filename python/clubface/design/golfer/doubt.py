@@ -124,9 +124,9 @@ def possible(correlation: Floats) -> Floats:
         return correlation
     raised = (vectors * np.maximum(values, LEAST)) @ vectors.T
     scale = np.sqrt(np.diag(raised))
-    found = raised / np.outer(scale, scale)
-    np.fill_diagonal(found, 1.0)
-    return 0.5 * (found + found.T)
+    scaled = raised / np.outer(scale, scale)
+    np.fill_diagonal(scaled, 1.0)
+    return 0.5 * (scaled + scaled.T)
 
 
 def _figures(golfer: Golfer) -> list[str]:

@@ -61,9 +61,9 @@ class View(NamedTuple):
     label: str
 
 
-def _views(of: SurfaceStress, loft: float) -> list[View]:
+def _views(surface: SurfaceStress, loft: float) -> list[View]:
     """Return the sides of a head that show its walls."""
-    corners = of.nodes[of.quads]
+    corners = surface.nodes[surface.quads]
     normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     out, up = np.array([np.cos(loft), np.sin(loft), 0.0]), np.array([-np.sin(loft), np.cos(loft), 0.0])
@@ -74,12 +74,12 @@ def _views(of: SurfaceStress, loft: float) -> list[View]:
         "crown": (vertical, ahead, "to the target (mm)"),
         "sole": (-vertical, ahead, "to the target (mm)"),
     }
-    along = from_si(of.nodes @ toe, "mm")
+    along = from_si(surface.nodes @ toe, "mm")
     views = []
-    for name in of.views:
+    for name in surface.views:
         towards, height, label = sides[name]
         visible = normals @ towards > FACING
-        views.append(View(name, of.quads[visible], along, from_si(of.nodes @ height, "mm"), label))
+        views.append(View(name, surface.quads[visible], along, from_si(surface.nodes @ height, "mm"), label))
     return views
 
 

@@ -72,27 +72,27 @@ def walls(
     thickness, metals, differing, unread = np.zeros(len(card)), [], [], []
     for number, group in enumerate(groups):
         own = of_group == number
-        told = card[own]
+        by_cards = card[own]
         if group.thickness is not None:
             thickness[own] = group.thickness
-            other = told[np.abs(told / group.thickness - 1.0) > CLOSE]
+            other = by_cards[np.abs(by_cards / group.thickness - 1.0) > CLOSE]
             if len(other):
                 differing.append(f"{group.name} {_range(other)} there, {units.show(group.thickness, 'mm')} here")
-        elif np.isnan(told).any():
+        elif np.isnan(by_cards).any():
             message = "give it with its unit; the mesh has no card of a thickness for all elements of the group"
             raise InputError(f"thickness of {group.name}", None, message)
         else:
-            thickness[own] = told
-        if (told <= 0.0).any():
+            thickness[own] = by_cards
+        if (by_cards <= 0.0).any():
             differing.append(f"{group.name} 0 mm there")
-        which = [cards[each][1] for each in np.unique(wall_of[own]) if each >= 0]
-        metals.append(_metal(mesh, group, which, unit, differing, unread, notes))
+        own_walls = [cards[each][1] for each in np.unique(wall_of[own]) if each >= 0]
+        metals.append(_metal(mesh, group, own_walls, unit, differing, unread, notes))
     if differing:
         notes.append(f"its cards differ from the head's own file, which counts: {'; '.join(differing)}")
     if unread:
         values = " and ".join(f"{key} {units.show(getattr(Metal(), key), _UNITS[key])}" for key in METAL)
-        told = f"metals that are not in the file or of a law that is not read: {'; '.join(unread)}"
-        notes.append(f"{told}; taken as of titanium where the group does not give it: {values}")
+        missing = f"metals that are not in the file or of a law that is not read: {'; '.join(unread)}"
+        notes.append(f"{missing}; taken as of titanium where the group does not give it: {values}")
     return thickness, metals
 
 
@@ -121,15 +121,15 @@ def _metal(mesh: Mesh, group: Group, walls: Sequence[Wall], unit: str, differing
                 differing.append("{} of {} {} there, {} here".format(key, group.name, *shown))
     if isinstance(given, Metal):
         return given
-    found = Metal(**{**card, **given})
+    metal = Metal(**{**card, **given})
     named = sorted({wall.material for wall in walls if wall.material and wall.youngs is None and wall.density is None})
     if named and not set(METAL) <= {*given}:
         unread.append(f"{', '.join(named[:3])} of {group.name}")
     if card and not set(METAL) <= {*card, *given}:
         left = [key for key in METAL if key not in card and key not in given]
-        values = " and ".join(f"{key} {units.show(getattr(found, key), _UNITS[key])}" for key in left)
+        values = " and ".join(f"{key} {units.show(getattr(metal, key), _UNITS[key])}" for key in left)
         notes.append(f"no card gives {' or '.join(left)} of {group.name}; taken as of titanium: {values}")
-    return found
+    return metal
 
 
 def _in_si(mesh: Mesh, wall: Wall, unit: str) -> dict[str, float]:
@@ -141,8 +141,8 @@ def _in_si(mesh: Mesh, wall: Wall, unit: str) -> dict[str, float]:
             continue
         if density is not None and not DENSITY[0] <= density <= DENSITY[1]:
             continue
-        found = {"youngs": youngs, "poisson": wall.poisson, "density": density}
-        return {key: value for key, value in found.items() if value is not None}
+        in_si = {"youngs": youngs, "poisson": wall.poisson, "density": density}
+        return {key: value for key, value in in_si.items() if value is not None}
     values = " and ".join(
         f"{what} {value:g}" for what, value in (("E", wall.youngs), ("density", wall.density)) if value is not None
     )

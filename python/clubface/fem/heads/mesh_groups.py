@@ -75,39 +75,39 @@ def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any
     _check_solids(mesh, groups)
     if not len(mesh.corners):
         raise FileError(mesh.path, None, "there are no elements of surfaces, triangles or quadrilaterals, in this file")
-    found = np.full(len(mesh.corners), -1)
+    places = np.full(len(mesh.corners), -1)
     if not any(len(rows) for rows in mesh.sets.values()) and len(groups) == 1:
         notes.append(f"the file names no sets of elements: all belong to {groups[0].name!r}")
         return np.zeros(len(mesh.corners), dtype=int)
     names = [_sets_of(mesh, group) for group in groups]
     if not any(names) and (numbered := _by_order(mesh, len(groups))):
-        told = ", ".join(f"{one} as {group.name}" for one, group in zip(numbered, groups, strict=True))
+        order = ", ".join(f"{one} as {group.name}" for one, group in zip(numbered, groups, strict=True))
         notes.append(
-            f"its sets have numbers and no names; they are taken in the order of [[groups]]: {told};"
+            f"its sets have numbers and no names; they are taken in the order of [[groups]]: {order};"
             f' to settle it, write sets = ["{numbered[0]}"] under the group'
         )
         names = [[each] for each in numbered]
     for place, (group, own) in enumerate(zip(groups, names, strict=True)):
         for name in own:
             rows = mesh.sets[name]
-            taken = rows[(found[rows] >= 0) & (found[rows] != place)]
+            taken = rows[(places[rows] >= 0) & (places[rows] != place)]
             if len(taken):
-                other, element = groups[int(found[taken[0]])].name, mesh.ids[taken[0]]
+                other, element = groups[int(places[taken[0]])].name, mesh.ids[taken[0]]
                 message = f"element {element} belongs to two groups, {other!r} and {group.name!r}"
                 raise FileError(mesh.path, None, message)
-            found[rows] = place
-    if (found < 0).any():
-        _refuse_rest(mesh, groups, found)
-    counts = np.bincount(found, minlength=len(groups))
+            places[rows] = place
+    if (places < 0).any():
+        _refuse_rest(mesh, groups, places)
+    counts = np.bincount(places, minlength=len(groups))
     if not counts.all():
         empty = groups[int(np.argmin(counts))].name
         raise FileError(mesh.path, None, f"no element belongs to the group {empty!r}; {_listed(mesh)}")
-    return found
+    return places
 
 
 def _sets_of(mesh: Mesh, group: Group) -> list[str]:
     """Return the sets of a group: under the very name, another of its names, or one that differs in capitals alone."""
-    found = []
+    names = []
     for name in group.sets or (group.name,):
         if name not in mesh.sets and name in mesh.aliases:
             name = mesh.aliases[name]
@@ -116,10 +116,10 @@ def _sets_of(mesh: Mesh, group: Group) -> list[str]:
             like = {known[each] for each in known if _plain(each) == _plain(name)}
             name = like.pop() if len(like) == 1 else name
         if name in mesh.sets:
-            found.append(name)
+            names.append(name)
         elif group.sets:
             raise FileError(mesh.path, None, str(UnknownNameError("set of the mesh", name, tuple(mesh.sets))))
-    return found
+    return names
 
 
 def _plain(name: str) -> str:
@@ -135,9 +135,9 @@ def _by_order(mesh: Mesh, count: int) -> list[str]:
     return sorted(names, key=int) if len(whole) == len(np.unique(whole)) == len(mesh.corners) else []
 
 
-def _refuse_rest(mesh: Mesh, groups: Sequence[Group], found: NDArray[Any]) -> None:
+def _refuse_rest(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> None:
     """Say which elements belong to no group, and how to give them one."""
-    rest = np.flatnonzero(found < 0)
+    rest = np.flatnonzero(places < 0)
     holders = {name: int(np.isin(rest, rows).sum()) for name, rows in mesh.sets.items() if not OWN.match(name)}
     holders = {name: count for name, count in holders.items() if count}
     if holders:
@@ -169,15 +169,15 @@ def _check_solids(mesh: Mesh, groups: Sequence[Group]) -> None:
     kinds: dict[str, int] = {}
     for (kind, _), count in mesh.solids.items():
         kinds[kind] = kinds.get(kind, 0) + count
-    told = " and ".join(f"{count} {kind}" for kind, count in kinds.items())
+    solids = " and ".join(f"{count} {kind}" for kind, count in kinds.items())
     wanted = {_plain(name) for group in groups for name in (group.sets or (group.name,))}
     names = {name for _, name in mesh.solids}
     numbers = {number for number, name in mesh.aliases.items() if name in names}
     if not len(mesh.corners) or any(_plain(each) in wanted for each in names | numbers):
         message = (
-            f"{told}: a head of one's own is a mesh of shells; for a hollow head, mesh its middle surfaces with"
+            f"{solids}: a head of one's own is a mesh of shells; for a hollow head, mesh its middle surfaces with"
             ' triangles or quadrilaterals; for a solid iron, use kind = "iron" with its dimensions; the boundary faces'
             " of this mesh alone would be a hollow shell, which is another head"
         )
         raise FileError(mesh.path, None, message)
-    mesh.notes.append(f"left out, as no group names them: {told}")
+    mesh.notes.append(f"left out, as no group names them: {solids}")

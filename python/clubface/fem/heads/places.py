@@ -29,7 +29,7 @@ Place = tuple[Any, Any, Any, Any]
 
 def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[float, float, float, float]]:
     """Return places [m] and masses [kg], checked; errors speak of such as "x of trim toe", ``what`` being "trim"."""
-    found = {}
+    parsed = {}
     for name, values in places.items():
         if len(values) != 4:
             raise InputError(f"{what} {name}", values, "x, y, z and a mass")
@@ -46,8 +46,8 @@ def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[flo
         least = LEAST_TRIM if what == "trim" else 0.0
         if not least <= mass <= 0.5:
             raise InputError(key, units.show(mass, "g"), units.show_range(least, 0.5, "g"))
-        found[name] = (*place, mass)
-    return found
+        parsed[name] = (*place, mass)
+    return parsed
 
 
 MOST_CHANGE = 0.2
@@ -166,11 +166,11 @@ def _missed(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[flo
 
 def note_of(result: Spread, negligible: float = NEGLIGIBLE) -> str | None:
     """Return what to say of masses that are not exact on this mesh."""
-    told = []
+    misses = []
     if result.away > 1e-2 * negligible:
-        told.append(f"the CG is {units.fixed(result.away, 'mm', 2)} off")
+        misses.append(f"the CG is {units.fixed(result.away, 'mm', 2)} off")
     if result.inertia > negligible:
-        told.append(f"a moment of inertia {100.0 * result.inertia:.2g}% off")
-    if not told:
+        misses.append(f"a moment of inertia {100.0 * result.inertia:.2g}% off")
+    if not misses:
         return None
-    return f"masses stand on nodes of the mesh, and {' and '.join(told)}; place them on the walls to have them exact"
+    return f"masses stand on nodes of the mesh, and {' and '.join(misses)}; place them on the walls to have them exact"

@@ -50,13 +50,13 @@ def head(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Me
     return _meshed(path_of("head of finite elements", which, FOLDER))
 
 
-def design_of(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Design | None:
+def design_of(head: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Design | None:
     """Return what a head is made from; None of a head that is a mesh already."""
-    if isinstance(which, MeshedHead | MeshedClub):
+    if isinstance(head, MeshedHead | MeshedClub):
         return None
-    if isinstance(which, DriverHead | IronHead | MeshHead):
-        return which
-    return from_toml(path_of("head of finite elements", which, FOLDER))
+    if isinstance(head, DriverHead | IronHead | MeshHead):
+        return head
+    return from_toml(path_of("head of finite elements", head, FOLDER))
 
 
 def from_toml(path: str | os.PathLike[str]) -> Design:

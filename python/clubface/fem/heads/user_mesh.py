@@ -250,11 +250,11 @@ def _weigh(head: ShellHead, shells: Shells) -> None:
         _ = head.club
     except InputError as error:
 
-        def element(found: re.Match[str]) -> str:
-            return f"element {shells.ids[int(found[1])]}{found[2]}"
+        def element(match: re.Match[str]) -> str:
+            return f"element {shells.ids[int(match[1])]}{match[2]}"
 
-        def node(found: re.Match[str]) -> str:
-            return f"node {shells.node_ids[int(found[1])]}"
+        def node(match: re.Match[str]) -> str:
+            return f"node {shells.node_ids[int(match[1])]}"
 
         error.parameter = re.sub(r"^element (\d+)( of )", element, error.parameter)
         error.parameter = re.sub(

@@ -129,8 +129,8 @@ class _File:
             self._physical_names(lines[start + 2 : end])
         elif (reader := self._reader(name)) is not None:
             if self.version < 3.0 and lines[start + 1].strip() != str(end - start - 2):
-                told, has = shortened(lines[start + 1].strip(), 40), max(0, end - start - 2)
-                message = f"this section says that it has {told} lines, and has {has}"
+                stated, has = shortened(lines[start + 1].strip(), 40), max(0, end - start - 2)
+                message = f"this section says that it has {stated} lines, and has {has}"
                 raise FileError(self.builder.path, start + 2, message)
             reader(_TextRows(self.builder, lines, start + 1, end))
 

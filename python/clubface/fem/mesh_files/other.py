@@ -26,31 +26,31 @@ def read(path: str) -> Mesh:
     size = input_file(path).size
     with as_local_file(path) as local:
         try:
-            found = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
+            contents = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
         except IsolatedError as error:
             reason = shortened(str(error).replace(local, path), 200)
             raise FileError(path, None, f"this mesh cannot be read: {reason}") from None
     builder = MeshBuilder(path)
-    if notes := " ".join(found["notes"].split()):
+    if notes := " ".join(contents["notes"].split()):
         builder.notes.append(shortened(notes, 200))
-    _add(builder, found)
+    _add(builder, contents)
     return builder.mesh()
 
 
-def _add(builder: MeshBuilder, found: dict[str, Any]) -> None:
-    for number, place in enumerate(found["points"].tolist()):
+def _add(builder: MeshBuilder, contents: dict[str, Any]) -> None:
+    for number, place in enumerate(contents["points"].tolist()):
         builder.add_node(None, number, number + 1, [*place, 0.0, 0.0][:3])
-    tags = {int(value[0]): name for name, value in found["field_data"].items() if len(value) > 1 and value[1] == 2}
+    tags = {int(value[0]): name for name, value in contents["field_data"].items() if len(value) > 1 and value[1] == 2}
     builder.aliases = {str(number): name for number, name in tags.items()}
     element = 0
-    for block, (kind, nodes) in enumerate(found["cells"]):
+    for block, (kind, nodes) in enumerate(contents["cells"]):
         names: list[list[str]] = [[] for _ in nodes]
         for key in NUMBERS:
             for each, value in zip(
-                names, found["cell_data"][key][block] if key in found["cell_data"] else (), strict=False
+                names, contents["cell_data"][key][block] if key in contents["cell_data"] else (), strict=False
             ):
                 each.append(tags.get(int(value), str(int(value))))
-        for name, sets in found["cell_sets"].items():
+        for name, sets in contents["cell_sets"].items():
             for member in sets[block] if block < len(sets) and sets[block] is not None else ():
                 if 0 <= int(member) < len(names):
                     names[int(member)].append(name)

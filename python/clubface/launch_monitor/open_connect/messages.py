@@ -274,7 +274,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None) -> Recorde
     for each in shots:
         for name, value in each.impossible.items():
             wrong.setdefault(name, []).append(value)
-    said = Counter(note for each in shots for note in each.notes)
+    notes = Counter(note for each in shots for note in each.notes)
     counts = [told(name, len(values), len(shots), values[0]) for name, values in wrong.items()]
     return RecordedShots(
         deliveries=columns([each.delivery for each in shots]),
@@ -285,7 +285,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None) -> Recorde
         format="open-connect",
         notes=(
             *([note_of(counts)] if counts else []),
-            *(f"{note} (in {count} of {len(shots)} shots)" for note, count in said.most_common(LISTED)),
-            *([f"and {len(said) - LISTED} more such notes"] if len(said) > LISTED else []),
+            *(f"{note} (in {count} of {len(shots)} shots)" for note, count in notes.most_common(LISTED)),
+            *([f"and {len(notes) - LISTED} more such notes"] if len(notes) > LISTED else []),
         ),
     )

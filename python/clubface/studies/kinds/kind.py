@@ -145,9 +145,9 @@ def loaded(study: Described, key: str, load: Callable[[Any], T], unless_given: s
     return {each: load(resolved(each, study.folder)) for each in swept or [study.table.get(key, unless_given)]}
 
 
-def resolved(which: Any, folder: Path) -> Any:
+def resolved(named: Any, folder: Path) -> Any:
     """Return a name as it is, and the path of a file from the folder of the study."""
-    return folder / which if isinstance(which, str) and is_path(which) else which
+    return folder / named if isinstance(named, str) and is_path(named) else named
 
 
 def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:

@@ -77,9 +77,9 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, chosen_columns(study.table, every, tuple(every)), compute)
 
 
-def changed_study(of: DesignStudy, task: Values) -> DesignStudy:
+def changed_study(study: DesignStudy, task: Values) -> DesignStudy:
     """Return an optimisation with what a task sweeps, those of ``READERS`` read; golfers change all in the same way."""
-    ends = {"variables": dict(of.bounds), "limits": dict(of.limits)}
+    ends = {"variables": dict(study.bounds), "limits": dict(study.limits)}
     for name, value in task.items():
         table, _, rest = name.partition("_")
         if table in ends and rest.endswith(tuple(f"_{end}" for end in ENDS)):
@@ -91,13 +91,13 @@ def changed_study(of: DesignStudy, task: Values) -> DesignStudy:
             if not least < most:
                 raise InputError(name, value, f"so that {field} has a least value below its greatest")
             ends[table][field] = (least, most)
-    head = of.head
+    head = study.head
     if "discretionary_mass" in task:
         if head is None:
             raise InputError("discretionary_mass", task["discretionary_mass"], "left out, since the file has no [head]")
         head = replace(head, discretionary=task["discretionary_mass"])
-    golfers = of.golfers if "golfer" not in task else ((task["golfer"], 1.0),)
-    setting = replace(of.setting, threads=1)
+    golfers = study.golfers if "golfer" not in task else ((task["golfer"], 1.0),)
+    setting = replace(study.setting, threads=1)
     for group, known in BY_GROUP.items():
         if changes := {name: task[name] for name in known if name in task}:
             setting = replace(setting, **{group: {**_mapping(group, getattr(setting, group)), **changes}})
@@ -105,10 +105,10 @@ def changed_study(of: DesignStudy, task: Values) -> DesignStudy:
         setting = replace(setting, ball=task["ball"])
     setting = replace(setting, **{name: task[name] for name in ("model", "speed_exponent") if name in task})
     return replace(
-        of, bounds=ends["variables"], limits=ends["limits"], head=head, setting=setting,
-        club=task.get("club", of.club),
+        study, bounds=ends["variables"], limits=ends["limits"], head=head, setting=setting,
+        club=task.get("club", study.club),
         golfers=tuple((changed_golfer(each, task), weight) for each, weight in golfers),
-        hole=changed_hole(of.hole, task),
+        hole=changed_hole(study.hole, task),
         **{name: int(task[name]) for name in COUNTED if name in task},
     )  # fmt: skip
 

@@ -218,10 +218,10 @@ def _values(group: str, given: Any) -> Mapping[str, Any]:
     return given if isinstance(given, Mapping) else {}
 
 
-def _ball(which: Any) -> Any:
+def _ball(named: Any) -> Any:
     """Return the ball of a file, and the name of any other: each backend has its own ball of that name."""
-    made = ball_of(which)
-    return made if is_path(which) else which
+    made = ball_of(named)
+    return made if is_path(named) else named
 
 
 def _check(study: Described, needs: Sequence[str]) -> None:
