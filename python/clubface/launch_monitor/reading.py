@@ -102,7 +102,7 @@ def read(
     if not paths:
         raise InputError("path", path, "at least one file")
     sessions = [_read(Path(each), format, mapped, hand, given_units) for each in paths]
-    sessions = [replace(each, notes=(*each.notes, *suspected_signs(each))) for each in sessions]
+    sessions = [each.with_notes(*suspected_signs(each)) for each in sessions]
     if club is not None:
         from clubface.launch_monitor.reference_points import refer
 

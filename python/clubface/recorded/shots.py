@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
@@ -155,6 +156,12 @@ class RecordedShots:
         if self.rejected:
             lines.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
         return "\n".join(lines)
+
+    def with_notes(self, *notes: str) -> Self:
+        """Return the same shots with further notes, whose arrays are neither checked nor completed again."""
+        noted = copy(self)
+        object.__setattr__(noted, "notes", tuple(dict.fromkeys((*self.notes, *notes))))
+        return noted
 
     def select(self, which: Any) -> Self:
         """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""

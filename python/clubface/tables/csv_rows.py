@@ -161,7 +161,7 @@ class CsvRows:
                     raise FileError(self.path, begins, message) from None
                 return Reject(begins, _explained(str(error)), ["".join(self._raw)])
             if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # zeros fill the end of a broken file
-                text = "".join(self._raw)
+                text = self._raw[0] if len(self._raw) == 1 else "".join(self._raw)
                 return (
                     Reject(begins, "zero bytes: the file is damaged", [text])
                     if "\x00" in text
