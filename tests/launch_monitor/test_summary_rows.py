@@ -5,10 +5,11 @@ import pytest
 from clubface import launch_monitor
 
 MEANS = """Average|AVG|Avg.|Mean|Averages|Durchschnitt|Mittelwert|Moyenne|Promedio|Media|Gemiddelde|Medelvärde|Snitt
-|Gennemsnit|Gjennomsnitt|Média|平均|平均値|平均值|평균|Ø|Average (3 shots)|Driver Average|Avg Driver|Session Average"""
+|Gennemsnit|Gjennomsnitt|Média|平均|平均値|平均值|평균|Ø|Durchschn.|Medelv.|Keskiarvo|Średnia
+|Average (3 shots)|Driver Average|Avg Driver|Session Average"""
 DEVIATIONS = """Std Dev|St. Dev.|StdDev|Std. Deviation|Standard Deviation|Deviation|Consistency|Standardabweichung
 |Écart-type|Desviación estándar|Deviazione standard|Standaardafwijking|Standardavvikelse|Desvio padrão
-|標準偏差|标准差|표준편차"""
+|標準偏差|标准差|표준편차|Standardabw.|Std. Abw.|Stdabw|Standardavv.|Odchylenie std."""
 SPEEDS = (100.0, 98.0, 103.0)
 ROWS = {"mean": (100.33, 147.0), "deviation": (2.52, 3.61), "max": (103.0, 151.0), "min": (98.0, 144.0)}
 
@@ -114,3 +115,15 @@ def test_rows_of_averages_of_each_club_are_left_out_of_the_tables_of_makers(writ
     text = "Driver,100,147,0.1,13\nDriver Average,100,147,0.1,13\n7 Iron,85,112,0.1,23\n7 Iron Average,85,112,0.1,23\n"
     shots = launch_monitor.read(write(head + text))
     assert (shots.format, shots.rows.tolist()) == ("trackman", [3, 5])
+
+
+@pytest.mark.parametrize("label", ["", "Trung bình", "ค่าเฉลี่ย", "Mittelding", "my numbers"])
+def test_a_row_whose_numbers_are_averages_is_no_shot_whatever_it_is_called(write, label):
+    head = "Club,Club Speed (mph),Ball Speed (mph),Launch Angle (deg),Spin (rpm),Carry (yd)\n"
+    rows = ["Driver,100,146,12,2500,230", "Driver,98,143,13,2700,226", "Driver,102,150,11,2900,234"]
+    mean = f"{label},100,146.3,12,2700,230"
+    for at in (0, 2, 3):
+        shots = launch_monitor.read(write(head + "\n".join([*rows[:at], mean, *rows[at:]]) + "\n"))
+        assert_left_out(shots)
+    shot = f"{label},101,148,11.2,2600,231"
+    assert len(launch_monitor.read(write(head + "\n".join([*rows, shot]) + "\n"))) == 4

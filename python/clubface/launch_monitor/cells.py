@@ -9,7 +9,7 @@ from itertools import islice
 from typing import NamedTuple
 
 from clubface.tables.cells import NUMBER, is_missing, number
-from clubface.tables.spelling import bracketed, plain, unit_symbol
+from clubface.tables.spelling import bracketed, narrow, plain, unit_symbol
 
 WORLD, CLUB = "world", "club"
 """Whose left and right a side is told in: that of the course, or that of the club, which a left-hander mirrors."""
@@ -37,7 +37,7 @@ _LEFT_RIGHT = _words(
     (_L, "links linke gauche izquierda izq vänster venstre sinistra sx esquerda vasen 左 왼쪽 좌"),
     (_R, "rechts rechte droite derecha der dcha höger høyre højre destra dx direita oikea 右 오른쪽 우"),
 )
-_FRENCH = _words((_L, "g"), (_R, "d"))
+_LETTERS = _words((_L, "g v i"), (_R, "d h"))
 _OPENING = _words(
     (_PLUS, "in+out in+to+out"), (_MINUS, "out+in out+to+in"), (_PLUS, "open"), (_MINUS, "closed close"),
     (_PLUS, "offen ouvert ouverte abierta abierto aperta aperto öppen åpen åben aberta 开 開"),
@@ -62,20 +62,20 @@ _LIE = _words((_PLUS, "toe+up"), (_MINUS, "toe+down"), (_PLUS, "up u upright tu"
 FACE_TO_PATH = "face_to_path"
 """Face angle less path: not a quantity of a shot, but with the path it gives the face angle."""
 SIDES: Mapping[str, Mapping[str, Side]] = {
-    "path": {**_ACROSS, **_FRENCH},
-    "face": {**_ACROSS, **_OF_FACE, **_FRENCH},
-    FACE_TO_PATH: {**_ACROSS, **_OF_FACE, **_FRENCH},
-    "azimuth": {**_ACROSS, **_STARTS, **_FRENCH},
+    "path": {**_ACROSS, **_LETTERS},
+    "face": {**_ACROSS, **_OF_FACE, **_LETTERS},
+    FACE_TO_PATH: {**_ACROSS, **_OF_FACE, **_LETTERS},
+    "azimuth": {**_ACROSS, **_STARTS, **_LETTERS},
     "sidespin": {**_ACROSS, **_CURVES},
     "spin_axis": {**_ACROSS, **_CURVES},
-    "side": {**_ACROSS, **_FRENCH},
-    "total_side": {**_ACROSS, **_FRENCH},
+    "side": {**_ACROSS, **_LETTERS},
+    "total_side": {**_ACROSS, **_LETTERS},
     "toe": _FACE,
     **dict.fromkeys(("high", "attack", "launch"), _HEIGHT),
     "lie": _LIE,
 }
-"""The words for the sides of each quantity, the usual ones first. "D" is "droite" or "derecha" only where it cannot be
-a draw."""
+"""The words for the sides of each quantity, the usual ones first. Letters of French, Spanish and the languages of the
+north (droite, izquierda, höger) are among them only where "D" cannot be a draw nor "H" a hook."""
 MIRRORED = tuple(name for name, words in SIDES.items() if "left" in words)
 """Quantities across the target line: in terms of the club, a left-hander's change their sign."""
 _NO_SIDE = frozenset({"n", "neutral", "s", "straight", "square", "sq", "m", "middle", "c", "center", "centre"})
@@ -176,7 +176,7 @@ def unit_in(cell: str, quantity: str = "") -> str | None:
 
 def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | None]:
     """Return the number of a cell, its side and its unit, each of which may stand before the number or after it."""
-    text = cell.replace("−", "-").strip()
+    text = narrow(cell.replace("−", "-")).strip()
     found = NUMBER.fullmatch("-" + text[1:] if text[:1] == "–" else text)
     if not found or not any(map(str.isdigit, found["number"])):
         raise CellError("not a number")

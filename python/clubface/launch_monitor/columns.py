@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from clubface.errors import FileError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
-from clubface.launch_monitor.formats import COMMON, MEASURED, Format, side_of
+from clubface.launch_monitor.formats import BY_UNIT, COMMON, MEASURED, Format, side_of
 from clubface.launch_monitor.summary_rows import NUMBERING
+from clubface.recorded.club_names import is_club_name
 from clubface.tables.headings import POINTS, given_unit, listed, missing_units, shot_words
-from clubface.tables.spelling import plain, unit_of_column, unit_symbol
+from clubface.tables.spelling import plain, squeezed, unit_of_column, unit_symbol
+from clubface.units import DIMENSIONLESS, unit
 
 NOT_MEASURED = frozenset(
     {
@@ -31,6 +33,8 @@ UNSIGNED = frozenset(
     }
 )  # fmt: skip
 """Headings of impact points that do not say whether the toe or the heel is positive."""
+WITHOUT_UNIT = 10_000
+"""What a heading without a unit ranks behind one with a unit."""
 _WORD = re.compile(r"[^\W\d_]|[°%]")
 """A unit has one; a number or a dash, which stands for nothing measured, has none."""
 
@@ -115,7 +119,8 @@ def is_units_row(cells: Sequence[str]) -> bool:
     named = [cell.strip() for cell in cells if cell.strip()]
     bracketed = [cell for cell in named if cell[0] in "[(" and cell[-1] in "])"]
     known = [cell for cell in named if cell in ("[]", "()") or (_WORD.search(cell) and unit_symbol(cell) is not None)]
-    return bool(named) and (len(bracketed) == len(named) or len(known) == len(named))
+    words = [cell for cell in named if _WORD.search(cell) or any(map(str.isdigit, cell))]
+    return bool(named) and (len(bracketed) == len(named) or (bool(known) and len(known) >= len(words)))
 
 
 def columns_of(
@@ -136,10 +141,11 @@ def columns_of(
     FileError
         No column is of the layout, a unit does not fit, or columns have none, all of which are named.
     """
-    heads = [layout.heading(each) for each in headings]
-    preferred = _preferred(layout, heads)
-    names = [each.name if each.unit is None else "" for each in heads]
-    clubs = tuple(names.index(plain(each)) for each in layout.club if plain(each) in names)
+    heads = [_by_unit(layout, layout.heading(each), _written(units_row, at)) for at, each in enumerate(headings)]
+    with_unit = {each.name for at, each in enumerate(heads) if each.unit or _written(units_row, at)}
+    preferred = _preferred(layout, heads, with_unit)
+    names = [squeezed(each.name) if each.unit is None else "" for each in heads]
+    clubs = _places(layout.club, names)
     used: dict[str, list[Used]] = {}
     assumed: list[tuple[str, str]] = []
     without_unit: list[tuple[str, str]] = []
@@ -176,10 +182,12 @@ def columns_of(
     if not used:
         raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
     player, hand, date, file = (
-        next((names.index(plain(each)) for each in known if plain(each) in names), None)
-        for known in (layout.player, layout.hand, layout.date, layout.file)
+        next(iter(_places(known, names)), None) for known in (layout.player, layout.hand, layout.date, layout.file)
     )
     places = {each.place for columns in used.values() for each in columns}
+    if not clubs and not layout.only_own:
+        clubs = _clubs_by_cells(rows, {*range(len(headings))} - {*places, player, hand, date, file})
+        remarks += [f"the column {shortened(headings[at].strip(), 40)} names clubs and was read so" for at in clubs]
     return Columns(
         width=len(headings),
         needed=max((place for place, each in enumerate(headings) if each.strip()), default=0) + 1,
@@ -190,7 +198,7 @@ def columns_of(
         hand=hand,
         date=date,
         file=file,
-        points={name: names.index(plain(name)) for name in POINTS if plain(name) in names},
+        points={name: names.index(squeezed(plain(name))) for name in POINTS if squeezed(plain(name)) in names},
         labels={
             place: "club"
             if place in clubs
@@ -198,16 +206,16 @@ def columns_of(
             if place == player
             else "date"
             if place == date
-            else names[place]
+            else heads[place].name
             for place in range(len(headings))
             if place not in places and place != hand
         },
         others=tuple(
             place
             for place in range(len(headings))
-            if place not in {*places, *clubs, player, hand, date, file} and names[place] not in NOT_MEASURED
+            if place not in {*places, *clubs, player, hand, date, file} and heads[place].name not in NOT_MEASURED
         ),
-        counted=tuple(names.index(plain(each)) for each in layout.told if plain(each) in names),
+        counted=_places(layout.told, names),
         assumed=tuple(assumed),
         unused=tuple(
             shown.strip()
@@ -229,9 +237,48 @@ def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
     return name != "speed" and quantity in MEASURED
 
 
-def _preferred(layout: Format, heads: Sequence[Heading]) -> set[str]:
-    """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none."""
-    known = {each.name: layout.names[each.name] for each in heads if each.name in layout.names}
+def _written(units_row: Sequence[str] | None, place: int) -> str | None:
+    """Return the unit that a row of units has for a column, or None."""
+    return (units_row[place].strip().strip("[]()").strip() or None) if units_row and place < len(units_row) else None
+
+
+def _by_unit(layout: Format, head: Heading, written: str | None) -> Heading:
+    """Return the heading that a short one such as "side" stands for, which its unit tells."""
+    symbol = unit_symbol(head.unit or written or "")
+    if symbol is None or layout.only_own or head.name not in BY_UNIT:
+        return head
+    if head.name in layout.own_names and not layout.all_columns:
+        return head
+    name = BY_UNIT[head.name].get(unit(symbol).dimension)
+    return head if name is None else head._replace(name=plain(name.replace("_", " ")), unit=symbol)
+
+
+def _places(known: Sequence[str], names: Sequence[str]) -> tuple[int, ...]:
+    """Return where among the names of columns, without spaces, those of some headings are, in their order."""
+    return tuple(dict.fromkeys(names.index(each) for each in map(squeezed, map(plain, known)) if each in names))
+
+
+def _clubs_by_cells(rows: Iterable[Sequence[str]], places: Iterable[int]) -> tuple[int, ...]:
+    """Return the place of the column whose cells are names of clubs, whatever its heading, where there is one."""
+    for place in sorted(places):
+        texts = [text for row in rows if place < len(row) and (text := row[place].strip())]
+        named = [each for each in texts if is_club_name(each)]
+        if named and 2 * len(named) > len(texts):
+            return (place,)
+    return ()
+
+
+def _preferred(layout: Format, heads: Sequence[Heading], with_unit: Collection[str]) -> set[str]:
+    """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none.
+
+    One that names a unit, where others of the quantity name none, comes before them.
+    """
+    known: dict[str, tuple[str, int]] = {}
+    for each in heads:
+        if each.name in layout.names:
+            quantity, rank = layout.names[each.name]
+            lacks_unit = _dimension(quantity) != DIMENSIONLESS and each.name not in with_unit
+            known[each.name] = quantity, rank + WITHOUT_UNIT * lacks_unit
     best: dict[str, int] = {}
     for quantity, rank in known.values():
         best[quantity] = min(rank, best.get(quantity, rank))
@@ -251,8 +298,7 @@ def _named_unit(
 ) -> str | None:
     """Return the unit that the file names for a column, in its heading, the row of units or a cell."""
     dimension = _dimension(quantity)
-    if named is None and units_row is not None and position < len(units_row):
-        named = units_row[position].strip().strip("[]()").strip() or None
+    named = named or _written(units_row, position)
     if named is None:
         named = next(
             (symbol for row in rows if position < len(row) and (symbol := unit_in(row[position], quantity))), None

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field as dataclass_field
 from functools import cache, cached_property
 
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, heading
+from clubface.tables import foreign_headings
 from clubface.tables.cells import is_number
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, SECOND_CHOICE, SYNONYMS, shot_words
-from clubface.tables.spelling import bracketed, plain
+from clubface.tables.spelling import bracketed, plain, squeezed, unit_symbol, words_apart
 from clubface.units import parse_column_name
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
@@ -30,8 +32,19 @@ MEASURED = frozenset({*SYNONYMS, *LAUNCH_SYNONYMS, FACE_TO_PATH} - {HAND})
 """Quantities that monitors measure; the others, as "roll", are properties of club and ball, and other things there."""
 TO_PATH = ("face_to_path", "ftp", "club_face_to_path", "face_to_path_angle", "face_path")
 """Names of the angle from the path to the face."""
-PLAYER = ("Player", "Player Name", "Golfer")
-"""Headings under which exports in English name the player."""
+PLAYER = ("Player", "Player Name", "Golfer", *foreign_headings.names(foreign_headings.PLAYER))
+"""Headings under which exports name the player."""
+CLUB = ("Club", "Club Name", "Club Type", *foreign_headings.names(foreign_headings.CLUB))
+"""Headings under which tables of no maker name the club."""
+BY_UNIT = {
+    "side": {"angular rate": "sidespin", "angle": "azimuth"},
+    "back": {"angular rate": "backspin"},
+    "ball": {"speed": "ball_speed"},
+    "club": {"speed": "club_speed"},
+    "flight": {"time": "flight_time"},
+    "dscnt": {"angle": "landing_angle"},
+}
+"""Short headings, as of SkyTrak, that their unit explains: the name of the quantity by its dimension."""
 
 
 class Field:
@@ -55,6 +68,8 @@ class Field:
         self.positive = positive
 
 
+_GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
+"""What stands between a heading and its unit: ``Ball Speed in mph``, ``Carry/yd``."""
 COMMON = 100
 """The rank from which the headings of the vocabulary of all tables count."""
 COMMON_FIELD = Field()
@@ -116,7 +131,7 @@ class Format:
     title: str
     fields: Mapping[str, Field]
     marks: tuple[tuple[str, ...], ...] = ()
-    club: tuple[str, ...] = ("Club", "Club Name", "Club Type")
+    club: tuple[str, ...] = CLUB
     player: tuple[str, ...] = PLAYER
     hand: tuple[str, ...] = ("Hand", "Handed", "Handedness")
     date: tuple[str, ...] = DATE
@@ -152,11 +167,12 @@ class Format:
 
     @cached_property
     def _marks(self) -> list[set[str]]:
-        return [{plain(each) for each in group} for group in self.marks]
+        return [{squeezed(plain(each)) for each in group} for group in self.marks]
 
     def is_marked(self, names: set[str]) -> bool:
         """Return whether these headings in plain words are all of at least one group of marks."""
-        return any(group <= names for group in self._marks)
+        unparted = {squeezed(each) for each in names}
+        return any(group <= unparted for group in self._marks)
 
     def is_header(self, cells: Sequence[str]) -> bool:
         """Return whether a row names the columns of such a file.
@@ -182,14 +198,29 @@ class Format:
     def _headings(self) -> dict[str, Heading]:
         return {}
 
+    @cached_property
+    def _unparted(self) -> Mapping[str, str]:
+        return {squeezed(each): each for each in reversed(list(self.names))}
+
+    def _spelled(self, name: str) -> str:
+        """Return the name of a quantity that is the same but for where its words part, else ``name``."""
+        return name if name in self.names else self._unparted.get(squeezed(name), name)
+
     def _parts(self, text: str) -> Heading:
         parts = heading(text)
-        if parts.name not in self.names and bracketed(text)[1] is None:
+        if (name := self._spelled(parts.name)) in self.names:
+            return parts._replace(name=name)
+        if bracketed(text)[1] is None:
             words = "_".join(text.replace("-", "_").split())
             for spelled in (words, words.lower()):
-                name, unit = parse_column_name(spelled)
-                if unit is not None and plain(name) in self.names:
-                    return Heading(plain(name), unit, None, plain(name))
+                short, unit = parse_column_name(spelled)
+                if unit is not None and (name := self._spelled(plain(short))) in self.names:
+                    return Heading(name, unit, None, name)
+            for gap in _GAPS.finditer(apart := words_apart(text)):
+                name, last = self._spelled(plain(apart[: gap.start()])), apart[gap.end() :]
+                is_known = name in self.names or (name in BY_UNIT and not self.only_own)
+                if is_known and (len(last) > 1 or last in "ms") and (symbol := unit_symbol(last)) is not None:
+                    return Heading(name, symbol, None, name)
         return parts
 
 

@@ -37,7 +37,7 @@ from clubface.units import DIMENSIONLESS, unit
 
 KEYS = ("name", "delimiter", "decimal", "club", "player", "hand", "speed_at", "face_at", "columns")
 COLUMN_KEYS = ("heading", "unit", "positive", "optional")
-DELIMITERS = (",", ";", "\t")
+DELIMITERS = (",", ";", "\t", "|")
 SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
 
 

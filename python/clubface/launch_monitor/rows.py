@@ -16,7 +16,7 @@ from clubface.launch_monitor.cells import FACE_TO_PATH, MIRRORED, PLAIN, WORLD, 
 from clubface.launch_monitor.columns import Columns, Used, columns_of, is_units_row
 from clubface.launch_monitor.formats import Format
 from clubface.launch_monitor.summary_rows import summary_rows
-from clubface.recorded.club_names import club_kind
+from clubface.recorded.club_names import club_kind, is_club_name
 from clubface.recorded.dates import date_among
 from clubface.recorded.possible import can_be
 from clubface.recorded.shots import RejectedRow
@@ -36,6 +36,7 @@ from clubface.tables.cells import (
 from clubface.tables.csv_rows import Row
 from clubface.tables.headings import POINTS
 from clubface.tables.rows import Reject
+from clubface.tables.spelling import plain, squeezed
 from clubface.units import size, to_si, unit
 
 DERIVED = frozenset(
@@ -215,7 +216,8 @@ class SessionReader:
         self._block: list[Sequence[str]] = []
         self._lines: list[int] = []
         self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
-        self._player = self._date = ""
+        self._player = self._club = self._date = ""
+        self._above: Sequence[str] = ()
         self.session = Session()
 
     @property
@@ -231,8 +233,13 @@ class SessionReader:
                 continue
             cells, line, _ = row
             columns = self._columns
-            # Most rows of most files are shots, which the first number tells.
-            if columns and len(cells) == columns.width and cells[columns.first].lstrip()[:1] in _NUMERIC:
+            # Most rows of most files are shots, which the first number tells, if it is no title such as "7 Iron".
+            if (
+                columns
+                and len(cells) == columns.width
+                and cells[columns.first].lstrip()[:1] in _NUMERIC
+                and (columns.club or not cells[columns.first][-1:].isalpha())
+            ):
                 self._block.append(cells)
                 self._lines.append(line)
                 if len(self._lines) >= BLOCK_ROWS:
@@ -272,6 +279,8 @@ class SessionReader:
 
     def _read_other(self, cells: Sequence[str], line: int) -> None:
         """Read a row that may be no shot."""
+        if self._take_names(cells):
+            return
         if not self._has_numbers(cells):
             if self._is_header(cells):
                 self._begin_table(cells, line)
@@ -310,9 +319,53 @@ class SessionReader:
             self._end_block()
             self._date = date
 
+    def _take_names(self, cells: Sequence[str]) -> bool:
+        """Take club and player of a row above shots that names them: ``Club: Driver``, ``Player,Ann`` or ``7 Iron``.
+
+        Their headings may also stand in a row of their own, above the names.
+        """
+        above, self._above = self._above, ()
+        texts = [each.strip() for each in cells if each.strip()]
+        if above:
+            taken = [self._take_name(key, cell.strip()) for key, cell in zip(above, cells, strict=False)]
+            return any(taken)
+        if texts and (colon := re.fullmatch(r"([^:：]+)[:：]\s*(.*)", texts[0])):
+            texts = [each for each in (*colon.groups(), *texts[1:]) if each]
+        elif len(texts) == 1 and is_club_name(texts[0]):
+            return self._take_name("club", texts[0])
+        keys = [*map(self._key, texts)]
+        if len(texts) > 1 and all(keys):
+            self._above = [*map(self._key, cells)]
+            return True
+        return len(texts) == 2 and not self._layout.is_header(cells) and self._take_name(keys[0], texts[1])
+
+    def _key(self, text: str) -> str:
+        """Return what a heading is of: "club", "player", "date", or "" for anything else."""
+        name = squeezed(plain(text))
+        known = {"club": self._layout.club, "player": self._layout.player, "date": self._layout.date}
+        return next((key for key, names in known.items() if name in {squeezed(plain(each)) for each in names}), "")
+
+    def _take_name(self, key: str, name: str) -> bool:
+        """Take a club, player or date for the shots below; return whether it is one."""
+        columns = self._columns
+        has_column = columns is not None and bool(columns.club if key == "club" else columns.player is not None)
+        if key == "date":
+            self._take_date((name,))
+            return bool(self._date)
+        if not name or has_column or not (key == "player" or (key == "club" and club_kind(name))):
+            return False
+        self._end_block()
+        if key == "player":
+            self._player = name
+        else:
+            self._club = name
+        self.session.names_players |= key == "player"
+        self.session.names_clubs |= key == "club"
+        return True
+
     def _is_header(self, cells: Sequence[str]) -> bool:
-        """Tell whether a row names the columns of a table."""
-        if self._layout.is_header(cells):
+        """Tell whether a row names the columns of a table; below the first, one word is none, such as "Total"."""
+        if self._layout.is_header(cells) and (not self._header or sum(bool(each.strip()) for each in cells) > 1):
             return True
         known = self._layout.known({self._layout.heading(each).name for each in cells})
         return bool(self._header) and known >= HEADINGS and not self._is_foreign(cells)
@@ -335,7 +388,8 @@ class SessionReader:
         if not session.units:
             session.header_line = self._header_line
         for quantity, (first, *_) in columns.used.items():
-            session.units.setdefault(quantity, Unit(first.heading, first.unit, first.is_named))
+            is_assumed = first.heading in dict(columns.assumed)
+            session.units.setdefault(quantity, Unit(first.heading, first.unit, first.is_named, is_assumed))
         session.assumed.update(columns.assumed)
         session.unused.update(dict.fromkeys(columns.unused))
         session.remarks.update(dict.fromkeys(columns.remarks))
@@ -382,7 +436,9 @@ class SessionReader:
             texts = self._texts(cells, place)
             shown = Counter(text for row in kept if (text := texts[row].strip()))
             session.counts.setdefault(self._header[place].strip(), Counter()).update(shown)
-        clubs = [self._stripped(cells, place, "", kept) for place in columns.club or (None,)]
+        clubs = [
+            self._stripped(cells, place, "" if columns.club else self._club, kept) for place in columns.club or (None,)
+        ]
         session.tables.append(
             Shots(
                 [lines[row] for row in kept],

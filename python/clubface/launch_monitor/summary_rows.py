@@ -1,13 +1,15 @@
 """Rows that sum up others, such as averages and deviations, which are no shots.
 
 Such a row is known by what one of its cells says. A word such as "Max" may be a person or a club too: then the row sums
-up others only if its numbers do.
+up others only if its numbers do. A row without a name, or with one that no club and no other row has, is an average in
+whatever language if its numbers are those of one.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -25,13 +27,14 @@ MEAN, MEDIAN, DEVIATION, MOST, LEAST, SUM = "mean", "median", "deviation", "most
 _WORDS = {
     MEAN: """average averages averaged avg avgs ave mean means durchschnitt durchschnittlich mittelwert mittelwerte
         mittel ø moyenne moyennes moy promedio promedios prom media medias gemiddelde gemiddeld gem medelvarde
-        genomsnitt medel snitt gennemsnit gns gjennomsnitt 平均 平均値 平均值 均值 평균 평균값""",
+        genomsnitt medel snitt gennemsnit gns gjennomsnitt 平均 平均値 平均值 平均数 均值 평균 평균값""",
     MEDIAN: "median medianwert mediane mediana mediaan 中央値 中位数 중앙값 中間値",
     DEVIATION: """std+dev st+dev stddev stdev stdv std sd dev deviation deviations standard+deviation consistency
         variance variation standardabweichung std+abw stabw abweichung streuung ecart+type ecarttype ecart
         desviacion+estandar desviacion+tipica desviacion desv+est desv deviazione+standard dev+standard scarto+tipo
         scarto deviazione standaardafwijking standaarddeviatie afwijking standardavvikelse avvikelse standardafvigelse
-        afvigelse standardavvik avvik desvio+padrao desvio 標準偏差 标准差 標準差 标准偏差 偏差 표준편차 편차""",
+        afvigelse standardavvik avvik desvio+padrao desvio standard+error s+d sem sigma σ rms var cv dispersion
+        標準偏差 标准差 標準差 标准偏差 偏差 표준편차 편차""",
     MOST: """max maximum maxi maximal maximalwert hochstwert hochster maximo massimo hoogste hogsta hojeste best bester
         bestes longest highest 最大 最大値 最大值 最高 최대 최대값""",
     LEAST: """min minimum mini minimal minimalwert tiefstwert minimo laagste lagsta laveste worst shortest lowest 最小
@@ -42,7 +45,19 @@ _WORDS = {
 }
 _PHRASES = {tuple(each.split("+")): kind for kind, words in _WORDS.items() for each in words.split()}
 _LONGEST = max(map(len, _PHRASES))
-_NAMES_TOO = frozenset({"ave", "dev", "sd", "std", "gem", "prom", "moy", "media", "medel", "mini", "maxi", "best", "ø"})
+_STEMS = {
+    MEAN: """averag durchschn mittelw moyen promed gemidd medelv genomsn gennemsn gjennomsn keskiarvo sredni prumer
+        ortalama средн""",
+    DEVIATION: """standardab standardav standardaf stdab stabw odchyl smerodat keskihaj отклон desviac deviaz""",
+}
+_BEGINNINGS = {each: kind for kind, stems in _STEMS.items() for each in stems.split()}
+"""How such words begin, which people cut short: ``Standardabw.``, ``Durchschn.``."""
+_NAMES_TOO = frozenset(
+    {
+        "ave", "dev", "sd", "std", "gem", "prom", "moy", "media", "medel", "mini", "maxi", "best", "ø", "sem", "var",
+        "cv", "rms", "sigma", "dispersion",
+    }
+)  # fmt: skip
 """Words of means and deviations that are also names, or abbreviations of other things."""
 _PASSED_OVER = frozenset(
     {
@@ -50,7 +65,13 @@ _PASSED_OVER = frozenset(
         "schlage", "coups", "golpes", "colpi", "slagen", "slag",
     }
 )  # fmt: skip
-NUMBERING = frozenset({"shot", "shot no", "shot number", "shot id", "no", "nr", "number", "index", "id", "row"})
+NUMBERING = frozenset(
+    {
+        "shot", "shot no", "shot number", "shot id", "no", "nr", "number", "index", "id", "row", "shotnumber",
+        "schlag", "schlagnr", "schlag nr", "coup", "golpe", "slag", "numéro", "número", "numero", "番号", "序号",
+        "编号", "nummer", "번호", "순번", "ショット", "shots", "shotno", "stroke no",
+    }
+)  # fmt: skip
 """Headings of columns that number the shots."""
 TELLING = NUMBERING | {
     "", "type", "shot type", "date", "time", "date time", "datetime", "datum", "uhrzeit", "zeit", "fecha", "hora",
@@ -60,6 +81,8 @@ TELLING = NUMBERING | {
 NAMES = ("club", "player")
 AGREES = 0.6
 """Part of the numbers of a row that must be those of a summary."""
+FEWEST_CLOSE, AGREES_CLOSELY = 4, 0.75
+"""How many numbers of a row that nothing names a summary must be compared, and which part be those of one."""
 MOST_JUDGED = 200
 """Rows of some that may sum up others, above which none does."""
 _LETTER = re.compile(r"[^\W\d_]")
@@ -119,12 +142,30 @@ def summary_rows(
     if len(possible) > MOST_JUDGED:
         return certain  # a mark that so many shots have
     uncounted = _uncounted(labels, cells)
+    unnamed = _unnamed(labels, cells) - certain - possible.keys()
     is_shot = np.ones(len(next(iter(values.values()))), dtype=bool)
-    is_shot[[*certain, *possible]] = False
+    is_shot[[*certain, *possible, *unnamed]] = False
     for row, kind in possible.items():
         if row not in certain and (row in uncounted or _sums_up(row, kind, is_shot, values)):
             certain.add(row)
-    return certain
+    return certain | {
+        row for row in unnamed if any(_sums_up(row, kind, is_shot, values, closely=True) for kind in (MEAN, DEVIATION))
+    }
+
+
+def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
+    """Return the few rows that lack a text which all others have, or have one that no club and no other row has."""
+    few: set[int] = set()
+    for place, heading in labels.items():
+        column = cells[place]
+        empty = [row for row, cell in enumerate(column) if not cell.strip()]
+        if 2 * len(empty) < len(column):
+            few.update(empty)
+        if heading == "club" and len(counts := Counter(column)) <= MOST_JUDGED:
+            few.update(
+                row for row, cell in enumerate(column) if counts[cell] == 1 and cell.strip() and not club_kind(cell)
+            )
+    return few if len(few) <= MOST_JUDGED else set()
 
 
 def summaries_in(chunk: Chunk, columns: Layout) -> dict[int, str]:
@@ -158,8 +199,11 @@ def _label(text: str) -> _Label | None:
                 place += count
                 break
         else:
-            if words[place] not in _PASSED_OVER and not (kind and words[place].isdigit()):
-                rest.append(words[place])
+            word = words[place]
+            if found := next((each for start, each in _BEGINNINGS.items() if word.startswith(start)), ""):
+                kind, is_clear = kind or found, True
+            elif word not in _PASSED_OVER and not (kind and word.isdigit()):
+                rest.append(word)
             place += 1
     if not kind:
         return None
@@ -183,27 +227,30 @@ def _uncounted(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
     return set()
 
 
-def _sums_up(row: int, kind: str, is_shot: Any, values: Mapping[str, Floats]) -> bool:
-    """Tell whether the numbers of a row sum up those of the shots above it: those since the last such row, or all."""
-    above = np.flatnonzero(is_shot[:row])
-    if not above.size:
-        return False
-    breaks = np.flatnonzero(np.diff(above) > 1)
-    latest = above[breaks[-1] + 1 :] if breaks.size else above
-    return any(_agrees(row, kind, each, values) for each in (latest, above))
+def _sums_up(row: int, kind: str, is_shot: Any, values: Mapping[str, Floats], closely: bool = False) -> bool:
+    """Tell whether the numbers of a row sum up those of shots: the ones next to it, on one side, or all of them."""
+    shots = np.flatnonzero(is_shot)
+    groups = [shots]
+    for side, last in ((shots[shots < row], True), (shots[shots > row], False)):
+        if side.size:
+            parts = np.split(side, np.flatnonzero(np.diff(side) > 1) + 1)
+            groups += [side, parts[-1] if last else parts[0]]
+    return any(each.size > closely and _agrees(row, kind, each, values, closely) for each in groups)
 
 
-def _agrees(row: int, kind: str, group: Any, values: Mapping[str, Floats]) -> bool:
+def _agrees(row: int, kind: str, group: Any, values: Mapping[str, Floats], closely: bool) -> bool:
     compared = agreed = 0
     for column in values.values():
         value, shots = float(column[row]), column[group]
         shots = shots[~np.isnan(shots)]
-        if value != value or not shots.size:
+        spread = float(np.ptp(shots)) if shots.size else 0.0
+        if value != value or not shots.size or (closely and not spread):
             continue
         compared += 1
-        close = 0.005 * float(np.abs(shots).max()) + 0.02 * float(np.ptp(shots))
+        close = 0.03 * spread if closely else 0.005 * float(np.abs(shots).max()) + 0.02 * spread
         agreed += any(abs(value - each) <= close for each in _summaries(kind, shots))
-    return compared > 0 and agreed >= AGREES * compared
+    fewest, part = (FEWEST_CLOSE, AGREES_CLOSELY) if closely else (1, AGREES)
+    return compared >= fewest and agreed >= part * compared
 
 
 def _summaries(kind: str, shots: Floats) -> list[float]:

@@ -106,6 +106,13 @@ def club_kind(name: str) -> str | None:
     return "hybrid" if len(words) == 1 and len(words[0]) > 1 and _FAMILIES.get(words[0]) == "hybrid" else None
 
 
+def is_club_name(text: str) -> bool:
+    """Tell whether a text is the name of a club and nothing else, in words and not in a lone letter or number."""
+    if len(text.strip()) < 2 or not any(map(str.isalpha, text)) or club_kind(text) is None:
+        return False
+    return all(each in _KNOWN or each.replace(".", "").isdigit() for each in _words(text))
+
+
 def same_club(one: str, other: str) -> bool:
     """Tell whether two names mean the same club, as ``7i`` and ``7 Iron``; names that tell nothing must be one text."""
     kinds = club_kind(one), club_kind(other)

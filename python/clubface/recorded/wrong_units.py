@@ -69,11 +69,14 @@ class Unit(NamedTuple):
         Its unit.
     is_named
         Whether the file names it, so that the file is to be corrected and not the command.
+    is_assumed
+        Whether neither the file nor anyone says it: it is the one that the maker's program has when it is installed.
     """
 
     heading: str
     symbol: str
     is_named: bool
+    is_assumed: bool = False
 
 
 def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> str | None:
@@ -84,6 +87,14 @@ def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> str 
 def _wrong(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> Iterator[str]:
     for name, of in units.items():
         values = columns[name][~np.isnan(columns[name])] if name in columns else np.empty(0)
+        if of.is_assumed and name in ("speed", "ball_speed") and values.size:
+            median = float(np.median(values))
+            others = [each for each in _others(of) if _is_usual(name, np.array([median * each[1]]))[0]]
+            if not _is_usual(name, np.array([median]))[0] and median > USUAL[name][1] and others:
+                what = (
+                    f"{name.replace('_', ' ')} is {shown(name, median, of.symbol)} in the median of {values.size} shots"
+                )
+                yield _message(what, [(name, of, others)])
         impossible = values[~can_be(name, values)]
         if name not in USUAL or 2 * impossible.size <= values.size:
             continue

@@ -26,7 +26,7 @@ Row = tuple[list[str], int, str]
 
 
 class CsvRows:
-    """The rows of a CSV file, with commas, semicolons or tabs between cells.
+    """The rows of a CSV file, with commas, semicolons, tabs or bars between cells.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def delimiter_of(lines: Sequence[str]) -> str:
     A decimal comma may be in every row, and more than once for each delimiter, but not in the header.
     """
     plain = ["".join(line.split('"')[::2]) for line in lines]
-    counts = {each: [line.count(each) for line in plain] for each in ",;\t"}
+    counts = {each: [line.count(each) for line in plain] for each in ",;\t|"}
     return max(counts, key=lambda each: (sum(map(bool, counts[each])), max(counts[each])))
 
 
@@ -189,4 +189,4 @@ def _explained(message: str) -> str:
 def _separator(head: bytes) -> str | None:
     """Return the delimiter that a line such as ``sep=,`` names, or None where it is no such line."""
     text = head.decode(errors="replace").strip().strip('"')
-    return text[4] if len(text) == 5 and text.lower().startswith("sep=") and text[4] in ",;" else None
+    return text[4] if len(text) == 5 and text.lower().startswith("sep=") and text[4] in ",;|" else None

@@ -11,25 +11,26 @@ from clubface import units
 from clubface.errors import FileError, shortened
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
 from clubface.support.checks import check_choice
-from clubface.tables.spelling import bracketed, plain, unit_of_column
+from clubface.tables.foreign_headings import FOREIGN_HEADINGS
+from clubface.tables.spelling import bracketed, plain, unit_of_column, words_apart
 
 SYNONYMS = {
     "speed": (
         "club_speed", "clubhead_speed", "club_head_speed", "head_speed", "clubspeed", "swing_speed", "club_velocity",
-        "clubhead_velocity", "club_head_velocity", "ヘッドスピード", "杆头速度", "헤드_스피드", "클럽_스피드",
+        "clubhead_velocity", "club_head_velocity",
     ),
     "attack": (
         "attack_angle", "angle_of_attack", "aoa", "club_aoa", "attack_ang", "vert_path", "vertical_path",
-        "vertical_club_path", "club_attack_angle", "入射角",
+        "vertical_club_path", "club_attack_angle",
     ),
     "path": (
         "club_path", "swing_path", "horiz_path", "horizontal_path", "horizontal_club_path", "path_angle",
-        "club_path_angle", "clubhead_path", "クラブパス",
+        "club_path_angle", "clubhead_path",
     ),
-    "loft": ("dynamic_loft", "dyn_loft", "delivered_loft", "loft_at_impact", "impact_loft", "ダイナミックロフト"),
+    "loft": ("dynamic_loft", "dyn_loft", "delivered_loft", "loft_at_impact", "impact_loft"),
     "face": (
         "face_angle", "club_face_angle", "clubface_angle", "face_ang", "club_face", "face_to_target", "ftt",
-        "face_to_target_angle", "club_face_to_target", "フェースアングル",
+        "face_to_target_angle", "club_face_to_target",
     ),
     "lie": ("lie_tilt",),
     "toe": (
@@ -52,25 +53,23 @@ SYNONYMS = {
 
 LAUNCH_SYNONYMS = {
     "ball_speed": (
-        "ball_velocity", "ballspeed", "initial_ball_speed", "launch_speed", "ボールスピード", "ボール初速", "球速",
-        "볼_스피드", "볼스피드",
+        "ball_velocity", "ballspeed", "initial_ball_speed", "launch_speed",
     ),
-    "smash": ("smash_factor", "efficiency", "smash_fac", "ミート率", "スマッシュファクター", "击球效率"),
+    "smash": ("smash_factor", "efficiency", "smash_fac"),
     "launch": (
         "launch_angle", "vertical_launch_angle", "vertical_launch", "vla", "launch_ang", "launch_v", "launch_angle_v",
-        "vert_launch", "vert_launch_angle", "launch_angle_vertical", "打ち出し角", "打出角",
+        "vert_launch", "vert_launch_angle", "launch_angle_vertical",
     ),
     "azimuth": (
         "launch_direction", "horizontal_launch_angle", "horizontal_launch", "side_angle", "hla", "launch_dir",
         "launch_h", "launch_angle_h", "horiz_launch", "horiz_launch_angle", "launch_angle_horizontal", "push_pull",
         "launch_azimuth", "start_direction", "start_line",
     ),
-    "backspin": ("back_spin", "バックスピン"),
-    "sidespin": ("side_spin", "サイドスピン"),
-    "total_spin": ("spin_rate", "spin", "ball_spin", "total_spin_rate", "スピン量"),
+    "backspin": ("back_spin",),
+    "sidespin": ("side_spin",),
+    "total_spin": ("spin_rate", "spin", "ball_spin", "total_spin_rate"),
     "spin_axis": (
         "spin_axis_tilt", "spin_tilt", "tilt_angle", "spin_tilt_axis", "spin_axis_angle", "axis_tilt", "tilt_axis",
-        "スピン軸",
     ),
     "contact_time": (),
     "peak_force": (),
@@ -79,14 +78,13 @@ LAUNCH_SYNONYMS = {
         "carry_side", "side_carry", "offline", "lateral", "lateral_distance", "side_distance", "carry_offline",
         "carry_deviation", "carry_deviation_distance",
     ),
-    "apex": ("peak_height", "max_height", "apex_height", "height", "maximum_height", "peak_ht", "max_ht", "最高到達点"),
-    "flight_time": ("hang_time", "time_of_flight", "air_time", "hangtime", "滞空時間"),
+    "apex": ("peak_height", "max_height", "apex_height", "height", "maximum_height", "peak_ht", "max_ht"),
+    "flight_time": ("hang_time", "time_of_flight", "air_time", "hangtime"),
     "landing_angle": (
         "landing", "descent_angle", "desc_angle", "land_angle", "angle_of_descent", "descent", "descent_v", "descentv",
-        "落下角",
     ),
     "landing_speed": (),
-    "total": ("total_distance", "total_dist", "total_length", "トータル"),
+    "total": ("total_distance", "total_dist", "total_length"),
     "total_side": ("side_total", "total_offline", "total_deviation", "total_deviation_distance"),
 }  # fmt: skip
 """The quantities of a launch and its flight that a table may hold, with other names of each."""
@@ -112,12 +110,22 @@ class Vocabulary(NamedTuple):
     names: Mapping[str, str]
     dimensions: Mapping[str, str]
 
+    def spelled(self, name: str) -> str:
+        """Return the name that is the same but for where its words part, as of ``clubspeed``; else ``name``."""
+        return name if name in self.names else _unparted(frozenset(self.names)).get(name.replace("_", ""), name)
+
+
+@cache
+def _unparted(names: frozenset[str]) -> Mapping[str, str]:
+    return {each.replace("_", ""): each for each in names}
+
 
 @cache
 def delivery_words() -> Vocabulary:
     """Return the words for the inputs of an impact."""
     own = {name: name for name in inputs()}
-    return Vocabulary(own | _reversed(SYNONYMS), input_dimensions())
+    foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in own}
+    return Vocabulary({**_reversed(foreign), **own, **_reversed(SYNONYMS)}, input_dimensions())
 
 
 @cache
@@ -127,7 +135,9 @@ def shot_words() -> Vocabulary:
     found = {**flight_outputs(), **outputs()}
     own = {name: name for name in LAUNCH_SYNONYMS}
     launches = {name: found[name].dimension for name in LAUNCH_SYNONYMS}
-    return Vocabulary({**names, **own, **_reversed(LAUNCH_SYNONYMS)}, {**dimensions, **launches})
+    foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in launches}
+    words = {**_reversed(foreign), **names, **own, **_reversed(LAUNCH_SYNONYMS)}
+    return Vocabulary(words, {**dimensions, **launches})
 
 
 class Column(NamedTuple):
@@ -305,12 +315,12 @@ def listed(headings: Sequence[str]) -> str:
 def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
     """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
     before, unit_text = bracketed(heading)
-    name = plain_name(before)
+    name = words.spelled(plain_name(before))
     if unit_text is None:
-        for spelled in (before, before.lower()):
+        for spelled in (before, before.lower(), words_apart(before), words_apart(before).lower()):
             short, unit = units.parse_column_name("_".join(spelled.replace("-", "_").split()), words.names)
-            if plain_name(short) in words.names:
-                return plain_name(short), unit
+            if (known := words.spelled(plain_name(short))) in words.names:
+                return known, unit
         return name, None
     return name, unit_text or None
 
@@ -331,7 +341,7 @@ def _near(name: str, known: Collection[str]) -> str | None:
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
-    return {other: name for name, others in synonyms.items() for other in others}
+    return {plain_name(other): name for name, others in synonyms.items() for other in others}
 
 
 def heading_of(name: str, si_unit: str) -> tuple[str, str]:

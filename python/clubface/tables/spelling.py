@@ -20,14 +20,17 @@ _UNITS = {
     **dict.fromkeys(("mtr", "mtrs", "mètres", "mètre", "metros", "metri", "メートル", "米", "미터"), "m"),
     **dict.fromkeys(("º", "degré", "degrés", "gradi", "graus", "grader", "aste", "度", "도"), "deg"),
     **dict.fromkeys(("º/s", "grad/s", "grados/s", "度/秒"), "deg/s"),
-    **dict.fromkeys(("m.p.h", "mi/h", "miles/h"), "mph"),
-    **dict.fromkeys(("km/t", "kph", "kmh", "公里/小时"), "km/h"),
-    **dict.fromkeys(("m/sec", "mps", "m/秒", "米/秒"), "m/s"),
+    **dict.fromkeys(("m.p.h", "mi/h", "miles/h", "英里/小时", "英里/小時"), "mph"),
+    **dict.fromkeys(("km/t", "kph", "kmh", "㎞/h", "公里/小时", "公里/小時"), "km/h"),
+    **dict.fromkeys(("m/sec", "mps", "m/秒", "米/秒", "㎧"), "m/s"),
     **dict.fromkeys(("rev/min", "r/min", "tr/min", "giri/min", "upm", "v/min", "回転/分", "转/分", "轉/分"), "rpm"),
+    **dict.fromkeys(("varv/min", "tr/mn"), "rpm"),
     **dict.fromkeys(("seconds", "secs", "秒", "초"), "s"),
 }  # fmt: skip
 """Further spellings of units in the files of launch monitors and spreadsheets, without a point at the end."""
 
+_WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
+"""The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""
 _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
 
@@ -36,8 +39,24 @@ def plain(text: str) -> str:
     return " ".join(re.findall(r"[^\W_]+", unicodedata.normalize("NFC", text).casefold()))
 
 
+def squeezed(name: str) -> str:
+    """Return plain words without the spaces between them, in which ``BallSpeed`` and ``Ball Speed`` are the same."""
+    return name.replace(" ", "")
+
+
+def words_apart(text: str) -> str:
+    """Return a text in which small and large letters begin words, ``ballSpeedMph``, with spaces between them."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
+
+
+def narrow(text: str) -> str:
+    """Return a text with usual letters for those that take the width of a Chinese character."""
+    return text if text.isascii() else text.translate(_WIDE)
+
+
 def bracketed(text: str) -> tuple[str, str | None]:
     """Return what stands before the brackets at the end of a heading, and what in them; None where there are none."""
+    text = narrow(text)
     found = _BRACKETS.search(text)
     return (text, None) if found is None else (text[: found.start()], found[1].strip())
 
@@ -45,7 +64,7 @@ def bracketed(text: str) -> tuple[str, str | None]:
 @lru_cache(maxsize=4096)
 def unit_symbol(text: str) -> str | None:
     """Return the symbol of the unit that a monitor writes as ``text``, or None for an unknown one."""
-    spelled = text.strip().strip("[]()").strip()
+    spelled = narrow(text).strip().strip("[]()").strip()
     lower = spelled.lower().removesuffix(".")
     for each in (spelled, lower, _UNITS.get(lower, "")):
         try:
