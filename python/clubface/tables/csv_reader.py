@@ -20,7 +20,7 @@ LARGEST_CHUNK = 64_000_000
 
 
 class CsvReader:
-    """A CSV file, with commas, semicolons or tabs between cells, or a workbook. See :class:`rows.Reader`."""
+    """A CSV file, with commas, semicolons, tabs or bars between cells, or a workbook. See :class:`rows.Reader`."""
 
     counts = "line"
 
