@@ -64,7 +64,7 @@ def read(
     Parameters
     ----------
     path
-        The file: CSV with commas, semicolons, tabs or bars, or an Excel workbook; or a table with clubface's own columns.
+        The file: CSV with commas, semicolons, tabs or bars between cells, an Excel workbook, or a table of clubface.
         Several files are sessions, see :func:`clubface.recorded.sessions.joined`.
     format
         The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
