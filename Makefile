@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit identification-coverage capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit identification-coverage capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -99,6 +99,9 @@ validation: build ## models beside published figures: the picture and the finite
 
 ball-fit: dev ## fit the ball modern to published plate tests again, with intervals; a minute or two
 	$(PYTHON) studies/ball_fit.py
+
+ball-shear-fit: dev ## what plates, start angles and spins at measured launch say of a cover that relaxes; ten minutes
+	$(PYTHON) studies/ball_shear_fit.py
 
 BALL ?= modern
 response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour
