@@ -242,3 +242,10 @@ def test_a_recording_that_ends_in_the_backswing_or_follow_through_has_no_impact(
     for last in (impact - 60, impact + 25, impact + 60):
         with pytest.raises(FileError, match="no impact"):
             capture(replace(recording, positions=recording.positions[:last]), ready)
+
+
+def test_a_swing_after_which_the_club_is_slowly_put_back_has_no_impact_at_its_end():
+    recording, ready, impact = free()
+    there = recording.positions[: impact + 25]
+    with pytest.raises(FileError, match="no impact"):
+        capture(replace(recording, positions=np.concatenate([there, there[::-1]])), ready)
