@@ -18,6 +18,7 @@ from fem_meshes import (
     abaqus,
     coarse_walls,
     gmsh_2,
+    gmsh_4,
     lsdyna,
     nastran,
     stl_binary,
@@ -295,6 +296,58 @@ def test_parts_of_abaqus_stand_where_their_instances_put_them(tmp_path):
     assert head.nodes[:, 0].max() == pytest.approx(coarse_head().nodes[:, 0].max(), abs=1e-8)
     with pytest.raises(ClubfaceError, match="face_centre"):
         read(tmp_path / "head.inp")
+
+
+def test_parts_of_abaqus_are_turned_as_their_instances_say(tmp_path):
+    walls = coarse_walls()
+    # A quarter about a line upwards through (-50, 0, 7), by hand: x and z of the file, seen from there, are -z and x.
+    away = walls.nodes - [-50.0, 0.0, 7.0]
+    drawn = walls._replace(nodes=away @ np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]]) + [-50.0, 0.0, 7.0])
+    text = "*Heading\n" + PART.format(mesh=abaqus(drawn), shift=0.0)
+    turn = " -50., 0., 7., -50., 9., 7., 90."
+    (tmp_path / "head.inp").write_text(text.replace("*End Instance", turn + "\n*End Instance"))
+    assert read(tmp_path / "head.inp").nodes == pytest.approx(read(write_walls(tmp_path, walls)).nodes, abs=1e-9)
+
+
+def test_a_point_mass_of_nastran_stands_at_its_offset_from_a_node(tmp_path):
+    walls = coarse_walls()
+    one, other = (
+        int(np.argmin(np.linalg.norm(walls.nodes - place, axis=1))) for place in ([-40, -22, 0], [-70, 0, 40])
+    )
+    offset = ",".join(f"{each:.9f}" for each in walls.nodes[other] - walls.nodes[one])
+    heads = []
+    for card in (f"CONM2,9001,{one + 1},,2.5-5,{offset}", f"CONM2,9001,{other + 1},,2.5-5"):
+        (tmp_path / "head.bdf").write_text(nastran(walls).replace("ENDDATA", card + "\nENDDATA"))
+        heads.append(read(tmp_path / "head.bdf"))
+    assert heads[0].added == pytest.approx(heads[1].added, abs=1e-12)
+    assert heads[0].added.sum() == pytest.approx(0.025)
+
+
+def test_a_point_mass_in_a_mesh_in_inches_is_in_its_unit_of_mass(tmp_path):
+    walls = coarse_walls()
+    text = nastran(walls._replace(nodes=walls.nodes / 25.4)).replace("ENDDATA", "CONM2,9001,7,,1.42754-4\nENDDATA")
+    (tmp_path / "head.bdf").write_text(text)
+    # lbf s2/in, of which one weighs 386.09 lb.
+    assert read(tmp_path / "head.bdf", unit="in").added.sum() == pytest.approx(0.025, rel=1e-4)
+
+
+def test_walls_beside_their_nodes_are_said(tmp_path):
+    text = re.sub(r"(?m)^(CQUAD4,1,.*)$", r"\1,,1.4", nastran(coarse_walls()))
+    (tmp_path / "head.bdf").write_text(text)
+    with pytest.warns(MeshWarning, match="1 elements have an offset from the nodes"):
+        read(tmp_path / "head.bdf")
+
+
+def test_nodes_of_gmsh_may_have_parameters_of_their_surface(tmp_path):
+    walls = coarse_walls()
+    text = gmsh_4(walls).decode().replace("2 1 0 ", "2 1 1 ", 1)
+    start = text.index("$Nodes\n")
+    first, rest = text[:start], text[start:]
+    rows = rest.split("\n")
+    last = rows.index("$EndNodes")
+    rows[last - len(walls.nodes) : last] = [row + "0.5 0.25" for row in rows[last - len(walls.nodes) : last]]
+    (tmp_path / "head.msh").write_text(first + "\n".join(rows))
+    assert read(tmp_path / "head.msh").nodes == pytest.approx(read(write_walls(tmp_path, walls)).nodes, abs=1e-9)
 
 
 @pytest.mark.parametrize("form", ["abaqus", "nastran", "lsdyna"])

@@ -40,6 +40,7 @@ def turned(axis, angle):
         (np.eye(3), {"bulge": "flat"}, r"bulge is 'flat'.* has 30\d"),
         (np.eye(3), {"roll": "150 mm"}, r"roll is '150 mm'.* has 30\d"),
         (np.eye(3), {"face_centre": (6.0, 0.0, 0.0)}, r"face_centre is '6.0, 0.0, 0.0'.*mm in front of the face"),
+        (np.eye(3), {"face_centre": (-6.0, 0.0, 0.0)}, r"face_centre is '-6.0, 0.0, 0.0'.*mm behind the face"),
         (np.eye(3)[[1, 0, 2]], {}, r"x and y are exchanged: write \(y, x, z\)"),
         (np.eye(3)[[0, 2, 1]], {}, r"y and z are exchanged: write \(x, z, y\)"),
         (np.diag([1, -1, 1]), {}, r"y points the other way"),
@@ -61,11 +62,27 @@ def test_loft_and_radii_that_are_near_enough_are_taken(tmp_path):
         read(tmp_path, coarse_walls(), **changes)
 
 
+def test_bulge_is_the_radius_from_heel_to_toe_and_roll_that_from_sole_to_crown(tmp_path):
+    walls = coarse_walls()
+    nodes = walls.nodes.copy()
+    nodes[:, 0] -= 0.5 * (1 / 190.0 - 1 / 305.0) * nodes[:, 2] ** 2
+    read(tmp_path, walls._replace(nodes=nodes), bulge="190 mm")
+    with pytest.raises(ClubfaceError, match=r"bulge is '305 mm'.* has 19\d mm"):
+        read(tmp_path, walls._replace(nodes=nodes))
+    with pytest.raises(ClubfaceError, match=r"roll is '190 mm'.* has 30\d mm"):
+        read(tmp_path, walls._replace(nodes=nodes), bulge="190 mm", roll="190 mm")
+
+
 def test_a_mesh_of_a_left_handed_head_is_refused_where_names_of_parts_show_it(tmp_path):
     hosel = {"hosel": ("-12 mm", "12 mm", "40 mm", "16 g")}
     with pytest.raises(ClubfaceError, match=r"z must point from heel to toe: 'hosel' lies .* left-handed"):
         read(tmp_path, coarse_walls(), masses=hosel)
     read(tmp_path, coarse_walls(), masses={"hosel": ("-12 mm", "12 mm", "-40 mm", "16 g")})
+    for side, z in (("heel", "-30 mm"), ("toe", "30 mm")):
+        read(tmp_path, coarse_walls(), masses={f"{side} weight": ("-40 mm", "-10 mm", z, "9 g")})
+        other = z.removeprefix("-") if z.startswith("-") else f"-{z}"
+        with pytest.raises(ClubfaceError, match=f"'{side} weight' lies"):
+            read(tmp_path, coarse_walls(), masses={f"{side} weight": ("-40 mm", "-10 mm", other, "9 g")})
     swapped = tuple(
         Group(name=each.name, thickness=each.thickness, face=each.face,
               sets=({"crown": "sole", "sole": "crown"}.get(each.name, each.name),)) for each in GROUPS
