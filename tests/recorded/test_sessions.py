@@ -101,7 +101,7 @@ def test_files_of_one_name_are_told_apart_by_their_folders(tmp_path):
         path.parent.mkdir()
         path.write_text(HEAD + day("", [100 + place]))
     shots = launch_monitor.read(paths)
-    assert [str(path) for path in paths] == shots.files.tolist() == session_labels(shots).tolist()
+    assert shots.files.tolist() == session_labels(shots).tolist() == ["may/range.csv", "june/range.csv"]
 
 
 def test_the_hand_of_shots_is_not_known_where_only_one_of_the_files_says_it(write):

@@ -188,6 +188,7 @@ def columns_of(
     if not clubs and not layout.only_own:
         clubs = _clubs_by_cells(rows, {*range(len(headings))} - {*places, player, hand, date, file})
         remarks += [f"the column {shortened(headings[at].strip(), 40)} names clubs and was read so" for at in clubs]
+    texts = {date: "date", player: "player", **dict.fromkeys(clubs, "club")}
     return Columns(
         width=len(headings),
         needed=max((place for place, each in enumerate(headings) if each.strip()), default=0) + 1,
@@ -200,22 +201,16 @@ def columns_of(
         file=file,
         points={name: names.index(squeezed(plain(name))) for name in POINTS if squeezed(plain(name)) in names},
         labels={
-            place: "club"
-            if place in clubs
-            else "player"
-            if place == player
-            else "date"
-            if place == date
-            else heads[place].name
-            for place in range(len(headings))
+            place: texts.get(place, each.name)
+            for place, each in enumerate(heads)
             if place not in places and place != hand
         },
         others=tuple(
             place
-            for place in range(len(headings))
-            if place not in {*places, *clubs, player, hand, date, file} and heads[place].name not in NOT_MEASURED
+            for place, each in enumerate(heads)
+            if place not in {*places, *clubs, player, hand, date, file} and each.name not in NOT_MEASURED
         ),
-        counted=_places(layout.told, names),
+        counted=_places(layout.counted, names),
         assumed=tuple(assumed),
         unused=tuple(
             shown.strip()

@@ -119,7 +119,7 @@ class Format:
         Where speed, attack angle and path are measured: "cg", "face" or "unknown".
     face_at
         Where dynamic loft and face angle are measured: "face" (its centre), "contact" or "unknown".
-    told
+    counted
         Headings of columns whose values a note counts, such as whether spin was measured or estimated.
     notes
         Remarks on quantities, by their names, for shots in which they were measured.
@@ -142,7 +142,7 @@ class Format:
     all_columns: bool = False
     speed_at: str = UNKNOWN
     face_at: str = UNKNOWN
-    told: tuple[str, ...] = ()
+    counted: tuple[str, ...] = ()
     notes: Mapping[str, str] = dataclass_field(default_factory=dict)
     source: str = ""
 

@@ -55,7 +55,7 @@ FORMAT = Format(
         ),
     },
     needs_units=True,
-    told=("Spin Rate Type", "Drehratentyp", "Type draaisnelheid", "Tipo de velocidad de rotación"),
+    counted=("Spin Rate Type", "Drehratentyp", "Type draaisnelheid", "Tipo de velocidad de rotación"),
     speed_at=UNKNOWN,
     face_at=UNKNOWN,
     notes={"sidespin": "Garmin's sidespin is positive to the left: its sign was turned"},

@@ -30,7 +30,7 @@ FORMAT = Format(
         "landing_angle": Field("Descent Angle", unit="deg"),
         "total": Field("Total Distance", unit="yd"),
     },
-    told=("Club Data Est Type",),
+    counted=("Club Data Est Type",),
     speed_at=UNKNOWN,
     source="public exports of the MLM2PRO",
 )

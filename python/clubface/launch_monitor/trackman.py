@@ -41,7 +41,7 @@ FORMAT = Format(
         "total": Field("Est. Total Flat - Length", "Total", unit="yd"),
         "total_side": Field("Est. Total Flat - Side", "Side Total", "Total Side", unit="yd", positive="right"),
     },
-    told=("Spin Rate Type",),
+    counted=("Spin Rate Type",),
     speed_at=CG,
     face_at=CONTACT,
     notes={

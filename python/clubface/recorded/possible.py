@@ -118,13 +118,13 @@ def shown(name: str, value: float, unit: str | None = None) -> str:
     return show(value, "mph" if unit == "m/s" else unit, 11)
 
 
-def told(name: str, wrong: int, shots: int, example: float) -> str:
+def describe_impossible(name: str, wrong: int, shots: int, example: float) -> str:
     """Return how many shots have a value of a quantity that cannot be, and one such value [SI], in words."""
     return f"{name} in {wrong} of {shots} shots, such as {shown(name, example)}"
 
 
 def note_of(every: Iterable[str]) -> str:
-    """Return the note on values that cannot be, from what :func:`told` says of each quantity."""
+    """Return the note on values that cannot be, from what :func:`describe_impossible` says of each quantity."""
     return f"values that no shot can have were taken as not measured: {'; '.join(every)}"
 
 
@@ -139,7 +139,7 @@ def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     for name, values in columns.items():
         kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
         if wrong[name].any():
-            found.append(told(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
+            found.append(describe_impossible(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
     had, has = (np.any([~np.isnan(each) for each in of.values()], axis=0) for of in (columns, kept))
     return Cleaned(kept, had & ~has, (note_of(found),) if found else ())
 

@@ -29,7 +29,7 @@ from clubface.launch_monitor.open_connect.fields import (
     NEVER_ZERO,
     VERSION,
 )
-from clubface.recorded.possible import impossible, note_of, told, within_turn
+from clubface.recorded.possible import describe_impossible, impossible, note_of, within_turn
 from clubface.simulation.spin import SPINS, complete
 from clubface.units import to_si
 
@@ -275,7 +275,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None) -> Recorde
         for name, value in each.impossible.items():
             wrong.setdefault(name, []).append(value)
     notes = Counter(note for each in shots for note in each.notes)
-    counts = [told(name, len(values), len(shots), values[0]) for name, values in wrong.items()]
+    counts = [describe_impossible(name, len(values), len(shots), values[0]) for name, values in wrong.items()]
     return RecordedShots(
         deliveries=columns([each.delivery for each in shots]),
         launches=columns([each.launch for each in shots]),
