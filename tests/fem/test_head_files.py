@@ -91,6 +91,10 @@ def test_shot_predicts_by_every_model_from_one_file_and_says_what_it_does_not_kn
     assert "rigid" not in clubface_("shot", str(file), "--speed", "105 mph").err
 
 
+def test_finite_elements_alone_say_nothing_of_a_rigid_face(clubface_, file):
+    assert "rigid" not in clubface_("shot", str(file), "--speed", "100 mph", "--model", "fem", "--json").err
+
+
 def test_a_head_is_measured_where_and_with_what_is_asked(clubface_, file):
     centre, toe = (
         clubface_("fem", "head", str(file), "--measure", *where, "--json").json for where in ([], ["--toe", "15 mm"])

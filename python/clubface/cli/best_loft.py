@@ -58,7 +58,7 @@ def best_loft(
 
     output.check_picture(plot, (club,))
     output.check_report(report, (club,))
-    head = option_values.club_of(club, texts["hand"])
+    head = option_values.club_of(club, texts["hand"], texts.get("model"))
     conditions = option_values.conditions(texts)
     hit = {
         "club": head, "model": texts["model"], "parameters": option_values.one_set(head, texts), "ball": texts["ball"],

@@ -26,7 +26,9 @@ def alternatives_of(
     """
     from clubface.equipment.balls import ball
 
-    heads = _named([(option_values.club_of(which, texts["hand"]), which) for which in clubs], "CLUB")
+    heads = _named(
+        [(option_values.club_of(which, texts["hand"], texts.get("model")), which) for which in clubs], "CLUB"
+    )
     balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
     models = option_values.model_names(texts["model"], DEFAULT_MODEL)
     option_values.check_accuracy(models, texts["accuracy"])

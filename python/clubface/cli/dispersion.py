@@ -86,7 +86,9 @@ def dispersion(
     player = golfer_named(golfer)
     own = None if club is not None else "right" if player.hand > 0 else "left"
     head = option_values.club_of(
-        club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"]
+        club_of(player) if club is None else club,
+        own if texts["hand"] is None else texts["hand"],
+        texts["model"],
     )
     _check(player, head, texts["model"], count)
     conditions = option_values.conditions(texts)

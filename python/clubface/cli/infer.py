@@ -85,7 +85,7 @@ def infer(
         raise ClubfaceError("--ignore is for a file of shots; of one launch, leave out the club data itself")
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
-    head = option_values.club_of(texts["club"], texts["hand"])
+    head = option_values.club_of(texts["club"], texts["hand"], texts.get("model"))
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
     from clubface.inference import words

@@ -78,7 +78,9 @@ def map_(
         raise InputError("--unit", hidden[0], "a quantity that is listed; name it with --quantity")
     counts = None if grid is None else _grid(grid)
     conditions = option_values.conditions(texts)
-    heads = [option_values.club_of(each, texts["hand"]) for each in (club, minus) if each is not None]
+    heads = [
+        option_values.club_of(each, texts["hand"], texts.get("model")) for each in (club, minus) if each is not None
+    ]
     if len(heads) == 2 and heads[0] == heads[1]:
         raise InputError("--minus", minus, "another club than the first")
     sets = [option_values.one_set(head, texts) for head in heads]

@@ -75,12 +75,13 @@ def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
     return quantities(given, DIMENSIONS, {"speed": "113 mph"})
 
 
-def club_of(which: str, hand: str | None = None) -> Any:
-    """Return the club called ``which``, turned to ``hand`` where one is given."""
+def club_of(which: str, hand: str | None = None, model: str | Iterable[str] | None = None) -> Any:
+    """Return the club called ``which``, turned to ``hand`` where one is given; ``model`` is what computes its shots."""
     from clubface.equipment.clubs import club
 
     found = club(which)
-    if hasattr(found, "head") and not found.characteristic_time:
+    computed = [model] if isinstance(model, str) else [*(model or ())]
+    if hasattr(found, "head") and not found.characteristic_time and computed != ["fem"]:
         say(
             f"note: every model but fem takes the face of {found.name} as rigid; clubface fem head {which} --measure"
             ' tells how it gives, and a line such as characteristic_time = "250 us" in the file says it'

@@ -37,7 +37,7 @@ def predict(
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
-    head = option_values.club_of(club, texts["hand"])
+    head = option_values.club_of(club, texts["hand"], texts.get("model"))
     chosen = option_values.one_set(head, texts)
     conditions = option_values.conditions(texts)
 

@@ -30,7 +30,7 @@ def sensitivity(
 ) -> None:
     """Print how the launch changes with every input and parameter ("rpm per mm")."""
     delivery = option_values.delivery(texts)
-    head = option_values.club_of(club, texts["hand"])
+    head = option_values.club_of(club, texts["hand"], texts.get("model"))
     chosen = option_values.one_set(head, texts)
 
     from clubface.simulation.sensitivity import MAIN, sensitivity as differentiate

@@ -55,7 +55,7 @@ def shot(
     delivery = option_values.delivery(texts)
     output.check_picture(plot)
     output.check_report(report)
-    head = option_values.club_of(club, texts["hand"])
+    head = option_values.club_of(club, texts["hand"], texts.get("model"))
     names = option_values.model_names(texts["model"], DEFAULT_MODEL)
     option_values.check_accuracy(names, texts["accuracy"])
     sets = option_values.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
