@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import clubface
 from clubface import launch_monitor
 from clubface.errors import FileError
 from clubface.tables.foreign_headings import FOREIGN_HEADINGS
@@ -78,3 +79,14 @@ def test_cells_may_have_the_wide_digits_and_sides_of_other_languages(write):
     text = "Ball Speed (mph),Launch Direction (deg)\n１４７．５,1.1 H\n147.5,1.1 V\n147.5,1.1 i\n147.5,右1.1\n"
     shots = launch_monitor.read(write(text))
     assert_si(shots, ball_speed=([147.5] * 4, "mph"), azimuth=([1.1, -1.1, -1.1, 1.1], "deg"))
+
+
+def test_a_table_of_deliveries_knows_the_same_spellings(tmp_path):
+    (tmp_path / "swings.csv").write_text("ClubSpeedMph,AttackAngleDeg,Schlägerpfad in deg,FaceAngle/deg\n100,1,2,3\n")
+    launches = clubface.predict(tmp_path / "swings.csv", club="driver", model="standard")
+    assert not any("not used" in note for note in launches.notes)
+
+
+def test_a_backspin_and_a_sidespin_of_minus_one_are_no_measurements(write):
+    shots = launch_monitor.read(write("Ball Speed (mph),Back Spin (rpm),Side Spin (rpm)\n147,-1,-1\n147,2500,0\n"))
+    assert np.isnan(shots.launches["total_spin"]).tolist() == [True, False]

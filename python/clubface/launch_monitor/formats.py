@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field as dataclass_field
@@ -12,7 +11,7 @@ from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, he
 from clubface.tables import foreign_headings
 from clubface.tables.cells import is_number
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, SECOND_CHOICE, SYNONYMS, shot_words
-from clubface.tables.spelling import bracketed, plain, squeezed, unit_symbol, words_apart
+from clubface.tables.spelling import bracketed, plain, squeezed, units_behind
 from clubface.units import parse_column_name
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
@@ -68,8 +67,6 @@ class Field:
         self.positive = positive
 
 
-_GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
-"""What stands between a heading and its unit: ``Ball Speed in mph``, ``Carry/yd``."""
 COMMON = 100
 """The rank from which the headings of the vocabulary of all tables count."""
 COMMON_FIELD = Field()
@@ -216,10 +213,9 @@ class Format:
                 short, unit = parse_column_name(spelled)
                 if unit is not None and (name := self._spelled(plain(short))) in self.names:
                     return Heading(name, unit, None, name)
-            for gap in _GAPS.finditer(apart := words_apart(text)):
-                name, last = self._spelled(plain(apart[: gap.start()])), apart[gap.end() :]
-                is_known = name in self.names or (name in BY_UNIT and not self.only_own)
-                if is_known and (len(last) > 1 or last in "ms") and (symbol := unit_symbol(last)) is not None:
+            for before, symbol in units_behind(text):
+                name = self._spelled(before)
+                if name in self.names or (name in BY_UNIT and not self.only_own):
                     return Heading(name, symbol, None, name)
         return parts
 

@@ -26,6 +26,8 @@ _BALL_SPEED = 2.0 * _SPEED
 """A heavy body that hits a light one elastically sends it off at twice its own speed: nothing sends it off faster."""
 _SPIN = to_si(20_000.0, "rpm")
 """A ball that rolls off the steepest wedge at 50 m/s without slipping turns with 14,000 rpm."""
+_STILL = to_si(2.0, "rpm")
+"""A ball with less spin was not measured: programs write 0 or -1 then."""
 _RATE = to_si(36_000.0, "deg/s")
 """A club that goes round a hundred times a second; faces close at 1,000 to 4,000 deg/s."""
 _FACE = to_si(150.0, "mm")
@@ -105,7 +107,7 @@ class Cleaned(NamedTuple):
 def impossible(values: Mapping[str, float]) -> dict[str, float]:
     """Return which values [SI] of one shot cannot have been measured; see :func:`without_impossible`."""
     values = {name: float(within_turn(name, value)) for name, value in values.items()}
-    still = values.get("backspin") == 0.0 == values.get("sidespin")
+    still = abs(values.get("backspin", math.inf)) < _STILL and abs(values.get("sidespin", math.inf)) < _STILL
     spins = ("backspin", "sidespin") if still else ()
     return {name: value for name, value in values.items() if name in spins or not can_be(name, value)}
 
@@ -134,7 +136,7 @@ def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     columns = {name: within_turn(name, values) for name, values in columns.items()}
     wrong = {name: ~can_be(name, values) for name, values in columns.items()}
     if "backspin" in columns and "sidespin" in columns:
-        still = (columns["backspin"] == 0.0) & (columns["sidespin"] == 0.0)
+        still = (np.abs(columns["backspin"]) < _STILL) & (np.abs(columns["sidespin"]) < _STILL)
         wrong.update({name: wrong[name] | still for name in ("backspin", "sidespin")})
     for name, values in columns.items():
         kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values

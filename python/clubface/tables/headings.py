@@ -12,7 +12,7 @@ from clubface.errors import FileError, shortened
 from clubface.simulation.quantities import flight_outputs, input_dimensions, inputs, outputs
 from clubface.support.checks import check_choice
 from clubface.tables.foreign_headings import FOREIGN_HEADINGS
-from clubface.tables.spelling import bracketed, plain, unit_of_column, words_apart
+from clubface.tables.spelling import bracketed, plain, unit_of_column, units_behind
 
 SYNONYMS = {
     "speed": (
@@ -317,8 +317,11 @@ def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
     before, unit_text = bracketed(heading)
     name = words.spelled(plain_name(before))
     if unit_text is None:
-        for spelled in (before, before.lower(), words_apart(before), words_apart(before).lower()):
+        for spelled in (before, before.lower()):
             short, unit = units.parse_column_name("_".join(spelled.replace("-", "_").split()), words.names)
+            if (known := words.spelled(plain_name(short))) in words.names:
+                return known, unit
+        for short, unit in units_behind(before):
             if (known := words.spelled(plain_name(short))) in words.names:
                 return known, unit
         return name, None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from functools import lru_cache
 
 from clubface.errors import FileError, UnitError
@@ -31,6 +32,8 @@ _UNITS = {
 
 _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 """The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""
+_GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
+"""What stands between a heading and its unit."""
 _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
 
@@ -47,6 +50,15 @@ def squeezed(name: str) -> str:
 def words_apart(text: str) -> str:
     """Return a text in which small and large letters begin words, ``ballSpeedMph``, with spaces between them."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
+
+
+def units_behind(text: str) -> Iterator[tuple[str, str]]:
+    """Yield how a heading may part into a name in plain words and the unit behind it: ``Carry/yd``, ``Spin in rpm``."""
+    apart = words_apart(text)
+    for gap in _GAPS.finditer(apart):
+        last = apart[gap.end() :]
+        if (len(last) > 1 or last in ("m", "s")) and (symbol := unit_symbol(last)) is not None:
+            yield plain(apart[: gap.start()]), symbol
 
 
 def narrow(text: str) -> str:
