@@ -90,3 +90,23 @@ def test_a_table_of_deliveries_knows_the_same_spellings(tmp_path):
 def test_a_backspin_and_a_sidespin_of_minus_one_are_no_measurements(write):
     shots = launch_monitor.read(write("Ball Speed (mph),Back Spin (rpm),Side Spin (rpm)\n147,-1,-1\n147,2500,0\n"))
     assert np.isnan(shots.launches["total_spin"]).tolist() == [True, False]
+
+
+def test_a_row_of_units_among_the_shots_changes_the_units_of_those_below(write):
+    text = "Club,Ball Speed,Carry\n,(mph),(yd)\nDriver,147,230\n,(m/s),(m)\nDriver,65.7,210\n"
+    shots = launch_monitor.read(write(text))
+    assert not shots.rejected
+    assert_si(shots.select([0]), ball_speed=([147], "mph"), carry=([230], "yd"))
+    assert_si(shots.select([1]), ball_speed=([65.7], "m/s"), carry=([210], "m"))
+
+
+def test_club_and_ball_with_a_speed_are_speeds_next_to_a_column_of_clubs(write):
+    shots = launch_monitor.read(write("Club,Club (mph),Ball (mph)\nDriver,100,147\n"))
+    assert_si(shots, speed=([100], "mph"), ball_speed=([147], "mph"))
+    assert shots.clubs.tolist() == ["Driver"]
+
+
+def test_a_number_that_is_marked_as_estimated_is_read_and_noted(write):
+    shots = launch_monitor.read(write("Ball Speed (mph),Spin Rate (rpm)\n147,2509.1*\n146,2600\n"))
+    assert_si(shots, total_spin=([2509.1, 2600], "rpm"))
+    assert any("Spin Rate" in note and "*" in note for note in shots.notes)

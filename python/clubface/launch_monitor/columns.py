@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 from clubface.errors import FileError, shortened
 from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
-from clubface.launch_monitor.formats import BY_UNIT, COMMON, MEASURED, Format, side_of
+from clubface.launch_monitor.formats import COMMON, MEASURED, Format, side_of
 from clubface.launch_monitor.summary_rows import NUMBERING
 from clubface.recorded.club_names import is_club_name
 from clubface.tables.headings import POINTS, given_unit, listed, missing_units, shot_words
 from clubface.tables.spelling import plain, squeezed, unit_of_column, unit_symbol
-from clubface.units import DIMENSIONLESS, unit
+from clubface.units import DIMENSIONLESS
 
 NOT_MEASURED = frozenset(
     {
@@ -141,7 +141,7 @@ def columns_of(
     FileError
         No column is of the layout, a unit does not fit, or columns have none, all of which are named.
     """
-    heads = [_by_unit(layout, layout.heading(each), _written(units_row, at)) for at, each in enumerate(headings)]
+    heads = [layout.by_unit(layout.heading(each), _written(units_row, at)) for at, each in enumerate(headings)]
     with_unit = {each.name for at, each in enumerate(heads) if each.unit or _written(units_row, at)}
     preferred = _preferred(layout, heads, with_unit)
     names = [squeezed(each.name) if each.unit is None else "" for each in heads]
@@ -235,17 +235,6 @@ def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
 def _written(units_row: Sequence[str] | None, place: int) -> str | None:
     """Return the unit that a row of units has for a column, or None."""
     return (units_row[place].strip().strip("[]()").strip() or None) if units_row and place < len(units_row) else None
-
-
-def _by_unit(layout: Format, head: Heading, written: str | None) -> Heading:
-    """Return the heading that a short one such as "side" stands for, which its unit tells."""
-    symbol = unit_symbol(head.unit or written or "")
-    if symbol is None or layout.only_own or head.name not in BY_UNIT:
-        return head
-    if head.name in layout.own_names and not layout.all_columns:
-        return head
-    name = BY_UNIT[head.name].get(unit(symbol).dimension)
-    return head if name is None else head._replace(name=plain(name.replace("_", " ")), unit=symbol)
 
 
 def _places(known: Sequence[str], names: Sequence[str]) -> tuple[int, ...]:

@@ -11,8 +11,8 @@ from clubface.launch_monitor.cells import FACE_TO_PATH, SIDES, Heading, Side, he
 from clubface.tables import foreign_headings
 from clubface.tables.cells import is_number
 from clubface.tables.headings import HAND, LAUNCH_SYNONYMS, SECOND_CHOICE, SYNONYMS, shot_words
-from clubface.tables.spelling import bracketed, plain, squeezed, units_behind
-from clubface.units import parse_column_name
+from clubface.tables.spelling import bracketed, plain, squeezed, unit_symbol, units_behind
+from clubface.units import parse_column_name, unit
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
 POINTS = {
@@ -188,8 +188,18 @@ class Format:
     def heading(self, text: str) -> Heading:
         """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
         if (found := self._headings.get(text)) is None:
-            found = self._headings[text] = self._parts(text)
+            parts = self._parts(text)
+            found = self._headings[text] = self.by_unit(parts, parts.unit)
         return found
+
+    def by_unit(self, head: Heading, written: str | None) -> Heading:
+        """Return the heading that a short one such as "side" stands for, which its unit, as written, tells."""
+        is_own = head.name in self.own_names and not self.all_columns
+        if written is None or head.name not in BY_UNIT or is_own or self.only_own:
+            return head
+        symbol = unit_symbol(written)
+        name = BY_UNIT[head.name].get(unit(symbol).dimension) if symbol else None
+        return head if name is None else head._replace(name=plain(name.replace("_", " ")), unit=symbol)
 
     @cached_property
     def _headings(self) -> dict[str, Heading]:
@@ -210,9 +220,9 @@ class Format:
         if bracketed(text)[1] is None:
             words = "_".join(text.replace("-", "_").split())
             for spelled in (words, words.lower()):
-                short, unit = parse_column_name(spelled)
-                if unit is not None and (name := self._spelled(plain(short))) in self.names:
-                    return Heading(name, unit, None, name)
+                short, symbol = parse_column_name(spelled)
+                if symbol is not None and (name := self._spelled(plain(short))) in self.names:
+                    return Heading(name, symbol, None, name)
             for before, symbol in units_behind(text):
                 name = self._spelled(before)
                 if name in self.names or (name in BY_UNIT and not self.only_own):

@@ -304,6 +304,10 @@ class SessionReader:
             self._choose_columns(units_row, below)
             if units_row is not None:
                 return
+        elif sum(bool(each.strip()) for each in cells) > 1 and is_units_row(cells):
+            self._begin_table(self._header, self._header_line)  # the same columns in other units
+            self._choose_columns(cells, [])
+            return
         columns = self._columns
         assert columns is not None
         beyond = [cell for cell in cells[columns.width :] if cell.strip()]
@@ -520,6 +524,10 @@ class SessionReader:
             if not self._decimal_comma and PLAIN.fullmatch(cell):
                 values[row] = float(cell)
                 continue
+            if cell.rstrip()[-1:] in ("*", "†"):
+                cell = cell.rstrip().rstrip("*†")
+                name = shortened(column.heading, 40)
+                self.session.remarks.setdefault(f"numbers of {name} with a mark such as *, as of estimates, were read")
             try:
                 content = reading(cell, column.quantity, self._decimal_comma, column.side.sign)
             except CellError as error:

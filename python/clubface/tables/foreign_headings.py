@@ -59,7 +59,8 @@ _HEADINGS = {
     "side": """Seitenabweichung Carry|Écart latéral|Déviation latérale|Desviación lateral|Deviazione laterale
         |Sidavvikelse|左右ブレ|左右幅|左右偏差|横向偏差|橫向偏差|좌우 편차|좌우편차""",
     "apex": """Scheitelhöhe|Scheitelpunkt|Maximale Höhe|Max Höhe|Hauteur maximale|Hauteur max|Altura máxima
-        |Altezza massima|Maxhöjd|Maximal höjd|最高到達点|最高点|最大高さ|最高飞行高度|最大高度|최고점|최고 높이
+        |Altezza massima|Höhe|Flughöhe|Hauteur|Höjd
+        |Maxhöjd|Maximal höjd|最高到達点|最高点|最大高さ|最高飞行高度|最大高度|최고점|최고 높이
         |최대 높이""",
     "flight_time": """Flugzeit|Flugdauer|Temps de vol|Tiempo de vuelo|Tempo di volo|Flygtid|滞空時間|飞行时间
         |滞空时间|체공 시간|체공시간""",
