@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from captures import captured, deviations, errors
+from clubface.equipment.clubs import club
 from clubface.errors import FileError
 from clubface.motion_capture import read_c3d
+from clubface.motion_capture.checks import implausible
 from clubface.motion_capture.filled import filled
 from clubface.motion_capture.reduction import QUANTITIES
 from clubface.motion_capture.setup import prepare
@@ -223,6 +225,19 @@ def test_a_delivery_that_no_shot_has_stands_under_a_warning():
     assert "lie" in found.notes[0]
     assert found.document()["plausible"] is False
     assert captured(swing, cameras).plausible
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "deviation"),
+    [("speed", 80.0, 17.0), ("speed", 150.0, 1.0), ("path", 1.2, 0.01), ("loft", 1.0, 0.01), ("lie", -1.2, 0.01)],
+)
+def test_each_value_that_no_swing_has_and_a_speed_that_is_hardly_known_is_not_plausible(name, value, deviation):
+    driver = club("driver")
+    values = {"speed": 50.0, "path": 0.02, "loft": driver.loft + 0.05, "lie": 0.1}
+    deviations = dict.fromkeys(values, 0.01)
+    assert implausible(values, deviations, driver) == []
+    (said,) = implausible(values | {name: value}, deviations | {name: deviation}, driver)
+    assert said.startswith(f"{name} ")
 
 
 @pytest.mark.parametrize("later", [0, 1, 3])
