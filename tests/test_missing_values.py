@@ -10,6 +10,8 @@ import clubface
 from clubface import units
 from clubface.design.strokes import expected
 from clubface.errors import ClubfaceError, InputError
+from clubface.evaluation.noise import monitor_noise
+from clubface.identification.cost import noise_of
 from clubface.motion_capture.recording import Recording
 from clubface.recorded.shots import RecordedShots
 
@@ -157,6 +159,20 @@ def test_what_is_no_number_is_refused_with_the_name_of_the_argument(entry, conta
 def test_one_value_that_is_no_number_is_refused_with_its_name(entry, value):
     with pytest.raises(InputError, match="speed"):
         entry(value)
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        lambda: clubface.Hole(length="430"),
+        lambda: clubface.infer({"ball_speed": 60.0}, club="driver", noise={"backspin": "100"}),
+        lambda: monitor_noise({"backspin": "100"}),
+        lambda: noise_of(("backspin",), {"backspin": "80"}),
+    ],
+)
+def test_lengths_and_noise_as_digits_without_a_unit_are_refused(entry):
+    with pytest.raises(InputError, match="text with its unit"):
+        entry()
 
 
 def test_numbers_of_every_kind_are_numbers():

@@ -203,7 +203,7 @@ value = 0.4
         ('face = "2 deg"', 'face = "2 deg"\n[[correlation]]\nof = ["face", "speed"]\nvalue = 1.4', 10, "-1 and 1"),
         ('face = "2 deg"', f'face = "2 deg"\n{PAIR}{PAIR}', 12, "already"),
         ('face = "2 deg"', f'face = "2 deg"\n{PAIR.replace("speed", "loft")}', 9, "loft does not vary"),
-        ('face = "2 deg"', 'face = "1e200 deg"', None, "finite"),
+        ('face = "2 deg"', 'face = "1e200 deg"', None, "shots can have"),
         ('title = "x"', 'title = "a\\u001b[31m"', 1, "one line"),
         ('face = "2 deg"', 'face = "2 deg"\n[sources]\nspred.face = "me"', None, "spread"),
     ],
@@ -216,6 +216,18 @@ def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, told):
     with pytest.raises(FileError, match=told) as error:
         from_document(Document(text, "my.toml"), "x")
     assert line is None or f"my.toml, line {line}" in str(error.value) or f"my.toml:{line}" in str(error.value)
+
+
+@pytest.mark.parametrize("part", ["mean", "spread"])
+@pytest.mark.parametrize(
+    ("given", "name"),
+    [('attack = "1.3"', "attack"), ("attack = 2.3", "attack"), ('speed = "113"', "speed"), ("toe = 5.5", "toe")],
+)
+def test_a_number_in_degrees_or_miles_is_not_taken_for_si(part, given, name):
+    text = 'title = "x"\n[mean]\nspeed = "90 mph"\n[spread]\nface = "2 deg"\n'
+    text = text.replace('speed = "90 mph"\n', "") if name == "speed" and part == "mean" else text
+    with pytest.raises(FileError, match=rf":\d+: {name} is .*unit"):
+        from_document(Document(text.replace(f"[{part}]\n", f"[{part}]\n{given}\n"), "x.toml"), "x")
 
 
 def test_the_page_tells_what_rests_on_each_assumed_figure():

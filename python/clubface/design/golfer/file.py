@@ -40,6 +40,7 @@ from clubface import units
 from clubface.design.golfer.golfer import UNIT, Golfer
 from clubface.equipment.described import HANDS
 from clubface.errors import ClubfaceError, InputError
+from clubface.recorded.possible import can_be
 from clubface.simulation.delivery import OF_CLUB
 from clubface.support.checks import check_choice
 from clubface.support.shipped import beside, path_of
@@ -109,7 +110,13 @@ def _values(document: Document, part: str, variables: tuple[str, ...]) -> list[f
     found = []
     for name in variables:
         try:
-            found.append(units.parse(document.data[part].get(name, 0.0), OF_CLUB[name], name=name))
+            value = units.parse_one(given := document.data[part].get(name, 0.0), OF_CLUB[name], name)
+            # A spread so wide that two of them are no shot, such as 0.9 rad, was meant in another unit, too.
+            if value and not can_be(name, value if part == "mean" else 2.0 * abs(value)):
+                raise InputError(
+                    name, given, f"what shots can have, as text with its unit, such as {UNIT[OF_CLUB[name]]}"
+                )
+            found.append(value)
         except ClubfaceError as error:
             raise document.wrap(error, part) from error
     return found
