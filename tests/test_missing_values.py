@@ -165,12 +165,14 @@ def test_one_value_that_is_no_number_is_refused_with_its_name(entry, value):
     "entry",
     [
         lambda: clubface.Hole(length="430"),
+        lambda: clubface.club("driver").replace(bulge="305"),
+        lambda: clubface.ball().replace(mass="45.9"),
         lambda: clubface.infer({"ball_speed": 60.0}, club="driver", noise={"backspin": "100"}),
         lambda: monitor_noise({"backspin": "100"}),
         lambda: noise_of(("backspin",), {"backspin": "80"}),
     ],
 )
-def test_lengths_and_noise_as_digits_without_a_unit_are_refused(entry):
+def test_lengths_masses_and_noise_as_digits_without_a_unit_are_refused(entry):
     with pytest.raises(InputError, match="text with its unit"):
         entry()
 
