@@ -66,6 +66,13 @@ def test_the_other_shot_keeps_what_it_does_not_change(tmp_path):
     assert found["total_other"][0] == pytest.approx(flown(parameters={"friction": 0.4}, air=air, ground=ground).total)
 
 
+def test_the_other_shot_keeps_the_crosswind_of_a_wind_that_is_given_as_a_list(tmp_path):
+    table = BASE + 'model = "area"\noutputs = ["total"]\nwind = ["1 m/s", "0 m/s", "4 m/s"]\n'
+    found = computed(tmp_path, "comparison", table + 'other.wind = { wind_x = "5 m/s" }', 'humidity = ["10 %"]')
+    expected = flown(air={"humidity": "10 %"}, wind=("5 m/s", "0 m/s", "4 m/s")).total
+    assert found["total_other"][0] == pytest.approx(expected, rel=1e-12)
+
+
 def test_a_set_of_parameters_beside_a_swept_parameter_is_refused_in_the_other_shot(tmp_path):
     table = BASE + 'model = "area"\noutputs = ["total"]\nother = { parameters = "p1-2021" }'
     with pytest.raises(FileError, match=r"other.parameters is 'p1-2021'; .* friction is swept"):
