@@ -190,8 +190,7 @@ def _refuse_no_table(path: Path) -> None:
 
 
 def _rows(rows: RowSource) -> Iterator[Row | Reject]:
-    while (row := rows.next()) is not None:
-        yield row
+    return iter(rows.next, None)
 
 
 def _session(

@@ -237,8 +237,8 @@ class SessionReader:
             if (
                 columns
                 and len(cells) == columns.width
-                and cells[columns.first].lstrip()[:1] in _NUMERIC
-                and (columns.club or not cells[columns.first][-1:].isalpha())
+                and (first := cells[columns.first].lstrip())[:1] in _NUMERIC
+                and (columns.club or not first[-1:].isalpha())
             ):
                 self._block.append(cells)
                 self._lines.append(line)
