@@ -9,6 +9,7 @@ import pytest
 from clubface import fem
 from clubface.errors import ClubfaceError, FileError, MeshWarning
 from clubface.fem.heads import Group, MeshHead
+from clubface.fem.heads.places import spread
 from fem_meshes import (
     FACE,
     FORMATS,
@@ -530,3 +531,21 @@ def test_a_solid_or_a_cad_file_says_what_to_do(tmp_path):
     path.write_text("ISO-10303-21;\n")
     with pytest.raises(FileError, match="a CAD file without a mesh"):
         read(path)
+
+
+def test_a_point_mass_on_the_wall_leaves_mass_cg_and_inertia_of_the_head_exact_and_the_face_as_it_is():
+    head = coarse_head()
+    quad = head.quads[int(np.argmin(head.nodes[head.quads].mean(axis=1)[:, 0]))]  # the rearmost
+    point, mass = head.nodes[quad].mean(axis=0), 0.012
+    metal = np.full(len(head.nodes), 0.18 / len(head.nodes))
+    face = np.unique(head.quads[: head.parts[0].elements])
+    added = spread({"weight": (*point, mass)}, head.nodes, metal, face).added
+    places, masses = np.vstack([head.nodes, point]), np.append(metal, mass)
+
+    def body(masses, places):
+        cg = masses @ places / masses.sum()
+        return masses.sum(), cg, (masses[:, None] * (places - cg)).T @ (places - cg)
+
+    for one, other in zip(body(metal + added, head.nodes), body(masses, places), strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-9)  # kg, m and kg m2: rounding
+    assert not added[face].any()
