@@ -104,8 +104,15 @@ def test_text_in_any_unit_comes_back_from_si(symbol, number):
 
 def test_a_bare_number_is_si():
     assert units.parse(50, "speed") == 50.0
-    assert units.parse("50", "speed") == 50.0
     assert units.parse(np.float32(0.5), "angle") == 0.5
+
+
+@pytest.mark.parametrize("text", ["50", "-1.3", "1e3"])
+def test_digits_as_text_need_a_unit_unless_they_are_zero_or_count(text):
+    with pytest.raises(InputError, match="unit"):
+        units.parse(text, "speed")
+    assert units.parse(text, units.DIMENSIONLESS) == float(text)
+    assert units.parse("0", "speed") == 0.0
 
 
 @pytest.mark.parametrize("text", ["-1.3deg", "−1.3 deg", " -1.3   deg ", "-13e-1 °", "-1.3degrees"])

@@ -58,7 +58,7 @@ class Hole:
 
     def __post_init__(self) -> None:
         for name in ("length", "fairway", "rough", "green"):
-            value = units.parse_one(getattr(self, name), "length", name)
+            value = units.parse(getattr(self, name), "length", name=name)
             least = "above 0" if name == "length" else "from 0"
             if not 0.0 <= value <= LONGEST or (name == "length" and value == 0.0):
                 raise InputError(name, units.show(value, "m"), f"{least} to {LONGEST:g} m")

@@ -114,7 +114,7 @@ def set_si(subject: Any, properties: Properties) -> None:
         if value is None and not each.required:
             continue
         flat = key in ("bulge", "roll") and (value == FLAT or value == math.inf)
-        number = math.inf if flat else units.parse_one(value, each.dimension, key)
+        number = math.inf if flat else units.parse(value, each.dimension, name=key)
         object.__setattr__(subject, key, number)
     hand = getattr(subject, "hand", None)
     if isinstance(hand, str):

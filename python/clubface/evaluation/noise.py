@@ -32,7 +32,7 @@ def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str
     found = {}
     for name, value in (given or {}).items():
         check_choice(f"quantity of {what}", name, dimensions)
-        found[name] = units.parse_one(value, dimensions[name], f"{what} {name}")
+        found[name] = units.parse(value, dimensions[name], name=f"{what} {name}")
         if found[name] < 0.0:
             raise InputError(f"{what} {name}", value, "a standard deviation, not negative")
     return found

@@ -142,7 +142,7 @@ def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None
         told = given.get(name, NOISE.get(name))
         if told is None:
             raise InputError(f"noise of {name}", None, "give it, since no default noise is known for this quantity")
-        value = units.parse_one(told, outputs()[name].dimension, f"noise of {name}")
+        value = units.parse(told, outputs()[name].dimension, name=f"noise of {name}")
         if not 0.0 < value < np.inf:
             raise InputError(f"noise of {name}", told, "positive")
         found.append(value)

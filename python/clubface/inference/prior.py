@@ -74,7 +74,7 @@ class Prior:
         for name in self.mean:
             check_choice("quantity of a delivery", name, OF_CLUB)
         for part in ("mean", "deviation"):
-            values = {name: units.parse_one(each, OF_CLUB[name], name) for name, each in getattr(self, part).items()}
+            values = {name: units.parse(each, OF_CLUB[name], name=name) for name, each in getattr(self, part).items()}
             object.__setattr__(self, part, values)
         for name in self.mean:
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):

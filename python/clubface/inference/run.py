@@ -262,7 +262,7 @@ def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     dimensions = {**_DIMENSIONS, **SPIN_DIMENSIONS}
     check_names("launch value", launch, dimensions)
     given = {
-        name: units.parse_one(value, dimensions[name], name) for name, value in launch.items() if value is not None
+        name: units.parse(value, dimensions[name], name=name) for name, value in launch.items() if value is not None
     }
     if TOTAL in given or AXIS in given:
         given |= _parts({name: given.pop(name) for name in SPINS if name in given})
@@ -288,7 +288,9 @@ def _measured_club(delivery: Mapping[str, Any]) -> dict[str, float]:
     if not isinstance(delivery, Mapping):
         raise InputError("delivery", delivery, 'a mapping of what was measured, as in {"speed": "110 mph"}')
     check_names("delivery value", delivery, OF_CLUB)
-    given = {name: units.parse_one(value, OF_CLUB[name], name) for name, value in delivery.items() if value is not None}
+    given = {
+        name: units.parse(value, OF_CLUB[name], name=name) for name, value in delivery.items() if value is not None
+    }
     if not given.get("speed", 1.0) > 0.0:
         raise InputError("speed", given["speed"], "positive")
     return {name: given[name] for name in OF_CLUB if name in given}

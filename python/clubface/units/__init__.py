@@ -61,10 +61,13 @@ def symbols(dimension: str | None = None) -> tuple[str, ...]:
 def parse(value: object, dimension: str, *, name: str = "value") -> float:
     """Convert ``"108 mph"``, ``"2 deg"`` or a bare SI number to a finite float in SI.
 
+    Text needs its unit: it comes from a file or a command, where a number without one is rarely meant in SI. Only 0 and
+    what has no dimension go without.
+
     Parameters
     ----------
     value
-        Text with a unit, text without one (SI), or a real number (SI).
+        Text with a unit, or a real number (SI).
     dimension
         One of ``SI_UNITS``: ``"speed"``, ``"angle"``, ``"length"``, ...
     name
@@ -87,6 +90,8 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
         if symbol:
             found = _unit(symbol, dimension, name, value)
             number = number * found.numerator / found.denominator + found.offset
+        elif number and SI_UNITS[dimension] != "1":
+            raise InputError(name, value, f"a number with its unit: {' or '.join(symbols(dimension))}")
     elif isinstance(value, bool) or not hasattr(value, "__float__") or _kind(value) not in "iuf":
         raise InputError(name, value, _wanted(dimension))
     else:
@@ -143,7 +148,7 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
     numbers, objects and digits as text without a unit are refused.
     """
     if isinstance(value, str) or not hasattr(value, "__len__"):
-        return parse_one(value, dimension, name)
+        return parse(value, dimension, name=name)
     import numpy as np
 
     from clubface.support.memory import check_request
@@ -200,15 +205,7 @@ def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) 
 
 def _parse_element(value: Any, dimension: str, name: str) -> float:
     """Convert one value of many; infinity passes, since its row is reported with the batch."""
-    return float(value) if isinstance(value, float) else parse_one(value, dimension, name)
-
-
-def parse_one(value: Any, dimension: str, name: str) -> float:
-    """Convert as :func:`parse` does, but refuse digits that come as text without a unit, as from a file."""
-    found = parse(value, dimension, name=name)
-    if isinstance(value, str) and found and SI_UNITS[dimension] != "1" and not _split(value)[1]:
-        raise InputError(name, value, f"a number, or text with its unit: {' or '.join(symbols(dimension))}")
-    return found
+    return float(value) if isinstance(value, float) else parse(value, dimension, name=name)
 
 
 def numbers(values: Any, *, name: str) -> NDArray[Any]:

@@ -110,7 +110,7 @@ def _values(document: Document, part: str, variables: tuple[str, ...]) -> list[f
     found = []
     for name in variables:
         try:
-            value = units.parse_one(given := document.data[part].get(name, 0.0), OF_CLUB[name], name)
+            value = units.parse(given := document.data[part].get(name, 0.0), OF_CLUB[name], name=name)
             # A spread so wide that two of them are no shot, such as 0.9 rad, was meant in another unit, too.
             if value and not can_be(name, value if part == "mean" else 2.0 * abs(value)):
                 raise InputError(
