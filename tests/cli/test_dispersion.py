@@ -113,7 +113,7 @@ def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_pat
 @pytest.mark.parametrize(
     ("mean", "words"),
     [
-        ('lie = "120 deg"', "lie: 120 deg"),
+        ('lie = "120 deg"', "120 deg"),
         ('speed = "95 m"', "robot.toml:3"),
         ('toe = "9 cm"', "toe: impact at 90.0"),
     ],

@@ -40,13 +40,17 @@ def parsed(option: str, text: str, dimension: str) -> float:
     A number without a unit is said to be taken so. One that no shot has in SI was meant in another unit, which is asked
     for.
     """
-    value = units.parse(text, dimension, name=option)
-    if text.strip()[-1:] not in "0123456789." or value == 0.0 or dimension == units.DIMENSIONLESS:
+    number = text.strip()
+    has_unit = number[-1:] not in "0123456789."
+    try:
+        value = units.parse(text if has_unit else float(number), dimension, name=option)
+    except ValueError:
+        value = units.parse(text, dimension, name=option)  # which says what is wrong with it
+    if has_unit or value == 0.0 or dimension == units.DIMENSIONLESS:
         return value
     si = units.SI_UNITS[dimension]
     least, most, unit = USUAL_OF.get(option) or USUAL.get(dimension) or (0.0, math.inf, si)
     if not least <= abs(value) <= most:
-        number = text.strip()
         raise ClubfaceError(
             f'{option} {number} has no unit; give it, as in {option} "{number} {unit}": a number alone is in {si}'
         )
