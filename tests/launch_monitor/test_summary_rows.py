@@ -127,3 +127,11 @@ def test_a_row_whose_numbers_are_averages_is_no_shot_whatever_it_is_called(write
         assert_left_out(shots)
     shot = f"{label},101,148,11.2,2600,231"
     assert len(launch_monitor.read(write(head + "\n".join([*rows, shot]) + "\n"))) == 4
+
+
+def test_a_summary_in_a_column_of_remarks_is_seen_though_some_shots_have_no_remark(write):
+    speeds, remarks = (100.0, 98.0, 103.0, 101.0, 99.0), ("windy", "", "low", "high", "windy")
+    rows = [f"Driver,{speed},{each},{1.47 * speed:.1f}" for speed, each in zip(speeds, remarks, strict=True)]
+    rows.append(f",{sum(speeds) / 5:.2f},Average,{1.47 * sum(speeds) / 5:.1f}")
+    shots = launch_monitor.read(write("\n".join(["Club,Club Speed (mph),Remark,Ball Speed (mph)", *rows]) + "\n"))
+    assert len(shots) == 5

@@ -143,10 +143,15 @@ def summary_rows(
         return certain  # a mark that so many shots have
     uncounted = _uncounted(labels, cells)
     unnamed = _unnamed(labels, cells) - certain - possible.keys()
-    is_shot = np.ones(len(next(iter(values.values()))), dtype=bool)
-    is_shot[[*certain, *possible, *unnamed]] = False
+    may_be_shot = np.ones(len(next(iter(values.values()))), dtype=bool)
+    may_be_shot[[*certain, *possible]] = False
+    is_shot = may_be_shot.copy()
+    is_shot[[*unnamed]] = False
     for row, kind in possible.items():
-        if row not in certain and (row in uncounted or _sums_up(row, kind, is_shot, values)):
+        # A remark that most shots have, and some lack, makes those no less shots.
+        if row not in certain and (
+            row in uncounted or any(_sums_up(row, kind, each, values) for each in (is_shot, may_be_shot))
+        ):
             certain.add(row)
     return certain | {
         row for row in unnamed if any(_sums_up(row, kind, is_shot, values, closely=True) for kind in (MEAN, DEVIATION))
