@@ -130,8 +130,8 @@ def test_a_row_whose_numbers_are_averages_is_no_shot_whatever_it_is_called(write
 
 
 def test_a_summary_in_a_column_of_remarks_is_seen_though_some_shots_have_no_remark(write):
-    speeds, remarks = (100.0, 98.0, 103.0, 101.0, 99.0), ("windy", "", "low", "high", "windy")
+    speeds, remarks = (90.0, 91.0, 105.0, 92.0, 106.0, 93.0, 107.0), ("windy", "low", "", "high", "", "windy", "")
     rows = [f"Driver,{speed},{each},{1.47 * speed:.1f}" for speed, each in zip(speeds, remarks, strict=True)]
-    rows.append(f",{sum(speeds) / 5:.2f},Average,{1.47 * sum(speeds) / 5:.1f}")
+    rows.append(f",{sum(speeds) / 7:.2f},Average,{1.47 * sum(speeds) / 7:.1f}")
     shots = launch_monitor.read(write("\n".join(["Club,Club Speed (mph),Remark,Ball Speed (mph)", *rows]) + "\n"))
-    assert len(shots) == 5
+    assert len(shots) == 7
