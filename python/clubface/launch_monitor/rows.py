@@ -215,6 +215,8 @@ class SessionReader:
         self._header_line: int | None = 0
         self._block: list[Sequence[str]] = []
         self._lines: list[int] = []
+        headings = {"date": layout.date, "player": layout.player, "club": layout.club}
+        self._keys = {squeezed(plain(each)): key for key, names in headings.items() for each in names}
         self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
         self._player = self._club = self._date = ""
         self._above: Sequence[str] = ()
@@ -345,9 +347,7 @@ class SessionReader:
 
     def _key(self, text: str) -> str:
         """Return what a heading is of: "club", "player", "date", or "" for anything else."""
-        name = squeezed(plain(text))
-        known = {"club": self._layout.club, "player": self._layout.player, "date": self._layout.date}
-        return next((key for key, names in known.items() if name in {squeezed(plain(each)) for each in names}), "")
+        return self._keys.get(squeezed(plain(text)), "")
 
     def _take_name(self, key: str, name: str) -> bool:
         """Take a club, player or date for the shots below; return whether it is one."""
