@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import time
 import tracemalloc
+import unicodedata
 import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
@@ -53,7 +54,7 @@ def finding(name: str, path: Path, *, measure: bool = False) -> str | None:
             READERS[name].read(path)
     except ClubfaceError as error:
         text = str(error)
-        if not text.isprintable() or len(text) > LONGEST:
+        if any(unicodedata.category(each)[0] == "C" or each in "\u2028\u2029" for each in text) or len(text) > LONGEST:
             return f"message of {len(text)} characters: {text[:200]!r}"
     except TooLongError:
         return f"longer than {SECONDS:g} s"
