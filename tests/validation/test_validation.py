@@ -12,7 +12,18 @@ from clubface import measurements, units
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, UnknownNameError
 from clubface.tour.averages import averages
-from clubface.validation import Figure, at_launch, deliveries, directions, irons, optimum, plates, strikes, tables, validate
+from clubface.validation import (
+    Figure,
+    at_launch,
+    deliveries,
+    directions,
+    irons,
+    optimum,
+    plates,
+    strikes,
+    tables,
+    validate,
+)
 from clubface.validation.catalogue import CHECKS
 from clubface.validation.check import Judged, figure
 from clubface.validation.run import summary
