@@ -23,6 +23,9 @@ ROWS = HEAD + "".join(f"{i},{90 + i % 30},1,13,{i % 7}\n" for i in range(400))
 def full(tmp_path, monkeypatch):
     """A disk with a file of deliveries and one of launches, on which no new file may be longer than 600 bytes."""
     monkeypatch.chdir(tmp_path)
+    # Python would keep the first 600 bytes of what it compiles now, and fail on them in every later test.
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
     Path("in.csv").write_text(ROWS)
     Path("launches.csv").write_text("club,ball_speed_mph,launch_deg,carry_yd\n" + "Driver,150,12,240\n" * 20)
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)

@@ -91,7 +91,7 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
             found = _unit(symbol, dimension, name, value)
             number = number * found.numerator / found.denominator + found.offset
         elif number and SI_UNITS[dimension] != "1":
-            raise InputError(name, value, f"a number with its unit: {' or '.join(symbols(dimension))}")
+            raise InputError(name, value, f"a number, or text with its unit: {' or '.join(symbols(dimension))}")
     elif isinstance(value, bool) or not hasattr(value, "__float__") or _kind(value) not in "iuf":
         raise InputError(name, value, _wanted(dimension))
     else:
