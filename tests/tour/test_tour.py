@@ -5,7 +5,6 @@ import dataclasses
 import io
 import json
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,6 +14,7 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
+from clubface.simulation import launch_conditioned
 from clubface.tour import report, solved_loft, tables as tour_tables, tour as job
 from clubface.tour.averages import averages
 from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio, spin_ratio_of
@@ -107,32 +107,11 @@ def test_each_model_is_delivered_with_its_own_loft_and_not_with_anothers(result)
     assert result.errors("standard")["launch"][index] > math.radians(1.5)
 
 
-class TiltedLaunches:
-    """Stands for a slow model: its launch angle follows attack and loft, and it counts how often it is asked."""
-
-    def __init__(self):
-        self.asked = 0
-
-    def __call__(self, club, *, loft, attack, **_):
-        self.asked += 1
-        return SimpleNamespace(launch=attack + 0.7 * (loft - attack) - 0.2 * (loft - attack) ** 2)
-
-
-def test_a_model_that_takes_long_is_asked_a_few_times_only(monkeypatch):
-    launches = TiltedLaunches()
-    monkeypatch.setattr(solved_loft, "impact", launches)
-    loft = solved_loft.solve_loft("7-iron", 40.0, math.radians(-4.0), math.radians(16.0), model="fem")
-    wanted = math.radians(20.0)
-    # 0.7 x - 0.2 x^2 = 20 degrees; the resolution over the slope there.
-    assert loft - math.radians(-4.0) == pytest.approx((0.7 - math.sqrt(0.49 - 0.8 * wanted)) / 0.4, abs=4e-5)
-    assert launches.asked <= 7
-
-
 def test_the_finite_elements_get_a_loft_of_their_own_too():
     iron = next(each for each in averages("pga-2019") if each.club == "7-iron")
     loft = solved_loft.solve_loft("7-iron", iron.club_speed, iron.attack, iron.launch, model="fem")
     shot = clubface.impact("7-iron", speed=iron.club_speed, attack=iron.attack, loft=loft, model="fem")
-    assert shot.launch == pytest.approx(iron.launch, abs=2 * solved_loft.COARSE_RESOLUTION)
+    assert shot.launch == pytest.approx(iron.launch, abs=2 * launch_conditioned.COARSE_RESOLUTION)
 
 
 def test_progress_tells_of_every_club():
