@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 import clubface
 from clubface import benchmark_data, units
-from clubface.benchmark_data.recipe import recipe
+from clubface.benchmark_data.recipe import HEADS, recipe
 from clubface.equipment.balls import published_ball
 from clubface.evaluation.contradictions import contradictions
 from clubface.evaluation.published_accuracy import published
 from clubface.measured.shots import QUANTITIES
+from clubface.support.arrays import Floats
 
 MEAN_DELIVERY = ("speed", "attack", "loft")
 
@@ -46,7 +49,7 @@ class LayerSpinTable(CoreTable):
         columns: dict[str, list[float]] = {}
         for club in benchmark_data.CLUBS:
             history = clubface.history(
-                club, mean_delivery(club), model="volumetric", accuracy=1e-10, ball=published_ball()
+                HEADS[club], mean_delivery(club), model="volumetric", accuracy=1e-10, ball=published_ball()
             )
             of = published()["volumetric", club]
             columns[club] = [history.launch.total_spin]
@@ -73,7 +76,9 @@ class AreaReadings(CoreTable):
         ):
             row = [words]
             for club in benchmark_data.CLUBS:
-                shot = clubface.impact(club, mean_delivery(club), model="area", ball=published_ball(), **of(club))
+                shot = clubface.impact(
+                    HEADS[club], mean_delivery(club), model="area", ball=published_ball(), **of(club)
+                )
                 row += [
                     f"{shot.get('launch', 'deg'):.1f}", f"{shot.get('backspin', 'rpm'):.0f}",
                     f"{shot.get('contact_time', 'us'):.0f}",
@@ -85,8 +90,43 @@ class AreaReadings(CoreTable):
         return markdown_table(["parameters", *heads], rows)
 
 
+class DriverCgReadings(CoreTable):
+    """``{driver-cg-readings}``: readings of the published places of a driver's CG, in the frame of the club."""
+
+    IN_FRAME_OF_FACE = np.array([42.3, -2.9])
+    """From the CG to the face centre, along and up the face [mm]: the vector of Danaei and co-workers reversed."""
+    NOMINAL = (np.array([35.0, 4.0]), math.radians(10.0))
+    """Vector in the frame of the club [mm] and loft of the nominal driver of McNally and co-workers (2016)."""
+
+    def table(self) -> list[str]:
+        """One row a reading."""
+        printed = clubface.club("driver-as-printed")
+        vector, loft, up = 1e3 * np.array(printed.cg)[:2], printed.loft, self.IN_FRAME_OF_FACE
+        down = up * (1.0, -1.0)
+        readings = (
+            ("Caldwell and McPhee (2023), as printed", vector, loft),
+            ("Danaei and co-workers (2020), y up, turned once", turned(up, loft), loft),
+            ("the same, turned twice", turned(up, 2.0 * loft), loft),
+            ("y down, turned once", turned(down, loft), loft),
+            ("y down, turned by 11.7 degrees", turned(down, math.radians(11.7)), loft),
+            ("McNally and co-workers (2016), frame of the club", *self.NOMINAL),
+        )
+        rows = []
+        for words, (x, y), angle in readings:
+            above = x * math.sin(angle) - y * math.cos(angle)
+            rows.append([words, f"({x:.1f}, {y:.1f})", f"{math.hypot(x, y):.2f}", f"{above:+.1f}"])
+        return markdown_table(["reading", "CG to face centre, mm", "length, mm", "CG above the normal, mm"], rows)
+
+
+def turned(vector: Floats, angle: float) -> Floats:
+    """Return a vector turned upwards by an angle [rad]."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.array([[cosine, -sine], [sine, cosine]]) @ vector
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
+    app.add_directive("driver-cg-readings", DriverCgReadings)
     app.add_directive("contradictions", Contradictions)
     app.add_directive("layer-spins", LayerSpinTable)
     app.add_directive("area-readings", AreaReadings)

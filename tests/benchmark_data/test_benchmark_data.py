@@ -14,7 +14,7 @@ pytest.importorskip("pyarrow")
 
 from clubface import benchmark_data
 from clubface.benchmark_data import generate, impacts, measured, swings
-from clubface.benchmark_data.recipe import CLUBS, FOLDER, recipe
+from clubface.benchmark_data.recipe import CLUBS, FOLDER, HEADS, recipe
 
 MPH, RPM, DEG = units.parse("1 mph", "speed"), math.pi / 30, math.pi / 180
 SHOTS = {"driver": 550, "7-iron": 120}
@@ -47,7 +47,7 @@ def test_the_recipe_gives_the_shipped_files_bit_for_bit(club):
 
 def test_there_are_as_many_shots_as_were_published_and_nothing_is_missing(club, shots):
     assert len(shots) == len(shots.truth) == SHOTS[club]
-    assert set(shots.measured.clubs) == {club}
+    assert set(shots.measured.clubs) == {HEADS[club]}
     for table in (shots.measured, shots.truth):
         assert set(table.deliveries) == set(recipe(club).delivery)
         assert all(np.isfinite(each).all() for each in (table.deliveries | table.launches).values())
@@ -117,7 +117,7 @@ def test_damping_gives_the_restitution_it_was_made_for(name):
 
 
 def test_the_shaft_moves_mass_centre_and_inertia_as_two_bodies_have_them(club):
-    of, head = recipe(club), clubface.club(club)
+    of, head = recipe(club), clubface.club(HEADS[club])
     both = impacts.with_shaft(of)
     assert both.mass == pytest.approx(head.mass + of.shaft_mass, rel=1e-15)
     shift = np.array([getattr(head, f"cg_{x}") - getattr(both, f"cg_{x}") for x in "xyz"])

@@ -315,7 +315,7 @@ def test_eta_in_thousandths_is_a_reading_that_is_flagged_and_never_the_default(c
 @pytest.mark.parametrize(
     ("club", "delivery", "spin"),
     [
-        ("driver", ("111.65 mph", "0.8 deg", "16.2 deg"), 14600),
+        ("driver-as-printed", ("111.65 mph", "0.8 deg", "16.2 deg"), 14600),
         ("7-iron", ("88.95 mph", "-5.5 deg", "25.65 deg"), 39700),
     ],
 )

@@ -45,7 +45,11 @@ def test_the_identified_parameters_have_the_errors_stored(club):
     shots, found = benchmark_data.load(club), FOUND["clubs"][club]
     for model in FOUND["models"]:
         launch = clubface.impact(
-            club, shots.measured.deliveries, model=model, parameters=parameters(club, model), ball=published_ball()
+            shots.head,
+            shots.measured.deliveries,
+            model=model,
+            parameters=parameters(club, model),
+            ball=published_ball(),
         )
         cost = 0.0
         for name in QUANTITIES:
@@ -75,7 +79,7 @@ def test_models_on_their_own_shots_have_the_cost_stored_and_the_true_values_of_t
         assert found["shots"] == len(own)
         delivery = {name: values[own] for name, values in shots.measured.deliveries.items()}
         values = study._parameters(club, model, found)
-        launch = clubface.impact(club, delivery, model=model, parameters=values, ball=published_ball())
+        launch = clubface.impact(shots.head, delivery, model=model, parameters=values, ball=published_ball())
         measured = {name: shots.measured.launches[name][own] for name in QUANTITIES}
         cost = sum(np.abs(getattr(launch, name) - measured[name]).mean() / np.abs(measured[name]).mean()
                    for name in QUANTITIES)  # fmt: skip
@@ -99,9 +103,9 @@ def test_one_set_for_all_clubs_has_the_errors_stored(model):
     # Parameters of nine digits; the errors are differences of numbers a hundred times larger. In a contact model the
     # tenth digit can move a step through contact, and its launch is computed to 1e-4.
     contact = clubface.models()[model].kind == "contact"
-    assert found["lofts"] == pytest.approx(lofts, abs=2e-5 if contact else 1e-8)
+    assert found["lofts"] == pytest.approx(lofts, abs=5e-5 if contact else 1e-8)
     for name in ("ball_speed", "spin"):
-        closely = 3e-4 if contact else 1e-7
+        closely = 1e-3 if contact else 1e-7
         assert found["errors"][name] == pytest.approx(errors[name], abs=closely * np.abs(errors[name]).max())
 
 
@@ -116,7 +120,9 @@ def test_the_sentences_on_one_set_for_all_clubs_are_those_of_the_fits():
     errors = FOUND["tour"]["rings"]["errors"]
     (largest,) = says(r"that of `rings` is up to (\d+) rpm off")
     assert np.abs(errors["spin"]).max() / RPM == pytest.approx(largest, abs=5)
-    assert FOUND["tour"]["rings"]["clubs"][int(np.argmax(np.abs(errors["ball_speed"])))] == "driver"
+    speeds = dict(zip(FOUND["tour"]["rings"]["clubs"], errors["ball_speed"], strict=True))
+    assert sorted(speeds, key=lambda club: abs(speeds[club]))[-2:] == ["driver", "pitching-wedge"]
+    assert speeds["driver"] < 0.0 < speeds["5-iron"]
 
 
 def test_the_sentences_on_azimuth_and_sidespin_are_those_of_the_budget():

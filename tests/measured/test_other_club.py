@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.equipment.clubs import CLUB_NAMES
+from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.errors import InputError, UnknownNameError
 from clubface.inference.prior import prior_of
 from clubface.measured.other_club import check_club
 
 
-@pytest.mark.parametrize("name", CLUB_NAMES)
+@pytest.mark.parametrize("name", TOUR_CLUBS)
 def test_a_tour_players_own_club_is_never_another(name):
     """The loft that gives the published launch angle: up to 13 degrees less than the static one (9-iron)."""
     club = clubface.club(name)
@@ -20,7 +20,7 @@ def test_a_tour_players_own_club_is_never_another(name):
     assert check_club(club, [name], np.full(5, loft)) == []
 
 
-@pytest.mark.parametrize("name", CLUB_NAMES)
+@pytest.mark.parametrize("name", TOUR_CLUBS)
 def test_the_benchmarks_drives_and_7_irons_are_told_apart(name):
     """Their median dynamic lofts are 17.4 and 25.2 degrees."""
     pytest.importorskip("pyarrow")

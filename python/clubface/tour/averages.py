@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from clubface import measurements
-from clubface.equipment.clubs import CLUB_NAMES
+from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.measurements import PublishedTable
 from clubface.support.checks import check_choice
 
@@ -45,7 +45,7 @@ def averages(table: str = DEFAULT_TABLE) -> list[Average]:
     """Return the rows of a table of ``TABLES``, driver to pitching wedge, for which there is a built-in club."""
     found = published_table(table)
     rows = zip(*(found[name].tolist() for name in Average._fields), strict=True)
-    return [row for row in map(Average._make, rows) if row.club in CLUB_NAMES]
+    return [row for row in map(Average._make, rows) if row.club in TOUR_CLUBS]
 
 
 def published_lofts(table: str) -> dict[str, float]:
