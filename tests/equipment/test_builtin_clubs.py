@@ -67,8 +67,11 @@ def test_the_conforming_ball_breaks_no_rule_and_is_a_uniform_sphere():
 
 def test_there_is_a_club_for_every_row_of_the_tour_averages():
     assert tuple(measurements.table("pga-2023")["club"]) == TOUR_CLUBS
-    assert tuple(club(name).name for name in CLUB_NAMES) == CLUB_NAMES
-    assert {club(name).name for name in CLUB_NAMES} == set(shipped.builtin_names("clubs"))
+
+
+def test_a_built_in_club_is_named_as_its_file():
+    assert [club(name).name for name in CLUB_NAMES] == list(CLUB_NAMES)
+    assert sorted(CLUB_NAMES) == list(shipped.builtin_names("clubs"))
 
 
 @pytest.mark.parametrize("name", CLUB_NAMES)
@@ -103,7 +106,7 @@ def test_woods_follow_the_scaling_rules_their_files_state(name, loft, volume):
     assert np.array(wood.inertia) == pytest.approx(scaled, rel=SIX_DIGITS)
 
 
-@pytest.mark.parametrize("name", [name for name in CLUB_NAMES if "iron" in name or "wedge" in name])
+@pytest.mark.parametrize("name", [name for name in TOUR_CLUBS if "iron" in name or "wedge" in name])
 def test_irons_follow_the_scaling_rules_their_files_state(name):
     seven, iron = club("7-iron"), club(name)
     steps = (10 if "wedge" in name else int(name[0])) - 7

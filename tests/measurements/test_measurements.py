@@ -75,6 +75,9 @@ FIGURES = [  # Typed again by hand from the sources as quoted: table, row, colum
     ("head-danaei-2020", 0, "iyy", "g cm2", 5679),
     ("heads-irons-2022-2026", 0, "inertia_vertical", "g cm2", 2830),  # Maltby M980 ...
     ("heads-irons-2022-2026", 0, "cg_height", "in", 0.72),  # ... 0.779 less 0.059 inches
+    ("heads-means-drivers", 2, "inertia_vertical", "g cm2", 4500),  # 2020
+    ("heads-means-cg", 0, "height", "mm", 31),  # drivers
+    ("head-hybrid-2009", 0, "mass", "g", 242.6),
     ("ball-limits", 0, "mass_most", "g", 45.93),
     ("head-inertia-limit", 0, "inertia_most", "g cm2", 5900),
     ("head-volume-limit", 0, "volume_most", "cm3", 460),

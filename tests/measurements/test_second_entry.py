@@ -21,7 +21,7 @@ DIGESTS = {
     "clubs/driver.toml": "1a90914c",
     "measurements/averages.toml": "c5c8c525",
     "measurements/ball.toml": "b4afb422",
-    "measurements/club-heads.toml": "512e67f9",
+    "measurements/club-heads.toml": "96a8adfe",
     "measurements/heads-irons-2022-2026.csv": "b249cd9c",
     "measurements/launches.toml": "059aab97",
     "measurements/lpga-2019.csv": "acc1d46c",

@@ -8,15 +8,12 @@ import typer
 
 from clubface import units
 from clubface.cli import options, output
-from clubface.cli.tables import print_numbers, print_words
+from clubface.cli.tables import print_words
 from clubface.support.warning import without_warnings
 
 app = typer.Typer(add_completion=False)
 
-_COLUMNS = {
-    "mass": "mass\ng", "loft": "loft\ndeg", "iyy": "MOI\ng cm2", "cg_x": "CG to face\nx, mm", "cg_y": "\ny, mm",
-    "cg_z": "\nz, mm", "bulge": "bulge\nmm", "roll": "roll\nmm",
-}  # fmt: skip
+_HEADS = ["club", "loft\ndeg", "mass\ng", "MOI\ng cm2", "CG\nbehind\nface\nmm", "CG\nabove\nnormal\nmm", "what it is"]
 
 
 @app.command()
@@ -26,9 +23,9 @@ def clubs(
     ] = None,
     as_json: options.Json = False,
 ) -> None:
-    """List the built-in clubs and balls, or show one club with the source of every value."""
+    """List the built-in clubs by kind, and the balls, or show one club with the source of every value."""
     from clubface.equipment.balls import ball_names
-    from clubface.equipment.clubs import CLUB_NAMES, Ball, club
+    from clubface.equipment.clubs import CATEGORIES, CLUB_NAMES, TOUR_CLUBS, Ball, club
 
     if name is not None:
         found = club(name)
@@ -37,14 +34,24 @@ def clubs(
         else:
             print_club(found)
         return
-    heads = [club(each) for each in CLUB_NAMES]
+    heads = sorted(map(club, CLUB_NAMES), key=lambda each: (each.name not in TOUR_CLUBS, each.loft))
     with without_warnings():
         balls = [Ball.builtin(each) for each in ball_names()]
     if as_json:
         output.print_json({"clubs": [describe(each) for each in heads], "balls": [describe(each) for each in balls]})
         return
-    rows = [[each.name, *(_cell(each, key) for key in _COLUMNS), each.parameters, _origin(each)] for each in heads]
-    print_numbers(["club", *_COLUMNS.values(), "para-\nmeters\nof", "origin"], rows)
+    rows = []
+    for category in CATEGORIES:
+        rows.append([category, *[""] * (len(_HEADS) - 1)])
+        rows += [
+            [
+                f"  {each.name}", _cell(each, "loft"), _cell(each, "mass"), _cell(each, "iyy"),
+                _millimetres(each.cg_depth), _millimetres(each.cg_height), each.description,
+            ]
+            for each in heads
+            if each.category == category
+        ]  # fmt: skip
+    print_words(_HEADS, rows, numbers=(1, 2, 3, 4, 5))
     print()
     weights = [
         [
@@ -59,8 +66,8 @@ def clubs(
     ]
     print_words(["ball", "mass\ng", "dia-\nmeter\nmm", "inertia\ng cm2", "what it is"], weights, numbers=(1, 2, 3))
     notes = [
-        "MOI is the moment of inertia about the vertical axis. Clubs marked scaled are a plausible parametric set, not"
-        " measured; clubface clubs NAME shows the source or rule of every value."
+        "MOI is the moment of inertia about the vertical axis; the normal is that through the face centre. A parametric"
+        " club is plausible, not measured; clubface clubs NAME shows the source or the assumption of every value."
     ]
     if any(2.0 * each.radius < 42.67e-3 for each in balls):
         notes.append(
@@ -79,6 +86,7 @@ def describe(subject: Any) -> dict[str, Any]:
     found: dict[str, Any] = {"name": subject.name, "description": subject.description}
     if is_club:
         found |= {"kind": subject.kind, "hand": subject.hand, "parameters": subject.parameters}
+        found |= {"category": subject.category, "cg_depth": subject.cg_depth, "cg_height": subject.cg_height}
     found["values"] = {key: getattr(subject, key) for key in quantities}
     found["units"] = {key: units.SI_UNITS[each.dimension] for key, each in quantities.items()}
     found["sources"] = dict(subject.sources)
@@ -102,6 +110,7 @@ def print_club(found: Any) -> None:
         rows.append([key, _cell(found, key), quantity.unit.replace("1", ""), mark, quantity.meaning])
     print_words(["field", "value", "unit", "source", "meaning"], rows, numbers=(1,))
     print()
+    output.print_notes([_place_of_cg(found)])
     for source, index in sources.items():
         print(f"[{index}] {source}")
 
@@ -117,6 +126,14 @@ def _cell(found: Any, key: str) -> str:
     return "flat" if math.isinf(value) else f"{units.from_si(value, CLUB_PROPERTIES[key].unit):.4g}"
 
 
-def _origin(found: Any) -> str:
-    source = found.sources.get("mass", "")
-    return "paper" if source.startswith("Table") else "scaled"
+def _millimetres(length: float) -> str:
+    return f"{round(units.from_si(length, 'mm'), 1) + 0.0:.1f}"
+
+
+def _place_of_cg(found: Any) -> str:
+    depth, height = found.cg_depth, found.cg_height
+    behind, above = ("behind" if depth >= 0.0 else "in front of"), ("above" if height >= 0.0 else "below")
+    return (
+        f"The CG lies {_millimetres(abs(depth))} mm {behind} the face and {_millimetres(abs(height))} mm {above} the"
+        " normal through the face centre."
+    )

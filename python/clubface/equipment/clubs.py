@@ -6,6 +6,7 @@ drivers and irons", Table 1.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -28,19 +29,22 @@ from clubface.equipment.described import (
 from clubface.equipment.restitution import characteristic_time_of
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.support.checks import check_choice, check_name, check_text
-from clubface.support.shipped import builtin_path, is_path
+from clubface.support.shipped import builtin_names, builtin_path, is_path
 from clubface.support.strict_toml import Document, quoted
 from clubface.support.warning import warn_once
 
 KINDS = ("wood", "hybrid", "iron")
 FAMILIES = ("driver", "7-iron")
+CATEGORIES = ("drivers", "fairway woods", "hybrids", "irons", "wedges")
+"""What clubs are listed by; the least loft of a fairway wood and of a wedge is ``FAIRWAY_LOFT`` and ``WEDGE_LOFT``."""
+FAIRWAY_LOFT, WEDGE_LOFT = units.to_si(13.0, "deg"), units.to_si(42.0, "deg")
 TOUR_CLUBS = (
     "driver", "3-wood", "5-wood", "hybrid", "3-iron", "4-iron", "5-iron", "6-iron", "7-iron", "8-iron",
     "9-iron", "pitching-wedge",
 )  # fmt: skip
-"""Built-in clubs, one for each row of the tour averages, in that order."""
-CLUB_NAMES = (*TOUR_CLUBS, "driver-as-printed")
-"""All built-in clubs."""
+"""The built-in clubs of the tour averages, one for each row, in that order."""
+CLUB_NAMES = (*TOUR_CLUBS, *(name for name in builtin_names("clubs") if name not in TOUR_CLUBS))
+"""All built-in clubs: those of the tours, then the others in alphabetical order. A club is one file of the folder."""
 
 MOI_LIMIT = 5900e-7
 """kg m2 about the vertical axis, wood-type clubs, with ``MOI_TOLERANCE``; USGA notice on clubhead inertia."""
@@ -192,6 +196,25 @@ class Club(Described):
     def cg(self) -> tuple[float, float, float]:
         """Vector from the CG to the face centre [m], axes x, y, z."""
         return self.cg_x, self.cg_y, self.cg_z
+
+    @property
+    def cg_depth(self) -> float:
+        """How far the CG lies behind the plane tangent to the face at its centre [m]; negative in front of it."""
+        return self.cg_x * math.cos(self.loft) + self.cg_y * math.sin(self.loft)
+
+    @property
+    def cg_height(self) -> float:
+        """How far the CG lies above the normal through the face centre, along the face [m]; negative below."""
+        return self.cg_x * math.sin(self.loft) - self.cg_y * math.cos(self.loft)
+
+    @property
+    def category(self) -> str:
+        """One of ``CATEGORIES``, by kind and loft."""
+        if self.kind == "hybrid":
+            return "hybrids"
+        if self.kind == "wood":
+            return "drivers" if self.loft < FAIRWAY_LOFT else "fairway woods"
+        return "irons" if self.loft < WEDGE_LOFT else "wedges"
 
     @property
     def inertia(self) -> tuple[tuple[float, float, float], ...]:

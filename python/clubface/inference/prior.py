@@ -18,16 +18,17 @@ A file may give any quantity of a delivery; one left out is taken as known, zero
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 import numpy as np
 
 from clubface import units
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.recorded.club_names import club_kind
 from clubface.simulation.delivery import OF_CLUB
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
@@ -195,32 +196,46 @@ def tour(head: Club) -> Prior:
     Speed and attack are those of 2019, with which dynamic lofts are published. For clubs without a published loft it is
     the one with which the default model gives the published launch angle. All other means and the spreads are those of
     the benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
+
+    A club that is none of the tours' own but, by its name, of one of their kinds is delivered as that: with a dynamic
+    loft further by what its static loft is more.
     """
     from clubface.tour.averages import averages, published_lofts
     from clubface.tour.solved_loft import solve_loft
 
     known = {each.club: each for each in averages(TOUR)}
-    if head.name not in known:
-        raise InputError("prior", "tour", f"for one of {', '.join(known)}; for {head.name} give a file")
+    name = _tour_club(head.name, known)
     of = elite("driver" if head.parameters == "driver" else "7-iron")
-    average = known[head.name]
-    loft = published_lofts(TOUR).get(head.name)
+    average = known[name]
+    loft = published_lofts(TOUR).get(name)
     if loft is None:
-        loft = solve_loft(head.name, average.club_speed, average.attack, average.launch, model=DEFAULT_MODEL)
+        loft = solve_loft(name, average.club_speed, average.attack, average.launch, model=DEFAULT_MODEL)
+    loft += head.loft - club_named(name).loft
     published = {"speed": average.club_speed, "attack": average.attack, "loft": loft}
     return Prior(
-        name=f"tour averages, {head.name}",
+        name=f"tour averages, {name}",
         mean={**of.mean, **published},
         deviation=of.deviation,
         correlations=of.correlations,
     )
 
 
+def _tour_club(name: str, known: Collection[str]) -> str:
+    """Return the club of the tour averages that a club of this name is, or is of the kind of."""
+    if name in known:
+        return name
+    kind = club_kind(name)
+    found = "hybrid" if kind is not None and kind.endswith("-hybrid") else kind
+    if found is None or found not in known:
+        raise InputError("prior", "tour", f"for one of {', '.join(known)}; for {name} give a file")
+    return found
+
+
 def wide(head: Club) -> Prior:
     """Return deliveries of golfers of any skill: slower than the tour, with about twice the spreads."""
     base = tour(head)
     return Prior(
-        name=f"golfers of any skill, {head.name}",
+        name=base.name.replace("tour averages", "golfers of any skill"),
         mean={**base.mean, "speed": SLOWER * base.mean["speed"]},
         deviation={name: units.parse(WIDE[name], OF_CLUB[name]) for name in base.mean},
         correlations=base.correlations,

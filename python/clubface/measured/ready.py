@@ -128,5 +128,5 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
     kind = club_kind(named)
     if kind not in CLUB_NAMES:
         told = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
-        raise InputError("club", None, f"{told}, and the built-in clubs are {', '.join(CLUB_NAMES)}")
+        raise InputError("club", None, f"{told}; clubface clubs lists the built-in clubs")
     return club_named(kind)

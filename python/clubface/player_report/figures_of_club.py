@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
+from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import RangeWarning
 from clubface.inference.expectation import UnreachableLaunchError
@@ -141,7 +141,7 @@ class ClubFigures:
 def figures_of(shots: RecordedShots, name: str, clubs: int = 1) -> ClubFigures:
     """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
     kind = club_kind(name)
-    head = club_named(kind) if kind in CLUB_NAMES else None
+    head = club_named(kind) if kind in TOUR_CLUBS else None
     if head is not None and shots.hand is not None and set(shots.hand) == {"left"}:
         head = head.replace(hand="left")
     if head is not None:
