@@ -8,6 +8,7 @@ import pytest
 import clubface
 from clubface import measurements
 from clubface.equipment.clubs import CATEGORIES, CLUB_NAMES, TOUR_CLUBS, club
+from clubface.errors import InputError
 from clubface.inference.prior import prior_of
 from clubface.measured.ready import ready_shots
 from clubface.recorded.club_names import club_kind
@@ -178,10 +179,30 @@ def test_the_name_of_a_head_says_what_it_is(name):
     assert (club_kind(name) or "").endswith(family[club(name).category])
 
 
-def test_shots_with_a_sand_wedge_find_its_head(tmp_path):
+@pytest.mark.parametrize("called", ["SW", "56", "56°"])
+def test_shots_with_a_sand_wedge_find_its_head(tmp_path, called):
     file = tmp_path / "shots.csv"
     file.write_text(
         "Club,Club Speed [mph],Attack Angle [deg],Dynamic Loft [deg],Ball Speed [mph],Launch Angle [deg],"
-        "Spin Rate [rpm]\n" + "SW,78,-4,42,81,30,9800\n" * 4
+        "Spin Rate [rpm]\n" + f"{called},78,-4,42,81,30,9800\n" * 4
     )
     assert ready_shots(file).club == club("sand-wedge")
+
+
+def test_a_wedge_of_a_loft_that_no_built_in_one_has_is_asked_for(tmp_path):
+    file = tmp_path / "shots.csv"
+    file.write_text("Club,Club Speed [mph],Ball Speed [mph],Launch Angle [deg]\n" + "54,78,81,30\n" * 4)
+    with pytest.raises(InputError, match="the shots name '54'"):
+        ready_shots(file)
+
+
+def test_wedges_without_published_averages_are_hit_as_pitching_wedges_by_golfers_of_any_skill():
+    pitching, sand = club("pitching-wedge"), club("sand-wedge")
+    found, usual = prior_of(None, sand), prior_of("wide", pitching)
+    assert found.mean["speed"] == usual.mean["speed"]
+    assert found.mean["loft"] - usual.mean["loft"] == pytest.approx(sand.loft - pitching.loft, rel=1e-12)
+    with pytest.raises(InputError, match='sand-wedge "wide" or a file'):
+        prior_of("tour", sand)
+    assert prior_of(None, pitching).name == "tour averages, pitching-wedge"
+    with pytest.raises(InputError, match="give a file"):
+        prior_of(None, sand.replace(name="prototype"))

@@ -18,14 +18,14 @@ A file may give any quantity of a delivery; one left out is taken as known, zero
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 import numpy as np
 
 from clubface import units
-from clubface.equipment.clubs import Club, club as club_named
+from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.recorded.club_names import club_kind
@@ -169,7 +169,7 @@ def _named(given: Any, head: Club) -> Prior:
 
     elite_golfers = {head: club for club, head in HEADS.items()} | {club: club for club in HEADS}
     if given is None:
-        given = "elite" if head.name in elite_golfers else "tour"
+        given = "elite" if head.name in elite_golfers else "wide" if _is_without_averages(head.name) else "tour"
     if given == "elite":
         if head.name not in elite_golfers:
             raise InputError("prior", "elite", f'for {" or ".join(HEADS)}; for {head.name} "tour", "wide" or a file')
@@ -200,13 +200,19 @@ def tour(head: Club) -> Prior:
     A club that is none of the tours' own but, by its name, of one of their kinds is delivered as that: with a dynamic
     loft further by what its static loft is more.
     """
+    name = _tour_club(head.name)
+    if name is None or _is_without_averages(head.name):
+        raise InputError("prior", "tour", f"for one of {', '.join(TOUR_CLUBS)}; for {head.name} {_OTHERS[name]}")
+    return _delivered_as(name, head)
+
+
+def _delivered_as(name: str, head: Club) -> Prior:
+    """Return the deliveries of the tours' club of this name, with the loft that the head has more."""
     from clubface.tour.averages import averages, published_lofts
     from clubface.tour.solved_loft import solve_loft
 
-    known = {each.club: each for each in averages(TOUR)}
-    name = _tour_club(head.name, known)
+    (average,) = (each for each in averages(TOUR) if each.club == name)
     of = elite("driver" if head.parameters == "driver" else "7-iron")
-    average = known[name]
     loft = published_lofts(TOUR).get(name)
     if loft is None:
         loft = solve_loft(name, average.club_speed, average.attack, average.launch, model=DEFAULT_MODEL)
@@ -220,20 +226,27 @@ def tour(head: Club) -> Prior:
     )
 
 
-def _tour_club(name: str, known: Collection[str]) -> str:
-    """Return the club of the tour averages that a club of this name is, or is of the kind of."""
-    if name in known:
-        return name
-    kind = club_kind(name)
-    found = "hybrid" if kind is not None and kind.endswith("-hybrid") else kind
-    if found is None or found not in known:
-        raise InputError("prior", "tour", f"for one of {', '.join(known)}; for {name} give a file")
-    return found
+WEDGE = "pitching-wedge"
+"""As this club the prior "wide" delivers wedges of more loft, of which no averages are published; assumed."""
+_OTHERS = {None: "give a file", WEDGE: '"wide" or a file'}
+
+
+def _tour_club(name: str) -> str | None:
+    """Return the club of the tour averages that a club of this name is, or is delivered as; None if that is unknown."""
+    kind = name if name in TOUR_CLUBS else club_kind(name)
+    family = (kind or "").rpartition("-")[2]
+    found = WEDGE if family == "wedge" else "hybrid" if family == "hybrid" else kind
+    return found if found in TOUR_CLUBS else None
+
+
+def _is_without_averages(name: str) -> bool:
+    return _tour_club(name) == WEDGE and club_kind(name) != WEDGE
 
 
 def wide(head: Club) -> Prior:
     """Return deliveries of golfers of any skill: slower than the tour, with about twice the spreads."""
-    base = tour(head)
+    name = _tour_club(head.name)
+    base = tour(head) if name is None else _delivered_as(name, head)
     return Prior(
         name=base.name.replace("tour averages", "golfers of any skill"),
         mean={**base.mean, "speed": SLOWER * base.mean["speed"]},

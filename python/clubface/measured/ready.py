@@ -14,6 +14,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.errors import InputError
 from clubface.launch_monitor import read, refer
@@ -22,6 +23,9 @@ from clubface.recorded.assumed import with_assumed
 from clubface.recorded.club_names import club_kind, same_club
 from clubface.recorded.conditions import chosen_shots
 from clubface.recorded.shots import RecordedShots
+
+WEDGES = ("gap-wedge", "sand-wedge", "lob-wedge")
+"""The built-in clubs for which shots may name a loft in place of a club, as in "56"."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -125,8 +129,15 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
     if given is not None:
         return club_named(given)
     named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
-    kind = club_kind(named)
-    if kind not in CLUB_NAMES:
+    kind = _built_in(club_kind(named))
+    if kind is None:
         told = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
         raise InputError("club", None, f"{told}; clubface clubs lists the built-in clubs")
     return club_named(kind)
+
+
+def _built_in(kind: str | None) -> str | None:
+    """Return the built-in club of a kind, a wedge that goes by its loft as the wedge of that loft; None without one."""
+    if kind in CLUB_NAMES:
+        return kind
+    return next((name for name in WEDGES if kind == f"{units.from_si(club_named(name).loft, 'deg'):.0f}-wedge"), None)
