@@ -11,8 +11,9 @@ from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 from clubface.equipment.models import DEFAULT_MODEL, models
-from clubface.validation import Validation, validate
-from clubface.validation.tables import notes, tolerances, with_unit
+from clubface.validation import Validation, chart, off_centre, validate
+from clubface.validation.check import CERTAINTIES
+from clubface.validation.tables import FIGURE_HEADS, figure_rows, notes, tolerances, with_unit
 
 STORED = Path(__file__).parent.parent / "validation-fem.json"
 SHOWN = tuple(dict.fromkeys((DEFAULT_MODEL, "fem", "standard", "slip", "rings")))
@@ -43,7 +44,7 @@ class Checks(CoreTable):
     final_argument_whitespace = True
 
     def table(self) -> list[str]:
-        """One row a check and quantity; a mean within the tolerance is bold."""
+        """One row a check and quantity; a mean within the tolerance is bold, behind it how many are inside."""
         found = validation()
         wanted = self.arguments[0].split() if self.arguments else [each.name for each in found.checks]
         names = SHOWN if self.arguments else found.models
@@ -52,13 +53,55 @@ class Checks(CoreTable):
             if check.name not in wanted:
                 continue
             for place, first in enumerate(found.summary(names[0], check.name)):
-                row = [check.title if self.arguments else f"`{check.name}`", first.quantity, tolerances(first)]
+                name = check.title if self.arguments else f"`{check.name}`"
+                row = [name, first.quantity, check.certainty, tolerances(first)]
                 for name in names:
                     each = found.summary(name, check.name)[place]
                     mean = with_unit(each.mean, each.unit)
-                    row.append(f"**{mean}**" if each.met else mean or "—")
+                    inside = f" · {each.inside}/{each.intervals}" if each.intervals else ""
+                    row.append(f"**{mean}**{inside}" if each.met else f"{mean}{inside}" if mean else "—")
                 rows.append(row)
-        return markdown_table(["", "quantity", "tolerance", *(f"`{name}`" for name in names)], rows)
+        return markdown_table(["", "quantity", "certainty", "tolerance", *(f"`{name}`" for name in names)], rows)
+
+
+class Figures(CoreTable):
+    """``{validation-figures} tour-driver``: every figure of some checks with its interval, by the default model."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def table(self) -> list[str]:
+        """One row a figure."""
+        figures = validation().figures[DEFAULT_MODEL]
+        return markdown_table(
+            FIGURE_HEADS, [row for name in self.arguments[0].split() for row in figure_rows(figures[name])]
+        )
+
+
+class Certainties(CoreTable):
+    """``{validation-certainties}``: what the words for how sure a published figure is mean."""
+
+    def table(self) -> list[str]:
+        """One row a word."""
+        return markdown_table(["certainty", "the figure is"], CERTAINTIES.items())
+
+
+class Causes(CoreTable):
+    """``{off-centre-causes}``: strikes off the centre with one thing changed, by the default model."""
+
+    def table(self) -> list[str]:
+        """One row a figure."""
+        return markdown_table(off_centre.HEADS, off_centre.causes())
+
+
+class BehindTheChart(CoreTable):
+    """``{model-behind-chart}``: how near models come to TrackMan's chart of 2010, and what that means."""
+
+    def table(self) -> list[str]:
+        """One row a model, place of the strike and quantity; what the numbers say below."""
+        found = chart.chart()
+        rows = markdown_table(chart.HEADS, chart.table_rows(found.errors))
+        return [*rows, "", *(f"* {each}" for each in chart.narrative(found))]
 
 
 class Reasons(CoreTable):
@@ -91,6 +134,10 @@ class Verdicts(CoreTable):
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
     app.add_directive("validation", Checks)
+    app.add_directive("validation-figures", Figures)
+    app.add_directive("validation-certainties", Certainties)
+    app.add_directive("off-centre-causes", Causes)
+    app.add_directive("model-behind-chart", BehindTheChart)
     app.add_directive("validation-reasons", Reasons)
     app.add_directive("validation-verdicts", Verdicts)
     return {"parallel_read_safe": True}

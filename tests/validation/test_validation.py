@@ -15,7 +15,7 @@ from clubface.tour.averages import averages
 from clubface.validation import (
     Figure,
     at_launch,
-    deliveries,
+    average,
     directions,
     irons,
     optimum,
@@ -25,7 +25,7 @@ from clubface.validation import (
     validate,
 )
 from clubface.validation.catalogue import CHECKS
-from clubface.validation.check import Judged, figure
+from clubface.validation.check import A_MODEL, CERTAINTIES, Judged, figure
 from clubface.validation.run import summary
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -94,16 +94,7 @@ def test_the_published_figures_are_those_of_the_tables():
     """Typed again by hand from the sources as quoted: check, what, quantity, unit, value."""
     found = validate("standard").figures["standard"]
     for check, what, quantity, unit, value in (
-        ("tour-irons", "PGA Tour 2019, 6-iron", "launch angle", "deg", 14.1),
-        ("tour-irons", "LPGA Tour 2019, pitching-wedge", "spin", "rpm", 8403),
-        ("tour-driver", "LPGA Tour 2019, driver", "ball speed", "mph", 140),
-        ("tour-woods", "PGA Tour 2019, hybrid", "spin", "rpm", 4437),
-        ("standard-shots", "pitching-wedge", "launch angle", "deg", 26.7),
-        ("amateur-drives", "female, 15", "spin", "rpm", 3287),
-        ("trackman-drives", "100 mph, +5 deg, for carry", "spin", "rpm", 2538),
-        ("irons-at-launch", "one golfer, TrackMan 4, 7-iron", "spin", "rpm", 6390),
         ("irons-at-launch", "robot, two blades, 7-iron", "spin", "rpm", (5908 + 6007) / 2),
-        ("drives-at-launch", "many golfers, 110 mph", "ball speed", "mph", 161.3),
         ("launch-shares", "7-iron", "share of start direction (PING)", "1", 0.69),
         ("curvature", "LPGA Tour, driver, face to path -5 deg", "curve", "yd", -32),
         ("robot-irons", "7-iron, dynamic loft 25.5 deg", "spin", "rpm", 140516 / 26),
@@ -114,35 +105,45 @@ def test_the_published_figures_are_those_of_the_tables():
         (each,) = [one for one in found[check] if (one.what, one.quantity) == (what, quantity)]
         assert [units.from_si(end, unit) for end in each.published] == pytest.approx([value, value])
         assert each.unit == unit
+    for check, what, quantity, unit, value in (
+        ("tour-irons", "LPGA Tour 2019, pitching-wedge", "spin", "rpm", 8403),
+        ("tour-driver", "LPGA Tour 2019, driver", "ball speed", "mph", 140),
+        ("tour-woods", "PGA Tour 2019, hybrid", "spin", "rpm", 4437),
+        ("amateur-drives", "female, 15", "spin", "rpm", 3287),
+        ("irons-at-launch", "one golfer, TrackMan 4, 7-iron", "spin", "rpm", 6390),
+        ("drives-at-launch", "many golfers, 110 mph", "ball speed", "mph", 161.3),
+    ):
+        (each,) = [one for one in found[check] if (one.what, one.quantity) == (what, quantity)]
+        low, high = (units.from_si(end, unit) for end in each.published)
+        assert low - 1e-9 <= value <= high + 1e-9
+        assert each.unit == unit
 
 
 ALLOWED = {
-    "tour-irons": {"ball speed": 2, "launch angle": 1.5, "spin": 5},
-    "tour-driver": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
-    "tour-woods": {"ball speed": 2.5, "spin": 8},
-    "amateur-drives": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
-    "trackman-drives": {"ball speed": 2.5, "launch angle": 1, "spin": 8},
+    "tour-irons": {"ball speed": 2.5, "spin": 15},
+    "tour-driver": {"ball speed": 2.5, "spin": 9},
+    "tour-woods": {"ball speed": 2.5, "spin": 9},
+    "amateur-drives": {"ball speed": 2.5, "spin": 9},
     "irons-at-launch": {"ball speed": 2.5, "spin": 15},
     "drives-at-launch": {"ball speed": 2.5, "spin": 9},
     "curvature": {"curve": 25},
     "head-after-impact": {"attack angle steeper by": 1},
-    "robot-irons": {"spin": 5, "spin by a degree": 15},
+    "robot-irons": {"spin": 15, "spin by a degree": 15},
     "sliding": {"rise of launch angle": 1},
     "spin-peak": {"spin loft of most spin": 4},
+    "best-strike": {
+        "fastest strike, high": 1.5, "fastest strike, toe": 2,
+        "speed lost 10 mm away, high": 0.2, "speed lost 10 mm away, toe": 0.2,
+    },
     "toe-hits": {"ball speed, share": 0.01, "change of launch angle": 1, "change of spin": 200, "offline": 5},
     "strike-height": {"change of launch angle": 1, "change of spin": 300},
     "gear-effect": {"spin axis": 30, "sidespin by a mm of depth": 15},
     "contact-time": {"contact time": 25},
     "longest-drives": {"launch angle": 1, "spin": 300},
     "longest-drives-ping": {"launch angle": 1, "spin": 300},
-}
+}  # fmt: skip
 """How close a model must come, entered a second time: per cent of relative errors, otherwise in the unit printed."""
 OF_EACH = {
-    "standard-shots": {
-        ("driver", "ball speed"): 2.5, ("driver", "launch angle"): 1, ("driver", "spin"): 8,
-        ("6-iron", "ball speed"): 2, ("6-iron", "launch angle"): 1.5, ("6-iron", "spin"): 5,
-        ("pitching-wedge", "ball speed"): 2, ("pitching-wedge", "launch angle"): 1.5, ("pitching-wedge", "spin"): 5,
-    },
     # The spreads that PING publishes beside its shares; 0.06 is the largest difference between PING and TrackMan.
     "launch-shares": {
         ("driver", "share of launch angle (PING)"): 0.08, ("driver", "share of launch angle (TrackMan)"): 0.06,
@@ -181,36 +182,96 @@ def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
     assert found["driver"] == pytest.approx(drive, rel=1e-12)
 
 
-def test_a_published_loft_is_used_and_another_is_solved():
-    found = deliveries.tour(lambda club: club in ("6-iron", "7-iron"), deliveries.IRON)(Judged("slip"))
-    quantities = [(each.what, each.quantity) for each in found]
-    assert ("PGA Tour 2019, 6-iron", "launch angle") in quantities
-    assert ("PGA Tour 2019, 7-iron", "launch angle") not in quantities
-    average = next(each for each in averages("pga-2019") if each.club == "6-iron")
-    shot = clubface.impact("6-iron", speed=average.club_speed, attack=average.attack, loft="20.2 deg", model="slip")
-    assert found[0].computed == pytest.approx(shot.ball_speed, rel=1e-12)
-
-
 def test_at_its_own_launch_a_model_has_its_own_spin_whatever_the_loft_was():
-    judged = Judged("response")
-    shot = judged.hit("7-iron", speed=38.0, attack=-3 * DEG, loft=26 * DEG, high=0.002)
-    row = {"club": "7-iron", "club_speed": 38.0, "attack": -3 * DEG, "launch": float(shot.launch)}
-    again = at_launch.at_launch(judged, row, high=0.002)
-    # The loft is solved to 1e-10 rad.
-    assert again.total_spin == pytest.approx(shot.total_spin, rel=1e-8)
-    assert again.ball_speed == pytest.approx(shot.ball_speed, rel=1e-8)
-
-
-def test_the_spin_of_drives_counts_as_missed_only_beyond_what_the_height_of_the_strike_explains():
+    """A robot's average leaves nothing open, so that the model is judged by exactly its own shot."""
     judged = Judged("standard")
-    (spin,) = [each for each in at_launch.drives(judged) if each.what == "many golfers, 110 mph" and each.unit == "rpm"]
-    row = {"club": "driver", "club_speed": 109.98 * 0.44704, "attack": 1.6 * DEG, "launch": 12.58 * DEG}
-    low, middle, high = (at_launch.at_launch(judged, row, high=each) for each in (0.0, 0.003, 0.006))
+    shot = judged.hit("7-iron", speed=38.0, attack=-3 * DEG, loft=26 * DEG)
+    row = {
+        "club": "7-iron", "club_speed": 38.0, "attack": -3 * DEG, "dynamic_loft": 99 * DEG,
+        "launch": float(shot.launch), "ball_speed": float(shot.ball_speed), "spin": float(shot.total_spin),
+    }  # fmt: skip
+    for each in at_launch.judged_at_launch(judged, "robot", row, scatter=None):
+        assert each.inside is None
+        # The loft is solved to 1e-10 rad.
+        assert each.error == pytest.approx(0.0, abs=1e-8)
+
+
+def test_the_shots_that_stand_for_a_scatter_have_its_spreads_and_no_mean():
+    spreads = average.Scatter(0.06, 0.011, 0.007)
+    places, weights = average.scattered(spreads)
+    assert weights.sum() == pytest.approx(1.0)
+    for name, spread in zip(("face", "toe", "high"), spreads, strict=True):
+        assert weights @ places[name] == pytest.approx(0.0, abs=1e-12)
+        assert weights @ places[name] ** 2 == pytest.approx(spread**2)
+    # Five points are exact up to the ninth power: the normal distribution's fourth moment is 3.
+    assert weights @ places["face"] ** 4 == pytest.approx(3 * spreads.face_to_path**4)
+
+
+@pytest.mark.parametrize("spread", [3.0, 6.0])
+def test_faces_that_scatter_add_to_the_mean_spin_as_the_angle_in_space_grows(spread):
+    """Spin goes with the angle between path and face normal, of which spin loft and face-to-path are the legs."""
+    speed, attack, launch = 38.0, -4 * DEG, 17 * DEG
+    loft = Judged(DEFAULT_MODEL).at_launch("7-iron", launch, speed=speed, attack=attack).delivery["loft"]
+    square = (spread * DEG / (loft - attack)) ** 2
+    aside = average.Scatter(spread * DEG, 0.0, 0.0)
+    least, most = average.ratios("7-iron", speed, attack, launch, aside, average.CENTRE)["total_spin"]
+    assert most == 1.0
+    # The mean of sqrt(1 + x^2) to fourth order; a sixth of the excess for what the head adds.
+    assert 1.0 / least - 1.0 == pytest.approx(square / 2.0 - 3.0 * square**2 / 8.0, rel=0.17)
+    # The spin loft of a drive is half as large.
+    drive = average.ratios("driver", speed, attack, launch - 6 * DEG, aside, average.CENTRE)["total_spin"]
+    assert 1.0 / drive[0] - 1.0 > 2.0 * (1.0 / least - 1.0)
+
+
+def test_the_spin_of_drives_counts_as_missed_only_beyond_what_scatter_and_the_height_of_the_strike_explain():
+    row = {"club": "driver", "club_speed": 109.98 * 0.44704, "attack": 1.6 * DEG, "launch": 12.58 * DEG, "spin": 300.0}
+    judged = Judged(DEFAULT_MODEL)
+    low, middle, high = (
+        judged.at_launch("driver", row["launch"], speed=row["club_speed"], attack=row["attack"], high=each)
+        for each in (0.0, 0.003, 0.006)
+    )
     # At one launch a strike higher on a driver spins less, by tens of rpm a mm.
     assert 20 * RPM < (low.total_spin - high.total_spin) / 6 < 150 * RPM
+    (spin,) = at_launch.judged_at_launch(judged, "drive", row, scatter=None)
     assert spin.computed == pytest.approx(middle.total_spin, rel=1e-9)
-    least, most = (2805 * RPM * middle.total_spin / each.total_spin for each in (low, high))
-    assert spin.published == pytest.approx((least, most), rel=1e-6)
+    ends = [300.0 * middle.total_spin / each.total_spin for each in (low, high)]
+    assert spin.published == pytest.approx(ends, rel=1e-9)
+    # The interval is the publication's, so it is the same whatever model is judged; scatter widens it downward only.
+    (other,) = at_launch.judged_at_launch(Judged("standard"), "drive", row, scatter=None)
+    assert other.published == spin.published
+    assert other.computed != spin.computed
+    (scattered,) = at_launch.judged_at_launch(judged, "drive", row, scatter=average.scatter("driver", 49.0))
+    assert scattered.published[1] == spin.published[1]
+    assert scattered.published[0] < 0.96 * spin.published[0]
+
+
+def test_golfers_who_swing_faster_scatter_less_and_irons_have_no_known_scatter_of_the_strike():
+    slow, middling, fast = (average.scatter("driver", each * 0.44704) for each in (80, 100, 115))
+    assert slow > middling > fast
+    # 3.22 degrees between start and path of drives that take 0.76 of face-to-path.
+    assert fast.face_to_path == pytest.approx(3.22 * DEG / 0.76)
+    assert average.scatter("7-iron", 115 * 0.44704) == (fast.face_to_path, 0.0, 0.0)
+
+
+def test_a_driver_is_fastest_nearer_to_its_mass_centre_and_loses_speed_with_the_square_of_the_distance():
+    """Typed in by hand: ball speeds of one model over the face at one launch, 1 mm apart."""
+    found = {(each.what, each.quantity): each for each in strikes.best_strike(Judged("standard"))}
+    best = found["driver, launch 12 deg", "fastest strike, high"].computed
+    places = np.arange(-12e-3, 12e-3, 1e-3)
+    speeds = Judged("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, high=places).ball_speed
+    # The parabola through three strikes 10 mm apart is off the true top by less than a mm.
+    assert best == pytest.approx(places[np.argmax(speeds)], abs=1.2e-3)
+    loss = found["driver, launch 12 deg", "speed lost 10 mm away, high"].computed
+    assert 0.004 < loss < 0.012
+
+
+def test_what_other_models_computed_is_shown_but_judges_no_model():
+    found = validate("standard", checks=["curvature", "toe-hits"])
+    assert found.verdict("standard").of == len(found.summary("standard", "toe-hits"))
+    assert {each.certainty for each in found.figures["standard"]["curvature"]} == {A_MODEL}
+    for each in CHECKS:
+        assert each.certainty in CERTAINTIES
+        assert each.measured == any(table.kind != "computed" for table in each.tables)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.25])
@@ -272,8 +333,8 @@ def test_the_spin_by_a_degree_is_that_between_two_lofts_a_degree_from_the_mean()
 def test_a_wedge_that_slides_has_lost_the_published_share_of_its_spin():
     judged = Judged("rings")
     (rise,) = irons.sliding(judged)
-    loft = judged.loft("pitching-wedge", launch=30.74 * DEG, **irons.WEDGE)
-    whole = judged.hit("pitching-wedge", loft=loft, **irons.WEDGE)
+    whole = judged.at_launch("pitching-wedge", 30.74 * DEG, **irons.WEDGE)
+    loft = whole.delivery["loft"]
     frictions = np.linspace(0.05, 0.5, 200)
     shots = [
         judged.hit("pitching-wedge", parameters={"friction": each}, loft=loft, **irons.WEDGE) for each in frictions
@@ -365,9 +426,7 @@ def test_what_is_stored_of_the_finite_elements_is_what_they_compute():
 
 
 TARGETS = {
-    ("tour-irons", "spin"): "the target of 5% for irons, with published deliveries",
-    ("tour-irons", "launch angle"): "the target of 1.5 degrees",
-    ("tour-driver", "launch angle"): "the target of 1 degree",
+    ("tour-irons", "spin"): "the target of 15% for irons, at the published launch",
     ("launch-shares", "share of launch angle (PING)"): "within the spread over shots",
     ("launch-shares", "share of launch angle (TrackMan)"): "within the difference between the sources",
     ("launch-shares", "share of start direction (PING)"): "within the spread over shots",
@@ -391,7 +450,7 @@ def test_models_of_point_contact_spin_irons_too_little_and_have_no_loft_beyond_w
     """As the page says; the published figures are the same for all."""
     for name in ("standard", "slip"):
         (spin,) = [each for each in reduced.summary(name, "tour-irons") if each.quantity == "spin"]
-        assert -0.37 < spin.worst < spin.bias < -0.27
+        assert -0.37 < spin.worst < spin.bias < -0.2
         (peak,) = reduced.summary(name, "spin-peak")
         assert not peak.met
 
@@ -404,13 +463,13 @@ def test_a_table_tells_ranges_bounds_and_silence():
         [
             Figure("a", "restitution", "1", (0.768, 0.78), 0.83, 0.01),
             Figure("b", "restitution", "1", (0.8, math.inf), math.nan, 0.01),
-            Figure("c", "speed", "mph", (44.704, 44.704), 45.598, 0.01, True),
+            Figure("c", "speed", "mph", (44.704, 44.704), 45.598, 0.01, True, "fair"),
         ]
     )
     assert [row[2:] for row in rows] == [
-        ["0.768 to 0.780", "0.830", "+0.050", "0.010", "no"],
-        ["over 0.800", "", "", "0.010", ""],
-        ["100.0 mph", "102.0 mph", "+2.0%", "1.0%", "no"],
+        ["0.768 to 0.780", "", "0.830", "no", "+0.050", "0.010", "no"],
+        ["over 0.800", "", "", "", "", "0.010", ""],
+        ["100.0 mph", "fair", "102.0 mph", "", "+2.0%", "1.0%", "no"],
     ]
 
 
@@ -426,7 +485,7 @@ def test_a_folder_holds_tables_in_three_forms_and_two_pictures(clubface_, tmp_pa
     assert len(document["figures"]) == len(lines) - 1
     first = document["figures"][0]
     assert (first["what"], first["published_least"], first["unit"]) == ("PGA Tour 2019, 3-iron", 142.0, "mph")
-    assert document["figures"][0]["error"] == pytest.approx(first["computed"] / 142.0 - 1.0, abs=1e-6)
+    assert first["inside"] == (142.0 <= first["computed"] <= first["published_most"])
 
 
 def test_the_command_sums_up_and_shows_the_figures_of_a_check_that_is_named(clubface_):

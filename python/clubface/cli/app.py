@@ -32,6 +32,7 @@ COMMANDS = {
     "club": "club",
     "tour": "tour",
     "validate": "validate",
+    "chart": "chart",
     "monitor": "monitor",
     "golfer": "golfer",
     "dispersion": "dispersion",

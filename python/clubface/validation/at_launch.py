@@ -6,70 +6,103 @@ judged by its spin is judged by the monitor's model. At the measured launch angl
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from clubface import units
-from clubface.simulation.launch import Launch
-from clubface.validation.check import Figure, Judged, figure
-from clubface.validation.deliveries import rows
+from clubface.tour.averages import averages
+from clubface.validation.average import CENTRE, DRIVER, HEIGHTS, WOODS, Scatter, ratios, scatter
+from clubface.validation.check import Figure, Judged, figure, rows
 
-SPIN, SPEED = 0.15, 0.025
-"""Tolerances: of irons, between which sources differ by 26% at one launch and speed; and of ball speed."""
-DRIVE_SPIN = 0.09
-"""Of drives, whose heads are unknown."""
-STRIKES = tuple(units.parse(each, "length") for each in ("0 mm", "3 mm", "6 mm"))
-"""Heights of the strike on a driver above its face centre: the middle, and how far it may be off either way."""
+SPEED, SPIN, DRIVE_SPIN = 0.025, 0.15, 0.09
+"""Tolerances: of ball speed; of the spin of irons, between which sources differ by 26% at one launch and speed; and of
+the spin of drivers and woods, whose heads are unknown."""
+SEASONS = {"pga-2019": "PGA Tour 2019", "lpga-2019": "LPGA Tour 2019"}
+"""The tour averages, and what they are called here."""
+TOUR_SPEED = units.parse("113 mph", "speed")
+"""Golfers on tour, whose scatter is not published, are taken to scatter no more than others who drive as fast."""
 ROBOT = {"club_speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
 """The swing of the robot of Cool Clubs."""
 BLADES = ("Staff MB", "Staff CB")
 """The irons of the robot whose mass centre is as near the face as that of the 7-iron here."""
 
 
+def tour(wanted: Callable[[str], bool]) -> Callable[[Judged], list[Figure]]:
+    """Return the comparison with the tour averages of the clubs that are ``wanted``."""
+
+    def compute(judged: Judged) -> list[Figure]:
+        return [
+            one
+            for name, season in SEASONS.items()
+            for each in averages(name)
+            if wanted(each.club)
+            for one in judged_at_launch(
+                judged, f"{season}, {each.club}", each._asdict(), scatter=scatter(each.club, TOUR_SPEED)
+            )
+        ]  # fmt: skip
+
+    return compute
+
+
+def amateurs(judged: Judged) -> list[Figure]:
+    """Return ball speed and spin of the drives of golfers by handicap."""
+    return [
+        one
+        for row in rows("drives-by-handicap")
+        for one in judged_at_launch(
+            judged, row["group"], {"club": DRIVER, **row}, scatter=scatter(DRIVER, row["club_speed"])
+        )
+    ]  # fmt: skip
+
+
 def irons(judged: Judged) -> list[Figure]:
-    """Return the spin of irons at their measured launch."""
+    """Return ball speed and spin of irons of single golfers and of a robot, which does not scatter."""
     blades = [row for row in rows("robot-7-irons-launch-2026") if row["model"] in BLADES]
     robot = {name: sum(row[name] for row in blades) / len(blades) for name in ("launch", "spin")}
     shots = [
-        *(("one golfer, TrackMan 4", row) for row in rows("shots-bliss-2026") if row["club"] != "driver"),
-        *(("one golfer, Garmin R50", row) for row in rows("shots-r50-2026")),
-        ("robot, two blades", {"club": "7-iron", **ROBOT, **robot}),
+        *(("one golfer, TrackMan 4", row, True) for row in rows("shots-bliss-2026") if row["club"] != DRIVER),
+        *(("one golfer, Garmin R50", row, True) for row in rows("shots-r50-2026")),
+        ("robot, two blades", {"club": "7-iron", **ROBOT, **robot}, False),
     ]
-    found: list[Figure] = []
-    for who, row in shots:
-        shot = at_launch(judged, row)
-        what = f"{who}, {row['club']}"
-        if "ball_speed" in row:
-            found.append(figure(what, "ball speed", "mph", row["ball_speed"], shot.ball_speed, SPEED, relative=True))
-        found.append(figure(what, "spin", "rpm", row["spin"], shot.total_spin, SPIN, relative=True))
-    return found
+    return [
+        one
+        for who, row, golfer in shots
+        for one in judged_at_launch(
+            judged, f"{who}, {row['club']}", row, scatter=scatter(row["club"], TOUR_SPEED) if golfer else None
+        )
+    ]  # fmt: skip
 
 
 def drives(judged: Judged) -> list[Figure]:
-    """Return the spin of drives at their measured launch, struck 3 mm above the face centre, 3 mm more or less."""
-    found: list[Figure] = []
-    for table, who in (("drives-blackmore", "many golfers"), ("shots-bliss-2026", "one golfer, TrackMan 4")):
-        for row in rows(table):
-            if row["club"] != "driver":
-                continue
-            low, middle, high = (at_launch(judged, row, high=each) for each in STRIKES)
-            what = f"{who}, {units.show(row['club_speed'], 'mph', 4)}"
-            found.append(figure(what, "ball speed", "mph", row["ball_speed"], middle.ball_speed, SPEED, relative=True))
-            published = _interval(
-                row["spin"], float(middle.total_spin), [float(low.total_spin), float(high.total_spin)]
-            )
-            found.append(figure(what, "spin", "rpm", published, middle.total_spin, DRIVE_SPIN, relative=True))
-    return found
+    """Return ball speed and spin of drives of many golfers, chosen to start near their path, and of a single one."""
+    return [
+        one
+        for table, who, scattered in (
+            ("drives-blackmore", "many golfers", False), ("shots-bliss-2026", "one golfer, TrackMan 4", True),
+        )
+        for row in rows(table)
+        if row["club"] == DRIVER
+        for one in judged_at_launch(
+            judged, f"{who}, {units.show(row['club_speed'], 'mph', 4)}", row,
+            scatter=scatter(DRIVER, row["club_speed"]) if scattered else None,
+        )
+    ]  # fmt: skip
 
 
-def at_launch(judged: Judged, row: Mapping[str, Any], **where: float) -> Launch:
-    """Return the shot of a published row whose launch angle is as measured; NaN if no loft gives it."""
-    delivery = {"speed": row["club_speed"], "attack": row["attack"], **where}
-    return judged.hit(row["club"], loft=judged.loft(row["club"], launch=row["launch"], **delivery), **delivery)
+def judged_at_launch(judged: Judged, what: str, row: Mapping[str, Any], *, scatter: Scatter | None) -> Iterator[Figure]:
+    """Return ball speed, if it is published, and spin of a published row whose launch angle is as measured.
 
-
-def _interval(published: float, middle: float, ends: Iterable[float]) -> tuple[float, float]:
-    """Return what the published value may be of the middle strike, if the strike was at one end or the other."""
-    possible = [published, *(published * middle / each for each in ends)]
-    return (min(possible), max(possible)) if all(map(math.isfinite, possible)) else (published, published)
+    A driver is struck at the middle of ``HEIGHTS``, other clubs at the face centre.
+    """
+    club = row["club"]
+    heights = HEIGHTS if club == DRIVER else CENTRE
+    middle = heights[len(heights) // 2]
+    shot = judged.at_launch(club, row["launch"], speed=row["club_speed"], attack=row["attack"], high=middle)
+    possible = ratios(club, row["club_speed"], row["attack"], row["launch"], scatter, heights)
+    allowed = DRIVE_SPIN if club in (DRIVER, *WOODS) else SPIN
+    for name, quantity, unit, column, tolerance in (
+        ("ball_speed", "ball speed", "mph", "ball_speed", SPEED), ("total_spin", "spin", "rpm", "spin", allowed),
+    ):  # fmt: skip
+        if column in row:
+            low, high = (row[column] * ratio for ratio in possible[name])
+            yield figure(what, quantity, unit, (low, high), getattr(shot, name), tolerance, relative=True)

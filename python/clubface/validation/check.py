@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -12,13 +12,22 @@ from clubface import measurements
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named
-from clubface.errors import InputError, RangeWarning
+from clubface.errors import RangeWarning
 from clubface.measurements import PublishedTable
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
+from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.outside import Tally
 from clubface.support.warning import without_warnings
-from clubface.tour.solved_loft import solve_loft
+
+A_MODEL = "a model"
+CERTAINTIES = {
+    "good": "measured, under conditions that are stated",
+    "fair": "measured, but head, ball, strike or another condition that matters is assumed",
+    "poor": "measured, but on few shots, read at second hand, or with most conditions assumed",
+    A_MODEL: "computed by another model, whose agreement is no proof",
+}
+"""How sure a published figure is, as far as it can judge a model: words, and what they mean."""
 
 
 class Figure(NamedTuple):
@@ -33,13 +42,16 @@ class Figure(NamedTuple):
     unit
         The unit it is read in.
     published
-        The least and the largest value published, infinite where there is none; twice the same for a single value.
+        The least and the largest value that the publication allows, infinite where there is none: a published range,
+        an average with what it leaves open (:mod:`clubface.validation.average`), or twice the same for a single value.
     computed
         What the model gives; NaN if it says nothing of the quantity.
     tolerance
         How far outside the published range a model may be: in SI, or as a share of the published value.
     relative
         Whether the tolerance is a share.
+    certainty
+        How sure the published figure is, a word of ``CERTAINTIES``; empty until its check has filled it in.
     """
 
     what: str
@@ -49,6 +61,7 @@ class Figure(NamedTuple):
     computed: float
     tolerance: float
     relative: bool = False
+    certainty: str = ""
 
     @property
     def error(self) -> float:
@@ -56,6 +69,12 @@ class Figure(NamedTuple):
         low, high = self.published
         nearest = min(max(self.computed, low), high)
         return (self.computed - nearest) / (abs(nearest) if self.relative else 1.0)
+
+    @property
+    def inside(self) -> bool | None:
+        """Whether an interval holds what is computed; None where the model gives nothing, or one value is published."""
+        low, high = self.published
+        return None if math.isnan(self.computed) or low == high else low <= self.computed <= high
 
     @property
     def within(self) -> bool | None:
@@ -98,12 +117,12 @@ class Judged:
         self.tally.add(found)
         return found
 
-    def loft(self, club: str, speed: float, attack: float, launch: float, high: float = 0.0) -> float:
-        """Return the dynamic loft [rad] with which the model launches at an angle; NaN if no loft does."""
-        try:
-            return solve_loft(club, speed, attack, launch, high=high, model=self.model, ball=self.ball)
-        except InputError:
-            return math.nan
+    def at_launch(self, club: str | Club, launch: Any, **delivery: Any) -> Launch:
+        """Return shots whose launch angles [rad] are as given, by their dynamic lofts; NaN where no loft does it."""
+        with without_warnings(RangeWarning):
+            found = impact_at_launch(club, delivery, launch=launch, model=self.model, ball=self.ball).launch
+        self.tally.add(found)
+        return found
 
     def has(self, parameter: str) -> bool:
         """Return whether the model has a parameter of this name."""
@@ -124,6 +143,8 @@ class Check:
         Names of the published tables.
     reason
         Why the tolerances are what they are, and what else may part model and figures.
+    certainty
+        How sure its published figures are, a word of ``CERTAINTIES``.
     compute
         Returns the figures by the model that is judged.
     """
@@ -132,9 +153,25 @@ class Check:
     title: str
     sources: tuple[str, ...]
     reason: str
+    certainty: str
     compute: Callable[[Judged], Sequence[Figure]]
 
     @property
     def tables(self) -> list[PublishedTable]:
         """The published tables."""
         return [measurements.table(each) for each in self.sources]
+
+    @property
+    def measured(self) -> bool:
+        """Whether it was measured: what another model computed is shown beside a model, and judges none."""
+        return self.certainty != A_MODEL
+
+    def figures(self, judged: Judged) -> list[Figure]:
+        """Return the figures by the model that is judged, each with its certainty."""
+        return [each._replace(certainty=each.certainty or self.certainty) for each in self.compute(judged)]
+
+
+def rows(table: str) -> Iterable[dict[str, Any]]:
+    """Return the rows of a published table, numbers in SI."""
+    columns = {name: values.tolist() for name, values in measurements.table(table).columns.items()}
+    return [dict(zip(columns, cells, strict=True)) for cells in zip(*columns.values(), strict=True)]

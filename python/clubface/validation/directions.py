@@ -10,8 +10,7 @@ import numpy as np
 from clubface import units
 from clubface.simulation.flight import fly
 from clubface.tour.averages import averages, published_lofts
-from clubface.validation.check import Figure, Judged, figure
-from clubface.validation.deliveries import rows
+from clubface.validation.check import Figure, Judged, figure, rows
 
 OPEN = units.parse("3 deg", "angle")
 """Face angle to either side, with a club path of zero."""

@@ -10,8 +10,8 @@ import numpy as np
 from clubface import units
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
-from clubface.validation.check import Figure, Judged, figure
-from clubface.validation.deliveries import IRON, rows
+from clubface.validation.at_launch import SPIN
+from clubface.validation.check import Figure, Judged, figure, rows
 
 GOLF_DIGEST: dict[str, Any] = {"speed": units.parse("82 mph", "speed"), "attack": units.parse("-3 deg", "angle")}
 COOL_CLUBS: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
@@ -35,13 +35,18 @@ def by_loft(judged: Judged) -> list[Figure]:
         middle, wide = float(angles.mean()), float(angles.std())
         computed = []
         for angle in (middle - wide, middle, middle + wide):
-            loft = angle if column == "dynamic_loft" else judged.loft("7-iron", launch=angle, **delivery)
-            computed.append(judged.hit("7-iron", loft=loft, **delivery).total_spin)
+            launched = column == "launch"
+            shot = (
+                judged.at_launch("7-iron", angle, **delivery)
+                if launched
+                else judged.hit("7-iron", loft=angle, **delivery)
+            )
+            computed.append(shot.total_spin)
         named = "dynamic loft" if column == "dynamic_loft" else "launch angle"
         what = f"7-iron, {named} {units.show(middle, 'deg', 3)}"
         slope, degree = float(np.polyfit(angles, spins, 1)[0]), math.radians(1.0)
         found += [
-            figure(what, "spin", "rpm", spins.mean(), computed[1], IRON.spin, relative=True),
+            figure(what, "spin", "rpm", spins.mean(), computed[1], SPIN, relative=True),
             figure(what, "spin by a degree", "rpm", slope * degree,
                    degree * (computed[2] - computed[0]) / (2.0 * wide), SLOPE_TOLERANCE, relative=True),
         ]  # fmt: skip
@@ -58,8 +63,8 @@ def sliding(judged: Judged) -> list[Figure]:
     grips, slides = row["urethane"], row["two that slide"]
     kept, computed = slides["spin"] / grips["spin"], math.nan
     if judged.has("friction"):
-        loft = judged.loft("pitching-wedge", launch=grips["launch"], **WEDGE)
-        whole = judged.hit("pitching-wedge", loft=loft, **WEDGE)
+        whole = judged.at_launch("pitching-wedge", grips["launch"], **WEDGE)
+        loft = whole.delivery["loft"]
 
         def with_friction(friction: float) -> Launch:
             return judged.hit("pitching-wedge", parameters={"friction": friction}, loft=loft, **WEDGE)

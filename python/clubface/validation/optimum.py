@@ -10,8 +10,7 @@ from clubface import units
 from clubface.simulation.flight import fly
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
-from clubface.validation.check import Figure, Judged, figure
-from clubface.validation.deliveries import rows
+from clubface.validation.check import Figure, Judged, figure, rows
 from clubface.validation.irons import top
 
 LAUNCH_TOLERANCE, SPIN_TOLERANCE = units.parse("1 deg", "angle"), units.parse("300 rpm", "angular rate")

@@ -9,8 +9,7 @@ from clubface import units
 from clubface.equipment.clubs import Club, club
 from clubface.simulation.launch import Launch
 from clubface.support.warning import without_warnings
-from clubface.validation.check import Figure, Judged, figure
-from clubface.validation.deliveries import rows
+from clubface.validation.check import Figure, Judged, figure, rows
 
 RESTITUTION_TOLERANCE, TANGENTIAL_TOLERANCE, SLOW_TOLERANCE = 0.01, 0.1, 0.02
 OBLIQUE_SPEED = 20.0

@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import groupby
+from statistics import median
 from typing import NamedTuple
 
 from clubface.equipment.balls import Ball, ball as ball_named
@@ -26,11 +27,13 @@ class Summary(NamedTuple):
         What is compared; errors that are shares have the unit "%".
     figures
         Number of figures.
+    inside, intervals
+        How many of them are inside the published interval, and of how many one is published.
     within
-        How many of them are within the tolerance.
-    mean, bias, worst
-        Mean magnitude and mean of the errors, and the error of the largest magnitude, SI or shares; NaN if the model
-        says nothing of the quantity.
+        How many of the figures are within the tolerance.
+    median, mean, bias, worst
+        Median and mean of the magnitudes of the errors, their mean, and the error of the largest magnitude, SI or
+        shares; NaN if the model says nothing of the quantity.
     tolerances
         The least and the largest tolerance of the figures, SI or shares.
     scaled
@@ -40,7 +43,10 @@ class Summary(NamedTuple):
     quantity: str
     unit: str
     figures: int
+    inside: int
+    intervals: int
     within: int
+    median: float
     mean: float
     bias: float
     worst: float
@@ -59,7 +65,7 @@ class Summary(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """In how many quantities a model is within the tolerance: on average, with every figure, and of how many."""
+    """In how many measured quantities a model is within the tolerance: on average, with every figure, of how many."""
 
     met: int
     every: int
@@ -80,7 +86,10 @@ def summary(figures: Iterable[Figure]) -> list[Summary]:
                 quantity,
                 "%" if rows[0].relative else rows[0].unit,
                 len(rows),
+                sum(each.inside is True for each in rows),
+                sum(each.inside is not None for each in rows),
                 sum(each.within is True for each in rows),
+                median(map(abs, errors)) if errors else math.nan,
                 _mean(map(abs, errors)),
                 _mean(errors),
                 max(errors, key=abs, default=math.nan),
@@ -125,8 +134,8 @@ class Validation:
         return summary(self.figures[model][check])
 
     def verdict(self, model: str) -> Verdict:
-        """Return in how many quantities of all checks a model is within the tolerance."""
-        every = [each for check in self.checks for each in self.summary(model, check.name)]
+        """Return in how many measured quantities of all checks a model is within the tolerance."""
+        every = [each for check in self.checks if check.measured for each in self.summary(model, check.name)]
         told = [each for each in every if each.told]
         return Verdict(sum(each.met for each in told), sum(each.within == each.figures for each in told), len(told))
 
@@ -161,7 +170,7 @@ def validate(
     for name in found:
         judged = Judged(name, ball, tally)
         for each in chosen:
-            found[name][each.name] = list(each.compute(judged))
+            found[name][each.name] = each.figures(judged)
             done += 1
             if progress is not None:
                 progress(done, len(found) * len(chosen))

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from clubface import units
 from clubface.equipment.clubs import Club, club
 from clubface.simulation.flight import fly
-from clubface.validation.check import Figure, Judged, figure
-from clubface.validation.deliveries import rows
+from clubface.validation.check import Figure, Judged, figure, rows
 
 TOE_SPEED, TOE_LOFT = units.parse("95 mph", "speed"), units.parse("15 deg", "angle")
 """Of the robot; the loft, which is not told, is TrackMan's best for this speed."""
@@ -25,6 +26,13 @@ IRON: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units
 """TrackMan's standard 6-iron shot."""
 DEPTHS = (28.0, 42.0)
 """Depth of the mass centre behind the face [mm]."""
+BEST_LAUNCHES = {
+    way: [units.parse(each, "angle") for each in launches]
+    for way, launches in (("high", ("10 deg", "12 deg", "14 deg")), ("toe", ("12 deg",)))
+}
+BEST_STEP = units.parse("10 mm", "length")
+BEST_TOLERANCES = {"high": units.parse("1.5 mm", "length"), "toe": units.parse("2 mm", "length")}
+LOSS_TOLERANCE = 0.002
 
 
 def toe_hits(judged: Judged) -> list[Figure]:
@@ -53,6 +61,27 @@ def height(judged: Judged) -> list[Figure]:
         figure(what, "change of launch angle", "deg", row["launch_change"], high.launch - low.launch, LAUNCH_TOLERANCE),
         figure(what, "change of spin", "rpm", row["spin_change"], spin, HEIGHT_SPIN_TOLERANCE),
     ]
+
+
+def best_strike(judged: Judged) -> list[Figure]:
+    """Return where on its face a driver is fastest at one launch angle, and what 10 mm away from there cost.
+
+    At every strike the loft is solved. Ball speed is a parabola over the face, so that three strikes tell it.
+    """
+    places = np.array([-BEST_STEP, 0.0, BEST_STEP])
+    found = []
+    for row in rows("best-strike-blackmore"):
+        way = row["direction"]
+        for launch in BEST_LAUNCHES[way]:
+            speeds = judged.at_launch("driver", launch, speed=TOE_SPEED, **{way: places}).ball_speed
+            bend, slope, _ = np.polyfit(places, speeds, 2)
+            what = f"driver, launch {units.show(launch, 'deg')}"
+            best = figure(what, f"fastest strike, {way}", "mm", (row["best_least"], row["best_most"]),
+                          -slope / (2.0 * bend), BEST_TOLERANCES[way])  # fmt: skip
+            loss = figure(what, f"speed lost 10 mm away, {way}", "%", (row["loss_least"], row["loss_most"]),
+                          -bend * BEST_STEP**2 / speeds[1], LOSS_TOLERANCE)  # fmt: skip
+            found += [best, loss]
+    return found
 
 
 def gear_effect(judged: Judged) -> list[Figure]:

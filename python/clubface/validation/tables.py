@@ -11,10 +11,13 @@ from clubface.tour.tables import csv_text
 from clubface.validation.check import Check, Figure
 from clubface.validation.run import Summary, Validation
 
-DIGITS = {"mph": 1, "deg": 1, "rpm": 0, "yd": 1, "us": 0, "1": 3, "%": 1}
+DIGITS = {"mm": 1, "mph": 1, "deg": 1, "rpm": 0, "yd": 1, "us": 0, "1": 3, "%": 1}
 WITHIN = {True: "yes", False: "no", None: ""}
-SUMMARY_HEADS = ["check", "quantity", "tolerance", "model", "within", "mean |error|", "mean error", "worst"]
-FIGURE_HEADS = ["", "quantity", "published", "computed", "error", "tolerance", "within"]
+SUMMARY_HEADS = [
+    "check", "quantity", "certainty", "tolerance", "model", "inside", "within", "median |error|", "mean |error|",
+    "mean error", "worst",
+]  # fmt: skip
+FIGURE_HEADS = ["", "quantity", "published", "certainty", "computed", "inside", "error", "tolerance", "within"]
 
 
 def in_unit(value: float, unit: str, sign: str = "") -> str:
@@ -50,16 +53,23 @@ def figure_rows(figures: list[Figure]) -> list[list[str]]:
         computed = with_unit(each.computed, each.unit)
         error = with_unit(each.error, unit, "+") if computed else ""
         tolerance = with_unit(each.tolerance, unit)
-        found.append([each.what, each.quantity, published(each), computed, error, tolerance, WITHIN[each.within]])
+        found.append(
+            [
+                each.what, each.quantity, published(each), each.certainty, computed, WITHIN[each.inside], error,
+                tolerance, WITHIN[each.within],
+            ]
+        )  # fmt: skip
     return found
 
 
 def summary_cells(each: Summary) -> list[str]:
-    """Return how many figures are within the tolerance, mean magnitude, mean and worst of the errors."""
+    """Return how many figures are inside an interval and within the tolerance, and what their errors are."""
     if not each.told:
-        return ["says nothing", "", "", ""]
+        return ["", "says nothing", "", "", "", ""]
+    inside = f"{each.inside} of {each.intervals}" if each.intervals else ""
+    sizes = [with_unit(value, each.unit) for value in (each.median, each.mean)]
     signed = [with_unit(value, each.unit, "+") for value in (each.bias, each.worst)]
-    return [f"{each.within} of {each.figures}", with_unit(each.mean, each.unit), *signed]
+    return [inside, f"{each.within} of {each.figures}", *sizes, *signed]
 
 
 def tolerances(of: Summary) -> str:
@@ -75,15 +85,16 @@ def summary_rows(result: Validation) -> list[list[str]]:
         for place, first in enumerate(result.summary(result.models[0], check.name)):
             for model in result.models:
                 each = result.summary(model, check.name)[place]
-                found.append([check.name, each.quantity, tolerances(first), model, *summary_cells(each)])
+                head = [check.name, each.quantity, check.certainty, tolerances(first), model]
+                found.append([*head, *summary_cells(each)])
     return found
 
 
 def verdicts(result: Validation) -> list[str]:
     """Say of each model in how many quantities its errors are on average within the tolerance."""
     return [
-        f"{model}: in {each.met} of {each.of} quantities the mean error is within the tolerance, in {each.every} every"
-        " error is."
+        f"{model}: in {each.met} of {each.of} measured quantities the mean error is within the tolerance, in"
+        f" {each.every} every error is."
         for model in result.models
         for each in [result.verdict(model)]
     ]
@@ -108,10 +119,10 @@ def records(result: Validation) -> list[dict[str, Any]]:
                 found.append(
                     {
                         "model": model, "check": check, "what": each.what, "quantity": each.quantity, "unit": each.unit,
-                        "published_least": _rounded(low), "published_most": _rounded(high),
+                        "published_least": _rounded(low), "published_most": _rounded(high), "certainty": each.certainty,
                         "computed": _rounded(float(units.from_si(each.computed, each.unit))),
                         "error": _rounded(error), "tolerance": _rounded(allowed),
-                        "relative": each.relative, "within": each.within,
+                        "relative": each.relative, "inside": each.inside, "within": each.within,
                     }
                 )  # fmt: skip
     return found
@@ -127,7 +138,12 @@ def document(result: Validation) -> dict[str, Any]:
     return {
         "ball": result.ball,
         "checks": {
-            each.name: {"title": each.title, "reason": each.reason, "sources": list(each.sources)}
+            each.name: {
+                "title": each.title,
+                "reason": each.reason,
+                "certainty": each.certainty,
+                "sources": list(each.sources),
+            }
             for each in result.checks
         },
         "figures": records(result),

@@ -1,0 +1,155 @@
+"""The model behind TrackMan's chart of drives of 2010: a rigid ball that rolls off a rigid head struck through its CG.
+
+The chart gives complete deliveries and launches of 60 drives, and so looks like a measurement with dynamic loft and
+spin. It is computed. The model ``standard`` of a head struck at the projection of its CG repeats its spins but for a
+constant, and the ratio of spin to momentum along the face is the same in every row: a dynamic loft published with a
+launch says no more than the launch.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface import measurements, units
+from clubface.equipment.balls import ball
+from clubface.equipment.clubs import Club, club
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.support.arrays import Floats
+from clubface.support.warning import without_warnings
+from clubface.validation.check import Judged
+
+TABLE = "optimum-trackman-2010"
+BALL = "published"
+"""A ball as was assumed then: 45.9 g, 42.6 mm, with the moment of inertia of a homogeneous one."""
+STANDARD = "standard"
+
+
+class Errors(NamedTuple):
+    """How the launches of a model differ from those of the chart: mean, mean magnitude and standard deviation.
+
+    Attributes
+    ----------
+    model, struck
+        The model, and where the driver is struck, in words.
+    ball_speed, spin
+        Shares.
+    launch
+        Radians.
+    """
+
+    model: str
+    struck: str
+    ball_speed: tuple[float, float, float]
+    launch: tuple[float, float, float]
+    spin: tuple[float, float, float]
+
+
+class Chart(NamedTuple):
+    """What the chart holds.
+
+    Attributes
+    ----------
+    drives
+        How many.
+    ratio
+        Mean and standard deviation of I w/(m R v_t), v_t being the ball's velocity along the face: 1 for a rigid ball
+        that leaves a face at rest rolling.
+    loft
+        Root mean square [rad] of the chart's lofts less those computed from its launch, ball speed and spin with the
+        mean ratio.
+    errors
+        Of models.
+    """
+
+    drives: int
+    ratio: tuple[float, float]
+    loft: float
+    errors: list[Errors]
+
+
+def chart() -> Chart:
+    """Return what the chart holds, and how near models come to it."""
+    table = measurements.table(TABLE)
+    with without_warnings():  # the ball is a little smaller than the rules allow
+        used = ball(BALL)
+    tilt = table["dynamic_loft"] - table["launch"]
+    lever = used.inertia / (used.mass * used.radius)
+    ratios = lever * table["spin"] / (table["ball_speed"] * np.sin(tilt))
+    lofts = table["launch"] + np.arcsin(lever * table["spin"] / (ratios.mean() * table["ball_speed"]))
+    head = club("driver").replace(bulge="flat", roll="flat")
+    shots = (
+        (STANDARD, "through the CG", through_cg(head)),
+        (STANDARD, "face centre", (0.0, 0.0)),
+        (DEFAULT_MODEL, "through the CG", through_cg(head)),
+        (DEFAULT_MODEL, "face centre", (0.0, 0.0)),
+    )
+    return Chart(
+        len(table),
+        (float(ratios.mean()), float(ratios.std())),
+        float(np.sqrt(np.mean((lofts - table["dynamic_loft"]) ** 2))),
+        [_errors(model, struck, head, where) for model, struck, where in shots],
+    )
+
+
+def through_cg(head: Club) -> tuple[float, float]:
+    """Return the place on a flat face [m], towards the toe and up, whose normal runs through the mass centre."""
+    up = head.cg_x * math.sin(head.loft) - head.cg_y * math.cos(head.loft)
+    return -head.cg_z, up
+
+
+def _errors(model: str, struck: str, head: Club, where: tuple[float, float]) -> Errors:
+    table = measurements.table(TABLE)
+    with without_warnings():
+        shots = Judged(model, BALL).hit(
+            head, speed=table["club_speed"], attack=table["attack"], loft=table["dynamic_loft"], toe=where[0],
+            high=where[1],
+        )  # fmt: skip
+    return Errors(
+        model,
+        struck,
+        _spread(shots.ball_speed / table["ball_speed"] - 1.0),
+        _spread(shots.launch - table["launch"]),
+        _spread(shots.total_spin / table["spin"] - 1.0),
+    )
+
+
+def _spread(errors: Floats) -> tuple[float, float, float]:
+    return float(errors.mean()), float(np.abs(errors).mean()), float(errors.std())
+
+
+HEADS = ["model", "struck", "quantity", "mean error", "mean |error|", "spread"]
+
+
+def table_rows(errors: Sequence[Errors]) -> list[list[str]]:
+    """Return a row a model and quantity, under ``HEADS``."""
+    return [
+        [each.model, each.struck, quantity, *_cells(values, unit)]
+        for each in errors
+        for quantity, values, unit in (
+            ("ball speed", each.ball_speed, "%"), ("launch angle", each.launch, "deg"), ("spin", each.spin, "%"),
+        )
+    ]  # fmt: skip
+
+
+def _cells(values: Sequence[float], unit: str) -> list[str]:
+    """Write mean, mean magnitude and spread of errors."""
+    shown = [float(units.from_si(each, unit)) for each in values]
+    return [f"{number:{sign}.1f}{'%' if unit == '%' else ' deg'}" for number, sign in zip(shown, "+  ", strict=True)]
+
+
+def narrative(found: Chart) -> list[str]:
+    """Return what the numbers say."""
+    best = found.errors[0]
+    mean, spread = (100.0 * each for each in (best.spin[0], best.spin[2]))
+    middle, wide = found.ratio
+    return [
+        f"{best.model} struck {best.struck} has the spin of these {found.drives} drives to {mean:+.1f}% on average,"
+        f" with a standard deviation of {spread:.1f}%.",
+        f"I w/(m R v_t) is {middle:.3f}, with a standard deviation of {wide:.3f}, so that every dynamic loft is launch"
+        f" + asin(I w/({middle:.3f} m R v)) to {math.degrees(found.loft):.2f} degrees.",
+        "The chart is a model, and judges none.",
+    ]

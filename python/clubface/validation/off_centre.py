@@ -1,0 +1,113 @@
+"""What parts models and published strikes off the centre: closure, the inertia of the head, the depth of its CG.
+
+Each published figure is computed again with one thing changed. A radar reports the path of the geometric centre of the
+head, which is near its mass centre, and cameras report that of the face centre. A face that closes about a mass centre
+behind it moves to the left where it meets the ball, so that the two differ by 2 to 3 degrees for a driver.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from clubface import units
+from clubface.equipment.clubs import Club, club
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.simulation.launch import Launch
+from clubface.validation.check import Figure, Judged
+from clubface.validation.tables import published, with_unit
+
+CLOSURE = units.parse("2500 deg/s", "angular rate")
+"""Between the 1800 and 3600 deg/s of drives (S. MacKenzie, golf.com)."""
+SMALL_INERTIA = units.parse("4500 g cm2", "inertia")
+"""About the vertical, of a driver in the years of the published tests: that of McNally and co-workers (2016)."""
+DEEPER = units.parse("10 mm", "length")
+
+
+def depth(head: Club) -> float:
+    """Return how far the mass centre is behind the face centre, along the normal of the face [m]."""
+    return head.cg_x * math.cos(head.loft) + head.cg_y * math.sin(head.loft)
+
+
+def deeper(head: Club) -> Club:
+    """Return a head whose mass centre is ``DEEPER`` further behind the face, along the normal of the face."""
+    return head.replace(
+        cg_x=head.cg_x + DEEPER * math.cos(head.loft), cg_y=head.cg_y + DEEPER * math.sin(head.loft)
+    )  # fmt: skip
+
+
+def less_inertia(head: Club) -> Club:
+    """Return a wood of less inertia about the vertical; other clubs are as they are."""
+    return head.replace(iyy=SMALL_INERTIA) if head.kind == "wood" else head
+
+
+def closing(head: Club, speed: float) -> dict[str, float]:
+    """Return a delivery with closure, whose path is that of the mass centre."""
+    return {"closure": CLOSURE}
+
+
+def closing_on_path(head: Club, speed: float) -> dict[str, float]:
+    """Return a delivery with closure, with the mass centre moving right so that the face centre has a path of 0."""
+    return {"closure": CLOSURE, "path": math.atan(CLOSURE * depth(head) / speed)}
+
+
+@dataclass(frozen=True)
+class Change:
+    """One thing changed: its name, what becomes of the head, and what a delivery of a head and speed gets."""
+
+    name: str
+    head: Callable[[Club], Club] = lambda head: head
+    delivery: Callable[[Club, float], dict[str, float]] = lambda head, speed: {}
+
+
+CHANGES = (
+    Change("as judged"),
+    Change("closing, path of the CG 0", delivery=closing),
+    Change("closing, path of the face 0", delivery=closing_on_path),
+    Change("less inertia", less_inertia),
+    Change("CG 10 mm deeper", deeper),
+)
+HEADS = ["", "quantity", "published", "certainty", *(each.name for each in CHANGES)]
+
+
+class Changed(Judged):
+    """A model that is judged with a change of the built-in heads and of every delivery."""
+
+    def __init__(self, change: Change, model: str, ball: Any = None) -> None:
+        super().__init__(model, ball)
+        self.change = change
+
+    def hit(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
+        """Return the launch of one shot."""
+        head, delivery = self._changed(club, delivery)
+        return super().hit(head, parameters=parameters, **delivery)
+
+    def at_launch(self, club: str | Club, launch: Any, **delivery: Any) -> Launch:
+        """Return shots at their launch angle."""
+        head, delivery = self._changed(club, delivery)
+        return super().at_launch(head, launch, **delivery)
+
+    def _changed(self, struck: str | Club, delivery: dict[str, Any]) -> tuple[Club, dict[str, Any]]:
+        head = self.change.head(club(struck))
+        return head, self.change.delivery(head, delivery["speed"]) | delivery
+
+
+def causes(model: str = DEFAULT_MODEL, ball: str | os.PathLike[str] | None = None) -> list[list[str]]:
+    """Return a row a published figure of strikes off the centre, with what every change computes, under ``HEADS``."""
+    from clubface.validation.catalogue import check_named
+
+    columns: list[list[Figure]] = []
+    for change in CHANGES:
+        judged = Changed(change, model, ball)
+        columns.append(
+            [one for name in ("toe-hits", "strike-height", "gear-effect", "best-strike")
+             for one in check_named(name).figures(judged)]
+        )  # fmt: skip
+    return [
+        [first.what, first.quantity, published(first), first.certainty,
+         *(with_unit(figures[place].computed, first.unit) for figures in columns)]
+        for place, first in enumerate(columns[0])
+    ]  # fmt: skip
