@@ -97,10 +97,10 @@ fem-figures: dev ## the figures of docs/finite-elements, computed again; some th
 validation: build ## models beside published figures: the picture and the finite elements of docs/which-model.md; minutes
 	$(PYTHON) docs/figures/validation.py
 
-ball-fit: dev ## fit the ball modern to published plate tests again, with intervals; a minute or two
+ball-fit: dev ## fit the core of the ball modern-2026 to published plate tests again, with intervals; a minute or two
 	$(PYTHON) studies/ball_fit.py
 
-ball-shear-fit: dev ## what plates, start angles and spins at measured launch say of a cover that relaxes; ten minutes
+ball-shear-fit: dev ## fit the ball modern to plates, start angles and spins at measured launch, with intervals; minutes
 	$(PYTHON) studies/ball_shear_fit.py
 
 BALL ?= modern

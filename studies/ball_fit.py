@@ -1,4 +1,4 @@
-"""Fit the core of the ball `modern` to published plate tests, and tell what they leave open: `make ball-fit`.
+"""Fit the core of the ball `modern-2026` to published plate tests, and tell what they leave open: `make ball-fit`.
 
 Free are the modulus c10 of the core, and the modulus and time of its Maxwell branch; all else is as in the ball's file.
 Printed are figures beside targets, the standard deviations and correlations of the fit, and the spins that a cover at
@@ -50,7 +50,7 @@ def targets() -> list[dict[str, Any]]:
 
 def ball(values: Any, cover: float = COVER_MIDDLE) -> fem.Ball:
     """Return the ball with other values of ``NAMES`` and another Young's modulus of the cover [MPa]."""
-    made = fem.ball("modern")
+    made = fem.ball("modern-2026")
     core, around = made.pieces
     constants = {**core.material.constants, "c10": values[0] * 1e6}
     branch = Maxwell(values[1], values[2] * 1e-6)

@@ -1,10 +1,10 @@
-"""What constrains the shear of a ball: plates, start angles and spins at measured launch: `make ball-shear-fit`.
+"""Fit the ball `modern` to plates, start angles and spins at measured launch: `make ball-shear-fit`.
 
-The ball `modern` is fitted to normal impacts alone (`ball_fit.py`), and its cover is elastic. Here the cover has a
-Maxwell branch too, which takes away from what the ball gives back of the shear it stores. Published spins at one launch
-differ by more than their noise from source to source, so each source has an unknown error of its own. Printed are
-figures beside targets, the posterior of Laplace's approximation, and how the spin of an iron moves without one of the
-sources.
+Normal impacts (`ball_fit.py`) say nothing of the shear of a ball, and an elastic cover gives back too much of it. Here
+the cover has a Maxwell branch too, which takes away from what the ball gives back of the shear it stores. Published
+spins at one launch differ by more than their noise from source to source, so each source has an unknown error of its
+own. Printed are figures beside targets, the posterior of Laplace's approximation, and how the spin of an iron moves
+without one of the sources.
 """
 
 from __future__ import annotations
@@ -43,13 +43,11 @@ SLIP_DEVIATION = 0.09
 """The mean absolute error of `slip` in their backspin, as a share."""
 WIDTH = units.parse("1.5 deg", "angle")
 """Half of the difference of the two lofts between which the one with the measured launch is interpolated."""
-MODERN_DRIVER = {"cg_x": "42.18 mm", "cg_y": "4.34 mm"}
-"""The mass centre of the driver of Danaei and co-workers (2020), doi 10.3390/proceedings2020049047, read with y up."""
 
 
 def rigid(name: str) -> Club:
-    """Return a built-in club with a rigid face, the driver with its mass centre above the normal of the face."""
-    return club(name).replace(characteristic_time=0.0, **(MODERN_DRIVER if name == "driver" else {}))
+    """Return a built-in club with a rigid face: what differs is the ball."""
+    return club(name).replace(characteristic_time=0.0)
 
 
 def relaxing_ball(values: Any) -> fem.Ball:
@@ -149,17 +147,15 @@ def main() -> None:
         print_target(f"tangential restitution, {each['speed']}, {each['angle']}", each, value)
     for each, value in zip(problem.shares, shares, strict=True):
         print_target(f"share of launch angle, {each['club']}", each, value)
-    clubs = [*(each.target["club"] for each in problem.shots), "7-iron"]
-    for group, name, value in zip(problem.groups, clubs, errors, strict=True):
-        print(f"{'spin at measured launch, ' + name + ', ' + group:70}{100.0 * math.expm1(value):+7.1f}%")
     covariance = np.linalg.inv(fit.jac.T @ fit.jac)
+    print_spins(problem, errors, fit.jac, covariance)
     deviations = np.sqrt(np.diag(covariance))
     print(f"\nsum of squares {2.0 * fit.cost:.1f}")
     for name, value, deviation in zip(FREE, np.exp(fit.x), deviations, strict=True):
         low, high = value * np.exp([-1.96 * deviation, 1.96 * deviation])
         print(f"{name:36} {value:8.3f}   95%: {low:.3g} to {high:.3g}")
     print("correlations\n", np.round(covariance / np.outer(deviations, deviations), 2))
-    print_without_groups(problem, fit, covariance)
+    print_without_groups(problem, fit)
 
 
 def print_target(name: str, target: Mapping[str, Any], value: float, unit: float = 1.0) -> None:
@@ -167,20 +163,34 @@ def print_target(name: str, target: Mapping[str, Any], value: float, unit: float
     print(f"{name:52}{target['value'] / unit:9.3f} +- {target['deviation'] / unit:7.3f}{value / unit:10.3f}")
 
 
-def print_without_groups(problem: Fit, fit: Any, covariance: Any) -> None:
-    """Print how the spin of the first shot moves without each group, to first order, and its posterior deviation."""
-    first = len(problem.normal) + len(problem.oblique) + len(problem.shares)
-    rows = np.arange(first, first + len(problem.groups))
+def print_spins(problem: Fit, errors: Any, jac: Any, covariance: Any) -> None:
+    """Print computed less measured spin at each measured launch, and the posterior deviation of the computed one."""
+    slopes = np.linalg.solve(problem.whiten, jac[spin_rows(problem)])
+    deviations = 100.0 * np.sqrt(np.einsum("ij,jk,ik->i", slopes, covariance, slopes))
+    clubs = [*(each.target["club"] for each in problem.shots), "7-iron"]
+    for group, name, value, deviation in zip(problem.groups, clubs, errors, deviations, strict=True):
+        what = f"spin at measured launch, {name}, {group}"
+        print(f"{what:70}{100.0 * math.expm1(value):+7.1f}% +- {deviation:4.1f}%")
+
+
+def print_without_groups(problem: Fit, fit: Any) -> None:
+    """Print how the spin of the first shot moves without each group, to first order."""
+    rows = spin_rows(problem)
     slopes, errors = (np.linalg.solve(problem.whiten, each[rows]) for each in (fit.jac, fit.fun))
     other_slopes, others = np.delete(fit.jac, rows, axis=0), np.delete(fit.fun, rows)
-    spread = 100.0 * math.sqrt(slopes[0] @ covariance @ slopes[0])
-    print(f"\nspin of {problem.shots[0].target['club']}: posterior deviation {spread:.1f}%")
+    print(f"\nspin of the {problem.shots[0].target['club']}")
     for group in dict.fromkeys(problem.groups):
         kept = [place for place, each in enumerate(problem.groups) if each != group]
         whiten = np.linalg.inv(np.linalg.cholesky(problem.covariance[np.ix_(kept, kept)]))
         jac = np.vstack([other_slopes, whiten @ slopes[kept]])
         step = -np.linalg.lstsq(jac, np.concatenate([others, whiten @ errors[kept]]), rcond=None)[0]
         print(f"without {group:40} {100.0 * float(slopes[0] @ step):+6.1f}%")
+
+
+def spin_rows(problem: Fit) -> Any:
+    """Return the rows of the residuals that hold the whitened errors of spins."""
+    first = len(problem.normal) + len(problem.oblique) + len(problem.shares)
+    return np.arange(first, first + len(problem.groups))
 
 
 if __name__ == "__main__":
