@@ -156,6 +156,16 @@ def test_a_toe_strike_costs_the_less_ball_speed_the_larger_the_moment_of_inertia
     assert lost[0] > lost[1] > lost[2] > 0.0
 
 
+@pytest.mark.parametrize("name", [name for name in CLUB_NAMES if club(name).category == "drivers"])
+def test_a_driver_has_its_best_ball_speed_near_the_height_of_its_cg(name):
+    """At one launch angle. It is lower by some mm, where the force, which friction turns up, points through the CG."""
+    heights = np.linspace(-0.01, 0.01, 5)
+    found = clubface.impact_at_launch(name, launch="12 deg", speed="105 mph", attack="0 deg", high=heights)
+    curve = np.polyfit(heights, found.launch.ball_speed, 2)
+    assert curve[0] < 0.0
+    assert -4e-3 < -curve[1] / (2.0 * curve[0]) - club(name).cg_height < 0.0
+
+
 @pytest.mark.parametrize("name", CLUB_NAMES)
 def test_the_default_model_covers_every_built_in_club(name, recwarn):
     head = club(name)
