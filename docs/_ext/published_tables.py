@@ -28,9 +28,11 @@ class PublishedTables(CoreTable):
 def described(each: PublishedTable) -> list[str]:
     """Lay out one table as Markdown; a long one folds away."""
     doubt = f" **In doubt:** {each.caveat}" if each.caveat else ""
+    computed = "".join(f" **Not measured:** {name.replace('_', ' ')}. {why}." for name, why in each.derived.items())
     via = f"; read in {each.via}" if each.via else ""
     lines = [
-        f"**`{each.name}`** — {each.title}; {KINDS[each.kind]}. {each.conditions}{doubt} *Source:* {each.source}{via}.",
+        f"**`{each.name}`** — {each.title}; {KINDS[each.kind]}. {each.conditions}{computed}{doubt}"
+        f" *Source:* {each.source}{via}.",
         "",
     ]
     heads = [name.replace("_", " ") + unit(each.units.get(name, "1")) for name in each.columns]

@@ -200,3 +200,38 @@ def test_a_planted_error_in_a_csv_file_is_found(write, rows, message):
 def test_a_second_table_of_one_name_is_found(write):
     with pytest.raises(FileError, match=r"x\.toml:11: a second table 'cor'"):
         measurements.read(write(f"{WHOLE}\n{WHOLE}", "x.toml"))
+
+
+def test_lofts_that_trackman_computed_from_the_ball_are_marked_wherever_their_spin_stands_beside_them():
+    # I w / (m R v sin(loft - launch)) of the rows, with I = 0.400 m R^2 and R = 21.3 mm: the ratio that the text names.
+    for name, least, most in (
+        ("standard-shots-trackman", 1.12, 1.16),
+        ("drives-by-handicap", 1.12, 1.25),
+        ("optimum-trackman-2010", 1.03, 1.20),
+    ):  # fmt: skip
+        table = measurements.table(name)
+        along = table["ball_speed"] * np.sin(table["dynamic_loft"] - table["launch"])
+        ratios = 0.400 * 0.0213 * table["spin"] / along
+        assert ((ratios > least) & (ratios < most)).all()
+        assert set(table.derived) == {"dynamic_loft"}
+    chart = measurements.table("optimum-trackman-2010").derived["dynamic_loft"]
+    assert "1.123" in chart
+    assert "0.026" in chart
+    marked = {name for name in measurements.names() if measurements.table(name).derived}
+    trackman = {
+        name
+        for name in measurements.names()
+        if "dynamic_loft" in measurements.table(name).columns and measurements.table(name).source.startswith("TrackMan")
+    }
+    assert marked == trackman
+
+
+@pytest.mark.parametrize("derived", ['{ loft = "so" }', '{ spin = "" }', '"spin"', "{ spin = 1 }"])
+def test_a_mark_of_a_column_that_is_not_there_or_has_no_reason_is_refused(derived, tmp_path):
+    path = tmp_path / "own.toml"
+    path.write_text(
+        '[[table]]\nname = "own"\ntitle = "Own"\nkind = "measured"\nsource = "A (2020), B"\nconditions = "None."\n'
+        f'derived = {derived}\ncolumns = ["spin [rpm]"]\nrows = [[2500]]\n'
+    )
+    with pytest.raises(FileError, match="derived"):
+        measurements.read(path)

@@ -39,6 +39,7 @@ def evaluate(
     setting: options.Setting = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
     delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
+    at_launch: options.AtLaunch = False,
     resamples: Annotated[int, typer.Option("--resamples", metavar="N", help="Number of bootstrap samples.")] = 2000,
     seed: options.Seed = 0,
     folder: options.Folder = None,
@@ -60,7 +61,7 @@ def evaluate(
         recorded, models=names, parameters=sets, ball=texts["ball"],
         noise=option_values.pairs(noise or (), "--noise"),
         delivery_noise=option_values.pairs(delivery_noise or (), "--delivery-noise"),
-        resamples=resamples, seed=seed, progress=_progress(),
+        compared_at="launch" if at_launch else "delivery", resamples=resamples, seed=seed, progress=_progress(),
     )  # fmt: skip
     files = result.write(folder) if folder is not None else []
     if as_json:

@@ -49,6 +49,7 @@ def identify(
         list[str] | None,
         _option("--bounds", panel=_FIT, metavar="NAME=LOW:HIGH", text="Narrower bounds of a parameter. Repeatable."),
     ] = None,
+    at_launch: options.AtLaunch = False,
     cost: Annotated[
         str,
         _option(
@@ -129,7 +130,8 @@ def identify(
         found = fit(
             recorded, club=head, model=model, parameters=option_values.one_set(head, texts), free=_free(free),
             tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"],
-            quantities=option_values.names(quantities) or None, cost=cost, normaliser=normaliser,
+            quantities=option_values.names(quantities) or None,
+            compared_at="launch" if at_launch else "delivery", cost=cost, normaliser=normaliser,
             noise=option_values.pairs(noise or (), "--noise"), population=population,
             generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,
             profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],

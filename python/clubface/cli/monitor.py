@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -19,6 +20,7 @@ from clubface.support.whole_file import whole_file
 from clubface.units import display_unit, from_si
 
 if TYPE_CHECKING:
+    from clubface.recorded.loft_origin import LoftOrigin
     from clubface.recorded.shots import RecordedShots
 
 app = typer.Typer(
@@ -52,6 +54,7 @@ def read(
     **texts: Any,
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
+    from clubface.recorded.loft_origin import AT_LAUNCH, loft_origins, origin_notes
     from clubface.tables.writer import KINDS
 
     read_files = [*files, texts["mapping"]]
@@ -64,15 +67,16 @@ def read(
         shots.write(target)
     if rejects is not None:
         _write_rejects(shots, Path(rejects))
+    origins = loft_origins(shots)
     if as_json:
-        output.print_json(_described(shots) | {"output": target, "rejects": rejects})
+        output.print_json(_described(shots, origins) | {"output": target, "rejects": rejects})
         return
     _print(shots)
     print(output.counted(len(shots), "shot") + (f": {target}" if target is not None else ""))
     output.print_rejected(
         shots.rejected, "rejected" + (f": {rejects}" if rejects is not None else ""), "--rejects FILE keeps all"
     )
-    output.print_notes(shots.notes)
+    output.print_notes([*origin_notes(origins, AT_LAUNCH), *shots.notes])
 
 
 @app.command("formats")
@@ -134,8 +138,10 @@ def _counts(shots: RecordedShots) -> dict[str, int]:
     return {name: names.count(name) for name in dict.fromkeys(names)}
 
 
-def _described(shots: RecordedShots) -> dict[str, Any]:
+def _described(shots: RecordedShots, origins: Iterable[LoftOrigin]) -> dict[str, Any]:
     import numpy as np
+
+    from clubface.recorded.loft_origin import AT_LAUNCH, origin_notes
 
     values = shots.deliveries | shots.launches
     return {
@@ -147,8 +153,9 @@ def _described(shots: RecordedShots) -> dict[str, Any]:
             name: {"unit": unit, "shots": int((~np.isnan(values[name])).sum()), "mean": _mean(values[name])}
             for name, unit in shots.units().items()
         },
+        "loft_origins": [each._asdict() for each in origins],
         "rejected": [each._asdict() for each in shots.rejected],
-        "notes": shots.notes,
+        "notes": [*origin_notes(origins, AT_LAUNCH), *shots.notes],
     }
 
 

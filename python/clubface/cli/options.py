@@ -48,6 +48,12 @@ ColumnsFile = Annotated[
 Resume = Annotated[
     bool, typer.Option("--resume", help="Refuse to begin anew where a run with other inputs was interrupted.")
 ]
+AtLaunch = Annotated[
+    bool,
+    typer.Option(
+        "--at-launch", help="Compare at the measured launch: loft and face are solved, not taken from the file."
+    ),
+]
 Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
 
 Report = Annotated[

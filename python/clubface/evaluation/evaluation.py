@@ -17,11 +17,12 @@ from clubface.evaluation.report import write
 from clubface.evaluation.statistics import Resamples, error_sizes, fewest_resamples
 from clubface.evaluation.trends import trends
 from clubface.launch_monitor import read
-from clubface.measured.shots import QUANTITIES, MeasuredShots, measured_shots
+from clubface.measured.shots import DELIVERY, QUANTITIES, MeasuredShots, measured_shots
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact, model_names
 from clubface.simulation.inputs import parameter_set
 from clubface.simulation.launch import Launch
+from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.outside import warn_if_outside
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_count, is_count
@@ -59,6 +60,7 @@ def evaluate(
     accuracy: float | None = None,
     noise: Mapping[str, Any] | None = None,
     delivery_noise: Mapping[str, Any] | None = None,
+    compared_at: str = DELIVERY,
     groups: Sequence[object] | NDArray[Any] | None = None,
     resamples: int = 2000,
     seed: int = 0,
@@ -89,6 +91,10 @@ def evaluate(
     delivery_noise
         Standard deviations of the measured delivery quantities, by name; they count for the least error that can be
         reached.
+    compared_at
+        "delivery", or "launch": every model then meets the measured launch angle and, if it was measured, the start
+        direction, for which it gets a dynamic loft and a face angle of its own; ball speed and spin are compared there.
+        Lofts that a monitor computed from the ball do not count then.
     groups
         One label for each shot of ``shots`` that says which shots belong together, such as the player. Resamples then
         draw whole groups. If left out: the players, if the shots name several; otherwise every shot is its own.
@@ -118,7 +124,7 @@ def evaluate(
     if groups is not None and recorded is not shots:
         advice = "give RecordedShots, to which groups can belong, one to each shot"
         raise InputError("groups", Told("for a file"), advice)
-    taken = measured_shots(recorded, club=club, only=only, mismatch=mismatch)
+    taken = measured_shots(recorded, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
     belonging = _groups_of(groups, recorded, taken)
     given = parameters or {}
     for name in given:
@@ -126,24 +132,33 @@ def evaluate(
             raise InputError("parameters", name, f"for one of the models evaluated: {', '.join(names)}")
     sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
 
-    def predict(name: str, delivery: Mapping[str, Floats]) -> dict[str, Floats]:
+    def predict(name: str, given: Mapping[str, Floats]) -> dict[str, Floats]:
+        """Return launches of deliveries, or at the launch angles and azimuths among what is given."""
+        delivery = {each: values for each, values in given.items() if each not in taken.start}
+        start = {each: values for each, values in given.items() if each in taken.start}
+        how: dict[str, Any] = {
+            "model": name, "parameters": sets[name], "ball": ball, "accuracy": accuracy, "threads": threads,
+        }  # fmt: skip
         with without_warnings(RangeWarning):
-            found = impact(
-                taken.club, delivery, model=name, parameters=sets[name], ball=ball, accuracy=accuracy, threads=threads,
-                on_error="nan",
-            )  # fmt: skip
+            if start:
+                loft, _, found = impact_at_launch(taken.club, delivery, **start, **how)
+                for row in np.flatnonzero(np.isnan(loft)):
+                    failures.setdefault(int(row), f"{name}: no loft gives the measured launch")
+            else:
+                found = impact(taken.club, delivery, **how, on_error="nan")
         launches[name] = found
         for each in found.problems:
             failures.setdefault(each.row[0], f"{name}: {each.reason}")
         return {quantity: np.asarray(getattr(found, quantity)) for quantity in QUANTITIES}
 
+    given_of = {**taken.delivery, **taken.start}
     failures: dict[int, str] = {}
     launches: dict[str, Launch] = {}
     predicted, seconds = {}, {}
     for name in names:
         if progress is not None:
             progress(name)
-        predicted[name], seconds[name] = _timed(lambda model=name: predict(model, taken.delivery), len(taken))
+        predicted[name], seconds[name] = _timed(lambda model=name: predict(model, given_of), len(taken))
     warn_if_outside(launches.values())
     kept = np.array([row not in failures for row in range(len(taken))], dtype=bool)
     failed = tuple(RejectedRow(int(taken.rows[row]), reason) for row, reason in sorted(failures.items()))
@@ -161,7 +176,11 @@ def evaluate(
         delivery = {name: values[there] for name, values in taken.delivery.items()}
         lines[quantity] = trends(errors, delivery, drawn)
     standing = best[next(iter(best))].model
-    least = noises.floor(lambda delivery: predict(standing, delivery), taken.delivery, monitor, disturbance, seed)
+    # What is met is measured with noise as well, and noise in what is solved for counts for nothing.
+    disturbed = disturbance | {name: monitor[name] for name in taken.start if name in monitor}
+    least = noises.floor(
+        lambda delivery: predict(standing, delivery), {**taken.delivery, **taken.start}, monitor, disturbed, seed
+    )
     return Evaluation(
         shots=taken, parameters=sets, predicted=predicted, sizes=sizes, best=best, trends=lines,
         floor={name: least[name] for name in sizes if name in least}, monitor_noise=monitor,

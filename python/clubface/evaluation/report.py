@@ -18,7 +18,7 @@ from clubface.errors import FileError
 from clubface.evaluation import tables
 from clubface.evaluation.model_errors import ModelErrors
 from clubface.evaluation.tables import Table
-from clubface.measured.shots import QUANTITIES
+from clubface.measured.shots import DELIVERY, LAUNCH, QUANTITIES
 from clubface.support.folders import prepared_folder
 from clubface.support.plain_json import plain
 from clubface.support.whole_file import write_text
@@ -154,6 +154,8 @@ def document(of: ModelErrors) -> dict[str, Any]:
         "source": of.shots.source,
         "club": of.shots.club.name,
         "shots": len(of.shots),
+        "compared_at": LAUNCH if of.shots.start else DELIVERY,
+        "loft_origins": [each._asdict() for each in of.shots.loft_origins],
         "left_out": [each._asdict() for each in (*of.shots.dropped, *of.failed)],
         "models": {
             name: {

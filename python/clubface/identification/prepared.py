@@ -15,9 +15,11 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, Told, UnknownNameError
 from clubface.launch_monitor import read
-from clubface.measured.shots import QUANTITIES, measured_shots
+from clubface.measured.shots import DELIVERY, QUANTITIES, SOLVED, measured_shots
+from clubface.recorded.loft_origin import LoftOrigin
 from clubface.recorded.shots import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact
+from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.quantities import input_columns, inputs, outputs
 from clubface.support.warning import without_warnings
 
@@ -36,6 +38,12 @@ class PreparedShots:
         Names of the launch quantities.
     launches
         Their measured values [SI], shape (quantities, shots); NaN where one was not measured.
+    start
+        Launch angles, or launch angles and azimuths [rad], that every set of parameters meets, shape (1 or 2, shots);
+        of shape (0, shots) for a comparison at the measured delivery. Loft and face angle among the columns are then
+        those with which the parameters given meet them.
+    loft_origins
+        What the shots tell of where their dynamic lofts come from.
     rows
         Where each shot stands in its source.
     groups
@@ -53,11 +61,13 @@ class PreparedShots:
     columns: list[Any]
     quantities: tuple[str, ...]
     launches: NDArray[np.float64]
+    start: NDArray[np.float64]
     rows: NDArray[np.int64]
     groups: NDArray[np.int64]
     source: str
     dropped: tuple[RejectedRow, ...] = ()
     notes: tuple[str, ...] = ()
+    loft_origins: tuple[LoftOrigin, ...] = ()
 
     def __len__(self) -> int:
         return self.launches.shape[1]
@@ -65,13 +75,23 @@ class PreparedShots:
     def select(self, which: NDArray[Any]) -> Self:
         """Return some of the shots, by mask or indices."""
         columns = [each if isinstance(each, float) else np.ascontiguousarray(each[which]) for each in self.columns]
-        launches = np.ascontiguousarray(self.launches[:, which])
-        return replace(self, columns=columns, launches=launches, rows=self.rows[which], groups=self.groups[which])
+        launches, start = (np.ascontiguousarray(each[:, which]) for each in (self.launches, self.start))
+        rows, groups = self.rows[which], self.groups[which]
+        return replace(self, columns=columns, launches=launches, start=start, rows=rows, groups=groups)
 
     def output_places(self) -> list[int]:
-        """Return where the quantities stand among the outputs of the core."""
+        """Return where the quantities, and then what is met, stand among the outputs of the core."""
         order = list(outputs())
-        return [order.index(name) for name in self.quantities]
+        return [order.index(name) for name in (*self.quantities, *self.met)]
+
+    @property
+    def met(self) -> list[str]:
+        """Names of what every set of parameters meets."""
+        return list(SOLVED)[: len(self.start)]
+
+    def solved_columns(self) -> list[int]:
+        """Return the columns of the inputs that are solved for it."""
+        return [input_columns()[SOLVED[name]] for name in self.met]
 
     def distinct_deliveries(self) -> int:
         """Return the number of shots that differ in what went into them."""
@@ -98,12 +118,13 @@ def prepared_shots(
     quantities: Iterable[str] | None = None,
     groups: Any = None,
     parameters: ParameterSet,
+    compared_at: str = DELIVERY,
 ) -> PreparedShots:
     """Lay out recorded shots for the core, without those for which the model gives no launch with ``parameters``.
 
     Parameters
     ----------
-    given, club, only, mismatch
+    given, club, only, mismatch, compared_at
         As for :func:`measured_shots`.
     ball
         As for :func:`impact`.
@@ -118,8 +139,13 @@ def prepared_shots(
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = None if groups is None else _groups(groups, len(recorded))
-    asked = tuple(QUANTITIES) if quantities is None else _asked(quantities)
-    measured = measured_shots(recorded, club=club, only=only, mismatch=mismatch, quantities=asked)
+    compared = tuple(name for name in QUANTITIES if compared_at == DELIVERY or name not in SOLVED)
+    asked = compared if quantities is None else _asked(quantities)
+    if met := set(asked) & set(SOLVED) - set(compared):
+        raise InputError("quantities", min(met), f"quantities that are not met at the launch: {', '.join(compared)}")
+    measured = measured_shots(
+        recorded, club=club, only=only, mismatch=mismatch, quantities=asked, compared_at=compared_at
+    )
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
     missing = [name for name in asked if name not in there]
     if missing and quantities is not None:
@@ -128,12 +154,18 @@ def prepared_shots(
         )
     notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
     launches = np.array([measured.launch[name] for name in there])
+    how: dict[str, Any] = {"model": parameters.model, "parameters": parameters, "ball": ball}
+    problems: dict[int, str] = {}
     with without_warnings(RangeWarning):  # of the parameters with which the search begins
-        launch = impact(
-            measured.club, measured.delivery, model=parameters.model, parameters=parameters, ball=ball,
-            on_error="nan",
-        )  # fmt: skip
-    problems = {each.row[0] if each.row else 0: f"{each.parameter}: {each.reason}" for each in launch.problems}
+        if measured.start:
+            solved = impact_at_launch(measured.club, measured.delivery, **measured.start, **how)
+            launch = solved.launch
+            for row in np.flatnonzero(np.isnan(solved.loft)):
+                problems[int(row)] = "no loft gives the measured launch"
+        else:
+            launch = impact(measured.club, measured.delivery, **how, on_error="nan")
+    for each in launch.problems:
+        problems.setdefault(each.row[0] if each.row else 0, f"{each.parameter}: {each.reason}")
     infinite = np.flatnonzero(np.isinf(launches).any(axis=0))
     problems.update({int(row): "a launch quantity is infinite" for row in infinite})
     kept = np.array([row for row in range(len(measured)) if row not in problems], dtype=np.intp)
@@ -147,10 +179,13 @@ def prepared_shots(
     columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in columns]
     return PreparedShots(
         club=launch.club, ball=launch.ball, columns=columns, quantities=there,
-        launches=np.ascontiguousarray(launches[:, kept]), rows=measured.rows[kept],
+        launches=np.ascontiguousarray(launches[:, kept]),
+        start=np.array(list(measured.start.values())).reshape(len(measured.start), len(measured))[:, kept],
+        rows=measured.rows[kept],
         groups=np.unique(np.arange(len(kept)) if labels is None else labels, return_inverse=True)[1],
         source=measured.source,
         dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),
+        loft_origins=measured.loft_origins,
     )  # fmt: skip
 
 

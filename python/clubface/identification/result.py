@@ -15,6 +15,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.identification.identifiability import Identifiability
 from clubface.identification.profile import Profile, outside
 from clubface.measured.shots import QUANTITIES
+from clubface.recorded.loft_origin import LoftOrigin
 from clubface.recorded.shots import RejectedRow
 from clubface.simulation.quantities import outputs
 from clubface.units import display_unit, from_si
@@ -106,6 +107,8 @@ class Identification:
         What was assumed about the shots.
     settings
         The options of the identification.
+    loft_origins
+        What the shots tell of where their dynamic lofts come from.
     """
 
     model: str
@@ -133,6 +136,7 @@ class Identification:
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
     settings: Mapping[str, Any]
+    loft_origins: tuple[LoftOrigin, ...] = ()
 
     def to_toml(self) -> str:
         """Write the parameters as a file that ``parameters=`` and ``--parameters`` read."""
@@ -180,6 +184,7 @@ class Identification:
             "identified": {name: self.identified(name) for name in self.free},
             "warnings": list(self.warnings),
             "notes": list(self.notes),
+            "loft_origins": [each._asdict() for each in self.loft_origins],
             "settings": dict(self.settings),
         }  # fmt: skip
 

@@ -23,6 +23,7 @@ from clubface.identification.result import Identification
 from clubface.identification.sanity import check_information
 from clubface.identification.simulator import Effort, Simulator
 from clubface.identification.stages import Progress, Stages
+from clubface.measured.shots import DELIVERY
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped
@@ -43,6 +44,7 @@ def identify(
     only: str | None = None,
     mismatch: str = "refuse",
     quantities: Iterable[str] | None = None,
+    compared_at: str = DELIVERY,
     groups: Any = None,
     cost: str = "published",
     normaliser: str = "absolute",
@@ -92,6 +94,11 @@ def identify(
     quantities
         Launch quantities to compare. If left out: those of ball speed, launch angle, azimuth, backspin and sidespin
         that were measured.
+    compared_at
+        "delivery", or "launch": launch angle and, if it was measured, start direction are then met for every set of
+        parameters, for which dynamic loft and face angle are solved, and ball speed and spin are compared there. The
+        derivatives hold what the solution changes. Lofts that a monitor computed from the ball do not count then; with
+        "delivery" they carry the monitor's own model into the fit.
     groups
         One label for each shot. The shots of a group are held out and drawn together. If left out: the players, if the
         shots name several; otherwise the shots are taken as independent.
@@ -165,7 +172,7 @@ def identify(
             raise InputError("profiles", name, "free parameters: " + ", ".join(chosen.names))
     prepared = prepared_shots(
         shots, club=head, ball=ball, only=only, mismatch=mismatch, quantities=quantities, groups=groups,
-        parameters=fixed,
+        parameters=fixed, compared_at=compared_at,
     )  # fmt: skip
     notes = list(prepared.notes)
     deviations = noise_of(prepared.quantities, noise)
@@ -180,6 +187,7 @@ def identify(
         "refined": refined, "folds": min(folds, int(prepared.groups.max()) + 1), "bootstrap": bootstrap,
         "profiles": list(profiled),
         "confidence": confidence, "seed": seed, "accuracy": tight, "quantities": list(prepared.quantities),
+        "compared_at": compared_at,
         "noise": deviations.tolist(), "bounds": {
             name: [float(low), float(high)]
             for name, low, high in zip(chosen.names, chosen.lower, chosen.upper, strict=True)
@@ -187,7 +195,7 @@ def identify(
         "tied": dict(chosen.tied),
     }  # fmt: skip
     content = {
-        "set of shots": [prepared.columns, prepared.launches, prepared.groups],
+        "set of shots": [prepared.columns, prepared.launches, prepared.start, prepared.groups],
         "parameter": fixed.values,
         **settings,
     }

@@ -150,7 +150,7 @@ class Stages:
             evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.checkpoint.seconds, shots=len(shots),
             dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
             identifiability=told, profiles=profiles, at_bound=at_bound(free, point),
-            warnings=warnings, notes=notes, settings=dict(self.settings),
+            warnings=warnings, notes=notes, settings=dict(self.settings), loft_origins=shots.loft_origins,
         )  # fmt: skip
 
     def _resampled(self, point: Floats, told: Identifiability) -> tuple[Floats | None, Floats]:

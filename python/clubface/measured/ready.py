@@ -22,6 +22,7 @@ from clubface.measured.other_club import NOTE, check_club
 from clubface.recorded.assumed import with_assumed
 from clubface.recorded.club_names import club_kind, same_club
 from clubface.recorded.conditions import chosen_shots
+from clubface.recorded.loft_origin import LoftOrigin, loft_origins
 from clubface.recorded.shots import RecordedShots
 
 WEDGES = ("gap-wedge", "sand-wedge", "lob-wedge")
@@ -38,10 +39,13 @@ class ReadyShots(RecordedShots):
         The club with which they were hit.
     places
         Place of each shot (from 0) among the shots that were given or read.
+    loft_origins
+        What all shots of this club in each file tell of where their dynamic lofts come from.
     """
 
     club: Club
     places: NDArray[np.int64] = field(default_factory=lambda: np.arange(0))
+    loft_origins: tuple[LoftOrigin, ...] = ()
 
     def select(self, which: Any) -> Self:
         """Return some of the shots, as :meth:`RecordedShots.select` does."""
@@ -88,6 +92,7 @@ def ready_shots(
     if isinstance(given, ReadyShots):
         return given
     recorded = given if isinstance(given, RecordedShots) else read(given)
+    origins = loft_origins(recorded)  # of all shots, and before lofts are assumed or referred
     recorded, places = (recorded, np.arange(len(recorded))) if where is None else chosen_shots(recorded, where)
     takes_all = club is not None and only is None and mismatch == NOTE
     of_club = np.arange(len(recorded)) if takes_all else of_one_club(recorded, only, club is not None)
@@ -99,7 +104,12 @@ def ready_shots(
     notes = check_club(head, recorded.clubs if only is None else None, lofts[np.isfinite(lofts)], mismatch)
     found = refer(with_assumed(recorded, assume or {}), head)
     told = {each.name: getattr(found, each.name) for each in fields(RecordedShots)}
-    return ReadyShots(**{**told, "notes": tuple(dict.fromkeys((*found.notes, *notes)))}, club=head, places=places)
+    clubs, files = (None if each is None else set(map(str, each)) for each in (recorded.clubs, recorded.files))
+    of_these = (clubs or {""}, files or {""})
+    return ReadyShots(
+        **{**told, "notes": tuple(dict.fromkeys((*found.notes, *notes)))}, club=head, places=places,
+        loft_origins=tuple(each for each in origins if each.club in of_these[0] and each.file in of_these[1]),
+    )  # fmt: skip
 
 
 def of_one_club(recorded: RecordedShots, only: str | None, club_is_given: bool) -> NDArray[np.int64]:

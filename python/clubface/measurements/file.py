@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.measurements.published import PublishedTable
+from clubface.support.frozen import Frozen
 from clubface.support.strict_toml import Document
 
 KINDS = {
@@ -24,6 +25,7 @@ KINDS = {
 
 _WORDS = ("name", "title", "kind", "source", "conditions")
 _OPTIONAL = ("via", "caveat")
+_DERIVED = "derived"
 
 
 def read(path: Path) -> dict[str, PublishedTable]:
@@ -41,7 +43,7 @@ def read(path: Path) -> dict[str, PublishedTable]:
 
 def _table(file: Document, index: int, entry: dict[str, Any]) -> PublishedTable:
     inside = ("file",) if "file" in entry else ("columns", "rows")
-    file.check_keys(entry, (*_WORDS, *_OPTIONAL, *inside), (*_WORDS, *inside), "table", index)
+    file.check_keys(entry, (*_WORDS, *_OPTIONAL, _DERIVED, *inside), (*_WORDS, *inside), "table", index)
     words = {key: entry[key] for key in (*_WORDS, *_OPTIONAL) if key in entry}
     file.check_text(entry, (*words, "file"), "table", index)
     for key, text in words.items():
@@ -57,7 +59,14 @@ def _table(file: Document, index: int, entry: dict[str, Any]) -> PublishedTable:
         columns, printed = _columns(heads, rows)
     except (OSError, ValueError, csv.Error) as error:
         raise FileError(str(path), line, f"table {entry['name']}: {error}") from None
-    return PublishedTable(**words, columns=columns, units=printed)
+    derived = entry.get(_DERIVED, {})
+    for column, reason in derived.items() if isinstance(derived, dict) else [("", "")]:
+        if column not in columns or not isinstance(reason, str) or not reason.strip():
+            known = ", ".join(columns)
+            raise file.error(
+                f"{_DERIVED} = {derived!r}: give columns ({known}) with the reason", _DERIVED, "table", index
+            )
+    return PublishedTable(**words, columns=columns, units=printed, derived=Frozen(derived))
 
 
 def _csv(path: Path) -> tuple[list[str], list[list[str]]]:

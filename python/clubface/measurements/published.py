@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,9 @@ class PublishedTable:
         Each column by its name: an array in SI units and radians, NaN where nothing was printed, or one of words.
     units
         The unit each column of numbers was printed in (``"1"`` for a plain number); columns of words have none.
+    derived
+        Columns among the measured ones that their source computed from others, and how that is known: a dynamic loft
+        that a monitor computes from the ball holds the monitor's model of impact. No model is judged by spin with it.
     """
 
     name: str
@@ -46,6 +50,7 @@ class PublishedTable:
     caveat: str | None = None
     columns: dict[str, NDArray[Any]]
     units: dict[str, str]
+    derived: Mapping[str, str] = field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))

@@ -11,6 +11,7 @@ from clubface.errors import InputError
 from clubface.player_report import words
 from clubface.player_report.figures_of_club import ClubFigures, figures_of
 from clubface.player_report.progress import progress
+from clubface.recorded.loft_origin import AT_LAUNCH, loft_origins, origin_notes
 from clubface.recorded.shots import RecordedShots
 from clubface.reports.blocks import Block, Bullets, Data, Heading, Paragraph, Picture
 from clubface.reports.conditions import flight_conditions
@@ -53,9 +54,9 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
         if doubts := tuple(words.doubt(each)):
             yield Heading(3, "How sure we are")
             yield Paragraph(doubts)
-    if shots.notes:
+    if notes := [*origin_notes(loft_origins(shots), AT_LAUNCH), *dict.fromkeys(shots.notes)]:
         yield Heading(2, "Notes on the file")
-        yield Bullets(tuple(f"{note[:1].upper()}{note[1:]}." for note in dict.fromkeys(shots.notes)))
+        yield Bullets(tuple(f"{note[:1].upper()}{note[1:]}." for note in notes))
     hands = "" if shots.hand is None else " and ".join(sorted(set(map(str, shots.hand))))
     given = {"file": sources, "read as": shots.format, "shots": str(len(shots)),
              "rows that gave no shot": str(len(shots.rejected)), "hand": hands or "not told"}  # fmt: skip

@@ -75,13 +75,15 @@ def impact_at_launch(
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    threads: int | None = None,
     **values: Any,
 ) -> ConditionedLaunch:
     """Compute shots with the dynamic loft and face angle that give their measured launch angle and start direction.
 
     Parameters
     ----------
-    club, delivery, model, parameters, ball, **values
+    club, delivery, model, parameters, ball, accuracy, threads, **values
         As for :func:`clubface.impact`, but that the loft counts for nothing, and the face angle only without
         ``azimuth``. A shot that cannot be computed is NaN.
     launch
@@ -108,7 +110,7 @@ def impact_at_launch(
             last["angles"] = angles
             last["launch"] = impact(
                 club, {**given, "loft": angles[0], "face": angles[1]}, model=model, parameters=parameters, ball=ball,
-                on_error="nan",
+                accuracy=accuracy, threads=threads, on_error="nan",
             )  # fmt: skip
         return last["launch"]
 

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.equipment.balls import Ball
 from clubface.errors import InputError, Told
 from clubface.support.arrays import Floats
 from clubface.units import show, size
@@ -282,3 +283,8 @@ def _rounding(values: Floats, unit: str) -> Floats:
         counted = numbers / step
         steps = np.where(np.abs(counted - np.round(counted)) < 1e-6, step, steps)
     return 0.5 * steps * size(unit)
+
+
+def rolling_speed(ball: Ball, spin: Any) -> Any:
+    """Return the speed along the face [m/s] with which a ball of one piece that stays round has this spin [rad/s]."""
+    return ball.inertia * np.asarray(spin) / (ball.mass * ball.radius)

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from clubface.equipment.balls import Ball
 from clubface.simulation.launch import Launch
+from clubface.simulation.spin import rolling_speed
 
 RIGID = 1.0
 """The ratio of a ball that stays round."""
@@ -29,12 +30,12 @@ FLATTENED = 0.85
 
 def spin_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, loft: Any) -> Any:
     """Return I w / (m R v_t) of launches [m/s, rad, rad/s] in the vertical plane of a face of dynamic loft [rad]."""
-    return _rolling_speed(ball, spin) / (speed * np.sin(loft - np.asarray(launch)))
+    return rolling_speed(ball, spin) / (speed * np.sin(loft - np.asarray(launch)))
 
 
 def loft_of_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, ratio: float) -> NDArray[np.float64]:
     """Return the dynamic lofts [rad] with which launches have this ratio; NaN where no loft gives so much spin."""
-    share = _rolling_speed(ball, spin) / (np.asarray(speed) * ratio)
+    share = rolling_speed(ball, spin) / (np.asarray(speed) * ratio)
     return launch + np.arcsin(np.where(np.abs(share) <= 1.0, share, np.nan))
 
 
@@ -43,9 +44,4 @@ def spin_ratio_of(found: Launch, loft: float) -> float:
     normal = np.array([np.cos(loft), np.sin(loft), 0.0])
     velocity = np.array([found.velocity_x, found.velocity_y, found.velocity_z])
     along = velocity - normal * (velocity @ normal)
-    return float(_rolling_speed(found.ball, found.total_spin) / np.linalg.norm(along))
-
-
-def _rolling_speed(ball: Ball, spin: Any) -> Any:
-    """Return the speed along the face [m/s] with which a ball of one piece that stays round has this spin [rad/s]."""
-    return ball.inertia * np.asarray(spin) / (ball.mass * ball.radius)
+    return float(rolling_speed(found.ball, found.total_spin) / np.linalg.norm(along))
