@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit identification-coverage capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height identification-coverage capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -102,6 +102,9 @@ ball-fit: dev ## fit the core of the ball modern-2026 to published plate tests a
 
 ball-shear-fit: dev ## fit the ball modern to plates, start angles and spins at measured launch, with intervals; minutes
 	$(PYTHON) studies/ball_shear_fit.py
+
+strike-height: dev ## what a low strike changes in the spin of an iron, cause by cause: the table of its page; two minutes
+	$(PYTHON) studies/strike_height.py | tee docs/finite-elements/strike-height.txt
 
 BALL ?= modern
 response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour
