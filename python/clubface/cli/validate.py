@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -24,6 +25,8 @@ _MODEL_TEXT = (
 _MODEL = options.option("--model", metavar="NAME", text=_MODEL_TEXT)
 _CHECK_TEXT = "Only this check, or several with commas or repeated, with every figure and its source."
 _CHECK = options.option("--check", metavar="NAME", text=_CHECK_TEXT)
+_CAUSES_TEXT = "Also strikes off the centre with one thing changed: closure, inertia or depth of the mass centre."
+_CAUSES = typer.Option("--causes", help=_CAUSES_TEXT)
 
 
 @app.command()
@@ -31,6 +34,7 @@ def validate(
     folder: options.Folder = None,
     check: Annotated[list[str] | None, _CHECK] = None,
     model: Annotated[list[str] | None, _MODEL] = None,
+    causes: Annotated[bool, _CAUSES] = False,
     ball: options.Ball = None,
     as_json: options.Json = False,
 ) -> None:
@@ -54,6 +58,8 @@ def validate(
         print_numbers(tables.SUMMARY_HEADS, tables.summary_rows(result), title=f"Published figures, ball {result.ball}")
         print()
         output.print_notes(tables.verdicts(result))
+        if causes:
+            _print_causes(models, ball)
     say_written(files)
 
 
@@ -67,3 +73,12 @@ def _print_figures(result: Validation) -> None:
             print()
         output.print_notes(tables.notes(each))
         print()
+
+
+def _print_causes(models: Sequence[str], ball: str | None) -> None:
+    from clubface.validation import off_centre
+
+    for model in models:
+        print()
+        title = f"Strikes off the centre with one thing changed, by {model}"
+        print_numbers(off_centre.HEADS, off_centre.causes(model, ball), title=title)

@@ -1,7 +1,7 @@
 """Validation: what a model makes of published deliveries, plates and heads, beside what was published of them.
 
 Each check compares published figures with the same figures computed from the published conditions, with built-in clubs
-and one ball. A tolerance says how close is good enough, and why. No parameter is fitted to any of the shots.
+and one ball. A tolerance says how close is good enough, and why. Averages are intervals of what they leave open.
 """
 
 from clubface.validation.check import Check as Check, Figure as Figure

@@ -113,7 +113,7 @@ CHECKS = (
         ("plate-cor-three-piece", "plate-cor-reduced-distance", "head-without-spring", "plate-granite-2002",
          "tangential-restitution"),
         "0.01, or 0.02 at low speed, and 0.1 along the plate, where friction or speed are not told. The ball modern was"
-        " fitted to the figures of restitution, so that only those along the plate test its finite elements.",
+        " fitted to these figures among others.",
         "fair", plates.plates,
     ),
     Check(

@@ -22,6 +22,8 @@ from clubface.validation.tables import published, with_unit
 
 CLOSURE = units.parse("2500 deg/s", "angular rate")
 """Between the 1800 and 3600 deg/s of drives (S. MacKenzie, golf.com)."""
+LOFTING = units.parse("1000 deg/s", "angular rate")
+"""With it the face centre of a driver moves about 1 degree further up than the mass centre, as TrackMan has it."""
 SMALL_INERTIA = units.parse("4500 g cm2", "inertia")
 """About the vertical, of a driver in the years of the published tests: that of McNally and co-workers (2016)."""
 DEEPER = units.parse("10 mm", "length")
@@ -54,6 +56,11 @@ def closing_on_path(head: Club, speed: float) -> dict[str, float]:
     return {"closure": CLOSURE, "path": math.atan(CLOSURE * depth(head) / speed)}
 
 
+def lofting(head: Club, speed: float) -> dict[str, float]:
+    """Return a delivery whose loft increases as the club swings."""
+    return {"pitch_rate": LOFTING}
+
+
 @dataclass(frozen=True)
 class Change:
     """One thing changed: its name, what becomes of the head, and what a delivery of a head and speed gets."""
@@ -67,10 +74,11 @@ CHANGES = (
     Change("as judged"),
     Change("closing, path of the CG 0", delivery=closing),
     Change("closing, path of the face 0", delivery=closing_on_path),
+    Change("loft increasing", delivery=lofting),
     Change("less inertia", less_inertia),
     Change("CG 10 mm deeper", deeper),
 )
-HEADS = ["", "quantity", "published", "certainty", *(each.name for each in CHANGES)]
+HEADS = ["", "published", "certainty", *(each.name for each in CHANGES)]
 
 
 class Changed(Judged):
@@ -107,7 +115,7 @@ def causes(model: str = DEFAULT_MODEL, ball: str | os.PathLike[str] | None = Non
              for one in check_named(name).figures(judged)]
         )  # fmt: skip
     return [
-        [first.what, first.quantity, published(first), first.certainty,
+        [f"{first.what}: {first.quantity}", published(first), first.certainty,
          *(with_unit(figures[place].computed, first.unit) for figures in columns)]
         for place, first in enumerate(columns[0])
     ]  # fmt: skip
