@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 from clubface.equipment.models import DEFAULT_MODEL, models
-from clubface.validation import Validation, chart, off_centre, validate
+from clubface.validation import Validation, chart, off_centre, own_monitor, validate
 from clubface.validation.check import CERTAINTIES
 from clubface.validation.tables import FIGURE_HEADS, figure_rows, notes, tolerances, with_unit
 
@@ -131,8 +132,31 @@ class Verdicts(CoreTable):
         return markdown_table(["", "mean error within the tolerance", "every error"], rows)
 
 
+class Camps(CoreTable):
+    """``{published-camps}``: spin of published irons by an index and beside the default model, tours and others."""
+
+    def table(self) -> list[str]:
+        """One row a club of the tours."""
+        heads = [
+            "iron",
+            *(f"{what}, {camp}" for what in ("index, rpm/mph", "measured/model") for camp in own_monitor.CAMPS),
+        ]
+        rows = []
+        for club, index in own_monitor.index_of_camps().items():
+            shares = own_monitor.camps_of(club, DEFAULT_MODEL)
+            indices = [index.get(camp) for camp in own_monitor.CAMPS]
+            cells = ["" if each is None else _ends(map(own_monitor.in_rpm_per_mph, each), 0) for each in indices]
+            rows.append([club, *cells, *(_ends(shares[camp], 2) for camp in own_monitor.CAMPS)])
+        return markdown_table(heads, rows)
+
+
+def _ends(pair: Iterable[float], digits: int) -> str:
+    return " to ".join(f"{each:.{digits}f}" for each in pair)
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
+    app.add_directive("published-camps", Camps)
     app.add_directive("validation", Checks)
     app.add_directive("validation-figures", Figures)
     app.add_directive("validation-certainties", Certainties)

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.launch_monitor import read
+from clubface.recorded import loft_origin
 from clubface.recorded.loft_origin import COMPUTED, FROM_MEASUREMENT, UNDECIDED, loft_origins, origin_notes
 from clubface.recorded.sessions import joined
-from clubface.recorded.shots import RecordedShots
 from monitor_sessions import USUAL, session
 
 
@@ -102,8 +101,15 @@ def test_shots_without_loft_or_launch_or_in_a_handful_have_no_origin():
     assert loft_origins(replace(shots, launches=launches)) == ()
 
 
-def test_a_file_of_a_radar_is_read_with_its_lofts_known(tmp_path):
-    session("7-iron", 12, ratio=1.137, step=0.1).write(tmp_path / "radar.csv")
-    (origin,) = loft_origins(read(tmp_path / "radar.csv"))
-    assert origin.origin == COMPUTED
-    assert isinstance(read(tmp_path / "radar.csv"), RecordedShots)
+@pytest.mark.filterwarnings("error")
+def test_monitor_read_says_once_that_lofts_were_computed_and_warns_of_no_ball(tmp_path, clubface_, monkeypatch):
+    monkeypatch.setattr("clubface.support.warning._given", set())
+    monkeypatch.setattr(loft_origin, "_ball", loft_origin._ball.__wrapped__)
+    path = str(tmp_path / "radar.csv")
+    session("7-iron", 12, ratio=1.137, step=0.1).write(path)
+    found = clubface_("monitor", "read", path, "--json").json
+    assert found["loft_origins"][0]["origin"] == COMPUTED
+    assert [note for note in found["notes"] if "--at-launch" in note] == found["notes"][:1]
+    shown = clubface_("monitor", "read", path)
+    assert shown.out.count("computed from the ball") == 1
+    assert "diameter" not in shown.err

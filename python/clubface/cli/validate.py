@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -15,6 +15,7 @@ from clubface.cli.tables import print_numbers
 from clubface.equipment.models import DEFAULT_MODEL
 
 if TYPE_CHECKING:
+    from clubface.validation.own_monitor import OwnMonitor
     from clubface.validation.run import Validation
 
 app = typer.Typer(add_completion=False)
@@ -24,6 +25,8 @@ _MODEL_TEXT = (
 )
 _MODEL = options.option("--model", metavar="NAME", text=_MODEL_TEXT)
 _CHECK_TEXT = "Only this check, or several with commas or repeated, with every figure and its source."
+_WITH_TEXT = "A monitor's file whose spins are set beside the model and both camps of published irons. Repeatable."
+_WITH = options.option("--with", metavar="FILE", text=_WITH_TEXT)
 _CHECK = options.option("--check", metavar="NAME", text=_CHECK_TEXT)
 _CAUSES_TEXT = "Also strikes off the centre with one thing changed: closure, inertia or depth of the mass centre."
 _CAUSES = typer.Option("--causes", help=_CAUSES_TEXT)
@@ -35,6 +38,7 @@ def validate(
     check: Annotated[list[str] | None, _CHECK] = None,
     model: Annotated[list[str] | None, _MODEL] = None,
     causes: Annotated[bool, _CAUSES] = False,
+    session: Annotated[list[str] | None, _WITH] = None,
     ball: options.Ball = None,
     as_json: options.Json = False,
 ) -> None:
@@ -47,11 +51,16 @@ def validate(
     for each in checks or ():
         check_named(each)  # before the work: a name that does not exist is found at once
     output.prepare_folder(folder)
+    own = None
+    if session:
+        from clubface.validation.own_monitor import own_monitor
+
+        own = own_monitor(session, model=models[0], ball=ball)
     with progress_bar("checks") as progress:
         result = run.validate(models, checks=checks, ball=ball, progress=progress)
     files = report.write(result, Path(folder)) if folder is not None else []
     if as_json:
-        output.print_json(tables.document(result))
+        output.print_json(tables.document(result) | ({} if own is None else {"own_monitor": _own_document(own)}))
     else:
         if checks:
             _print_figures(result)
@@ -60,6 +69,8 @@ def validate(
         output.print_notes(tables.verdicts(result))
         if causes:
             _print_causes(models, ball)
+        if own is not None:
+            _print_own(own)
     say_written(files)
 
 
@@ -82,3 +93,17 @@ def _print_causes(models: Sequence[str], ball: str | None) -> None:
         print()
         title = f"Strikes off the centre with one thing changed, by {model}"
         print_numbers(off_centre.HEADS, off_centre.causes(model, ball), title=title)
+
+
+def _own_document(own: OwnMonitor) -> dict[str, Any]:
+    from clubface.validation.own_monitor import document
+
+    return document(own)
+
+
+def _print_own(own: OwnMonitor) -> None:
+    from clubface.validation.own_monitor import HEADS, remarks, table_rows
+
+    print()
+    print_numbers(HEADS, table_rows(own), title=f"{own.source} beside {own.model} at its own measured launch")
+    output.print_notes(remarks(own))

@@ -18,19 +18,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.equipment.balls import ball
+from clubface.equipment.balls import published_ball
 from clubface.recorded.shots import RecordedShots
 from clubface.simulation.spin import rolling_speed
 from clubface.support.arrays import Floats
 
-BALL = "published"
-"""The ball of the ratio, of whose constants those of published ratios are: I = 0.400 m R^2."""
 FEWEST = 5
 """Shots of a club below which nothing is said."""
 MEASURED = units.to_si(0.3, "deg")
@@ -57,6 +56,9 @@ AT_LAUNCH = (
     " measured launch is met, and compare spin and ball speed there"
 )
 """What to do instead of taking such lofts for measured."""
+
+_ball = cache(published_ball)
+"""The ball of the ratio, I = 0.400 m R^2: that of the ratios that are published."""
 
 
 class LoftOrigin(NamedTuple):
@@ -153,7 +155,7 @@ def _angles(shots: RecordedShots, of: NDArray[np.bool_], *, with_face: bool) -> 
         return None
     loft, launch, speed, *sides = (every[name][there] for name in used)
     face, azimuth = sides or (np.zeros_like(loft), np.zeros_like(loft))
-    rolling = rolling_speed(ball(BALL), spins[there]) / speed
+    rolling = rolling_speed(_ball(), spins[there]) / speed
     across, turn = _apart(loft, launch, face - azimuth)
     steps = [_step(every[name][there], STEPS, "deg") for name in ("loft", "launch", *names)]
     upwards, sideways = np.mean(np.cos(turn) ** 2), np.mean(np.sin(turn) ** 2)
