@@ -73,5 +73,9 @@ def test_a_loft_that_increases_makes_the_low_part_of_the_face_the_faster_one():
 
 
 def test_the_command_shows_what_every_cause_changes(clubface_):
-    out = clubface_("validate", "--check", "toe-hits", "--model", "standard", "--causes").out
-    assert "closing, path of the CG 0" in out.replace("\n", " ")
+    options = ("validate", "--check", "toe-hits", "--model", "standard", "--causes")
+    assert "closing, path of the CG 0" in clubface_(*options).out.replace("\n", " ")
+    first, *_ = clubface_(*options, "--json").json["off_centre"]["standard"]
+    assert first["figure"] == "driver, 19.1 mm towards the toe: ball speed, share"
+    # A toe that closes is faster than the mass centre, so that it loses less.
+    assert float(first["closing, path of the CG 0"]) > float(first["as judged"])

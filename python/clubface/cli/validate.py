@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -60,7 +60,15 @@ def validate(
         result = run.validate(models, checks=checks, ball=ball, progress=progress)
     files = report.write(result, Path(folder)) if folder is not None else []
     if as_json:
-        output.print_json(tables.document(result) | ({} if own is None else {"own_monitor": _own_document(own)}))
+        document = tables.document(result)
+        if causes:
+            document["off_centre"] = {
+                name: [dict(zip(heads, row, strict=True)) for row in rows]
+                for name, heads, rows in _causes(models, ball)
+            }
+        if own is not None:
+            document["own_monitor"] = _own_document(own)
+        output.print_json(document)
     else:
         if checks:
             _print_figures(result)
@@ -87,12 +95,17 @@ def _print_figures(result: Validation) -> None:
 
 
 def _print_causes(models: Sequence[str], ball: str | None) -> None:
+    for model, heads, rows in _causes(models, ball):
+        print()
+        print_numbers(heads, rows, title=f"Strikes off the centre with one thing changed, by {model}")
+
+
+def _causes(models: Sequence[str], ball: str | None) -> Iterator[tuple[str, list[str], list[list[str]]]]:
+    """Yield each model with the headings and rows of its strikes off the centre."""
     from clubface.validation import off_centre
 
     for model in models:
-        print()
-        title = f"Strikes off the centre with one thing changed, by {model}"
-        print_numbers(off_centre.HEADS, off_centre.causes(model, ball), title=title)
+        yield model, off_centre.HEADS, off_centre.causes(model, ball)
 
 
 def _own_document(own: OwnMonitor) -> dict[str, Any]:

@@ -78,7 +78,7 @@ CHANGES = (
     Change("less inertia", less_inertia),
     Change("CG 10 mm deeper", deeper),
 )
-HEADS = ["", "published", "certainty", *(each.name for each in CHANGES)]
+HEADS = ["figure", "published", "certainty", *(each.name for each in CHANGES)]
 
 
 class Changed(Judged):
