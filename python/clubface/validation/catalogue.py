@@ -93,8 +93,9 @@ CHECKS = (
     ),
     Check(
         "toe-hits", "A driver struck towards the toe", ("driver-toe-hits-2011",),
-        "Means over 14 heads of 2011, by a robot: 1% of ball speed, 1 degree, 200 rpm, 5 yards. Ball speed falls with"
-        " the square of the distance, so that 10 mm cost 0.5% where 19 mm cost 2%.",
+        "Means over 14 heads of 2011, by a robot: 1% of ball speed, 1 degree, 200 rpm, 5 yards. Loft and closure of the"
+        " robot and the side on which the ball ends are not told. Ball speed falls with the square of the distance, so"
+        " that 10 mm cost 0.5% where 19 mm cost 2%.",
         "fair", strikes.toe_hits,
     ),
     Check(
