@@ -23,6 +23,7 @@ extensions = [
     "core_tables",
     "errata_tables",
     "findings_tables",
+    "flight_tables",
     "findings_tour",
     "notebook_pages",
     "published_tables",

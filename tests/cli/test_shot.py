@@ -243,7 +243,7 @@ def test_one_line_under_the_table_says_where_the_caveats_of_the_models_stand(clu
 
 
 def test_the_line_under_the_table_names_the_models_whose_spin_is_beyond_the_aerodynamic_data(clubface_):
-    # The aerodynamics were fitted to spin parameters up to 0.75: a putt-like speed at a wedge's loft is beyond.
+    # The aerodynamics were fitted to spin parameters up to 1: a putt-like speed at a wedge's loft is beyond.
     slow = ["shot", "pitching-wedge", "--speed", "3 m/s", "--loft", "60 deg", "--model", "standard,slip"]
     (note,) = clubface_(*slow).out.splitlines()[-1:]
     assert note == "Spin leaves the aerodynamic data in flight: standard, slip. Caveats: clubface models standard"

@@ -22,6 +22,7 @@ DIGESTS = {
     "measurements/averages.toml": "c5c8c525",
     "measurements/ball.toml": "b4afb422",
     "measurements/club-heads.toml": "96a8adfe",
+    "measurements/flights.toml": "28367149",
     "measurements/heads-irons-2022-2026.csv": "b249cd9c",
     "measurements/launches.toml": "e353da1b",
     "measurements/lpga-2019.csv": "acc1d46c",

@@ -1,6 +1,5 @@
 """What a study holds and what it sweeps: each input once, and what the other shot of a comparison has is its own."""
 
-import numpy as np
 import pytest
 
 import clubface
@@ -8,6 +7,7 @@ from clubface.design.best_loft import best_loft
 from clubface.design.dispersion.sampling import dispersion
 from clubface.design.golfer.golfers import golfer
 from clubface.errors import FileError
+from clubface.simulation.grounds import GROUNDS
 from clubface.studies.study import read_study
 
 pytest.importorskip("pyarrow")
@@ -61,7 +61,7 @@ def test_the_other_shot_keeps_what_it_does_not_change(tmp_path):
     table += 'parameters = { friction = 0.2 }\nother.air = { temperature = "0 degC" }\n'
     table += "other.ground = { rolling_friction = 0.3 }\nother.parameters = { friction = 0.4 }"
     found = computed(tmp_path, "comparison", table, 'humidity = ["10 %"]')
-    ground = {"ground_tilt": np.radians(13.9), "rolling_friction": 0.3}
+    ground = {**GROUNDS["firm fairway"], "rolling_friction": 0.3}
     air = {"altitude": "1600 m", "temperature": "0 degC", "humidity": "10 %"}
     assert found["total_other"][0] == pytest.approx(flown(parameters={"friction": 0.4}, air=air, ground=ground).total)
 

@@ -193,6 +193,7 @@ def flown(**conditions):
         ("ground.tilt", ("5 deg", "15 deg"), lambda each: {"ground": {"ground_tilt": each}}),
         ("ground.friction", (0.2, 0.6), lambda each: {"ground": {"ground_friction": each}}),
         ("ground.rolling_friction", (0.1, 0.3), lambda each: {"ground": {"rolling_friction": each}}),
+        ("ground.grass_length", ("10 m", "60 m"), lambda each: {"ground": {"grass_length": each}}),
     ],
 )  # fmt: skip
 def test_every_number_of_air_wind_and_ground_is_swept(tmp_path, swept, values, conditions):

@@ -19,6 +19,9 @@ SHOWN = {
 }  # fmt: skip
 """Keys of the JSON object: quantity, its unit there and in the table, and digits in the table."""
 
+ENDS = ("soft", "firm")
+"""The fairways between which a total lies that no published run supports."""
+
 
 @app.command()
 @options.takes(options.LAUNCH, options.BALL, options.AIR, options.GROUND)
@@ -26,12 +29,14 @@ def flight(as_json: options.Json = False, **texts: Any) -> None:
     """Compute where a launched ball flies, bounces and rolls."""
     from clubface.equipment.balls import ball
     from clubface.simulation.flight import fly
+    from clubface.simulation.grounds import has_measured_run
     from clubface.simulation.quantities import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.LAUNCH}
     values = option_values.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})
     conditions = option_values.conditions(texts)
-    flown = fly({**values, **ball(texts["ball"]).inputs()}, **conditions)
+    launch = {**values, **ball(texts["ball"]).inputs()}
+    flown = fly(launch, **conditions)
     if as_json:
         output.print_json({key: float(flown.get(name, unit)) for key, (name, unit, _, _) in SHOWN.items()})
         return
@@ -40,3 +45,8 @@ def flight(as_json: options.Json = False, **texts: Any) -> None:
     print_numbers(heads, [cells])
     if flown.outside_fit:
         output.print_notes(["the spin leaves the range to which the aerodynamics were fitted"])
+    if texts["ground"] is None and not has_measured_run(flown.landing_angle, flown.landing_speed):
+        grounds = [{**conditions, "ground": f"{firmness} fairway"} for firmness in ENDS]
+        soft, firm = (float(fly(launch, **each).get("total", "yd")) for each in grounds)
+        note = f"no measured run of so low or slow a ball is published; the total is {soft:.0f} to {firm:.0f} yd"
+        output.print_notes([f"{note} from a soft to a firm fairway"])

@@ -28,7 +28,7 @@ def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> 
     turf = (
         f"level turf after Penner (2002): tilt of the dent {show(values['ground_tilt'], 'deg', 3)}, friction "
         f"{values['ground_friction']:g} sliding and {values['rolling_friction']:g} rolling, restitution times "
-        f"{values['restitution_factor']:g}"
+        f"{values['restitution_factor']:g}, a fast ball slowed to 1/e in {show(values['grass_length'], 'm', 3)}"
     )
     return {"air": ", ".join(told), "wind": _wind(values), "ground": turf}
 

@@ -159,7 +159,7 @@ def fly(
         level wind blows: 0 to the target, 90 degrees to the right, 180 degrees against the ball. No wind if left out.
     ground
         "fairway" (so if left out), "firm fairway", "soft fairway", "green", "firm green", "soft green", or a mapping of
-        ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``.
+        ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``, ``grass_length``.
     threads
         How many threads compute; all cores if left out. The result does not depend on it.
     progress

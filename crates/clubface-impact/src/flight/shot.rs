@@ -1,6 +1,6 @@
 //! Everything that goes into one flight and comes out of it, as tables and as one generic function.
 
-use super::air::{density, DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT_TEMPERATURE};
+use super::air::{density, viscosity, DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT_TEMPERATURE};
 use super::ground::{run, Ground};
 use super::trajectory::{fly_to_ground, Air, Flight, Landing};
 use crate::ball::Ball;
@@ -71,7 +71,7 @@ macro_rules! outputs {
 const NONE: f64 = f64::NAN;
 
 /// Number of inputs.
-pub const INPUT_COUNT: usize = 19;
+pub const INPUT_COUNT: usize = 20;
 
 /// All inputs, in the order of the columns of a batch.
 pub const INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
@@ -91,9 +91,10 @@ pub const INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
     "air" wind_y ["m/s"] = 0.0, -60.0..=60.0, "vertical wind velocity", "rising";
     "air" wind_z ["m/s"] = 0.0, -60.0..=60.0, "wind velocity across the target line", "blows to the right";
     "ground" restitution_factor ["1"] = 1.0, 0.01..=1.5, "factor on Penner's coefficient of restitution of ball and turf", "firmer";
-    "ground" ground_tilt ["rad"] = 15.4 * PI / 180.0, 0.0..=1.0, "tilt of the effective plane of a bounce at 18.6 m/s, 44.4 deg (Penner: 15.4 deg)", "softer";
+    "ground" ground_tilt ["rad"] = 12.3 * PI / 180.0, 0.0..=1.0, "tilt of the effective plane of a bounce at 18.6 m/s, 44.4 deg (Penner, on greens: 15.4 deg)", "softer";
     "ground" ground_friction ["1"] = 0.40, 0.01..=2.0, "sliding friction of ball and turf (Penner: 0.40)", "";
     "ground" rolling_friction ["1"] = 0.131, 0.005..=2.0, "rolling friction rho_g of a fairway, assumed that of Penner's average green, on which a ball runs 6 ft off a Stimpmeter", "";
+    "ground" grass_length ["m"] = 23.0, 1.0..=1e9, "way over which grass alone slows a rolling ball to 1/e of its speed", "";
 };
 
 /// Number of outputs.
@@ -110,7 +111,7 @@ pub const OUTPUTS: [FlightOutput; OUTPUT_COUNT] = outputs! {
     landing_spin ["rad/s"], "magnitude of the angular velocity at landing", "";
     total ["m"], "straight distance from the start to rest, after bounces and roll", "";
     total_side ["m"], "distance of the place of rest from the target line", "right";
-    outside_fit ["1"], "1 if the spin parameter left 0.02-0.75, the range of the aerodynamic fit, else 0", "";
+    outside_fit ["1"], "1 if the spin parameter left 0.02-1, the range of the aerodynamic fit, else 0", "";
 };
 
 /// Default of every input; the launch, which has none, is NaN.
@@ -142,12 +143,17 @@ impl<S: Scalar> FlightShot<S> {
             ball: Ball { mass: v[0], radius: v[1], inertia: v[2] },
             velocity: Vec3::of(v, 3),
             spin: Vec3::of(v, 6),
-            air: Air { density: density(v[9], v[10], v[11]), wind: Vec3::of(v, 12) },
+            air: Air {
+                density: density(v[9], v[10], v[11]),
+                viscosity: viscosity(v[9]),
+                wind: Vec3::of(v, 12),
+            },
             ground: Ground {
                 restitution_factor: v[15],
                 tilt: v[16],
                 friction: v[17],
                 rolling_friction: v[18],
+                grass_length: v[19],
             },
         }
     }

@@ -34,6 +34,8 @@ const SPIN: usize = 6;
 pub struct Air<S> {
     /// Density, kg/m3.
     pub density: S,
+    /// Dynamic viscosity, Pa s.
+    pub viscosity: S,
     /// Wind velocity, m/s, the same at all heights.
     pub wind: Vec3<S>,
 }
@@ -45,6 +47,8 @@ pub struct Flight<S> {
     wind: Vec3<S>,
     launch_spin: Vec3<S>,
     launch_spin_speed: S,
+    /// 2 r rho / mu, s/m.
+    reynolds_per_speed: S,
     /// 0.5 rho A / m, 1/m.
     per_mass: S,
     /// 0.5 rho A / I, 1/m3: the decay of the air is in m3/s.
@@ -61,6 +65,7 @@ impl<S: Scalar> Flight<S> {
             wind: air.wind,
             launch_spin: spin,
             launch_spin_speed: spin.norm(),
+            reynolds_per_speed: air.density * ball.radius * 2.0 / air.viscosity,
             per_mass: half_density_area / ball.mass,
             per_inertia: half_density_area / ball.inertia,
         }
@@ -69,7 +74,8 @@ impl<S: Scalar> Flight<S> {
     /// Deceleration by drag in still air over the square of the speed, 1/m; `spin` and `speed` are magnitudes.
     #[inline(always)]
     pub fn drag(&self, spin: S, speed: S) -> S {
-        drag_coefficient(held_spin_parameter(self.radius, spin, speed)) * self.per_mass
+        let held = held_spin_parameter(self.radius, spin, speed);
+        drag_coefficient(held, self.reynolds_per_speed * speed) * self.per_mass
     }
 
     /// Spin parameter of a state.
@@ -87,6 +93,7 @@ impl<S: Scalar> System<S, STATES> for Flight<S> {
         let left = y[SPIN];
         let load = air_load(
             self.radius,
+            self.reynolds_per_speed,
             velocity - self.wind,
             self.launch_spin * left,
             self.launch_spin_speed * left,

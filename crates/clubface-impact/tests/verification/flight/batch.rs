@@ -103,7 +103,7 @@ fn constants_are_columns_too_parts_make_the_whole_and_an_empty_batch_is_one() {
 fn misuse_of_the_call_differs_from_bad_shots() {
     let mut columns = drive().map(Column::Constant);
     let error = |inputs: &[Column<'_>]| FlightBatch { inputs }.validate(3).unwrap_err().to_string();
-    assert_eq!(error(&columns[1..]), "inputs: 18 columns given, 19 needed");
+    assert_eq!(error(&columns[1..]), "inputs: 19 columns given, 20 needed");
     columns[column("spin_z")] = Column::Values(&[1.0, 2.0]);
     assert_eq!(error(&columns), "spin_z: the column has 2 rows, the batch 3");
 }

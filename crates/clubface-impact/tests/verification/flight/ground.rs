@@ -1,7 +1,8 @@
 //! Bounces and roll against closed forms of rigid impact and Penner's published points.
 
-use super::{assert_close, drive, launch, value, with};
+use super::{assert_close, drive, launch, value, with, INPUT_COUNT};
 use clubface_impact::ball::Ball;
+use clubface_impact::flight::aerodynamics::drag_coefficient;
 use clubface_impact::flight::ground::{bounce, restitution, roll, rolling_friction_of_stimp, run, Ground};
 use clubface_impact::flight::trajectory::{Air, Flight, GRAVITY};
 use clubface_math::Vec3;
@@ -13,13 +14,17 @@ const TURF: Ground<f64> = Ground {
     tilt: 15.4 * core::f64::consts::PI / 180.0,
     friction: 0.40,
     rolling_friction: 0.131,
+    grass_length: f64::INFINITY,
 };
 /// Turf that does not dent.
 const FIRM: Ground<f64> = Ground { tilt: 0.0, ..TURF };
 
+/// Viscosity of the air, Pa s.
+const VISCOSITY: f64 = 1.837e-5;
+
 /// The drag of air of a density, kg/m3.
 fn air(density: f64) -> Flight<f64> {
-    Flight::new(&BALL, Vec3::zero(), &Air { density, wind: Vec3::zero() })
+    Flight::new(&BALL, Vec3::zero(), &Air { density, viscosity: VISCOSITY, wind: Vec3::zero() })
 }
 
 fn energy(velocity: Vec3<f64>, spin: Vec3<f64>) -> f64 {
@@ -125,14 +130,14 @@ fn a_sliding_ball_slides_until_it_rolls() {
     assert_close(way.z, slid + rolled, 1e-14);
 }
 
-/// A rolling ball at 20 m/s against small steps of the same two forces; S = 1 is held at 0.75, where C_D is 0.362.
+/// A rolling ball at 20 m/s against small steps of the same two forces, C_D being that of S = 1 at 20 m/s.
 #[test]
 fn drag_shortens_a_roll() {
     let (speed, density) = (20.0, 1.18);
     let spin = Vec3::new(0.0, 0.0, -speed / BALL.radius);
     let way = |density: f64| roll(&BALL, &TURF, &air(density), Vec3::new(speed, 0.0, 0.0), spin).x;
     let drag = 0.5 * density * core::f64::consts::PI * BALL.radius.powi(2) / BALL.mass
-        * (0.1304 + 0.9287 * 0.75 - 0.8259 * 0.75 * 0.75);
+        * drag_coefficient(1.0, 2.0 * BALL.radius * density * speed / VISCOSITY);
     let friction = 5.0 / 7.0 * TURF.rolling_friction * GRAVITY;
     let steps = 20_000;
     // dx = v dv / (a + c v^2), by the midpoint rule, whose error falls with the square of the step.
@@ -148,9 +153,29 @@ fn drag_shortens_a_roll() {
     }
 }
 
-/// Drives that land at 25 to 33 deg on normal ground, a chart made with TrackMan for an attack angle of 5 deg and 1900
-/// to 2200 rpm (Andrew Rice, Optimal Driver Numbers, andrewricegolf.com): totals within 12 yd, by which those of the
-/// model differ between the two spins.
+/// Grass that alone slows a ball to 1/e in 23 m takes its energy over 11.5 m: from 20 m/s to 2 m/s in 23 ln 10 m.
+#[test]
+fn grass_slows_a_fast_ball_and_hardly_a_slow_one() {
+    let grass = Ground { grass_length: 23.0, ..TURF };
+    let way = |ground: &Ground<f64>, speed: f64| {
+        let spin = Vec3::new(0.0, 0.0, -speed / BALL.radius);
+        roll(&BALL, ground, &air(0.0), Vec3::new(speed, 0.0, 0.0), spin).x
+    };
+    let free = Ground { rolling_friction: 1e-9, ..grass };
+    assert_close(way(&free, 20.0) - way(&free, 2.0), 23.0 * 10f64.ln(), 1e-6);
+    assert!(way(&grass, 20.0) < 0.25 * way(&TURF, 20.0));
+    assert!(way(&grass, 1.83) > 0.9 * way(&TURF, 1.83));
+}
+
+/// A firm fairway, that of TrackMan's charts of those years.
+fn firm(shot: [f64; INPUT_COUNT]) -> [f64; INPUT_COUNT] {
+    with(with(shot, "ground_tilt", 9.5f64.to_radians()), "restitution_factor", 1.3)
+}
+
+/// Drives that land at 25 to 36 deg on TrackMan's normal ground, a chart made for an attack angle of 5 deg and 1900 to
+/// 2200 rpm (Andrew Rice, Optimal Driver Numbers, andrewricegolf.com): totals within 13 yd: those of the model
+/// differ by 12 between the two spins, and the slowest carries a yard less where drag rises. The ground of these charts
+/// is firmer than the default.
 #[test]
 fn totals_of_drives_are_those_of_trackmans_normal_ground() {
     let yard = 0.9144;
@@ -161,20 +186,20 @@ fn totals_of_drives_are_those_of_trackmans_normal_ground() {
         (133.0, 14.2, 256.0),
         (140.0, 13.7, 271.0),
     ] {
-        let found = value(&launch(speed, angle, 2050.0, 0.0), "total") / yard;
-        assert!((found - total).abs() < 12.0, "{speed} mph: {found} yd instead of {total}");
+        let found = value(&firm(launch(speed, angle, 2050.0, 0.0)), "total") / yard;
+        assert!((found - total).abs() < 13.0, "{speed} mph: {found} yd instead of {total}");
     }
 }
 
 /// A low drive of a magazine's club test, 145 mph, 6.4 deg and 1106 rpm, came to rest after 223 m
-/// (online.flippingbook.com/view/942190819/83); without drag in its bounces it would do so after 337 m. A topped drive
-/// stays behind every good one.
+/// (online.flippingbook.com/view/942190819/83); where a ball goes up as fast as it came down, and grass slows a fast
+/// one no more than a slow one, it does so after 267 m. A topped drive stays behind every good one.
 #[test]
-fn drag_stops_skimming_balls() {
+fn turf_stops_skimming_balls() {
     let low = value(&launch(145.0, 6.4, 1106.0, 0.0), "total");
-    assert!((low - 223.0).abs() < 50.0, "{low} m");
+    assert!((low - 223.0).abs() < 15.0, "{low} m");
     let topped = value(&launch(60.0, 2.0, 100.0, 0.0), "total");
-    assert!(topped < 130.0, "{topped} m");
+    assert!(topped < 70.0, "{topped} m");
 }
 
 /// Between one bounce more and one less the place of rest does not jump. A step of 0.1 mm/s in the speed of landing
@@ -204,7 +229,8 @@ fn the_run_shrinks_from_driver_to_wedge_and_with_the_softness_of_the_turf() {
 }
 
 proptest! {
-    /// Whatever comes in, a bounce creates no energy and sends no ball up faster than it came down, and every run ends.
+    /// Whatever comes in, a bounce creates no energy and sends no ball up more than 0.51 times as fast as it came
+    /// down, and every run ends.
     #[test]
     fn a_bounce_creates_no_energy_and_every_run_ends(
         speed in 0.1..90.0f64, descent in 0.01..1.57f64, spin in prop::array::uniform3(-1500.0..1500.0f64), friction in 0.01..2.0f64,
@@ -214,7 +240,7 @@ proptest! {
         let spin = Vec3::from_f64(spin);
         let (after, spin_after) = bounce(&BALL, &ground, velocity, spin);
         prop_assert!(energy(after, spin_after) <= energy(velocity, spin) * (1.0 + 1e-12));
-        prop_assert!(after.y <= -velocity.y);
+        prop_assert!(after.y <= -velocity.y * 0.51 * (1.0 + 1e-12));
         let rest = run(&BALL, &ground, &air(1.18), Vec3::zero(), velocity, spin);
         prop_assert!(rest.x.is_finite() && rest.z.is_finite() && rest.y == 0.0);
     }

@@ -161,7 +161,7 @@ fn derivatives_through_the_landing_are_exact_without_air() {
 #[test]
 fn an_event_is_placed_to_rounding_within_steps_of_any_length() {
     let ball = Ball { mass: 0.0459, radius: 0.0213, inertia: 8.336e-6 };
-    let air = Air { density: 1.18, wind: Vec3::zero() };
+    let air = Air { density: 1.18, viscosity: 1.837e-5, wind: Vec3::zero() };
     let flight = Flight::new(&ball, Vec3::new(0.0, -30.0, 250.0), &air);
     for (height, h) in [(0.5, 0.1), (2.0, 0.4), (10.0, 1.0), (20.0, 2.0)] {
         let y = [200.0, height, 1.0, 25.0, -14.0, 2.0, 0.9];

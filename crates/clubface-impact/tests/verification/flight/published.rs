@@ -2,7 +2,7 @@
 
 use super::{assert_close, launch, value, YARD};
 use clubface_impact::flight::aerodynamics::{drag_coefficient, lift_coefficient};
-use clubface_impact::flight::air::{density, pressure_at_altitude, saturation_pressure};
+use clubface_impact::flight::air::{density, pressure_at_altitude, saturation_pressure, viscosity};
 
 /// PGA Tour averages measured with TrackMan, 2023 (trackman.com/blog/golf/introducing-updated-tour-averages):
 /// club, ball speed [mph], launch angle [deg], spin [rpm], height [yd], angle of descent [deg], carry [yd].
@@ -22,22 +22,21 @@ const TOUR: [(&str, [f64; 6]); 12] = [
 ];
 
 /// Found minus published: carry [%], height [yd], angle of descent [deg], as the model gives them at 25 C and sea
-/// level. The driver must be within 6 %. The rest is no claim of accuracy but what is so: averages of launches do not
-/// make an average carry, weather and ball are unknown, the fit itself misses carries by 2.5 m, and it descends too
-/// flat.
+/// level. The driver must be within 3 %. The rest is no claim of accuracy but what is so: averages of launches do not
+/// make an average carry, and weather and ball are unknown.
 const DEVIATIONS: [[f64; 3]; 12] = [
-    [3.6, -2.5, -3.1],
-    [5.4, -0.2, -4.8],
-    [3.9, -0.1, -6.4],
-    [-0.4, 0.3, -7.5],
-    [2.7, -1.3, -8.3],
-    [1.4, -2.7, -8.6],
-    [0.6, -3.8, -7.9],
-    [-0.7, 0.0, -5.0],
-    [-2.8, -1.9, -5.0],
-    [-1.9, -1.2, -4.3],
-    [-0.7, -0.9, -5.0],
-    [-2.5, -1.3, -4.2],
+    [0.9, -0.3, 0.2],
+    [2.6, 2.1, -0.1],
+    [1.2, 2.1, -1.6],
+    [-2.7, 2.3, -2.8],
+    [0.7, 0.6, -3.7],
+    [-0.4, -0.8, -4.1],
+    [-1.0, -2.1, -3.7],
+    [-1.8, 1.6, -1.1],
+    [-2.9, -0.3, -1.3],
+    [-1.4, 0.6, -0.8],
+    [-0.3, 1.0, -1.4],
+    [-2.9, 0.5, -0.6],
 ];
 
 /// Tolerance: half the last digit printed above.
@@ -58,7 +57,7 @@ fn carries_of_the_tour_averages_from_their_published_launch() {
             found[2],
             (value(&shot, "total") - value(&shot, "carry")) / YARD,
         );
-        assert!(club != "driver" || found[0].abs() < 6.0);
+        assert!(club != "driver" || found[0].abs() < 3.0);
         for i in 0..3 {
             assert!((found[i] - deviation[i]).abs() < 0.051, "{club}: {found:?}, was {deviation:?}");
         }
@@ -85,13 +84,37 @@ fn pressure_falls_with_altitude_as_in_the_standard_atmosphere() {
     assert!((pressure_at_altitude(3000.0) - 70_109.0).abs() < 2.0);
 }
 
-/// The values the fit takes at a drive (S = 0.07) and a wedge (S = 0.4), worked by hand.
+/// Published coefficients (Lyu, Kensrud and Smith 2020; US patent 6,186,002), Reynolds number, spin parameter, C_D,
+/// C_L; balls differ by some 0.03 from each other, and the lift of the former is the lower one of those published.
 #[test]
-fn coefficients_are_those_of_the_fit() {
-    assert_close(drag_coefficient(0.07), 0.191_362_09, 1e-9);
-    assert_close(lift_coefficient(0.07), 0.128_986_9, 1e-9);
-    assert_close(drag_coefficient(0.4), 0.369_736, 1e-9);
-    assert_close(lift_coefficient(0.4), 0.347_8, 1e-9);
+fn coefficients_are_those_of_measured_balls() {
+    for (reynolds, s, drag, lift) in [
+        (5e4, 0.27, 0.475, f64::NAN),
+        (1e5, 0.14, 0.225, 0.165),
+        (1.25e5, 0.11, 0.195, 0.17),
+        (8.1e4, 0.218, 0.305, 0.278),
+        (1.23e5, 0.153, 0.256, 0.214),
+        (1.61e5, 0.09, 0.234, 0.151),
+        (1.98e5, 0.044, 0.231, 0.115),
+    ] {
+        let found = drag_coefficient(s, reynolds);
+        assert!((found - drag).abs() < 0.05, "C_D {found} at {reynolds}, {s}: {drag} measured");
+        let found = lift_coefficient(s);
+        assert!(!((found - lift).abs() > 0.05), "C_L {found} at {s}: {lift} measured");
+    }
+}
+
+/// The crisis of modern balls with spin lies between Reynolds numbers of 50,000 and 75,000 (Lyu and co-workers, 2020).
+#[test]
+fn slow_balls_feel_the_drag_crisis_and_fast_ones_do_not() {
+    let rise = |reynolds: f64| drag_coefficient(0.2, reynolds) - drag_coefficient(0.2, 1e9);
+    assert!(rise(1e5) < 0.001 && rise(5e4) > 0.14, "{} {}", rise(1e5), rise(5e4));
+}
+
+/// ISO 2533: 1.7894e-5 Pa s at 15 C.
+#[test]
+fn air_has_its_published_viscosity() {
+    assert!((viscosity(288.15) / 1.7894e-5 - 1.0).abs() < 1e-4);
 }
 
 /// Speed above all: a launch of the wedge leaves the fit before it lands, and says so; the drive stays within.
