@@ -11,8 +11,8 @@ from fuzz_readers import READERS
 from toml_types import flaw_of, must_be_refused, variants
 
 SHARE = {
-    "fem-head": 7, "fem-case": 30, "sweep-study": 26, "shells": 60, "club": 6, "prior": 1, "golfer": 1, "ball": 1,
-    "fem-ball": 1,
+    "fem-head": 7, "fem-case": 30, "sweep-study": 26, "shells": 60, "club": 6, "prior": 1, "golfer": 1, "ball": 9,
+    "fem-ball": 4,
 }  # fmt: skip
 """One wrong value in so many is tried, and two of each key, one where there are very many; ``make fuzz`` tries all."""
 OF_ELEMENTS = ("cube", "pieces")

@@ -313,7 +313,7 @@ def test_a_golfer_a_club_and_a_dispersion_are_told_in_the_units_of_golfers():
     lines = str(player).splitlines()
     assert lines[1].split() == ["speed", "95", "±", "1.4", "mph"]
     assert lines[-1].split() == ["10%", "mishits,", "2", "times", "as", "far", "off"]
-    head = str(club("driver").replace(hand="left", roll="flat"))
+    head = str(club("driver").replace(hand="left", roll="flat", cg_x="40.8 mm"))
     assert head.startswith("driver, left-handed")
     assert "  cg_x                 40.8 mm\n" in head
     assert "  roll                 flat\n" in head

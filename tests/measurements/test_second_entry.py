@@ -18,7 +18,8 @@ from clubface.units import to_si
 
 DIGESTS = {
     "clubs/7-iron.toml": "6f7b1534",
-    "clubs/driver.toml": "1a90914c",
+    "clubs/driver-as-printed.toml": "1a90914c",
+    "clubs/driver.toml": "2f2c36ea",
     "measurements/averages.toml": "c5c8c525",
     "measurements/ball.toml": "b4afb422",
     "measurements/club-heads.toml": "96a8adfe",
@@ -42,7 +43,7 @@ DIGESTS = {
     "parameters/jorgensen.toml": "719cbe4c",
     "parameters/penner.toml": "86373a41",
     "parameters/three-dimensional-impact-models.toml": "2e67d411",
-    "parameters/tour-averages.toml": "b52860d7",
+    "parameters/tour-averages.toml": "ae18e921",
     "published_accuracy.toml": "b5cfb46f",
     "published_impacts.toml": "589075ec",
 }
@@ -81,7 +82,7 @@ PUBLICATIONS = sorted(
         "measurements/*.*",
         "published_*.toml",
         "parameters/*.toml",
-        "clubs/driver.toml",
+        "clubs/driver*.toml",
         "clubs/7-iron.toml",
     )
     for path in DATA.glob(pattern)

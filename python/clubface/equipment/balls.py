@@ -16,7 +16,7 @@ from clubface import units
 from clubface.equipment.core import check_body
 from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
 from clubface.equipment.models import model
-from clubface.equipment.parameter_values import checked
+from clubface.equipment.parameter_values import checked, parsed_scalar
 from clubface.equipment.pieces import Construction, body, pieces_lines, toml_lines
 from clubface.errors import ClubfaceError, FileError, InputError, RuleWarning
 from clubface.support.checks import check_name, check_text
@@ -198,8 +198,8 @@ def _checked_parameters(given: Mapping[str, Mapping[str, Any]]) -> Mapping[str, 
     for name, values in given.items():
         if not isinstance(values, Mapping):
             raise InputError(f"parameters.{name}", values, "a table of values")
-        declared = model(name)
-        found[name] = Frozen({key: checked(value, declared.parameter(key)) for key, value in values.items()})
+        declared = {key: model(name).parameter(key) for key in values}
+        found[name] = Frozen({key: checked(parsed_scalar(values[key], of), of) for key, of in declared.items()})
     return Frozen(found)
 
 
@@ -216,8 +216,7 @@ def _read(document: Document) -> dict[str, Any]:
     document.check_text(data, ("name", "description"))
     if "diameter" in data and "radius" in data:
         raise document.error("give the diameter or the radius, not both", "radius")
-    if not isinstance(data.get("parameters", {}), dict):
-        raise document.error("parameters must be a table", "parameters")
+    check_parameters(document)
     check_sources(document)
     try:
         radius = units.parse(data.pop(size), "length", name=size) / (2.0 if size == "diameter" else 1.0)
@@ -232,6 +231,17 @@ def _read(document: Document) -> dict[str, Any]:
     except ClubfaceError as error:
         raise document.wrap(error) from error
     return found
+
+
+def check_parameters(document: Document) -> None:
+    """Refuse parameters of a ball that are no tables, one a model, of single values within their bounds."""
+    given = document.data.get("parameters", {})
+    if not isinstance(given, dict):
+        raise document.error("parameters must be a table", "parameters")
+    try:
+        _checked_parameters(given)
+    except ClubfaceError as error:
+        raise document.wrap(error) from error
 
 
 def check_sources(document: Document) -> None:

@@ -17,6 +17,7 @@ from clubface.equipment.balls import (
     Ball as RigidBall,
     ball_names as all_names,
     check_friction,
+    check_parameters,
     check_sources,
 )
 from clubface.equipment.pieces import Construction
@@ -251,6 +252,7 @@ def from_document(document: Document) -> Ball:
     document.check_text(data, ("name", "description"))
     tables = data.pop("pieces")
     # These are of the other models; the inertia here is that of the pieces.
+    check_parameters(document)
     check_sources(document)
     data = {key: value for key, value in data.items() if key not in ("inertia", "parameters", "sources")}
     if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
