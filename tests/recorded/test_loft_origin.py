@@ -74,6 +74,7 @@ def test_some_misread_shots_do_not_hide_a_computed_loft():
     (origin,) = loft_origins(shots)
     assert origin.origin == COMPUTED
     assert origin.ratio == pytest.approx(1.137, rel=1e-9)
+    assert origin.ratio_scatter < 1e-6
 
 
 def test_clubs_and_files_are_told_apart():

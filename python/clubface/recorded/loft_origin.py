@@ -77,7 +77,7 @@ class LoftOrigin(NamedTuple):
     ratio
         I w / (m R v_t), the median over the shots, weighted by spin over speed.
     ratio_scatter
-        Its standard deviation from shot to shot, outliers apart.
+        Its standard deviation from shot to shot, by the median of the deviations.
     scatter
         Standard deviation of the angle between face normal and launch from that of the ratio [rad], outliers apart.
     rounding
@@ -119,13 +119,14 @@ def origin_notes(origins: Iterable[LoftOrigin], instead: str) -> list[str]:
     found = computed(origins)
     if not found:
         return []
-    what = "dynamic loft and face angle" if all(each.with_face for each in found) else "dynamic loft"
+    faces = all(each.with_face for each in found)
+    what = "dynamic loft and face angle were" if faces else "dynamic loft was"
     ratios = ", ".join(
         f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_called(each)}{each.shots} shots)" for each in found
     )
     return [
-        f"{what} were computed from the ball, not measured: I w / (m R v_t) is one number from shot to shot, {ratios}."
-        f" Spin that is fitted or judged with them is that of the monitor's own model of impact; {instead}"
+        f"{what} computed from the ball, not measured: I w / (m R v_t) is one number from shot to shot, {ratios}."
+        f" Spin that is fitted or judged with it is that of the monitor's own model of impact; {instead}"
     ]
 
 
@@ -199,7 +200,7 @@ def _judged(across: Floats, rolling: Floats, rounding: float, with_face: bool) -
     else:
         origin = UNDECIDED
     middle = float(np.median(np.abs(asked[kept])))
-    relative = scatter / math.tan(middle) if middle > 0.0 else math.nan
+    relative = robust / math.tan(middle) if middle > 0.0 else math.nan
     return LoftOrigin("", "", len(off), origin, with_face, ratio, abs(ratio) * relative, scatter, rounding)
 
 
