@@ -25,7 +25,7 @@ def main() -> None:
     shots = clubface.benchmark_data.load("driver").measured
     began, processor = time.perf_counter(), time.process_time()
     found = clubface.identify(
-        shots, club="driver", model=chosen.model, threads=chosen.threads, folds=0, bootstrap=0, profiles=()
+        shots, club="driver-as-printed", model=chosen.model, threads=chosen.threads, folds=0, bootstrap=0, profiles=()
     )
     wall, processor = time.perf_counter() - began, time.process_time() - processor
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
