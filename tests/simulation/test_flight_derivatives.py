@@ -7,6 +7,7 @@ import clubface
 from clubface.errors import InputError, UnknownNameError
 from clubface.simulation.flight_derivatives import differentiated, flight_derivatives
 from clubface.simulation.flight_inputs import flight_columns
+from clubface.simulation.quantities import flight_inputs
 
 DRIVE = {"ball_speed": "160 mph", "launch": "12 deg", "azimuth": "2 deg", "backspin": "2600 rpm", "sidespin": "300 rpm"}
 AIR = {"air": {"temperature": "15 degC", "altitude": "300 m"}, "wind": ("3 m/s", 0.0, "-2 m/s")}
@@ -34,7 +35,7 @@ def test_its_values_are_those_of_the_flight_itself():
     launch = clubface.impact("driver", speed="105 mph", toe="9 mm")
     flown, found = clubface.fly(launch, **AIR), flight_derivatives(launch, **AIR)
     assert found.values == {name: float(getattr(flown, name)) for name in found.values}
-    assert found.jacobian.shape == (len(found.values), 19)
+    assert found.jacobian.shape == (len(found.values), len(flight_inputs()))
 
 
 def test_it_is_of_one_launch_and_of_known_names():

@@ -41,7 +41,7 @@ fn flight(criterion: &mut Criterion) {
 
     let exact = sensitivity(&inputs).expect("a drive lands");
     println!("carry by backspin: {:.6} m/(rad/s)", exact.jacobian[0][8]);
-    criterion.bench_function("flight of one drive with its derivatives by 19 inputs", |bencher| {
+    criterion.bench_function("flight of one drive with its derivatives by 20 inputs", |bencher| {
         bencher.iter(|| sensitivity(black_box(&inputs)));
     });
 
