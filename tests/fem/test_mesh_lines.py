@@ -77,12 +77,12 @@ def test_a_strike_on_a_line_of_the_mesh_is_like_those_a_micrometre_beside_it(kin
     assert not on.over_edge
     # As of strikes within elements; a node that is lost costs more than half a per cent.
     assert on.energy_error < 2e-3
-    for beside in ((1e-6, 0.0), (0.0, -1e-6)):
-        other = struck(plate(kind), toe + beside[0], high + beside[1])
-        # 1 um changes the launch by parts in a million, and the peak of a force that rings by a little more.
-        assert on.peak_force == pytest.approx(other.peak_force, rel=1e-4)
-        for name in ("ball_speed", "launch", "backspin"):
-            assert on.launch.get(name) == pytest.approx(float(other.launch.get(name)), rel=5e-5)
+    sides = [struck(plate(kind), toe + move, high - move) for move in (-1e-6, 1e-6)]
+    # The launch goes smoothly with the place, backspin by 5e-5 of itself in 1 um, so it is the mean of those on either
+    # side. The peak of a force that rings is a little less smooth.
+    assert on.peak_force == pytest.approx(np.mean([each.peak_force for each in sides]), rel=1e-4)
+    for name in ("ball_speed", "launch", "backspin"):
+        assert on.launch.get(name) == pytest.approx(np.mean([float(each.launch.get(name)) for each in sides]), rel=1e-5)
 
 
 @pytest.mark.parametrize("kind", ["shells", "hexahedra"])

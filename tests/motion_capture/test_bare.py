@@ -105,14 +105,16 @@ def test_a_blow_at_the_centre_shows_loft_and_face_angle(hand):
     usual = Assumed(
         delivered_loft=0.5, delivered_face=0.5, delivered_lie=0.01, blow=1e-3, toe=1e-4, high=1e-4, place=1e-6
     )
-    for seed in (3, 5, 6):
+    off = []
+    for seed in range(3, 9):
         swing = random_swing(seed, hand=hand, toe=0.0, high=0.0, lie=0.0)
         recorded = record_bare(swing, cameras, seed, assumed=usual)
         found = read(swing, recorded, "swing", cameras=cameras, assumed=usual)
-        # Of 12 m/s that are lost, 0.1 to 0.2 m/s of the fits before and after are a degree. The mean of the markers, 45
-        # mm from the CG, turns about it by 0.4 m/s and more: two or three degrees, if that were forgotten.
-        assert found.delivery.loft == pytest.approx(swing.truth["loft"], abs=np.radians(1.2))
-        assert found.delivery.face == pytest.approx(swing.truth["face"], abs=np.radians(1.2))
+        off.append([getattr(found.delivery, name) - swing.truth[name] for name in ("loft", "face")])
+    # Of 16 m/s that are lost, 0.2 m/s of the fits before and after are 0.7 degrees. The mean of the markers, 45 mm from
+    # the CG, turns about it by 0.5 m/s and more, and a face that closes starts the ball 0.7 degrees to the left: two
+    # degrees, if these were forgotten.
+    assert (np.sqrt(np.mean(np.square(off), axis=0)) < np.radians(1.0)).all()
 
 
 def test_deviations_that_are_stated_hold_the_truth():

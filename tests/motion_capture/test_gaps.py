@@ -71,7 +71,7 @@ def values(found):
 
 def test_a_gap_in_the_follow_through_changes_nothing():
     """Hidden from frame 519 to 551, 42 frames after impact: the whole recording gives what frames 1 to 518 give."""
-    ready = prepare(MAPPING, "driver")
+    ready = prepare(MAPPING, "driver-as-printed")
     whole, short = capture(RECORDING, ready), capture(replace(RECORDING, positions=RECORDING.positions[:518]), ready)
     assert whole.frames == short.frames == (477, 478)
     off = np.abs(values(whole) - values(short)) / np.array(list(short.uncertainty.values()))

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from clubface.errors import InputError
 
-RIGID = 0.7772
+RIGID = 0.7762
 """Coefficient of restitution of the built-in driver with a rigid face, struck in front of its CG by the ball ``modern``
 at 160 ft/s (48.8 m/s), by finite elements."""
-GAIN = (8.492e-3, 9.359e-5, -3.793e-5, 1.235e-6)
+GAIN = (8.355e-3, 3.975e-6, -2.081e-5, 5.893e-7)
 """Gain of the same head with a face that gives: coefficients of even powers of the characteristic time in units of 100
-us, from the second on. They fit finite elements up to 400 us to 0.0004."""
+us, from the second on. They fit finite elements up to 400 us to 0.0003 (``python studies/face_restitution.py``)."""
 UNIT = 100e-6
 RANGE = (0.778, 0.86)
-"""Restitutions that a face may be given: those of 25 to 392 us."""
+"""Restitutions that a face may be given: those of 46 to 377 us."""
 
 
 def restitution(characteristic_time: float) -> float:

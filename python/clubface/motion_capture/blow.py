@@ -26,6 +26,9 @@ CONTACT_DEVIATION = 0.05e-3
 LOST = 0.08
 """Part of its speed that a head loses at least by a blow: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
 over the same frames."""
+BEGUN = 0.02
+"""Part of its speed that a head loses at least from one frame to the next if the blow begins between them, but for the
+last tenth of that time."""
 FAST = 0.5
 """Part of the greatest speed that a head has at least when it meets the ball."""
 WIDEST = 8
@@ -106,7 +109,14 @@ class Blow(NamedTuple):
 
 
 def find_blow(
-    times: Array, followed: Track, *, noise: float, arm: float, where: str, roughness: float = ROUGHNESS
+    times: Array,
+    followed: Track,
+    *,
+    noise: float,
+    arm: float,
+    where: str,
+    roughness: float = ROUGHNESS,
+    cg: Array | None = None,
 ) -> Blow:
     """Find the blow in a recording; refuse one that has none with a :class:`FileError`.
 
@@ -125,13 +135,18 @@ def find_blow(
         The file, for errors.
     roughness
         Of the smoother.
+    cg
+        Where the CG is from the origin of the head, in the axes of the world at impact [m], shape (3,); there unless
+        given.
     """
     before, after, lost, again = _frames(times, followed, where)
+    cg = np.zeros(3) if cg is None else cg
     known = np.flatnonzero(followed.known)
     place = int(np.searchsorted(known, before))
     tried = []
     for first in range(max(place - 1, 0), min(place + 2, len(known) - 1)):
-        found = _cross(times, followed, int(known[first]), int(known[first + 1]), noise, arm, roughness, where)
+        frames = int(known[first]), int(known[first + 1])
+        found = _cross(times, followed, frames, noise, arm, cg, roughness, where)
         if found is not None and times[found.before] <= found.touch + EARLY and found.touch <= times[found.after]:
             tried.append(found)
     if not tried:
@@ -188,7 +203,9 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
         if later == 0:
             low = middle[-1, 1] - float(np.min(middle[:, 1])) < LOW
             return End(int(known[-1]), float(times[known[-1]]) + 0.5 * frame, frame, 0) if low else None
-        if (speeds[end + (later > 1) :] < (1.0 - LOST) * level[0]).all():
+        least = np.full(later, LOST)
+        least[0] = LOST if later == 1 else BEGUN
+        if (speeds[end:] < (1.0 - least) * level[0]).all():
             before = int(known[end])
             return End(before, float(times[before]) + 0.5 * frame, frame / math.sqrt(12.0), later)
     return None
@@ -326,9 +343,17 @@ def _hidden(times: Array, position: Array, frames: Array) -> str:
 
 
 def _cross(
-    times: Array, followed: Track, before: int, after: int, noise: float, arm: float, roughness: float, where: str
+    times: Array,
+    followed: Track,
+    frames: tuple[int, int],
+    noise: float,
+    arm: float,
+    cg: Array,
+    roughness: float,
+    where: str,
 ) -> Blow | None:
     """Return the blow between two frames from where the paths on either side cross; None with too few frames."""
+    before, after = frames
     known = np.flatnonzero(followed.known)
     rotation = followed.poses.rotation
     earlier = usable(known[known <= before][-MOST:], rotation, FEWEST)
@@ -339,12 +364,15 @@ def _cross(
     coordinates, errors, _ = coordinates_of(followed, earlier, noise)
     ahead, attitude = path_through(times[earlier] - start, followed, earlier, noise, smoother, roughness, where)
     density = wandering(times[earlier], coordinates, roughness)[:3]
-    held = exponential(_at(ahead, 0.0)[0][3:]) @ attitude
-    # The CG goes smoothly; the origin, an unknown arm from it, does what the head's turn since the blow adds to that.
     errors = coordinates_of(followed, later, noise)[1][:, :3, :3]
-    back = fit(start - times[later], followed.poses.position[later], errors, 4, density, arm * (rotation[later] - held))
     time, lost, weight = 0.0, np.zeros(3), np.eye(3)
     for _ in range(ROUNDS):
+        held = exponential(_at(ahead, time)[0][3:]) @ attitude
+        # The CG goes smoothly; the origin, an arm from it that is known to ``arm``, does what the head's turn since the
+        # blow adds to that.
+        turned = rotation[later] @ held.T - np.eye(3)
+        place = followed.poses.position[later] + turned @ cg
+        back = fit(start - times[later], place, errors, 4, density, arm * turned)
         one, two = _at(ahead, time), _at(back, -time)
         apart, lost = two[0] - one[0][:3], -two[1] - one[1][:3]
         weight = np.linalg.inv(one[2][:3, :3] + two[2])

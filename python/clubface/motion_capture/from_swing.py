@@ -32,6 +32,8 @@ FEWEST = 30
 """Draws that must agree with a usual impact."""
 USUAL_LOFT = {"wood": units.to_si(3.0, "deg"), "hybrid": 0.0, "iron": units.to_si(-7.0, "deg")}
 """By how much more loft than the club's a golfer delivers: drivers are hit upwards, irons with the hands ahead."""
+TURNED = units.to_si(8.0, "deg")
+"""How far a head is turned from its static attitude when it meets the ball, about each axis."""
 ROUNDS = 5
 """Of the search for the face that sends the ball where it went; each leaves a fifth of the error at most."""
 STEEP = 1.3
@@ -58,8 +60,10 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     if noise is None:
         noise, _ = followed.noise(np.arange(len(followed.known)) <= last_before(recording.times, followed, where))
     mean, spread = _place(mapping, club)
-    arm = float(np.linalg.norm(np.hypot(spread, np.abs(mean + np.array(club.cg)))) / np.sqrt(3.0))
-    blow = find_blow(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where)
+    cg = -mean - np.array(club.cg)
+    arm = float(np.linalg.norm(np.hypot(spread, TURNED * np.linalg.norm(cg))) / np.sqrt(3.0))
+    cg = delivered(club.loft, 0.0, 0.0, club.loft) @ cg
+    blow = find_blow(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where, cg=cg)
     attitude = _attitude(blow, mapping, club, ball, where)
     markers = blow.position + followed.shape @ blow.rotation.T
     found = placed(markers, attitude, mapping, club, None)
@@ -95,24 +99,25 @@ def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str
     assumed = mapping.assumed
     mean, spread = _place(mapping, club)
     change = random.multivariate_normal(blow.later - blow.velocity, blow.covariance, DRAWS, method="eigh")
-    # From the mean of the markers to the CG, in club axes; which way those look is close enough at the static attitude.
+    # From the mean of the markers to the CG, in club axes.
     arm = -(mean + spread * random.normal(size=(DRAWS, 3))) - np.array(club.cg)
-    arm = arm @ delivered(club.loft, 0.0, 0.0, club.loft).T
     toe, high = (deviation * random.normal(size=DRAWS).clip(-2.0, 2.0) for deviation in (assumed.toe, assumed.high))
     lie = assumed.delivered_lie * random.normal(size=DRAWS)
-    pushed = -(change - np.cross(blow.spin, arm))
-    launch = np.arctan2(pushed[:, 1], np.hypot(pushed[:, 0], pushed[:, 2]))
-    azimuth = np.arctan2(pushed[:, 2], pushed[:, 0])
     aside = assumed.blow * random.normal(size=(2, DRAWS))
     velocity = blow.velocity
     speed = float(np.linalg.norm(velocity))
     given = {
         "speed": speed, "attack": float(np.arcsin(velocity[1] / speed)),
         "path": float(np.arctan2(velocity[2], velocity[0])), "lie": lie, "toe": toe, "high": high,
+        "lie_rate": -blow.spin[0], "closure": blow.spin[1], "pitch_rate": blow.spin[2],
     }  # fmt: skip
-    loft, face = launch.clip(-STEEP, STEEP), azimuth.clip(-STEEP, STEEP)
+    loft, face = np.full(DRAWS, club.loft), np.zeros(DRAWS)
     try:
         for _ in range(ROUNDS):
+            turned = delivered(float(np.nanmedian(loft)), float(np.nanmedian(face)), 0.0, club.loft)
+            pushed = -(change - np.cross(blow.spin, arm @ turned.T))
+            launch = np.arctan2(pushed[:, 1], np.hypot(pushed[:, 0], pushed[:, 2]))
+            azimuth = np.arctan2(pushed[:, 2], pushed[:, 0])
             with without_warnings():
                 made = impact(
                     club.replace(hand="right"), {**given, "loft": loft, "face": face}, ball=ball, on_error="nan"
