@@ -26,9 +26,9 @@ CONTACT_DEVIATION = 0.05e-3
 LOST = 0.08
 """Part of its speed that a head loses at least by a blow: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
 over the same frames."""
-BEGUN = 0.02
+BEGUN = 0.01
 """Part of its speed that a head loses at least from one frame to the next if the blow begins between them, but for the
-last tenth of that time."""
+last twentieth of that time."""
 FAST = 0.5
 """Part of the greatest speed that a head has at least when it meets the ball."""
 WIDEST = 8
@@ -203,9 +203,8 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
         if later == 0:
             low = middle[-1, 1] - float(np.min(middle[:, 1])) < LOW
             return End(int(known[-1]), float(times[known[-1]]) + 0.5 * frame, frame, 0) if low else None
-        least = np.full(later, LOST)
-        least[0] = LOST if later == 1 else BEGUN
-        if (speeds[end:] < (1.0 - least) * level[0]).all():
+        begun = later == 1 or speeds[end] < (1.0 - BEGUN) * (2.0 * speeds[end - 1] - speeds[end - 2])
+        if begun and (speeds[end + (later > 1) :] < (1.0 - LOST) * level[0]).all():
             before = int(known[end])
             return End(before, float(times[before]) + 0.5 * frame, frame / math.sqrt(12.0), later)
     return None
