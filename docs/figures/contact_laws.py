@@ -24,6 +24,8 @@ SPEEDS = tuple(float(speed) for speed in range(25, 56, 5))
 SWINGS = (("driver", 8.0, 25.0, 55.0), ("driver", 12.0, 25.0, 55.0), ("7-iron", 22.0, 25.0, 45.0),
           ("7-iron", 28.0, 25.0, 45.0))  # fmt: skip
 """Club, loft [deg], least and largest speed [m/s]."""
+HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
+"""The heads with which the published displacements were identified."""
 MEAN = {"driver": (48.3, 12.0), "7-iron": (39.8, 25.65)}
 """Speed [m/s] and loft [deg] in the middle of the shots on which the published displacements were identified."""
 
@@ -94,7 +96,7 @@ def published(club: str) -> tuple[float, Displacement]:
     speed, loft = MEAN[club]
     values = ParameterSet.builtin("adjusted", club).values
     normal, up, toe = (float(values[f"dcg_{axis}"]) for axis in "xyz")
-    launch = clubface.impact(club, speed=speed, loft=math.radians(loft), model="adjusted")
+    launch = clubface.impact(HEADS[club], speed=speed, loft=math.radians(loft), model="adjusted")
     tilt = math.radians(loft) - float(launch.launch)
     return speed, Displacement(normal, up, toe, up + normal * math.tan(tilt))
 
@@ -137,7 +139,7 @@ def the_displacement() -> Figure:
         for speed in SPEEDS:
             if least <= speed <= largest:
                 delivery = {"speed": speed, "loft": math.radians(loft)}
-                rigid = clubface.club(club).replace(characteristic_time=0.0)
+                rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
                 found = fem.strike(rigid, delivery, which=BALL, friction=FRICTION, settings=END)
                 add(f"{club}, {loft:g}°", speed, displaced_centre(found))
     for speed in SPEEDS:
