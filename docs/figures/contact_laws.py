@@ -21,6 +21,8 @@ BALL, FRICTION = "paper", 0.3
 END = fem.Settings(until_separation=True)
 ANGLES = (11.5, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0)
 SPEEDS = tuple(float(speed) for speed in range(25, 56, 5))
+HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
+"""Those of the publication, by club."""
 SWINGS = (("driver", 8.0, 25.0, 55.0), ("driver", 12.0, 25.0, 55.0), ("7-iron", 22.0, 25.0, 45.0),
           ("7-iron", 28.0, 25.0, 45.0))  # fmt: skip
 """Club, loft [deg], least and largest speed [m/s]."""
