@@ -17,8 +17,9 @@ def test_restitution_grows_from_that_of_a_rigid_face():
 
 @pytest.mark.parametrize(("time", "cor"), [(239e-6, 0.822), (257e-6, 0.830)])
 def test_the_limits_of_the_rules_belong_together(time, cor):
-    # The Equipment Rules, with and without tolerance. One constant of the face is not enough for both.
-    assert restitution(time) == pytest.approx(cor, abs=0.0015)
+    # The Equipment Rules, with and without tolerance. One constant of the face is not enough for both, and from a rigid
+    # face a ball returns 0.775 +- 0.004 as measured (docs/finite-elements/ball.md): the pairs hold no better than that.
+    assert restitution(time) == pytest.approx(cor, abs=0.004)
 
 
 @given(st.floats(*RANGE))
@@ -26,7 +27,7 @@ def test_the_time_of_a_restitution_has_it(cor):
     assert restitution(characteristic_time_of(cor)) == pytest.approx(cor, abs=1e-12)
 
 
-@pytest.mark.parametrize("cor", [0.7772, 0.5, 0.861, 1.0, float("nan")])
+@pytest.mark.parametrize("cor", [RIGID, 0.5, 0.861, 1.0, float("nan")])
 def test_what_no_face_has_is_refused(cor):
-    with pytest.raises(InputError, match=r"from 0\.778 to 0\.86 at 160 ft/s; a rigid face has 0\.777"):
+    with pytest.raises(InputError, match=rf"from 0\.778 to 0\.86 at 160 ft/s; a rigid face has {RIGID:.3f}"):
         characteristic_time_of(cor)
