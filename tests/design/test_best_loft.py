@@ -15,29 +15,39 @@ from clubface.errors import InputError
 MPH, DEG = 0.44704, math.pi / 180.0
 
 
-def test_within_two_degrees_of_trackmans_chart():
-    """80, 100 and 120 mph at -5, 0 and +5 degrees among the 30 rows. With drag that rises where balls slow the best
-    loft is 1 to 2 degrees lower than on the chart of 2010; docs/flight.md says what speaks for it and what against."""
+def test_within_a_degree_and_a_half_of_trackmans_chart():
+    """80, 100 and 120 mph at -5, 0 and +5 degrees among the 30 rows."""
+    import clubface
+
     found, published = beside_trackman()
     away = (found.loft - published["dynamic_loft"]) / DEG
     assert len(away) == 30
-    assert np.abs(away).max() < 2.0
+    assert np.abs(away).max() < 1.5
     known = {(80, -5): 16.2, (80, 0): 18.3, (80, 5): 20.3, (100, -5): 12.2, (100, 0): 14.3, (100, 5): 16.7,
              (120, -5): 8.1, (120, 0): 11.0, (120, 5): 14.0}  # fmt: skip
     for (speed, attack), loft in known.items():
         row = np.flatnonzero(np.isclose(found.speed / MPH, speed) & np.isclose(found.attack / DEG, attack))
-        assert found.loft[row] / DEG == pytest.approx(loft, abs=2.0)
-    # In metres: the fastest carry 4% less than on the chart.
-    assert found.carry - published["carry"] == pytest.approx(0.0, abs=11.0)
+        assert found.loft[row] / DEG == pytest.approx(loft, abs=1.5)
+    # What a fitter loses by the other's advice: a yard at most.
+    delivery = {"speed": found.speed, "attack": found.attack, "loft": published["dynamic_loft"]}
+    lost = found.carry - clubface.fly(clubface.impact("driver", delivery)).carry
+    assert np.all((lost >= -1e-3) & (lost < 0.9144))
+    # A free head gives up to 2% less ball speed than the chart has, which makes half of what the fastest drives are
+    # short. At the chart's ball speeds they are as near as the flight is to the chart's own launches: -6 to +1 yards.
+    assert found.ball_speed == pytest.approx(published["ball_speed"], rel=0.02)
+    launch = {"ball_speed": published["ball_speed"], "launch": found.launch, "backspin": found.spin, "sidespin": 0.0}
+    assert clubface.fly(launch).carry == pytest.approx(published["carry"], abs=6.0 * 0.9144)
 
 
 def test_near_pings_chart_in_launch_and_spin():
-    """Launches at ball speeds of 120 mph and more, as drives have: 1.5 to 3.5 degrees lower, for the drag of slow balls
-    and for the spin of the ball `modern`; TrackMan's differ from them by half as much."""
-    found, published = beside_ping()
-    fast = published["ball_speed"] / MPH > 119.0
-    assert found.ball_speed[fast] == pytest.approx(published["ball_speed"][fast], rel=2e-3)
-    assert (found.launch - published["launch"])[fast] / DEG == pytest.approx(-2.3, abs=1.3)
+    """Launches at ball speeds of 120 mph and more, as drives have, of strikes 3 mm above the face centre, which is the
+    median of public drives; TrackMan's differ from them by as much. Not those of attack angles beyond 4 degrees: there
+    the drag that rises where balls slow takes more from a high ball of little spin than PING has it, see the page."""
+    found, published = beside_ping(high="3 mm")
+    drives = (published["ball_speed"] / MPH > 119.0) & (np.abs(published["attack"]) < 4.5 * DEG)
+    assert drives.sum() == 35
+    assert found.ball_speed[drives] == pytest.approx(published["ball_speed"][drives], rel=2e-3)
+    assert (found.launch - published["launch"])[drives] / DEG == pytest.approx(0.0, abs=1.5)
 
 
 def test_the_gradient_of_the_carry_vanishes_at_the_best_loft():

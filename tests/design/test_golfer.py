@@ -256,7 +256,7 @@ def test_the_page_tells_what_rests_on_each_assumed_figure():
             side, *(each.replace("-0%", "0%") for each in cells)
         ]  # fmt: skip
         assert max(map(abs, by["correlation"].values())) < 0.075
-        assert max(map(abs, by["spread of path"].values())) < 0.035
+        assert max(map(abs, by["spread of path"].values())) < 0.025
         assert all(abs(by[f"spread of {each}"][of]) < 0.005
                    for each in ("lie", "closure", "pitch_rate", "lie_rate") for of in found.spread)  # fmt: skip
 
@@ -267,8 +267,8 @@ def test_the_page_tells_how_shipped_amateurs_differ_from_measured_golfers():
 
     table = measurements.table("shot-spreads-2025")
     told = {
-        "driver": ("2.7 to 4.2", "1.7 to 2.4", "10 to 15", "2.8 to 6.5", "2.5 to 4.7", "13 to 28"),
-        "7-iron": ("2.6 to 4.4", "2.9 to 3.6", "12 to 16", "1.6 to 2.3", "1.9 to 2.9", "9 to 11"),
+        "driver": ("2.8 to 4.3", "1.4 to 2.0", "8 to 13", "2.8 to 6.5", "2.5 to 4.7", "13 to 28"),
+        "7-iron": ("2.6 to 4.5", "2.9 to 3.6", "12 to 16", "1.6 to 2.3", "1.9 to 2.9", "9 to 11"),
     }
     for club, (*ours, starts, speeds, carries) in told.items():
         found = [clubface.dispersion(golfer(f"{who}-{club}"), count=2**13)
