@@ -27,7 +27,7 @@ def computed(time: float) -> float:
 
 
 if __name__ == "__main__":
-    values = np.array([computed(time) for time in TIMES])
+    values = np.array([computed(float(time)) for time in TIMES])
     square = (TIMES * 1e-6 / restitution.UNIT) ** 2
     powers = square[:, None] ** np.arange(1, 1 + len(restitution.GAIN))
     gain, *_ = np.linalg.lstsq(powers[1:], values[1:] - values[0], rcond=None)

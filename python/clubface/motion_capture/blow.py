@@ -364,18 +364,22 @@ def _cross(
     ahead, attitude = path_through(times[earlier] - start, followed, earlier, noise, smoother, roughness, where)
     density = wandering(times[earlier], coordinates, roughness)[:3]
     errors = coordinates_of(followed, later, noise)[1][:, :3, :3]
-    time, lost, weight = 0.0, np.zeros(3), np.eye(3)
-    for _ in range(ROUNDS):
+
+    def left(time: float) -> Path:
+        """Return the path of the CG after a blow at ``time``, moved to where the origin is then."""
         held = exponential(_at(ahead, time)[0][3:]) @ attitude
         # The CG goes smoothly; the origin, an arm from it that is known to ``arm``, does what the head's turn since the
         # blow adds to that.
         turned = rotation[later] @ held.T - np.eye(3)
-        place = followed.poses.position[later] + turned @ cg
-        back = fit(start - times[later], place, errors, 4, density, arm * turned)
-        one, two = _at(ahead, time), _at(back, -time)
+        return fit(start - times[later], followed.poses.position[later] + turned @ cg, errors, 4, density, arm * turned)
+
+    time, lost, weight = 0.0, np.zeros(3), np.eye(3)
+    for _ in range(ROUNDS):
+        one, two = _at(ahead, time), _at(left(time), -time)
         apart, lost = two[0] - one[0][:3], -two[1] - one[1][:3]
         weight = np.linalg.inv(one[2][:3, :3] + two[2])
         time = time - float(lost @ weight @ apart) / float(lost @ weight @ lost)
+    back = left(time)
     one, two = _at(ahead, time), _at(back, -time)
     apart = two[0] - one[0][:3]
     across = float(apart @ weight @ apart)
