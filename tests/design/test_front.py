@@ -37,8 +37,8 @@ def test_the_front_runs_from_one_best_to_the_other(found):
     assert np.all(np.diff(front[:, 0]) < 0.0)
     assert np.all(np.diff(front[:, 1]) < 0.0)
     assert front[0, 0] == pytest.approx(found.judged["carry"], rel=1e-6)
-    # Levels of the second objective are even and kept, closely but for the point before which the front jumps to another
-    # kind of club: there the search ends 0.3% of a step under its level.
+    # Levels of the second objective are even and kept, closely but for the point before which the front jumps to
+    # another kind of club: there the search ends 0.3% of a step under its level.
     levels = np.linspace(front[0, 1], front[-1, 1], 7)
     under = (levels - front[:, 1]) / (levels[0] - levels[1])
     assert under.min() > -1e-6
