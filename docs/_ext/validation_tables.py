@@ -145,7 +145,7 @@ class Camps(CoreTable):
         for club, index in own_monitor.index_of_camps().items():
             shares = own_monitor.camps_of(club, DEFAULT_MODEL)
             indices = [index.get(camp) for camp in own_monitor.CAMPS]
-            cells = ["" if each is None else _ends(map(own_monitor.in_rpm_per_mph, each), 0) for each in indices]
+            cells = ["" if each is None else _ends(map(own_monitor.index_in_rpm_per_mph, each), 0) for each in indices]
             rows.append([club, *cells, *(_ends(shares[camp], 2) for camp in own_monitor.CAMPS)])
         return markdown_table(heads, rows)
 

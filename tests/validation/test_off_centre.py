@@ -46,7 +46,7 @@ def test_the_path_of_the_face_is_that_of_the_cg_less_what_closure_turns_the_face
 def test_a_deeper_mass_centre_is_deeper_along_the_normal_alone():
     head = clubface.club("driver")
     deeper = off_centre.deeper(head)
-    assert off_centre.depth(deeper) - off_centre.depth(head) == pytest.approx(0.01)
+    assert deeper.cg_depth - head.cg_depth == pytest.approx(0.01)
     along = [-math.sin(head.loft), math.cos(head.loft)]
     assert np.dot([deeper.cg_x - head.cg_x, deeper.cg_y - head.cg_y], along) == pytest.approx(0.0, abs=1e-12)
 

@@ -70,7 +70,9 @@ def test_without_the_path_the_start_direction_opens_no_face(iron):
 
 
 def test_the_indices_of_both_camps_follow_from_the_published_tables():
-    index = {name: [own.in_rpm_per_mph(each) for each in pair] for name, pair in own.index_of_camps()["7-iron"].items()}
+    index = {
+        name: [own.index_in_rpm_per_mph(each) for each in pair] for name, pair in own.index_of_camps()["7-iron"].items()
+    }
     # By hand: 7097 rpm at 90 mph, 16.3 + 4.3 deg (PGA Tour 2019); 4195 rpm at 80 mph, 20.4 + 2 deg (Quantum Max OS);
     # 6390 rpm at 86.49 mph, 21.37 + 2.58 deg (Bliss and Langdown).
     assert index[own.TOURS][0] == pytest.approx(224.1, abs=0.1)

@@ -50,7 +50,7 @@ SPIN_STEPS = (100.0, 50.0, 10.0, 1.0)
 """Steps to which they round spins, in rpm."""
 
 COMPUTED, FROM_MEASUREMENT, UNDECIDED = ORIGINS = ("computed from the ball", "measured", "undecided")
-"""What can be said of the lofts of a club."""
+"""Origins of the lofts of a club."""
 AT_LAUNCH = (
     'evaluate and identify with --at-launch (compared_at="launch" in Python) solve loft and face angle so that the'
     " measured launch is met, and compare spin and ball speed there"
@@ -122,7 +122,7 @@ def origin_notes(origins: Iterable[LoftOrigin], instead: str) -> list[str]:
     faces = all(each.with_face for each in found)
     what = "dynamic loft and face angle were" if faces else "dynamic loft was"
     ratios = ", ".join(
-        f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_called(each)}{each.shots} shots)" for each in found
+        f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_label(each)}{each.shots} shots)" for each in found
     )
     return [
         f"{what} computed from the ball, not measured: I w / (m R v_t) is one number from shot to shot, {ratios}."
@@ -130,19 +130,21 @@ def origin_notes(origins: Iterable[LoftOrigin], instead: str) -> list[str]:
     ]
 
 
-def _called(of: LoftOrigin) -> str:
-    named = " of ".join(each for each in (of.club, of.file) if each)
+def _label(origin: LoftOrigin) -> str:
+    """Return club and file of an origin, in words."""
+    named = " of ".join(each for each in (origin.club, origin.file) if each)
     return f"{named}, " if named else ""
 
 
-def _origin(shots: RecordedShots, of: NDArray[np.bool_]) -> LoftOrigin | None:
+def _origin(shots: RecordedShots, chosen: NDArray[np.bool_]) -> LoftOrigin | None:
     """Return the origin of the lofts of some shots: with the face angle if that explains more, else without."""
-    in_space, upright = _angles(shots, of, with_face=True), _angles(shots, of, with_face=False)
+    in_space, upright = _angles(shots, chosen, with_face=True), _angles(shots, chosen, with_face=False)
     found = [each for each in (in_space, upright) if each is not None]
     return min(found, key=lambda each: (ORIGINS.index(each.origin), not each.with_face), default=None)
 
 
-def _angles(shots: RecordedShots, of: NDArray[np.bool_], *, with_face: bool) -> LoftOrigin | None:
+def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool) -> LoftOrigin | None:
+    """Return the origin that the angles between face normal and launch show, in space or in the vertical plane."""
     names = ("face", "azimuth") if with_face else ()
     every = {**shots.deliveries, **shots.launches}
     spins = _spin(every, in_space=with_face)
@@ -150,7 +152,10 @@ def _angles(shots: RecordedShots, of: NDArray[np.bool_], *, with_face: bool) -> 
         return None
     used = ("loft", "launch", "ball_speed", *names)
     there = (
-        of & np.isfinite(spins) & (np.abs(spins) > 0.0) & np.all([np.isfinite(every[name]) for name in used], axis=0)
+        chosen
+        & np.isfinite(spins)
+        & (np.abs(spins) > 0.0)
+        & np.all([np.isfinite(every[name]) for name in used], axis=0)
     )
     if there.sum() < FEWEST:
         return None
@@ -166,16 +171,17 @@ def _angles(shots: RecordedShots, of: NDArray[np.bool_], *, with_face: bool) -> 
     return _judged(across, rolling, rounding, with_face)
 
 
-def _apart(loft: Floats, launch: Floats, aside: Floats) -> tuple[Floats, Floats]:
+def _apart(loft: Floats, launch: Floats, turned: Floats) -> tuple[Floats, Floats]:
     """Return the angle between face normal and launch [rad], and how far it leans to the side [rad].
 
-    Without a face it is loft less launch, negative where the ball starts above the normal.
+    ``turned`` is the face angle less the start direction [rad]. Without a face the angle is loft less launch, negative
+    where the ball starts above the normal.
     """
-    if not aside.any():
+    if not turned.any():
         return loft - launch, np.zeros_like(loft)
-    up = np.sin(loft) * np.cos(launch) - np.cos(loft) * np.sin(launch) * np.cos(aside)
-    side = np.cos(loft) * np.sin(aside)
-    along = np.sin(loft) * np.sin(launch) + np.cos(loft) * np.cos(launch) * np.cos(aside)
+    up = np.sin(loft) * np.cos(launch) - np.cos(loft) * np.sin(launch) * np.cos(turned)
+    side = np.cos(loft) * np.sin(turned)
+    along = np.sin(loft) * np.sin(launch) + np.cos(loft) * np.cos(launch) * np.cos(turned)
     return np.arctan2(np.hypot(up, side), along), np.arctan2(side, up)
 
 

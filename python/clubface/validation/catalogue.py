@@ -68,7 +68,7 @@ CHECKS = (
     Check(
         "robot-irons", "Spin of 7-irons of a robot by loft", ("robot-7-irons-2026", "robot-7-irons-launch-2026"),
         "As for the irons at their launch, and the slope within 15%, twice its standard error over the heads. Whether"
-        " the dynamic loft was measured is not told. These figures contradict those of the tours: the 7-iron of the"
+        " the dynamic loft was measured is not stated. These figures contradict those of the tours: the 7-iron of the"
         " LPGA Tour spins 6699 rpm at 76 mph, starting at 19.0 degrees, and these irons 4920 rpm at 80 mph, starting at"
         " 20.9 degrees. No model can meet both. The heads are of 2026; many are hollow and have a deep, low mass"
         " centre, which takes spin away.",
@@ -94,8 +94,8 @@ CHECKS = (
     Check(
         "toe-hits", "A driver struck towards the toe", ("driver-toe-hits-2011",),
         "Means over 14 heads of 2011, by a robot: 1% of ball speed, 1 degree, 200 rpm, 5 yards. Loft and closure of the"
-        " robot and the side on which the ball ends are not told. Ball speed falls with the square of the distance, so"
-        " that 10 mm cost 0.5% where 19 mm cost 2%.",
+        " robot and the side on which the ball ends are not stated. Ball speed falls with the square of the distance:"
+        " 10 mm cost 0.5% where 19 mm cost 2%.",
         "fair", strikes.toe_hits,
     ),
     Check(
@@ -105,16 +105,16 @@ CHECKS = (
     ),
     Check(
         "gear-effect", "Spin axis of strikes off the centre", ("strike-offsets-trackman", "gear-effect-2016"),
-        "30%, since depth of the mass centre and inertia of the heads are not told; 15% for the impulse model, whose"
-        " head is known.",
+        "30%, since depth of the mass centre and inertia of the heads are not published; 15% for the impulse model,"
+        " whose head is known.",
         A_MODEL, strikes.gear_effect,
     ),
     Check(
         "plates", "Restitution against plates and a rigid head",
         ("plate-cor-three-piece", "plate-cor-reduced-distance", "head-without-spring", "plate-granite-2002",
          "tangential-restitution"),
-        "0.01, or 0.02 at low speed, and 0.1 along the plate, where friction or speed are not told. The ball modern was"
-        " fitted to these figures among others.",
+        "0.01, or 0.02 at low speed, and 0.1 along the plate, where friction or speed are not stated. The ball modern"
+        " was fitted to these figures among others.",
         "fair", plates.plates,
     ),
     Check(

@@ -20,6 +20,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.support.arrays import Floats
 from clubface.support.warning import without_warnings
+from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio
 from clubface.validation.check import Judged
 
 TABLE = "optimum-trackman-2010"
@@ -76,10 +77,9 @@ def chart() -> Chart:
     table = measurements.table(TABLE)
     with without_warnings():  # the ball is a little smaller than the rules allow
         used = ball(BALL)
-    tilt = table["dynamic_loft"] - table["launch"]
-    lever = used.inertia / (used.mass * used.radius)
-    ratios = lever * table["spin"] / (table["ball_speed"] * np.sin(tilt))
-    lofts = table["launch"] + np.arcsin(lever * table["spin"] / (ratios.mean() * table["ball_speed"]))
+    launched = (used, table["ball_speed"], table["launch"], table["spin"])
+    ratios = spin_ratio(*launched, table["dynamic_loft"])
+    lofts = loft_of_ratio(*launched, ratios.mean())
     head = club("driver").replace(bulge="flat", roll="flat")
     shots = (
         (STANDARD, "through the CG", through_cg(head)),
@@ -97,8 +97,7 @@ def chart() -> Chart:
 
 def through_cg(head: Club) -> tuple[float, float]:
     """Return the place on a flat face [m], towards the toe and up, whose normal runs through the mass centre."""
-    up = head.cg_x * math.sin(head.loft) - head.cg_y * math.cos(head.loft)
-    return -head.cg_z, up
+    return -head.cg_z, head.cg_height
 
 
 def _errors(model: str, struck: str, head: Club, where: tuple[float, float]) -> Errors:

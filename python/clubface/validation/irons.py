@@ -17,7 +17,7 @@ GOLF_DIGEST: dict[str, Any] = {"speed": units.parse("82 mph", "speed"), "attack"
 COOL_CLUBS: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
 SLOPE_TOLERANCE = 0.15
 WEDGE: dict[str, Any] = {"speed": units.parse("46 mph", "speed"), "attack": units.parse("-5 deg", "angle")}
-"""The attack angle, which is not told, is that of the pitching wedges of the PGA Tour."""
+"""The attack angle, which is not published, is that of the pitching wedges of the PGA Tour."""
 WEDGE_TOLERANCE = units.parse("1 deg", "angle")
 LEAST_FRICTION, HALVINGS = 0.02, 10
 PEAK: dict[str, Any] = {"speed": units.parse("75 mph", "speed"), "attack": units.parse("-5 deg", "angle")}

@@ -29,11 +29,6 @@ SMALL_INERTIA = units.parse("4500 g cm2", "inertia")
 DEEPER = units.parse("10 mm", "length")
 
 
-def depth(head: Club) -> float:
-    """Return how far the mass centre is behind the face centre, along the normal of the face [m]."""
-    return head.cg_x * math.cos(head.loft) + head.cg_y * math.sin(head.loft)
-
-
 def deeper(head: Club) -> Club:
     """Return a head whose mass centre is ``DEEPER`` further behind the face, along the normal of the face."""
     return head.replace(
@@ -53,7 +48,7 @@ def closing(head: Club, speed: float) -> dict[str, float]:
 
 def closing_on_path(head: Club, speed: float) -> dict[str, float]:
     """Return a delivery with closure, with the mass centre moving right so that the face centre has a path of 0."""
-    return {"closure": CLOSURE, "path": math.atan(CLOSURE * depth(head) / speed)}
+    return {"closure": CLOSURE, "path": math.atan(CLOSURE * head.cg_depth / speed)}
 
 
 def lofting(head: Club, speed: float) -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""A session before one's own monitor beside the model, and beside the two camps of published figures of irons.
+"""A session on one's own monitor compared with the model and with the two camps of published irons.
 
 At the same launch and speed the irons of the tours spin up to a quarter more than irons swung by robots and those of
 single golfers before carefully described monitors. No model meets both, so that it matters which of them a monitor
@@ -84,7 +84,7 @@ class OwnClub(NamedTuple):
 
 
 class OwnMonitor(NamedTuple):
-    """A session beside the model.
+    """A session compared with the model.
 
     Attributes
     ----------
@@ -141,8 +141,8 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
     ready = ready_shots(recorded, only=name, mismatch="note")
     measured = measured_shots(ready, compared_at=LAUNCH, quantities=("ball_speed", "backspin", "sidespin"))
     kind = "total_spin" if "total_spin" in ready.launches else "backspin"
-    for needed in ("attack", kind):
-        if needed not in (measured.delivery if needed == "attack" else ready.launches):
+    for needed, there in (("attack", measured.delivery), (kind, ready.launches)):
+        if needed not in there:
             raise InputError(needed, None, "measured, to compare spin at the measured launch")
     notes += measured.notes
     spin = ready.launches[kind][measured.places]
@@ -177,8 +177,8 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
 def _turned(delivery: Mapping[str, Floats], start: Mapping[str, Floats]) -> Floats:
     """Return the angle from the path of the club to the launch [rad]."""
     attack, launch = delivery["attack"], start["launch"]
-    aside = start["azimuth"] - delivery["path"] if "azimuth" in start else 0.0
-    return np.arccos(np.sin(attack) * np.sin(launch) + np.cos(attack) * np.cos(launch) * np.cos(aside))
+    sideways = start["azimuth"] - delivery["path"] if "azimuth" in start else 0.0
+    return np.arccos(np.sin(attack) * np.sin(launch) + np.cos(attack) * np.cos(launch) * np.cos(sideways))
 
 
 def _share(values: Floats) -> Share:
@@ -201,9 +201,9 @@ def resembled(share: Share, camps: Mapping[str, tuple[float, float]]) -> str:
 
 
 def camps_of(head: str, model: str, ball: Any = None) -> dict[str, tuple[float, float]]:
-    """Return the least and the largest share of spin of each camp: of the tours with the same iron, of all others.
+    """Return the least and the largest share of spin of each camp: the tours with this iron, and all other irons.
 
-    Nothing is said of irons that no tour publishes.
+    Empty for irons that no tour publishes.
     """
     try:
         shares = _shares(model, ball)
@@ -243,7 +243,7 @@ def _published() -> Iterator[tuple[str, Mapping[str, Any]]]:
 
 
 def index_of_camps() -> dict[str, dict[str, tuple[float, float]]]:
-    """Return the least and the largest index [rad/m] by club of the tours and camp, from the published tables."""
+    """Return the least and the largest spin index [rad/m] of the published tables, by iron of the tours and camp."""
     found: dict[str, dict[str, list[float]]] = {}
     for camp, row in _published():
         index = float(row["spin"] / (row["club_speed"] * np.sin(row["launch"] - row["attack"])))
@@ -255,7 +255,7 @@ def index_of_camps() -> dict[str, dict[str, tuple[float, float]]]:
     }
 
 
-def in_rpm_per_mph(index: float) -> float:
+def index_in_rpm_per_mph(index: float) -> float:
     """Express an index in rpm per mph."""
     return float(index / units.size("rpm") * units.size("mph"))
 
@@ -275,7 +275,7 @@ def table_rows(result: OwnMonitor) -> list[list[str]]:
         found.append([
             each.club, str(each.shots), f"{units.from_si(each.launch, 'deg'):.1f}",
             f"{units.from_si(each.spin, 'rpm'):.0f}",
-            f"{in_rpm_per_mph(each.spin_index):.0f}", speed, f"{each.spin_share.middle:.2f}",
+            f"{index_in_rpm_per_mph(each.spin_index):.0f}", speed, f"{each.spin_share.middle:.2f}",
             f"{each.spin_share.low:.2f} to {each.spin_share.high:.2f}", *camps, each.resembles,
         ])  # fmt: skip
     return found
@@ -284,7 +284,7 @@ def table_rows(result: OwnMonitor) -> list[list[str]]:
 def remarks(result: OwnMonitor) -> list[str]:
     """Return how the table is to be read, then the notes."""
     seven = index_of_camps()["7-iron"]
-    ends = {name: " to ".join(f"{in_rpm_per_mph(each):.0f}" for each in pair) for name, pair in seven.items()}
+    ends = {name: " to ".join(f"{index_in_rpm_per_mph(each):.0f}" for each in pair) for name, pair in seven.items()}
     found = [
         f"measured/model: at the measured launch, with loft and face angle solved, by {result.model}; the interval is"
         " that of shots drawn again. A head or ball of your own may be some percent away from those computed with.",

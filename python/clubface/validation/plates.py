@@ -13,7 +13,7 @@ from clubface.validation.check import Figure, Judged, figure, rows
 
 RESTITUTION_TOLERANCE, TANGENTIAL_TOLERANCE, SLOW_TOLERANCE = 0.01, 0.1, 0.02
 OBLIQUE_SPEED = 20.0
-"""Of the balls at 50 degrees, whose speed is not told [m/s]."""
+"""Of the balls at 50 degrees, whose speed is not stated [m/s]."""
 GRIPPING = units.parse("40 deg", "angle")
 DRIVE: dict[str, Any] = {"speed": units.parse("113 mph", "speed"), "attack": units.parse("-1.3 deg", "angle"),
                          "loft": units.parse("12.8 deg", "angle")}  # fmt: skip

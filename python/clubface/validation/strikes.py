@@ -13,7 +13,7 @@ from clubface.simulation.flight import fly
 from clubface.validation.check import Figure, Judged, figure, rows
 
 TOE_SPEED, TOE_LOFT = units.parse("95 mph", "speed"), units.parse("15 deg", "angle")
-"""Of the robot; the loft, which is not told, is TrackMan's best for this speed."""
+"""Of the robot; the loft, which is not stated, is TrackMan's best for this speed."""
 SPEED_TOLERANCE = 0.01
 LAUNCH_TOLERANCE = units.parse("1 deg", "angle")
 SPIN_TOLERANCE = units.parse("200 rpm", "angular rate")
