@@ -313,7 +313,10 @@ def test_published_sets_outside_theirs_and_a_model_without_gear_effect_share_one
 
 def test_the_total_of_a_low_shot_is_an_interval(clubface_):
     """Of a ball that comes down at 12 degrees no measured run is published; of the average drive on tour it is."""
-    low = clubface_("flight", "--ball-speed", "145 mph", "--launch", "6.4 deg", "--backspin", "1106 rpm").out
-    assert "from a soft to a firm fairway" in " ".join(low.split())
-    drive = clubface_("flight", "--ball-speed", "171 mph", "--launch", "10.4 deg", "--backspin", "2545 rpm").out
-    assert "firm fairway" not in " ".join(drive.split())
+    options = ("flight", "--ball-speed", "145 mph", "--launch", "6.4 deg", "--backspin", "1106 rpm")
+    assert "from a soft to a firm fairway" in " ".join(clubface_(*options).out.split())
+    totals = clubface_(*options, "--json").json
+    assert totals["total_soft_m"] < totals["total_m"] < totals["total_firm_m"]
+    drive = ("flight", "--ball-speed", "171 mph", "--launch", "10.4 deg", "--backspin", "2545 rpm")
+    assert "firm fairway" not in " ".join(clubface_(*drive).out.split())
+    assert "total_soft_m" not in clubface_(*drive, "--json").json

@@ -8,6 +8,7 @@ import typer
 
 from clubface.cli import option_values, options, output
 from clubface.cli.tables import print_numbers
+from clubface.units import from_si
 
 app = typer.Typer(add_completion=False)
 
@@ -37,16 +38,20 @@ def flight(as_json: options.Json = False, **texts: Any) -> None:
     conditions = option_values.conditions(texts)
     launch = {**values, **ball(texts["ball"]).inputs()}
     flown = fly(launch, **conditions)
+    between: dict[str, float] = {}
+    if texts["ground"] is None and not has_measured_run(flown.landing_angle, flown.landing_speed):
+        for firmness in ENDS:
+            between[firmness] = float(fly(launch, **{**conditions, "ground": f"{firmness} fairway"}).total)
     if as_json:
-        output.print_json({key: float(flown.get(name, unit)) for key, (name, unit, _, _) in SHOWN.items()})
+        shown = {key: float(flown.get(name, unit)) for key, (name, unit, _, _) in SHOWN.items()}
+        output.print_json(shown | {f"total_{firmness}_m": total for firmness, total in between.items()})
         return
     heads = [f"{name.replace('_', chr(10))}\n{unit}" for name, _, unit, _ in SHOWN.values()]
     cells = [output.number(float(flown.get(name, unit)), digits) for name, _, unit, digits in SHOWN.values()]
     print_numbers(heads, [cells])
     if flown.outside_fit:
         output.print_notes(["the spin leaves the range to which the aerodynamics were fitted"])
-    if texts["ground"] is None and not has_measured_run(flown.landing_angle, flown.landing_speed):
-        grounds = [{**conditions, "ground": f"{firmness} fairway"} for firmness in ENDS]
-        soft, firm = (float(fly(launch, **each).get("total", "yd")) for each in grounds)
+    if between:
+        soft, firm = (from_si(total, "yd") for total in between.values())
         note = f"no measured run of so low or slow a ball is published; the total is {soft:.0f} to {firm:.0f} yd"
         output.print_notes([f"{note} from a soft to a firm fairway"])

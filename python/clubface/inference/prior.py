@@ -167,13 +167,13 @@ def _from_file(given: str | os.PathLike[str]) -> Prior:
 def _named(given: Any, head: Club) -> Prior:
     from clubface.benchmark_data.recipe import HEADS
 
-    elite_golfers = {head: club for club, head in HEADS.items()} | {club: club for club in HEADS}
+    of_elite = {name: club for club, built_in in HEADS.items() for name in (club, built_in)}
     if given is None:
-        given = "elite" if head.name in elite_golfers else "wide" if _is_without_averages(head.name) else "tour"
+        given = "elite" if head.name in of_elite else "wide" if _is_without_averages(head.name) else "tour"
     if given == "elite":
-        if head.name not in elite_golfers:
+        if head.name not in of_elite:
             raise InputError("prior", "elite", f'for {" or ".join(HEADS)}; for {head.name} "tour", "wide" or a file')
-        return elite(elite_golfers[head.name])
+        return elite(of_elite[head.name])
     return tour(head) if given == "tour" else wide(head)
 
 
