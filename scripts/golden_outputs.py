@@ -1,0 +1,821 @@
+"""Keep what every command of the command line prints and writes, and compare two such recordings.
+
+``python scripts/golden_outputs.py record FOLDER`` runs the commands of ``golden_runs.toml``, each in a folder of its
+own with the same input files, and keeps exit status, both streams and every file written. The package that runs is the
+one that ``python -m clubface`` finds, so that one copy of this script can record several versions.
+
+``python scripts/golden_outputs.py compare BEFORE AFTER`` says of every run whether its status, its texts and its
+numbers are the same, prints a table and writes all differences to a Markdown file. A layout may change on purpose, so
+it also says whether every number of BEFORE still occurs in AFTER, whatever its key, in the same or in another unit.
+Its exit status is 0 unless a number changed or is lost, a status changed, or a run or a file is missing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import csv
+import difflib
+import hashlib
+import html
+import io
+import json
+import math
+import os
+import random
+import re
+import shlex
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from bisect import bisect_left
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+RUNS = Path(__file__).with_name("golden_runs.toml")
+LIMIT = 900.0
+"""Longest time of one command [s]."""
+
+# --- Runs and their input files ---------------------------------------------------------------------------------------
+
+
+def read_runs(*, with_long: bool) -> dict[str, list[str]]:
+    """Return the command lines of every run by its name, those of ``[long]`` only on request."""
+    document = tomllib.loads(RUNS.read_text(encoding="utf-8"))
+    runs = document["run"] | (document["long"] if with_long else {})
+    return {name: [line for line in text.splitlines() if line.strip()] for name, text in runs.items()}
+
+
+def write_inputs(folder: Path) -> None:
+    """Write the files that the runs read: texts of the list, examples, monitors' files and generated tables."""
+    folder.mkdir(parents=True)
+    for name, text in tomllib.loads(RUNS.read_text(encoding="utf-8"))["files"].items():
+        (folder / name).write_text(text, encoding="utf-8")
+    for path in [*ROOT.glob("examples/*.toml"), *ROOT.glob("tests/data/launch_monitors/*")]:
+        shutil.copy(path, folder)
+    for path in ROOT.glob("python/clubface/data/benchmark/*.parquet"):
+        shutil.copy(path, folder)
+    write_deliveries(folder / "deliveries.csv")
+    write_session(folder / "session.csv")
+    write_mesh(folder / "box.inp")
+    (folder / "empty.csv").write_text("")
+
+
+def write_deliveries(path: Path, count: int = 30) -> None:
+    """Write swings of a driver; two of the rows cannot be used."""
+    draw = random.Random(1).gauss
+    rows = [["id", "club_speed_mph", "attack_deg", "path_deg", "loft_deg", "face_deg", "toe_mm", "high_mm"]]
+    for number in range(1, count + 1):
+        spreads = ((105, 3), (1, 2), (0, 2), (13, 1.5), (0, 2), (0, 8), (1, 5))
+        rows.append([str(number), *(f"{draw(mean, spread):.3f}" for mean, spread in spreads)])
+    rows[5][1], rows[9][4] = "x", "91"
+    path.write_text("\n".join(map(",".join, rows)) + "\n")
+
+
+def write_session(path: Path, count: int = 16) -> None:
+    """Write swings and launches of two clubs in clubface's own columns, made up so that they look like such shots."""
+    draw = random.Random(2).gauss
+    rows = ["club,player,club_speed_mph,attack_deg,path_deg,loft_deg,face_deg,toe_mm,high_mm,"
+            "ball_speed_mph,launch_deg,azimuth_deg,backspin_rpm,sidespin_rpm,carry_yd,side_yd"]  # fmt: skip
+    for club, speed, attack, loft, smash, spin in (
+        ("driver", 100, 1, 13, 1.47, 210),
+        ("7-iron", 80, -4, 25, 1.33, 210),
+    ):
+        for _ in range(count):
+            v, a, p, d, f = draw(speed, 2), draw(attack, 1), draw(0, 2), draw(loft, 1.2), draw(0, 2)
+            toe, high = draw(0, 6), draw(0, 4)
+            ball = smash * v - 0.01 * (toe**2 + high**2) + draw(0, 0.3)
+            launch, azimuth = 0.8 * d + 0.2 * a + draw(0, 0.2), 0.8 * f + 0.2 * p + draw(0, 0.2)
+            backspin, sidespin = spin * (d - a) - 40 * high + draw(0, 50), 170 * (f - p) - 40 * toe + draw(0, 50)
+            carry, side = 1.75 * ball - 8 + draw(0, 2), 4 * azimuth + 0.05 * sidespin + draw(0, 2)
+            values = (v, a, p, d, f, toe, high, ball, launch, azimuth, backspin, sidespin, carry, side)
+            rows.append(",".join([club, "A. Player", *(f"{value:.3f}" for value in values)]))
+    path.write_text("\n".join(rows) + "\n")
+
+
+def write_mesh(path: Path, cells: tuple[int, int, int] = (6, 6, 10)) -> None:
+    """Write a head like a box with a lofted, curved face as an Abaqus file: face, crown, sole and skirt."""
+    size, (deep, tall, wide) = (90.0, 50.0, 104.0), cells
+    numbers: dict[tuple[int, int, int], int] = {}
+
+    def node(at: tuple[int, int, int]) -> int:
+        return numbers.setdefault(at, len(numbers) + 1)
+
+    def grid(one: int, two: int, corner) -> list[list[int]]:
+        at = [(a, b) for a in range(one) for b in range(two)]
+        return [[node(corner(a + da, b + db)) for da, db in ((0, 0), (1, 0), (1, 1), (0, 1))] for a, b in at]
+
+    parts = {
+        "face": grid(tall, wide, lambda a, b: (0, a, b)),
+        "crown": grid(deep, wide, lambda a, b: (a, tall, b)),
+        "sole": [each[::-1] for each in grid(deep, wide, lambda a, b: (a, 0, b))],
+        "skirt": [each[::-1] for each in grid(tall, wide, lambda a, b: (deep, a, b))]
+        + grid(deep, tall, lambda a, b: (a, b, 0))
+        + [each[::-1] for each in grid(deep, tall, lambda a, b: (a, b, wide))],
+    }
+    lines = ["*HEADING", " box", "*NODE"]
+    for (a, b, c), number in numbers.items():
+        y, z = size[1] * (b / tall - 0.5), size[2] * (c / wide - 0.5)
+        x = -size[0] * a / deep - math.tan(math.radians(11.5)) * y - (y * y + z * z) / (2 * 305.0)
+        lines.append(f"{number}, {x:.6f}, {y:.6f}, {z:.6f}")
+    number = 0
+    for name, quads in parts.items():
+        lines.append(f"*ELEMENT, TYPE=S4R, ELSET={name}")
+        for quad in quads:
+            number += 1
+            lines.append(", ".join(map(str, (number, *quad))))
+    path.write_text("\n".join(lines) + "\n")
+
+
+# --- Recording --------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Recorder:
+    """What all runs of a recording share.
+
+    Attributes
+    ----------
+    target
+        Folder of the recording.
+    inputs
+        Folder of the input files, which every run gets a copy of.
+    replaced
+        Texts that differ from one recording to the next, as patterns with what stands in their place.
+    """
+
+    target: Path
+    inputs: Path
+    replaced: tuple[tuple[re.Pattern[str], str], ...]
+
+    def run(self, name: str, lines: list[str]) -> float:
+        """Run the command lines of one run one after the other, keep what they give, and return the time taken [s]."""
+        kept, started = self.target / name, time.monotonic()
+        kept.mkdir(parents=True)
+        with tempfile.TemporaryDirectory(prefix="golden-") as made:
+            folder = Path(made) / "run"
+            shutil.copytree(self.inputs, folder)
+            before = read_tree(folder)
+            statuses, background = [], []
+            port = str(free_port())
+            for number, line in enumerate(lines, 1):
+                command, text = shlex.split(line.replace("{port}", port)), line.removeprefix("& ")
+                if command[0] == "&":
+                    background.append((number, text, start_listener(command[1:], folder)))
+                    continue
+                process = subprocess.Popen(
+                    [sys.executable, "-m", "clubface", *command],
+                    cwd=folder, env=environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE,
+                )  # fmt: skip
+                statuses.append(self.keep(kept, number, text, *finish(process), folder, port))
+            for number, text, (process, first) in background:
+                status, out, err = finish(process, limit=30.0)
+                statuses.append(self.keep(kept, number, text, status, out, first + err, folder, port))
+            after = read_tree(folder)
+            for path in sorted(path for path in after if after[path] != before.get(path)):
+                keep_file(kept / "files", path, after[path], lambda text: self.normalise(text, folder, port))
+            if gone := sorted(set(before) - set(after)):
+                (kept / "removed.txt").write_text("\n".join(gone) + "\n")
+        (kept / "commands.json").write_text(json.dumps(statuses, indent=1) + "\n")
+        return time.monotonic() - started
+
+    def keep(self, kept: Path, number: int, line: str, status: int, out: bytes, err: bytes, folder: Path, port: str):
+        """Write both streams of a command, and return its line and its status."""
+        for kind, content in (("out", out), ("err", err)):
+            text = self.normalise(content.decode("utf-8", "backslashreplace"), folder, port)
+            (kept / f"{number}.{kind}").write_text(text, encoding="utf-8")
+        return {"command": line, "status": status}
+
+    def normalise(self, text: str, folder: Path, port: str) -> str:
+        """Return a text without folders, port, version and times, which differ from one recording to the next."""
+        text = text.replace(str(folder), "FOLDER").replace(f":{port}", ":PORT").replace(f"--port {port}", "--port PORT")
+        for pattern, other in self.replaced:
+            text = pattern.sub(other, text)
+        return text
+
+
+def environment() -> dict[str, str]:
+    """Return the environment of a command: a terminal of fixed width without colours, one thread for BLAS."""
+    fixed = {"COLUMNS": "120", "NO_COLOR": "1", "TERM": "dumb", "OPENBLAS_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"}
+    return {**os.environ, **fixed}
+
+
+def finish(process: subprocess.Popen[bytes], limit: float = LIMIT) -> tuple[int, bytes, bytes]:
+    """Return status and streams of a command, which is ended where it takes too long."""
+    try:
+        out, err = process.communicate(timeout=limit)
+    except subprocess.TimeoutExpired:
+        process.send_signal(signal.SIGINT)
+        try:
+            out, err = process.communicate(timeout=20.0)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            out, err = process.communicate()
+    return process.returncode, out, err
+
+
+def start_listener(command: list[str], folder: Path) -> tuple[subprocess.Popen[bytes], bytes]:
+    """Start a command in the background, wait for its first line on the error stream, and return both."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "clubface", *command],
+        cwd=folder, env=environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+    assert process.stderr is not None
+    return process, process.stderr.readline()
+
+
+def free_port() -> int:
+    """Return a port of this machine that nothing listens on."""
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+def read_tree(folder: Path) -> dict[str, bytes]:
+    """Return the content of every file in a folder by its path in it."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+PICTURES = {".png", ".pdf", ".gif"}
+EMBEDDED = re.compile(r"data:([\w/+-]+)(?:;charset=[\w-]+)?;base64,([A-Za-z0-9+/=]+)")
+DOWNLOAD = re.compile(r'download="([^"]*)" href="data:[\w/+-]+(?:;charset=[\w-]+)?;base64,([A-Za-z0-9+/=]+)"')
+
+
+def keep_file(folder: Path, name: str, content: bytes, normalise) -> None:
+    """Keep a written file as text that can be compared; of a picture that it is there, of other data its SHA-256."""
+    path, ending = folder / name, Path(name).suffix.lower()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if ending == ".parquet":
+        path.with_name(path.name + ".csv").write_text(table_text(content), encoding="utf-8")
+        return
+    if ending in PICTURES:
+        path.with_name(path.name + ".txt").write_text(
+            f"a picture of {'some' if len(content) > 500 else 'no'} content\n"
+        )
+        return
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError:
+        text = ""
+    if "\0" in text or (not text and content):
+        path.with_name(path.name + ".txt").write_text(f"sha256 {hashlib.sha256(content).hexdigest()}\n")
+    elif ending == ".svg":
+        path.with_name(path.name + ".txt").write_text(normalise(picture_text(text)), encoding="utf-8")
+    elif ending == ".html":
+        for place, (title, data) in enumerate(DOWNLOAD.findall(text), 1):
+            inner = re.sub(r"[^\w.-]+", "-", html.unescape(title)) or str(place)
+            keep_file(path.with_name(path.name + ".saved"), inner, base64.b64decode(data), normalise)
+        path.with_name(path.name + ".txt").write_text(normalise(page_text(text)), encoding="utf-8")
+    else:
+        path.write_text(normalise(EMBEDDED.sub(r"data:\1", text)), encoding="utf-8")
+
+
+def table_text(content: bytes) -> str:
+    """Return a Parquet table as CSV with every digit."""
+    import pyarrow.parquet
+
+    table = pyarrow.parquet.read_table(io.BytesIO(content))
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(table.column_names)
+    writer.writerows(zip(*(column.to_pylist() for column in table.columns), strict=True))
+    return out.getvalue()
+
+
+def picture_text(text: str) -> str:
+    """Return the texts that stand in a picture, which Matplotlib writes as comments beside their outlines."""
+    texts = re.findall(r"<!--\s*(.*?)\s*-->|<text[^>]*>(.*?)</text>", text, re.DOTALL)
+    return "".join(f"{html.unescape(one or other)}\n" for one, other in texts)
+
+
+def page_text(text: str) -> str:
+    """Return the words of a page: a line for each paragraph and each row of a table, cells parted by bars."""
+    text = re.sub(r"<(style|script)\b.*?</\1>", "", text, flags=re.DOTALL)
+    text = re.sub(r"</t[dh]>\s*<t[dh][^>]*>", " | ", text)
+    text = re.sub(r"</?(p|h\d|tr|li|pre|figure|figcaption|table|div|ul|ol|title)\b[^>]*>", "\n", text)
+    text = html.unescape(re.sub(r"<[^>]+>", "", text))
+    return re.sub(r"\n\s*\n+", "\n", text).strip() + "\n"
+
+
+def read_help() -> dict[tuple[str, ...], str]:
+    """Return the help of the command line and of every command and subcommand below it."""
+    pages: dict[tuple[str, ...], str] = {}
+    waiting: list[tuple[str, ...]] = [()]
+    while waiting:
+        with ThreadPoolExecutor(2) as pool:
+            texts = list(pool.map(help_of, waiting))
+        pages |= dict(zip(waiting, texts, strict=True))
+        waiting = [(*each, inner) for each, text in zip(waiting, texts, strict=True) for inner in subcommands(text)]
+    return pages
+
+
+def help_of(command: tuple[str, ...]) -> str:
+    """Return what ``--help`` prints."""
+    asked = [sys.executable, "-m", "clubface", *command, "--help"]
+    return subprocess.run(asked, env=environment(), capture_output=True, text=True, check=True).stdout
+
+
+def subcommands(text: str) -> list[str]:
+    """Return the commands that a help page lists."""
+    _, _, panel = text.partition("─ Commands ")
+    return re.findall(r"^│ ([a-z][\w-]*) ", panel, re.MULTILINE)
+
+
+def options_unused(pages: dict[tuple[str, ...], str], runs: dict[str, list[str]]) -> Iterator[str]:
+    """Yield each command that no run covers, and each option of a command that none of its runs gives."""
+    used: dict[tuple[str, ...], set[str]] = {}
+    for line in (line for lines in runs.values() for line in lines):
+        words = shlex.split(line.removeprefix("& "))
+        command = max((each for each in pages if tuple(words[: len(each)]) == each), key=len)
+        used.setdefault(command, set()).update(word for word in words if word.startswith("-"))
+    for command, text in pages.items():
+        if subcommands(text):
+            continue
+        name, given = " ".join(command), used.get(command)
+        if given is None:
+            yield f"{name}: no run"
+            continue
+        for row in re.findall(r"^│[ *]+(--[\w-]+.*)$", text, re.MULTILINE):
+            names = re.findall(r"(?<![\w-])--?[a-z][\w-]*", re.split(r" {2,}(?=[A-Z\"<])", row)[0])
+            if "--help" not in names and not given.intersection(names):
+                yield f"{name}: {names[0]}"
+
+
+def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Return patterns of what differs between recordings: folder of the package, versions, times, memory addresses."""
+    asked = "import clubface, pathlib; print(pathlib.Path(clubface.__file__).parent); print(clubface.__version__)"
+    package, version = subprocess.run(
+        [sys.executable, "-c", asked], capture_output=True, text=True, check=True
+    ).stdout.splitlines()
+    told = [
+        (re.escape(package), "PACKAGE"),
+        (rf"\b{re.escape(version)}(\+\S+)?(?![\d.])", "VERSION"),
+        (r"\b(Python|numpy|scipy|matplotlib) \d+\.\d+(\.\d+)?", r"\1 VERSION"),
+        (r"\b\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)?", "TIME"),
+        (r'("(?:\w+_)?(?:wall|elapsed)(?:_s)?": )[-+.\de]+', r"\g<1>null"),
+        (r"0x[0-9a-f]{8,}", "ADDRESS"),
+        (r"golden-\w{8}", "golden"),
+    ]
+    return tuple((re.compile(pattern), other) for pattern, other in told)
+
+
+def record(target: Path, *, jobs: int, with_long: bool, only: list[str], inputs: Path | None) -> int:
+    """Record every run into an empty folder; return 0 if all could be started."""
+    if target.exists() and any(target.iterdir()):
+        raise SystemExit(f"{target} is not empty: name another folder")
+    target.mkdir(parents=True, exist_ok=True)
+    if inputs is None:
+        write_inputs(target / "inputs")
+    else:
+        shutil.copytree(inputs, target / "inputs")
+    runs = read_runs(with_long=with_long)
+    pages = read_help()
+    (target / "coverage.txt").write_text("".join(f"{line}\n" for line in options_unused(pages, runs)))
+    recorder = Recorder(target=target, inputs=target / "inputs", replaced=patterns())
+    helps = {f"help/{'-'.join(each) or 'clubface'}": [shlex.join([*each, "--help"])] for each in pages}
+    chosen = {
+        name: lines for name, lines in (runs | helps).items() if not only or any(name.startswith(each) for each in only)
+    }
+    started = time.monotonic()
+    with ThreadPoolExecutor(jobs) as pool:
+        waiting = {name: pool.submit(recorder.run, name, lines) for name, lines in chosen.items()}
+        seconds = {name: each.result() for name, each in waiting.items()}
+    for name, taken in sorted(seconds.items(), key=lambda pair: -pair[1])[:12]:
+        print(f"{taken:7.1f} s  {name}")
+    print(f"{len(seconds)} runs in {time.monotonic() - started:.0f} s: {target}")
+    return 0
+
+
+# --- Numbers ----------------------------------------------------------------------------------------------------------
+
+SAME = 1e-12
+"""Relative difference up to which a number under the same key is the same."""
+KEPT = 1e-9
+"""Relative difference up to which a number occurs elsewhere."""
+UNITS = {
+    "deg": math.pi / 180, "rpm": math.pi / 30, "mph": 0.44704, "km/h": 1 / 3.6, "yd": 0.9144, "ft": 0.3048,
+    "in": 0.0254, "%": 1e-2, "milli": 1e-3, "micro": 1e-6, "kilo": 1e3, "mega": 1e6, "giga": 1e9, "hecto": 1e2,
+    "g cm2": 1e-7, "mm2": 1e-6, "cm3": 1e-6, "t/mm3": 1e12, "yd2": 0.9144**2, "mph/deg": 0.44704 / (math.pi / 180),
+    "1000 rpm/mm": math.pi / 30 / 1e-3,
+}  # fmt: skip
+"""Sizes of units in SI: a number that was in one of them may be in SI later, or the other way round."""
+FACTORS = {
+    factor
+    for one in (1.0, *UNITS.values())
+    for other in (1.0, *UNITS.values())
+    for factor in (one, 1.0 / one, one / other)
+}
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of a recording.
+
+    Attributes
+    ----------
+    value
+        Its value.
+    place
+        Key, column or line under which it stands.
+    digits
+        Size of half a unit in its last digit, by which it may be rounded; 0 for a number that was not rounded.
+    """
+
+    value: float
+    place: str
+    digits: float = 0.0
+
+
+def number_of(text: str, place: str) -> Number | None:
+    """Return the number that a text is, or None."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    if not math.isfinite(value):
+        return None
+    mantissa, _, exponent = text.strip().lower().partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    full = len(re.sub(r"^[-+0.]+|\.", "", mantissa)) >= 12
+    return Number(value, place, 0.0 if full else 0.5 * 10.0 ** (int(exponent or 0) - decimals))
+
+
+class Pool:
+    """Numbers in which others are looked up, each of which stands for one other at most."""
+
+    def __init__(self, numbers: Iterable[float]) -> None:
+        self.values = sorted(numbers)
+        self.used = [False] * len(self.values)
+
+    def take(self, value: float, slack: float) -> bool | None:
+        """Use up a number within ``slack``; return None if there are only used ones, and False if there is none."""
+        start, some = bisect_left(self.values, value - slack), False
+        for place in range(start, len(self.values)):
+            if self.values[place] > value + slack:
+                break
+            some = True
+            if not self.used[place]:
+                self.used[place] = True
+                return True
+        return None if some else False
+
+
+@dataclass
+class Kept:
+    """What became of the numbers of BEFORE.
+
+    Attributes
+    ----------
+    same
+        How many occur in AFTER as they were.
+    converted
+        How many occur in another unit.
+    refined
+        How many were rounded, and occur with more digits.
+    fewer
+        Those that occur, but not as often.
+    lost
+        Those that do not occur.
+    """
+
+    same: int = 0
+    converted: int = 0
+    refined: int = 0
+    fewer: list[Number] = field(default_factory=list)
+    lost: list[Number] = field(default_factory=list)
+
+
+def keep_numbers(before: Iterable[Number], after: Iterable[Number]) -> Kept:
+    """Look up every number of BEFORE in AFTER: as it is, then in other units, then as the rounding of one in AFTER."""
+    kept, pool = Kept(), Pool(each.value for each in after)
+    waiting = []
+    for each in before:
+        found = pool.take(each.value, KEPT * abs(each.value))
+        if found:
+            kept.same += 1
+        else:
+            waiting.append((each, found is None))
+    for each, known in waiting:
+        if each.value != 0.0 and convert(pool, each):
+            kept.converted += 1
+        elif each.digits and round_off(pool, each):
+            kept.refined += 1
+        else:
+            (kept.fewer if known else kept.lost).append(each)
+    return kept
+
+
+def convert(pool: Pool, each: Number) -> bool:
+    """Whether a number occurs times a ratio of units, or as a temperature in the other scale."""
+    if each.digits and abs(each.value) < 100 * each.digits:
+        return False  # two digits fit anything
+    values = (each.value * factor for factor in FACTORS)
+    return any(pool.take(value, KEPT * abs(value)) for value in (*values, each.value + 273.15, each.value - 273.15))
+
+
+def round_off(pool: Pool, each: Number) -> bool:
+    """Whether a number is the rounding of one that occurs, in SI or in the unit it was printed in."""
+    sizes = (1.0, *UNITS.values()) if abs(each.value) >= 100 * each.digits else (1.0,)
+    return any(pool.take(each.value * size, 1.001 * each.digits * size) for size in sizes)
+
+
+# --- Comparison -------------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class Difference:
+    """How one output of a run differs.
+
+    Attributes
+    ----------
+    output
+        Stream or file, as in ``1.out`` or ``files/map.csv``.
+    kind
+        "json", "csv", "text" or "status".
+    changed
+        Numbers under the same key that differ, with both values.
+    moved
+        How many of these values still occur in the document, so that they only changed place.
+    keys
+        Keys or columns that were removed and added.
+    kept
+        What became of the numbers.
+    elsewhere
+        How many of the numbers that this output lost stand in another output of the run.
+    lines
+        Difference of the texts, line by line.
+    bad
+        Whether a number is lost or changed, a status changed or an output is missing.
+    """
+
+    output: str
+    kind: str
+    changed: list[str] = field(default_factory=list)
+    moved: int = 0
+    removed: list[str] = field(default_factory=list)
+    added: list[str] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
+    kept: Kept = field(default_factory=Kept)
+    elsewhere: int = 0
+    lines: list[str] = field(default_factory=list)
+    bad: bool = False
+
+
+def flatten(value: object, place: str = "") -> Iterator[tuple[str, object]]:
+    """Yield the leaves of a JSON document with their keys."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield from flatten(inner, f"{place}.{key}" if place else str(key))
+    elif isinstance(value, list):
+        for number, inner in enumerate(value):
+            yield from flatten(inner, f"{place}[{number}]")
+    else:
+        yield place, value
+
+
+def read_json(text: str) -> dict[str, object] | None:
+    """Return the leaves of a text that is a JSON document, or one a line; None of any other text."""
+    if not text.lstrip().startswith(("{", "[")):
+        return None
+    try:
+        return dict(flatten(json.loads(text)))
+    except ValueError:
+        pass
+    try:
+        return dict(flatten([json.loads(line) for line in text.splitlines() if line.strip()]))
+    except ValueError:
+        return None
+
+
+def is_number(value: object) -> bool:
+    """Whether a leaf is a finite number."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def numbers_of(output: str, text: str) -> list[Number]:
+    """Return every number of an output."""
+    leaves = read_json(text)
+    if leaves is not None:
+        return [Number(float(value), place) for place, value in leaves.items() if is_number(value)]  # pyright: ignore[reportArgumentType]
+    if output.endswith(".csv"):
+        cells = read_table(text)[1]
+        found = (number_of(cell, place) for place, cell in cells.items())
+        return [each for each in found if each]
+    lines = enumerate(text.splitlines(), 1)
+    found = (number_of(each[0], f"line {line}") for line, row in lines for each in NUMBER.finditer(row))
+    return [each for each in found if each]
+
+
+def read_table(text: str) -> tuple[list[str], dict[str, str]]:
+    """Return the columns of a CSV file, and each cell by its column and row."""
+    rows = list(csv.reader(io.StringIO(text)))
+    heads = rows[0] if rows else []
+    return heads, {
+        f"{heads[place] if place < len(heads) else place}[{number}]": cell
+        for number, row in enumerate(rows[1:])
+        for place, cell in enumerate(row)
+    }
+
+
+def close(one: object, other: object) -> bool:
+    """Whether two leaves are the same."""
+    if is_number(one) and is_number(other):
+        return math.isclose(one, other, rel_tol=SAME, abs_tol=1e-300)  # pyright: ignore[reportArgumentType]
+    return one == other
+
+
+def compare_leaves(found: Difference, before: dict[str, object], after: dict[str, object]) -> None:
+    """Compare two documents key by key: keys, values under the same key, and texts that went."""
+    found.removed = collapse(key for key in before if key not in after)
+    found.added = collapse(key for key in after if key not in before)
+    values = Pool(float(value) for value in after.values() if is_number(value))  # pyright: ignore[reportArgumentType]
+    for key in before:
+        if key in after and is_number(before[key]) and not close(before[key], after[key]):
+            one = float(before[key])  # pyright: ignore[reportArgumentType]
+            if values.take(one, KEPT * abs(one)) is not False:
+                found.moved += 1
+            found.changed.append(f"{key}: {before[key]!r} -> {after[key]!r}")
+    texts = Counter(value for value in before.values() if isinstance(value, str))
+    texts -= Counter(value for value in after.values() if isinstance(value, str))
+    found.texts = list(texts)
+
+
+def collapse(keys: Iterable[str]) -> list[str]:
+    """Return keys with the numbers of their lists left out, each once."""
+    return list(dict.fromkeys(re.sub(r"\[\d+\]", "[]", key) for key in keys))
+
+
+def compare_output(output: str, before: str, after: str, rest: list[Number]) -> Difference | None:
+    """Return how an output differs, None if it does not; ``rest`` are the numbers of all outputs of AFTER's run."""
+    if before == after:
+        return None
+    one, other = read_json(before), read_json(after)
+    if one is not None and other is not None:
+        found = Difference(output, "json")
+        compare_leaves(found, one, other)
+    elif output.endswith(".csv"):
+        found = Difference(output, "csv")
+        (heads, cells), (new_heads, new_cells) = read_table(before), read_table(after)
+        compare_leaves(found, numeric(cells), numeric(new_cells))
+        found.removed = [each for each in heads if each not in new_heads]
+        found.added = [each for each in new_heads if each not in heads]
+        rows = before.count("\n"), after.count("\n")
+        found.texts += [f"{rows[0]} lines, now {rows[1]}"] if rows[0] != rows[1] else []
+    else:
+        found = Difference(output, "text" if one is None else "json that is none now")
+    found.kept = keep_numbers(numbers_of(output, before), numbers_of(output, after))
+    found.elsewhere = len(found.kept.lost) - len(keep_numbers(found.kept.lost, rest).lost)
+    if found.kind != "csv" or len(before) < 20_000:
+        lines = difflib.unified_diff(before.splitlines(), after.splitlines(), lineterm="", n=1)
+        found.lines = [line for line in lines if not line.startswith(("---", "+++"))]
+    in_report = ".saved/" in output
+    found.bad = bool(found.kept.lost) or (found.kind != "text" and not in_report and len(found.changed) > found.moved)
+    return found
+
+
+def numeric(cells: dict[str, str]) -> dict[str, object]:
+    """Return cells with those that are numbers as numbers."""
+    found = {place: number_of(cell, place) for place, cell in cells.items()}
+    return {place: each.value if each else cells[place] for place, each in found.items()}
+
+
+def compare_run(before: Path, after: Path) -> list[Difference]:
+    """Return how the outputs of a run differ."""
+    one, other = ({key: text.decode() for key, text in read_tree(each).items()} for each in (before, after))
+    statuses = [json.loads(each.pop("commands.json")) for each in (one, other)]
+    found = []
+    for old, new in zip(*statuses, strict=False):
+        if old != new:
+            found.append(Difference("status", "status", lines=[f"-{old}", f"+{new}"], bad=True))
+    if len(statuses[0]) != len(statuses[1]):
+        found.append(Difference("status", "status", lines=["another number of commands"], bad=True))
+    rest = [number for output, text in other.items() for number in numbers_of(output, text)] if one != other else []
+    for output in sorted(one.keys() | other.keys()):
+        if output not in other:
+            found.append(Difference(output, "missing", lines=one[output].splitlines()[:3], bad=True))
+        elif output not in one:
+            found.append(Difference(output, "new", lines=other[output].splitlines()[:3]))
+        elif difference := compare_output(output, one[output], other[output], rest):
+            found.append(difference)
+    return found
+
+
+def run_names(folder: Path) -> list[str]:
+    """Return the runs of a recording."""
+    return sorted(str(path.parent.relative_to(folder)) for path in folder.rglob("commands.json"))
+
+
+def compare(before: Path, after: Path, report: Path, most: int) -> int:
+    """Print a table of all runs and write their differences; return 1 if a number or an output is lost or changed."""
+    names, others = run_names(before), run_names(after)
+    differences = {name: compare_run(before / name, after / name) for name in names if name in others}
+    gone, new = [each for each in names if each not in others], [each for each in others if each not in names]
+    parts = [f"# Outputs of {before} and {after}\n", summary(differences, gone, new)]
+    for name, found in differences.items():
+        if found:
+            parts.append(f"## {name}\n")
+            parts += [describe(each, most) for each in found]
+    report.write_text("\n".join(parts), encoding="utf-8")
+    print(summary(differences, gone, new))
+    print(f"All differences: {report}")
+    return int(bool(gone) or any(each.bad for found in differences.values() for each in found))
+
+
+def summary(differences: dict[str, list[Difference]], gone: list[str], new: list[str]) -> str:
+    """Return counts, and a table of the runs that differ."""
+    different = {name: found for name, found in differences.items() if found}
+    every = [each for found in different.values() for each in found]
+    kept = [each.kept for each in every]
+    lines = [
+        f"{len(differences)} runs in both: {len(differences) - len(different)} the same to the last byte, "
+        f"{sum(not any(each.bad for each in found) for found in different.values())} with every number kept, "
+        f"{sum(any(each.bad for each in found) for found in different.values())} to look at.",
+        f"In outputs that differ, {sum(each.same for each in kept)} numbers occur as they were, "
+        f"{sum(each.converted for each in kept)} in another unit, {sum(each.refined for each in kept)} with more "
+        f"digits, {sum(len(each.fewer) for each in kept)} less often, and {sum(len(each.lost) for each in kept)} are "
+        f"lost, {sum(each.elsewhere for each in every)} of them to another output of the run.",
+        *([f"Runs that are gone: {', '.join(gone)}"] if gone else []),
+        *([f"Runs that are new: {', '.join(new)}"] if new else []),
+        "",
+    ]
+    if different:
+        lines += ["| run | outputs that differ | status | changed | moved | converted | refined | fewer | lost | |",
+                  "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"]  # fmt: skip
+    for name, found in sorted(different.items(), key=lambda pair: not any(each.bad for each in pair[1])):
+        cells = [
+            len(found),
+            sum(each.kind in ("status", "missing") for each in found),
+            sum(len(each.changed) for each in found),
+            sum(each.moved for each in found),
+            sum(each.kept.converted for each in found),
+            sum(each.kept.refined for each in found),
+            sum(len(each.kept.fewer) for each in found),
+            sum(len(each.kept.lost) for each in found),
+        ]
+        bad = ", ".join(each.output for each in found if each.bad)
+        lines.append(f"| {name} | {' | '.join(map(str, cells))} | {bad} |")
+    return "\n".join(lines) + "\n"
+
+
+def describe(found: Difference, most: int) -> str:
+    """Return what is different in one output, with at most so many items of each kind."""
+    lines = [f"### {found.output}: {found.kind}{', to look at' if found.bad else ''}\n"]
+    items = {
+        "keys removed": found.removed, "keys added": found.added, "texts that went": found.texts,
+        f"numbers changed under their key, {found.moved} of which only changed place": found.changed,
+        f"numbers lost, {found.elsewhere} of them to another output": shown(found.kept.lost),
+        "numbers that occur less often": shown(found.kept.fewer),
+    }  # fmt: skip
+    for title, each in items.items():
+        if each:
+            lines.append(f"* {len(each)} {title}: " + "; ".join(f"`{one}`" for one in each[:most]))
+    if found.lines:
+        rest = [f"... {len(found.lines) - most} more lines"] if len(found.lines) > most else []
+        lines += ["", "````diff", *(line[:240] for line in found.lines[:most]), *rest, "````"]
+    return "\n".join(lines) + "\n"
+
+
+def shown(numbers: list[Number]) -> list[str]:
+    """Return numbers with their places."""
+    return [f"{each.place}: {each.value!r}" for each in numbers]
+
+
+def main() -> int:
+    """Read the command line and record or compare."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    recording = commands.add_parser("record", help="run every command and keep its outputs")
+    recording.add_argument("folder", type=Path, help="an empty or new folder")
+    recording.add_argument("--jobs", type=int, default=2, help="runs at a time; 2 unless given")
+    recording.add_argument("--long", action="store_true", help="also the runs that take long")
+    recording.add_argument("--only", action="append", default=[], metavar="NAME", help="runs whose names begin so")
+    recording.add_argument("--inputs", type=Path, metavar="FOLDER", help="input files of another recording")
+    comparing = commands.add_parser("compare", help="compare two recordings")
+    comparing.add_argument("before", type=Path)
+    comparing.add_argument("after", type=Path)
+    comparing.add_argument("-o", "--output", type=Path, default=Path("golden-differences.md"), metavar="FILE")
+    comparing.add_argument(
+        "--most", type=int, default=40, help="items of each kind that the file lists; 40 unless given"
+    )
+    given = parser.parse_args()
+    if given.command == "record":
+        return record(
+            given.folder, jobs=given.jobs, with_long=given.long, only=given.only,
+            inputs=given.inputs,
+        )  # fmt: skip
+    return compare(given.before, given.after, given.output, given.most)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
