@@ -62,7 +62,7 @@ impl Setting {
         let inputs = std::array::from_fn(|i| {
             let input = &INPUTS[i];
             if input.differentiable && groups.contains(&input.group) {
-                number(input.name, self.inputs[i])
+                number(input.quantity.name, self.inputs[i])
             } else {
                 R::from_f64(self.inputs[i])
             }

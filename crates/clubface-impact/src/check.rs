@@ -6,6 +6,7 @@ use crate::error::ImpactError;
 use crate::face_spring::{CHARACTERISTIC_TIMES, GUIDED_MASS};
 use crate::fault::{angle_fault, fault, shown};
 use crate::inertia_check::{check_inertia, ROUNDING};
+use crate::quantity::quantity;
 use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
 use clubface_math::{Mask, Scalar};
 use core::f64::consts::FRAC_PI_2;
@@ -58,15 +59,16 @@ pub fn check_ball(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
 
 fn check_finite(values: &[f64; INPUT_COUNT], group: &str) -> Result<(), ImpactError> {
     for (value, input) in values.iter().zip(&INPUTS) {
-        let flat = (input.name == "bulge" || input.name == "roll") && *value == f64::INFINITY;
+        let flat =
+            (input.quantity.name == "bulge" || input.quantity.name == "roll") && *value == f64::INFINITY;
         if input.group != group || flat {
             continue;
         }
         if !value.is_finite() {
-            return Err(fault(input.name, *value, "must be a finite number"));
+            return Err(fault(input.quantity.name, *value, "must be a finite number"));
         }
         if value.abs() > LARGEST {
-            return Err(fault(input.name, *value, "must be within +-1e12; is the unit right?"));
+            return Err(fault(input.quantity.name, *value, "must be within +-1e12; is the unit right?"));
         }
     }
     Ok(())
@@ -282,7 +284,7 @@ fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
     } else if value > 0.0 {
         Err(fault(name, value, "must be at least 1e-12; is the unit right?"))
     } else {
-        let unit = INPUTS.iter().find(|input| input.name == name).map_or("", |input| input.unit);
+        let unit = quantity(name).map_or("", |quantity| quantity.unit);
         Err(fault(name, value, &format!("must be above 0 {unit}")))
     }
 }

@@ -1,5 +1,6 @@
 //! What comes out of an impact.
 
+use crate::quantity::{quantities, Quantity};
 use clubface_math::{Computation, Scalar, Vec3};
 
 /// Motion of both bodies after impact, world axes.
@@ -21,50 +22,15 @@ pub struct Launch<S> {
     pub peak_force: S,
 }
 
-/// One output.
-#[derive(Clone, Copy, Debug)]
-pub struct Output {
-    /// Name, as in the Python API.
-    pub name: &'static str,
-    /// SI unit.
-    pub unit: &'static str,
-    /// What it is, and what positive means.
-    pub meaning: &'static str,
-}
-
-macro_rules! outputs {
-    ($($name:ident [$unit:literal], $meaning:literal;)+) => {
-        [$(Output { name: stringify!($name), unit: $unit, meaning: $meaning }),+]
-    };
-}
-
 /// Number of outputs.
 pub const OUTPUT_COUNT: usize = 22;
 
 /// All outputs, in the order of [`Launch::outputs`].
-pub const OUTPUTS: [Output; OUTPUT_COUNT] = outputs! {
-    ball_speed ["m/s"], "speed of the ball";
-    smash ["1"], "smash factor: ball speed over clubhead speed";
-    launch ["rad"], "launch angle above horizontal";
-    azimuth ["rad"], "launch direction, right of target is positive";
-    backspin ["rad/s"], "angular velocity about the horizontal axis right of the launch direction: lifts";
-    sidespin ["rad/s"], "minus the vertical angular velocity: curves right";
-    total_spin ["rad/s"], "magnitude of the angular velocity";
-    spin_axis ["rad"], "spin axis tilt atan2(sidespin, backspin): right is positive";
-    velocity_x ["m/s"], "ball velocity to the target";
-    velocity_y ["m/s"], "ball velocity upwards";
-    velocity_z ["m/s"], "ball velocity to the right";
-    spin_x ["rad/s"], "ball angular velocity about x";
-    spin_y ["rad/s"], "ball angular velocity about y";
-    spin_z ["rad/s"], "ball angular velocity about z";
-    club_velocity_x ["m/s"], "clubhead velocity to the target after impact";
-    club_velocity_y ["m/s"], "clubhead velocity upwards after impact";
-    club_velocity_z ["m/s"], "clubhead velocity to the right after impact";
-    club_spin_x ["rad/s"], "clubhead angular velocity about x after impact";
-    club_spin_y ["rad/s"], "clubhead angular velocity about y after impact";
-    club_spin_z ["rad/s"], "clubhead angular velocity about z after impact";
-    contact_time ["s"], "time from first touch to separation";
-    peak_force ["N"], "largest normal force";
+pub const OUTPUTS: [&Quantity; OUTPUT_COUNT] = quantities! {
+    ball_speed smash launch azimuth backspin sidespin total_spin spin_axis
+    velocity_x velocity_y velocity_z spin_x spin_y spin_z
+    club_velocity_x club_velocity_y club_velocity_z club_spin_x club_spin_y club_spin_z
+    contact_time peak_force
 };
 
 impl<S: Scalar> Launch<S> {

@@ -27,10 +27,12 @@ pub mod model;
 pub mod models;
 #[cfg(feature = "threads")]
 pub mod parallel;
+pub mod quantity;
 pub mod registry;
 pub mod rings;
 pub mod sensitivity;
 pub mod shot;
+pub mod unit;
 
 pub use description::{Law, ModelInfo, ModelKind};
 pub use error::ImpactError;

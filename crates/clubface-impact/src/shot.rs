@@ -1,35 +1,32 @@
-//! Everything that goes into one impact: club, ball and delivery, and their table of names, units and signs.
+//! Everything that goes into one impact: club, ball and delivery, and the table of these inputs.
 
 use crate::ball::Ball;
 use crate::club::Club;
 use crate::delivery::Delivery;
+use crate::quantity::{known, Quantity};
 use clubface_math::Scalar;
 
 /// One scalar input of an impact.
 #[derive(Clone, Copy, Debug)]
 pub struct Input {
-    /// Name, as in the Python API.
-    pub name: &'static str,
+    /// Its name, unit, meaning and sign.
+    pub quantity: &'static Quantity,
     /// "delivery", "club", "ball" or "parameters".
     pub group: &'static str,
-    /// SI unit.
-    pub unit: &'static str,
-    /// What it is, and what positive means.
-    pub meaning: &'static str,
     /// Whether launch is differentiable with respect to it.
     pub differentiable: bool,
 }
 
 macro_rules! inputs {
-    ($($group:literal $name:ident [$unit:literal] $differentiable:literal, $meaning:literal;)+) => {
-        [$(Input {
-            name: stringify!($name),
+    ($($group:literal { $($name:ident $(($mark:ident))?)+ })+) => {
+        [$($(Input {
+            quantity: known(stringify!($name)),
             group: $group,
-            unit: $unit,
-            meaning: $meaning,
-            differentiable: $differentiable,
-        }),+]
+            differentiable: inputs!(@differentiable $($mark)?),
+        }),+),+]
     };
+    (@differentiable) => { true };
+    (@differentiable constant) => { false };
 }
 
 /// Number of inputs that describe the delivery: the first ones.
@@ -38,47 +35,18 @@ pub const DELIVERY_COUNT: usize = 14;
 /// Number of inputs.
 pub const INPUT_COUNT: usize = 35;
 
-/// All inputs, in the order of the columns of a batch.
+/// All inputs, in the order of the columns of a batch; launch is not differentiated with respect to a `constant` one.
 pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
-    "delivery" speed ["m/s"] true, "speed of the clubhead CG";
-    "delivery" attack ["rad"] true, "attack angle: clubhead CG moving up is positive";
-    "delivery" path ["rad"] true, "club path: clubhead CG moving right of target is positive";
-    "delivery" loft ["rad"] true, "dynamic loft: face normal at the face centre above horizontal";
-    "delivery" face ["rad"] true, "face angle: face normal pointing right of target is positive";
-    "delivery" lie ["rad"] true, "lie tilt about the horizontal axis to the target: toe up is positive";
-    "delivery" toe ["m"] true, "impact offset towards the toe, in the plane tangent at the face centre";
-    "delivery" high ["m"] true, "impact offset towards the crown, in the plane tangent at the face centre";
-    "delivery" closure ["rad/s"] true, "closure rate about the world vertical: closing is positive";
-    "delivery" pitch_rate ["rad/s"] true,
-        "rate of loft about the horizontal to the right: increasing is positive";
-    "delivery" lie_rate ["rad/s"] true, "rate of lie about the horizontal to the target: toe up is positive";
-    "delivery" ball_backspin ["rad/s"] true,
-        "spin of the ball before impact about the horizontal to the right of the target; 0 for a ball at rest";
-    "delivery" ball_sidespin ["rad/s"] true,
-        "spin of the ball before impact about the downward vertical; 0 for a ball at rest";
-    "delivery" ball_riflespin ["rad/s"] true,
-        "spin of the ball before impact about the horizontal to the target; 0 for a ball at rest";
-    "club" club_mass ["kg"] true, "mass of the clubhead";
-    "club" cg_x ["m"] true, "CG to face centre, along x (to the target) at static loft";
-    "club" cg_y ["m"] true, "CG to face centre, along y (up) at static loft";
-    "club" cg_z ["m"] true, "CG to face centre, along z (to the toe) at static loft";
-    "club" ixx ["kg m2"] true, "inertia about the CG at static loft, element xx";
-    "club" iyy ["kg m2"] true, "inertia about the CG at static loft, element yy";
-    "club" izz ["kg m2"] true, "inertia about the CG at static loft, element zz";
-    "club" ixy ["kg m2"] true, "inertia about the CG at static loft, element xy";
-    "club" ixz ["kg m2"] true, "inertia about the CG at static loft, element xz";
-    "club" iyz ["kg m2"] true, "inertia about the CG at static loft, element yz";
-    "club" static_loft ["rad"] true, "loft of the club";
-    "club" bulge ["m"] true, "horizontal radius of the face, infinite if flat";
-    "club" roll ["m"] true, "vertical radius of the face, infinite if flat";
-    "club" face_width ["m"] false, "width of the face outline, heel to toe, centred on the face centre";
-    "club" face_height ["m"] false, "height of the face outline, centred on the face centre";
-    "club" characteristic_time ["s"] true, "how long the face gives under the rules' pendulum; 0 is rigid";
-    "club" hand ["1"] false, "1 for a right-handed club, -1 for its mirror image";
-    "ball" ball_mass ["kg"] true, "mass of the ball";
-    "ball" ball_radius ["m"] true, "radius of the ball";
-    "ball" ball_inertia ["kg m2"] true, "moment of inertia of the ball about any diameter";
-    "parameters" included_time ["s"] false, "characteristic time of the face that the parameters include";
+    "delivery" {
+        speed attack path loft face lie toe high closure pitch_rate lie_rate ball_backspin ball_sidespin
+        ball_riflespin
+    }
+    "club" {
+        club_mass cg_x cg_y cg_z ixx iyy izz ixy ixz iyz static_loft bulge roll face_width (constant)
+        face_height (constant) characteristic_time hand (constant)
+    }
+    "ball" { ball_mass ball_radius ball_inertia }
+    "parameters" { included_time (constant) }
 };
 
 /// A club, a ball and how they meet.

@@ -1,9 +1,11 @@
-//! Tables of the core: models, inputs, outputs.
+//! Tables of the core: quantities, units, models, inputs, outputs.
 
 use clubface_impact::flight;
 use clubface_impact::launch::OUTPUTS;
+use clubface_impact::quantity::{Quantity, QUANTITIES};
 use clubface_impact::registry;
 use clubface_impact::shot::INPUTS;
+use clubface_impact::unit::{Reading, DIMENSIONS, UNITS};
 use clubface_impact::{Law, ModelInfo};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -43,23 +45,88 @@ pub fn models(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     registry::ALL.iter().map(|each| model(py, each.info())).collect()
 }
 
-fn entry<'py>(py: Python<'py>, fields: &[(&str, &str)]) -> PyResult<Bound<'py, PyDict>> {
+/// Fills the keys of a quantity into a description.
+fn set_quantity(dict: &Bound<'_, PyDict>, quantity: &Quantity) -> PyResult<()> {
+    let reading = |reading: Reading| (reading.unit, reading.digits);
+    dict.set_item("name", quantity.name)?;
+    dict.set_item("symbol", quantity.symbol)?;
+    dict.set_item("unit", quantity.unit)?;
+    dict.set_item("metric", reading(quantity.metric))?;
+    dict.set_item("golf", reading(quantity.golf))?;
+    dict.set_item("label", quantity.label)?;
+    dict.set_item("meaning", quantity.meaning)?;
+    dict.set_item("sign", quantity.sign)?;
+    dict.set_item("sides", quantity.sides)?;
+    dict.set_item("synonyms", quantity.synonyms)
+}
+
+/// Every quantity: name, symbol, SI unit, metric and golf (the unit people read, and digits behind the point), label,
+/// meaning, sign (what positive means, or empty), sides (words for negative and positive, or None), synonyms in files.
+#[pyfunction]
+pub fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    QUANTITIES
+        .iter()
+        .map(|quantity| {
+            let dict = PyDict::new(py);
+            set_quantity(&dict, quantity)?;
+            Ok(dict)
+        })
+        .collect()
+}
+
+/// Every unit: symbol, spellings, dimension, numerator, denominator and offset (SI value = value * numerator /
+/// denominator + offset).
+#[pyfunction]
+pub fn units(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    UNITS
+        .iter()
+        .map(|unit| {
+            let dict = PyDict::new(py);
+            dict.set_item("symbol", unit.symbol)?;
+            dict.set_item("spellings", unit.spellings.split_terminator(',').collect::<Vec<_>>())?;
+            dict.set_item("dimension", unit.dimension)?;
+            dict.set_item("numerator", unit.numerator)?;
+            dict.set_item("denominator", unit.denominator)?;
+            dict.set_item("offset", unit.offset)?;
+            Ok(dict)
+        })
+        .collect()
+}
+
+/// Every dimension: name, SI unit, metric and golf (how people read a quantity of it that has no entry of its own).
+#[pyfunction]
+pub fn dimensions(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    DIMENSIONS
+        .iter()
+        .map(|dimension| {
+            let dict = PyDict::new(py);
+            dict.set_item("name", dimension.name)?;
+            dict.set_item("unit", dimension.unit)?;
+            dict.set_item("metric", (dimension.metric.unit, dimension.metric.digits))?;
+            dict.set_item("golf", (dimension.golf.unit, dimension.golf.digits))?;
+            Ok(dict)
+        })
+        .collect()
+}
+
+/// What a column says of its quantity: name, unit, and meaning with the sign.
+fn column<'py>(py: Python<'py>, quantity: &Quantity) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
-    for (key, value) in fields {
-        dict.set_item(key, value)?;
-    }
+    dict.set_item("name", quantity.name)?;
+    dict.set_item("unit", quantity.unit)?;
+    dict.set_item("meaning", quantity.description())?;
     Ok(dict)
 }
 
-/// Inputs of an impact, in the order of the columns: name, group, unit, meaning, differentiable.
+/// Inputs of an impact, in the order of the columns: name, unit, meaning, group, differentiable.
 #[pyfunction]
 pub fn inputs(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     INPUTS
         .iter()
-        .map(|i| {
-            let fields = [("name", i.name), ("group", i.group), ("unit", i.unit), ("meaning", i.meaning)];
-            let dict = entry(py, &fields)?;
-            dict.set_item("differentiable", i.differentiable)?;
+        .map(|input| {
+            let dict = column(py, input.quantity)?;
+            dict.set_item("group", input.group)?;
+            dict.set_item("differentiable", input.differentiable)?;
             Ok(dict)
         })
         .collect()
@@ -68,38 +135,29 @@ pub fn inputs(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
 /// Outputs of an impact, in order: name, unit, meaning.
 #[pyfunction]
 pub fn outputs(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
-    OUTPUTS.iter().map(|o| entry(py, &[("name", o.name), ("unit", o.unit), ("meaning", o.meaning)])).collect()
+    OUTPUTS.iter().map(|quantity| column(py, quantity)).collect()
 }
 
-/// Inputs of a flight, in order: name, group, unit, meaning, sign, default, lower, upper.
+/// Inputs of a flight, in order: name, unit, meaning, group, default, lower, upper.
 #[pyfunction]
 pub fn flight_inputs(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     flight::INPUTS
         .iter()
-        .map(|i| {
-            let fields = [
-                ("name", i.name),
-                ("group", i.group),
-                ("unit", i.unit),
-                ("meaning", i.meaning),
-                ("sign", i.sign),
-            ];
-            let dict = entry(py, &fields)?;
-            dict.set_item("default", i.default)?;
-            dict.set_item("lower", i.bounds.lower)?;
-            dict.set_item("upper", i.bounds.upper)?;
+        .map(|input| {
+            let dict = column(py, input.quantity)?;
+            dict.set_item("group", input.group)?;
+            dict.set_item("default", input.default)?;
+            dict.set_item("lower", input.bounds.lower)?;
+            dict.set_item("upper", input.bounds.upper)?;
             Ok(dict)
         })
         .collect()
 }
 
-/// Outputs of a flight, in order: name, unit, meaning, sign.
+/// Outputs of a flight, in order: name, unit, meaning.
 #[pyfunction]
 pub fn flight_outputs(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
-    flight::OUTPUTS
-        .iter()
-        .map(|o| entry(py, &[("name", o.name), ("unit", o.unit), ("meaning", o.meaning), ("sign", o.sign)]))
-        .collect()
+    flight::OUTPUTS.iter().map(|quantity| column(py, quantity)).collect()
 }
 
 /// Air pressure, Pa, at an altitude, m, of the standard atmosphere.

@@ -13,7 +13,10 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use crate::describe::{flight_inputs, flight_outputs, inputs, models, outputs, pressure_at_altitude};
+    use crate::describe::{
+        dimensions, flight_inputs, flight_outputs, inputs, models, outputs, pressure_at_altitude, quantities,
+        units,
+    };
     #[pymodule_export]
     use crate::fem::{
         fem_ball, fem_check_law, fem_deformable, fem_driver, fem_head, fem_head_properties, fem_iron,

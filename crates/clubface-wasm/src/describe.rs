@@ -1,9 +1,11 @@
-//! Tables of the core: models, inputs and outputs of impacts and flights.
+//! Tables of the core: quantities, units, models, inputs and outputs of impacts and flights.
 
-use clubface_impact::flight;
+use clubface_impact::flight::{self, FlightInput};
 use clubface_impact::launch::OUTPUTS;
+use clubface_impact::quantity::{Quantity, QUANTITIES};
 use clubface_impact::registry;
-use clubface_impact::shot::INPUTS;
+use clubface_impact::shot::{Input, INPUTS};
+use clubface_impact::unit::{Dimension, Reading, Unit, DIMENSIONS, UNITS};
 use clubface_impact::{Law, ModelInfo};
 use serde_json::{json, Value};
 
@@ -31,37 +33,62 @@ fn model(info: &ModelInfo) -> Value {
     })
 }
 
-/// Leaves a description of all that can be computed: `models`, `inputs`, `outputs`, `flight_inputs`, `flight_outputs`,
-/// as the functions of these names give Python. A default that is not a number is null.
+fn quantity(quantity: &Quantity) -> Value {
+    let reading = |reading: Reading| json!([reading.unit, reading.digits]);
+    json!({
+        "name": quantity.name, "symbol": quantity.symbol, "unit": quantity.unit, "metric": reading(quantity.metric),
+        "golf": reading(quantity.golf), "label": quantity.label, "meaning": quantity.meaning, "sign": quantity.sign,
+        "sides": quantity.sides, "synonyms": quantity.synonyms,
+    })
+}
+
+fn unit(unit: &Unit) -> Value {
+    json!({
+        "symbol": unit.symbol, "spellings": unit.spellings.split_terminator(',').collect::<Vec<_>>(),
+        "dimension": unit.dimension, "numerator": unit.numerator, "denominator": unit.denominator,
+        "offset": unit.offset,
+    })
+}
+
+fn dimension(dimension: &Dimension) -> Value {
+    json!({
+        "name": dimension.name, "unit": dimension.unit,
+        "metric": [dimension.metric.unit, dimension.metric.digits],
+        "golf": [dimension.golf.unit, dimension.golf.digits],
+    })
+}
+
+fn output(quantity: &&Quantity) -> Value {
+    json!({"name": quantity.name, "unit": quantity.unit, "meaning": quantity.description()})
+}
+
+fn input(input: &Input) -> Value {
+    json!({
+        "name": input.quantity.name, "unit": input.quantity.unit, "meaning": input.quantity.description(),
+        "group": input.group, "differentiable": input.differentiable,
+    })
+}
+
+fn flight_input(input: &FlightInput) -> Value {
+    json!({
+        "name": input.quantity.name, "unit": input.quantity.unit, "meaning": input.quantity.description(),
+        "group": input.group, "default": input.default, "lower": input.bounds.lower, "upper": input.bounds.upper,
+    })
+}
+
+fn list<T>(entries: &[T], describe: impl Fn(&T) -> Value) -> Vec<Value> {
+    entries.iter().map(describe).collect()
+}
+
+/// Leaves a description of all that can be computed: `quantities`, `units`, `dimensions`, `models`, `inputs`, `outputs`,
+/// `flight_inputs`, `flight_outputs`, as the functions of these names give Python. A default that is not a number is
+/// null.
 #[no_mangle]
 pub extern "C" fn describe() -> u32 {
-    let models: Vec<Value> = registry::ALL.iter().map(|each| model(each.info())).collect();
-    let inputs: Vec<Value> = INPUTS
-        .iter()
-        .map(|i| {
-            json!({
-                "name": i.name, "group": i.group, "unit": i.unit, "meaning": i.meaning,
-                "differentiable": i.differentiable,
-            })
-        })
-        .collect();
-    let outputs: Vec<Value> =
-        OUTPUTS.iter().map(|o| json!({"name": o.name, "unit": o.unit, "meaning": o.meaning})).collect();
-    let flight_inputs: Vec<Value> = flight::INPUTS
-        .iter()
-        .map(|i| {
-            json!({
-                "name": i.name, "group": i.group, "unit": i.unit, "meaning": i.meaning, "sign": i.sign,
-                "default": i.default, "lower": i.bounds.lower, "upper": i.bounds.upper,
-            })
-        })
-        .collect();
-    let flight_outputs: Vec<Value> = flight::OUTPUTS
-        .iter()
-        .map(|o| json!({"name": o.name, "unit": o.unit, "meaning": o.meaning, "sign": o.sign}))
-        .collect();
     crate::finish(Ok(json!({
-        "models": models, "inputs": inputs, "outputs": outputs, "flight_inputs": flight_inputs,
-        "flight_outputs": flight_outputs,
+        "quantities": list(QUANTITIES, quantity), "units": list(UNITS, unit), "dimensions": list(DIMENSIONS, dimension),
+        "models": list(registry::ALL, |each| model(each.info())), "inputs": list(&INPUTS, input),
+        "outputs": list(&OUTPUTS, output), "flight_inputs": list(&flight::INPUTS, flight_input),
+        "flight_outputs": list(&flight::OUTPUTS, output),
     })))
 }

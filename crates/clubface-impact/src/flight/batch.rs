@@ -29,7 +29,7 @@ impl FlightBatch<'_> {
             if let Column::Values(values) = column {
                 if values.len() != rows {
                     let message = format!("the column has {} rows, the batch {rows}", values.len());
-                    return Err(ImpactError::new(input.name, message));
+                    return Err(ImpactError::new(input.quantity.name, message));
                 }
             }
         }

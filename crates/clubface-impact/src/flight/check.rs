@@ -36,13 +36,13 @@ fn check_range(input: &FlightInput, value: f64) -> Result<(), ImpactError> {
     if (lower..=upper).contains(&value) {
         return Ok(());
     }
-    let unit = if input.unit == "1" { String::new() } else { format!(" {}", input.unit) };
+    let unit = if input.quantity.unit == "1" { String::new() } else { format!(" {}", input.quantity.unit) };
     let message = if value.is_nan() {
         format!("is not a number; allowed is {lower} to {upper}{unit}")
     } else {
         format!("{}{unit} is not allowed; allowed is {lower} to {upper}{unit}", shown(value))
     };
-    Err(ImpactError::new(input.name, message))
+    Err(ImpactError::new(input.quantity.name, message))
 }
 
 /// Error of a ball that is still in the air when the integration gives up.

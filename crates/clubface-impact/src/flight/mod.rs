@@ -22,6 +22,5 @@ pub use record::{trajectory, Track};
 pub use sensitivities::{FlightSensitivities, CHUNK as DIFFERENTIATED};
 pub use sensitivity::{sensitivity, FlightSensitivity};
 pub use shot::{
-    default_inputs, fly, Bounds, FlightInput, FlightOutput, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS,
-    OUTPUT_COUNT,
+    default_inputs, fly, Bounds, FlightInput, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
 };

@@ -4,6 +4,7 @@ use super::air::{density, viscosity, DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT
 use super::ground::{run, Ground};
 use super::trajectory::{fly_to_ground, Air, Flight, Landing};
 use crate::ball::Ball;
+use crate::quantity::{known, quantities, Quantity};
 use clubface_math::{Scalar, Vec3};
 use core::f64::consts::PI;
 
@@ -19,52 +20,24 @@ pub struct Bounds {
 /// One input of a flight.
 #[derive(Clone, Copy, Debug)]
 pub struct FlightInput {
-    /// Name, as in the Python API.
-    pub name: &'static str,
+    /// Its name, unit, meaning and sign.
+    pub quantity: &'static Quantity,
     /// "ball", "launch", "air" or "ground".
     pub group: &'static str,
-    /// SI unit.
-    pub unit: &'static str,
-    /// What it is and where its default comes from.
-    pub meaning: &'static str,
-    /// What positive means; empty for a magnitude.
-    pub sign: &'static str,
     /// Value taken where none is given; the launch has none (NaN).
     pub default: f64,
     /// Allowed values.
     pub bounds: Bounds,
 }
 
-/// One output of a flight.
-#[derive(Clone, Copy, Debug)]
-pub struct FlightOutput {
-    /// Name, as in the Python API.
-    pub name: &'static str,
-    /// SI unit.
-    pub unit: &'static str,
-    /// What it is.
-    pub meaning: &'static str,
-    /// What positive means; empty for a magnitude.
-    pub sign: &'static str,
-}
-
 macro_rules! inputs {
-    ($($group:literal $name:ident [$unit:literal] = $default:expr, $lower:literal ..= $upper:literal, $meaning:literal, $sign:literal;)+) => {
-        [$(FlightInput {
-            name: stringify!($name),
+    ($($group:literal { $($name:ident = $default:expr, $lower:literal ..= $upper:literal;)+ })+) => {
+        [$($(FlightInput {
+            quantity: known(stringify!($name)),
             group: $group,
-            unit: $unit,
-            meaning: $meaning,
-            sign: $sign,
             default: $default,
             bounds: Bounds { lower: $lower, upper: $upper },
-        }),+]
-    };
-}
-
-macro_rules! outputs {
-    ($($name:ident [$unit:literal], $meaning:literal, $sign:literal;)+) => {
-        [$(FlightOutput { name: stringify!($name), unit: $unit, meaning: $meaning, sign: $sign }),+]
+        }),+),+]
     };
 }
 
@@ -75,43 +48,42 @@ pub const INPUT_COUNT: usize = 20;
 
 /// All inputs, in the order of the columns of a batch.
 pub const INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
-    "ball" ball_mass ["kg"] = 0.0459, 0.001..=1.0, "mass of the ball", "";
-    "ball" ball_radius ["m"] = 0.0213, 0.005..=0.1, "radius of the ball", "";
-    "ball" ball_inertia ["kg m2"] = 8.336e-6, 1e-9..=1e-2, "moment of inertia of the ball about any diameter", "";
-    "launch" velocity_x ["m/s"] = NONE, -150.0..=150.0, "launch velocity along the target line", "to the target";
-    "launch" velocity_y ["m/s"] = NONE, -150.0..=150.0, "vertical launch velocity", "up";
-    "launch" velocity_z ["m/s"] = NONE, -150.0..=150.0, "launch velocity across the target line", "right";
-    "launch" spin_x ["rad/s"] = NONE, -3000.0..=3000.0, "angular velocity about the target line", "right-handed";
-    "launch" spin_y ["rad/s"] = NONE, -3000.0..=3000.0, "angular velocity about the vertical: minus sidespin", "curves left";
-    "launch" spin_z ["rad/s"] = NONE, -3000.0..=3000.0, "angular velocity about the horizontal to the right", "backspin of a ball flying to the target";
-    "air" temperature ["K"] = DEFAULT_TEMPERATURE, 233.15..=333.15, "air temperature (default: that of normalised carries, 77 F)", "";
-    "air" pressure ["Pa"] = DEFAULT_PRESSURE, 30e3..=120e3, "air pressure at the course (default: standard sea level)", "";
-    "air" humidity ["1"] = DEFAULT_HUMIDITY, 0.0..=1.0, "relative humidity over liquid water, 0 to 1", "";
-    "air" wind_x ["m/s"] = 0.0, -60.0..=60.0, "wind velocity along the target line, the same at all heights", "tailwind";
-    "air" wind_y ["m/s"] = 0.0, -60.0..=60.0, "vertical wind velocity", "rising";
-    "air" wind_z ["m/s"] = 0.0, -60.0..=60.0, "wind velocity across the target line", "blows to the right";
-    "ground" restitution_factor ["1"] = 1.0, 0.01..=1.5, "factor on Penner's coefficient of restitution of ball and turf", "firmer";
-    "ground" ground_tilt ["rad"] = 12.3 * PI / 180.0, 0.0..=1.0, "tilt of the effective plane of a bounce at 18.6 m/s, 44.4 deg (Penner, on greens: 15.4 deg)", "softer";
-    "ground" ground_friction ["1"] = 0.40, 0.01..=2.0, "sliding friction of ball and turf (Penner: 0.40)", "";
-    "ground" rolling_friction ["1"] = 0.131, 0.005..=2.0, "rolling friction rho_g of a fairway, assumed that of Penner's average green, on which a ball runs 6 ft off a Stimpmeter", "";
-    "ground" grass_length ["m"] = 23.0, 1.0..=1e9, "way over which grass alone slows a rolling ball to 1/e of its speed", "";
+    "ball" {
+        ball_mass = 0.0459, 0.001..=1.0;
+        ball_radius = 0.0213, 0.005..=0.1;
+        ball_inertia = 8.336e-6, 1e-9..=1e-2;
+    }
+    "launch" {
+        velocity_x = NONE, -150.0..=150.0;
+        velocity_y = NONE, -150.0..=150.0;
+        velocity_z = NONE, -150.0..=150.0;
+        spin_x = NONE, -3000.0..=3000.0;
+        spin_y = NONE, -3000.0..=3000.0;
+        spin_z = NONE, -3000.0..=3000.0;
+    }
+    "air" {
+        temperature = DEFAULT_TEMPERATURE, 233.15..=333.15;
+        pressure = DEFAULT_PRESSURE, 30e3..=120e3;
+        humidity = DEFAULT_HUMIDITY, 0.0..=1.0;
+        wind_x = 0.0, -60.0..=60.0;
+        wind_y = 0.0, -60.0..=60.0;
+        wind_z = 0.0, -60.0..=60.0;
+    }
+    "ground" {
+        restitution_factor = 1.0, 0.01..=1.5;
+        ground_tilt = 12.3 * PI / 180.0, 0.0..=1.0;
+        ground_friction = 0.40, 0.01..=2.0;
+        rolling_friction = 0.131, 0.005..=2.0;
+        grass_length = 23.0, 1.0..=1e9;
+    }
 };
 
 /// Number of outputs.
 pub const OUTPUT_COUNT: usize = 10;
 
 /// All outputs, in the order of [`Flown::outputs`].
-pub const OUTPUTS: [FlightOutput; OUTPUT_COUNT] = outputs! {
-    carry ["m"], "straight level distance from the start to where the ball comes down to its height", "";
-    side ["m"], "distance of the landing from the target line", "right";
-    apex ["m"], "greatest height above the start", "up";
-    landing_angle ["rad"], "angle of descent below the horizontal at landing", "down";
-    flight_time ["s"], "time from launch to landing", "";
-    landing_speed ["m/s"], "speed at landing, relative to the ground", "";
-    landing_spin ["rad/s"], "magnitude of the angular velocity at landing", "";
-    total ["m"], "straight distance from the start to rest, after bounces and roll", "";
-    total_side ["m"], "distance of the place of rest from the target line", "right";
-    outside_fit ["1"], "1 if the spin parameter left 0.02-1, the range of the aerodynamic fit, else 0", "";
+pub const OUTPUTS: [&Quantity; OUTPUT_COUNT] = quantities! {
+    carry side apex landing_angle flight_time landing_speed landing_spin total total_side outside_fit
 };
 
 /// Default of every input; the launch, which has none, is NaN.

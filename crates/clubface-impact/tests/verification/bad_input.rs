@@ -31,11 +31,16 @@ fn a_number_that_is_not_finite_is_named_whatever_it_is() {
     for input in INPUTS {
         let values = [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")];
         for (value, text) in values {
-            let flat = (input.name == "bulge" || input.name == "roll") && value == f64::INFINITY;
+            let flat =
+                (input.quantity.name == "bulge" || input.quantity.name == "roll") && value == f64::INFINITY;
             if flat {
-                assert_eq!(check(&played(Club::Driver).with(&[(input.name, value)]).0), Ok(()));
+                assert_eq!(check(&played(Club::Driver).with(&[(input.quantity.name, value)]).0), Ok(()));
             } else {
-                assert_fault(&[(input.name, value)], input.name, &format!("{text} must be a finite number"));
+                assert_fault(
+                    &[(input.quantity.name, value)],
+                    input.quantity.name,
+                    &format!("{text} must be a finite number"),
+                );
             }
         }
     }
@@ -256,7 +261,7 @@ proptest! {
                 }
             }
             Err(error) => {
-                prop_assert!(INPUTS.iter().any(|input| input.name == error.input), "{}", error);
+                prop_assert!(INPUTS.iter().any(|input| input.quantity.name == error.input), "{}", error);
                 let says = ["must", "allowed", "positive definite", "principal moment"];
                 prop_assert!(says.iter().any(|text| error.message.contains(text)), "{}", error);
             }

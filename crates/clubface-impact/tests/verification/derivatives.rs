@@ -49,7 +49,7 @@ pub fn assert_derivatives(
     let mut worst = (0.0, String::new());
     for (column, &variable) in variables.iter().enumerate() {
         let (name, unit, value) = if variable < INPUT_COUNT {
-            (INPUTS[variable].name, INPUTS[variable].unit, inputs.0[variable])
+            (INPUTS[variable].quantity.name, INPUTS[variable].quantity.unit, inputs.0[variable])
         } else {
             let p = &info.parameters[variable - INPUT_COUNT];
             (p.name, p.unit, parameters[variable - INPUT_COUNT])

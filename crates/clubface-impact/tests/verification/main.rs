@@ -26,6 +26,8 @@ mod one_dimension;
 mod overlap;
 mod published;
 mod quadratic_spring;
+mod quantities;
+
 mod response;
 mod rigid;
 mod rings;

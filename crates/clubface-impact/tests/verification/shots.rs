@@ -38,7 +38,7 @@ impl Inputs {
 
 /// Index of an input.
 pub fn input(name: &str) -> usize {
-    INPUTS.iter().position(|input| input.name == name).expect("an input")
+    INPUTS.iter().position(|input| input.quantity.name == name).expect("an input")
 }
 
 /// Index of an output.

@@ -116,7 +116,7 @@ fn every_input_is_checked_and_named_with_its_value_and_what_is_allowed() {
     assert_eq!(low, "pressure: -5 Pa is not allowed; allowed is 30000 to 120000 Pa");
     for input in &clubface_impact::flight::INPUTS {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert_eq!(error(input.name, value).input, input.name);
+            assert_eq!(error(input.quantity.name, value).input, input.quantity.name);
         }
     }
     for name in

@@ -16,7 +16,7 @@ const RPM: f64 = PI / 30.0;
 
 /// Place of an input in the columns.
 fn column(name: &str) -> usize {
-    INPUTS.iter().position(|input| input.name == name).unwrap()
+    INPUTS.iter().position(|input| input.quantity.name == name).unwrap()
 }
 
 /// Place of an output.

@@ -80,17 +80,19 @@ fn derivatives_are_those_of_finite_differences() {
     let exact = sensitivity(&shot).unwrap();
     let fine = |inputs: &[f64; INPUT_COUNT]| fly(&FlightShot::from_inputs(inputs), 1e-12).outputs();
     for (j, input) in INPUTS.iter().enumerate() {
-        let moving = input.group == "launch" || input.name.starts_with("wind");
+        let moving = input.group == "launch" || input.quantity.name.starts_with("wind");
         let size = shot[j].abs().max(if moving { 10.0 } else { 0.0 });
         let h = 1e-5 * size;
-        let (up, down) =
-            (fine(&with(shot, input.name, shot[j] + h)), fine(&with(shot, input.name, shot[j] - h)));
+        let (up, down) = (
+            fine(&with(shot, input.quantity.name, shot[j] + h)),
+            fine(&with(shot, input.quantity.name, shot[j] - h)),
+        );
         for (i, output) in OUTPUTS.iter().enumerate() {
             let difference = (up[i] - down[i]) / (2.0 * h);
             let found = exact.jacobian[i][j];
             // In units of the output's size over the input's.
             let error = (found - difference).abs() * size / exact.values[i].abs().max(1.0);
-            assert!(error < 2e-6, "d {} / d {}: {found} and {difference}", output.name, input.name);
+            assert!(error < 2e-6, "d {} / d {}: {found} and {difference}", output.name, input.quantity.name);
         }
     }
     assert_eq!(exact.values, flown(&shot).outputs());
