@@ -81,7 +81,7 @@ def write_deliveries(path: Path, count: int = 30) -> None:
     path.write_text("\n".join(map(",".join, rows)) + "\n")
 
 
-def write_session(path: Path, count: int = 16) -> None:
+def write_session(path: Path, count: int = 24) -> None:
     """Write swings and launches of two clubs in clubface's own columns, made up so that they look like such shots."""
     draw = random.Random(2).gauss
     rows = ["club,player,club_speed_mph,attack_deg,path_deg,loft_deg,face_deg,toe_mm,high_mm,"
@@ -165,7 +165,8 @@ class Recorder:
             folder = Path(made) / "run"
             shutil.copytree(self.inputs, folder)
             before = read_tree(folder)
-            statuses, background = [], []
+            statuses: dict[int, dict[str, object]] = {}
+            background = []
             port = str(free_port())
             for number, line in enumerate(lines, 1):
                 command, text = shlex.split(line.replace("{port}", port)), line.removeprefix("& ")
@@ -177,16 +178,18 @@ class Recorder:
                     cwd=folder, env=environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                     stderr=subprocess.PIPE,
                 )  # fmt: skip
-                statuses.append(self.keep(kept, number, text, *finish(process), folder, port))
+                statuses[number] = self.keep(kept, number, text, *finish(process), folder, port)
             for number, text, (process, first) in background:
-                status, out, err = finish(process, limit=30.0)
-                statuses.append(self.keep(kept, number, text, status, out, first + err, folder, port))
+                status, out, err = finish(process, limit=90.0)
+                statuses[number] = self.keep(kept, number, text, status, out, first + err, folder, port)
             after = read_tree(folder)
             for path in sorted(path for path in after if after[path] != before.get(path)):
                 keep_file(kept / "files", path, after[path], lambda text: self.normalise(text, folder, port))
             if gone := sorted(set(before) - set(after)):
                 (kept / "removed.txt").write_text("\n".join(gone) + "\n")
-        (kept / "commands.json").write_text(json.dumps(statuses, indent=1) + "\n")
+        (kept / "commands.json").write_text(
+            json.dumps([statuses[number] for number in sorted(statuses)], indent=1) + "\n"
+        )
         return time.monotonic() - started
 
     def keep(self, kept: Path, number: int, line: str, status: int, out: bytes, err: bytes, folder: Path, port: str):
@@ -198,7 +201,7 @@ class Recorder:
 
     def normalise(self, text: str, folder: Path, port: str) -> str:
         """Return a text without folders, port, version and times, which differ from one recording to the next."""
-        text = text.replace(str(folder), "FOLDER").replace(f":{port}", ":PORT").replace(f"--port {port}", "--port PORT")
+        text = text.replace(str(folder), "FOLDER").replace(f"--port {port}", "--port PORT")
         for pattern, other in self.replaced:
             text = pattern.sub(other, text)
         return text
@@ -363,6 +366,7 @@ def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (r"\b(Python|numpy|scipy|matplotlib) \d+\.\d+(\.\d+)?", r"\1 VERSION"),
         (r"\b\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)?", "TIME"),
         (r'("(?:\w+_)?(?:wall|elapsed)(?:_s)?": )[-+.\de]+', r"\g<1>null"),
+        (r"127\.0\.0\.1:\d+", "127.0.0.1:PORT"),
         (r"0x[0-9a-f]{8,}", "ADDRESS"),
         (r"golden-\w{8}", "golden"),
     ]
@@ -542,7 +546,7 @@ class Difference:
     output
         Stream or file, as in ``1.out`` or ``files/map.csv``.
     kind
-        "json", "csv", "text" or "status".
+        "json", "csv", "text", "status", "missing" or "new".
     changed
         Numbers under the same key that differ, with both values.
     moved
@@ -556,7 +560,8 @@ class Difference:
     lines
         Difference of the texts, line by line.
     bad
-        Whether a number is lost or changed, a status changed or an output is missing.
+        Whether a number is lost from a JSON document or from all outputs of the run, a number of a JSON document
+        changed, a status changed or a file is missing.
     """
 
     output: str
@@ -679,8 +684,8 @@ def compare_output(output: str, before: str, after: str, rest: list[Number]) -> 
     if found.kind != "csv" or len(before) < 20_000:
         lines = difflib.unified_diff(before.splitlines(), after.splitlines(), lineterm="", n=1)
         found.lines = [line for line in lines if not line.startswith(("---", "+++"))]
-    in_report = ".saved/" in output
-    found.bad = bool(found.kept.lost) or (found.kind != "text" and not in_report and len(found.changed) > found.moved)
+    lost = len(found.kept.lost) - (0 if found.kind == "json" else found.elsewhere)
+    found.bad = lost > 0 or (found.kind == "json" and len(found.changed) > found.moved)
     return found
 
 
@@ -703,7 +708,10 @@ def compare_run(before: Path, after: Path) -> list[Difference]:
     rest = [number for output, text in other.items() for number in numbers_of(output, text)] if one != other else []
     for output in sorted(one.keys() | other.keys()):
         if output not in other:
-            found.append(Difference(output, "missing", lines=one[output].splitlines()[:3], bad=True))
+            kept = keep_numbers(numbers_of(output, one[output]), rest)
+            # Data inside a report may get another name; a file that was asked for has the name that it was given.
+            bad = bool(kept.lost) or ".saved/" not in output
+            found.append(Difference(output, "missing", kept=kept, lines=one[output].splitlines()[:3], bad=bad))
         elif output not in one:
             found.append(Difference(output, "new", lines=other[output].splitlines()[:3]))
         elif difference := compare_output(output, one[output], other[output], rest):
@@ -763,7 +771,8 @@ def summary(differences: dict[str, list[Difference]], gone: list[str], new: list
             sum(len(each.kept.fewer) for each in found),
             sum(len(each.kept.lost) for each in found),
         ]
-        bad = ", ".join(each.output for each in found if each.bad)
+        names = [each.output for each in found if each.bad]
+        bad = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
         lines.append(f"| {name} | {' | '.join(map(str, cells))} | {bad} |")
     return "\n".join(lines) + "\n"
 
