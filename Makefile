@@ -82,11 +82,11 @@ study: dev ## the tests that take minutes; those of Rust with debug assertions a
 	$(PYTHON) -m pytest -m study
 
 benchmark-data: build ## make the benchmark shots again from their recipe, bit for bit
-	$(PYTHON) -m clubface.benchmark_data.generate
+	$(PYTHON) -m clubface.validation.benchmark_recipe
 
 benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; some 20 minutes, resumed
 	@mkdir -p out
-	$(PYTHON) -m clubface.findings out/benchmark-identification docs/findings.json
+	$(PYTHON) -m clubface.inference.findings out/benchmark-identification docs/findings.json
 
 benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
@@ -111,7 +111,7 @@ response-fit: dev ## the model response for a ball (BALL=modern, or the path of 
 	$(PYTHON) -m clubface.fem.response $(BALL) studies/response
 
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
-	$(PYTHON) -m pytest -m study tests/identification/test_coverage.py -s
+	$(PYTHON) -m pytest -m study tests/inference/identification/test_coverage.py -s
 
 mutants: dev ## errors planted in a sample of the package and the core: how many no test notices; half an hour
 	$(PYTHON) scripts/mutants
@@ -119,7 +119,7 @@ mutants: dev ## errors planted in a sample of the package and the core: how many
 	PATH="$(CURDIR)/target/tools/bin:$$PATH" cargo mutants $(RUST_MUTANTS)
 
 capture-coverage: dev ## errors and coverage of motion capture on 200 to 400 synthetic swings; ten minutes
-	$(PYTHON) -m pytest -q -m study tests/motion_capture/test_study.py tests/motion_capture/test_bare.py
+	$(PYTHON) -m pytest -q -m study tests/capture/test_study.py tests/capture/test_bare.py
 
 COUNT ?= 1000000
 SEED ?= 0

@@ -12,7 +12,7 @@ from clubface.fem import head_tests, paper, reduced, sweep
 from clubface.fem.case import case
 from clubface.fem.heads.read import from_toml
 from clubface.fem.result import Impact
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 
 RPM = 60.0 / math.tau
 END = fem.Settings(until_separation=True)

@@ -10,7 +10,7 @@ import resource
 import time
 
 import clubface
-from clubface.identification.result import parameter_rows
+from clubface.inference.identification.result import parameter_rows
 
 PUBLISHED_SECONDS = 0.0683
 """CPU time of one volumetric impact in Caldwell and McPhee's Table 3 at 2.3 GHz: 0.683 s for ten."""
@@ -22,7 +22,7 @@ def main() -> None:
     parser.add_argument("--model", default="volumetric")
     parser.add_argument("--threads", type=int, default=None)
     chosen = parser.parse_args()
-    shots = clubface.benchmark_data.load("driver").measured
+    shots = clubface.validation.benchmark_data.load("driver").measured
     began, processor = time.perf_counter(), time.process_time()
     found = clubface.identify(
         shots, club="driver-as-printed", model=chosen.model, threads=chosen.threads, folds=0, bootstrap=0, profiles=()

@@ -17,12 +17,10 @@ from typing import Any
 
 from clubface import studies
 from clubface.studies.axes import Axis
+from clubface.studies.chunks import StudyStore
 from clubface.studies.designs import Grid, Samples
 from clubface.studies.pool import Pool
-from clubface.studies.running import Tallied, order
-from clubface.studies.shards import Shard
-from clubface.studies.state import opened
-from clubface.studies.store import StudyStore
+from clubface.studies.running import Shard, Tallied, opened, order
 
 EMPTY = """
 [study]

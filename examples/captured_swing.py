@@ -5,8 +5,8 @@ import tempfile
 import numpy as np
 
 import clubface
-from clubface.motion_capture import read_swing
-from clubface.motion_capture.synthetic import Cameras, synthesize
+from clubface.capture.swing import read_swing
+from clubface.capture.synthetic.laboratory import Cameras, synthesize
 
 
 def main() -> clubface.Launch:

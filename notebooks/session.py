@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 import clubface
-from clubface.design.golfer.golfers import golfer
-from clubface.launch_monitor.as_seen import as_seen
+from clubface.design.golfer import golfer
+from clubface.shots.reference_points import as_seen
 from clubface.units import from_si
 
 COUNT, SEED = 60, 24

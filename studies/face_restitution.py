@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 import clubface
-from clubface.equipment import restitution
+from clubface.equipment import clubs
 from clubface.fem import head_tests
-from clubface.support.warning import without_warnings
+from clubface.support.checks import without_warnings
 
 TIMES = np.arange(0, 401, 25)
 """Characteristic times [us]."""
@@ -28,8 +28,8 @@ def computed(time: float) -> float:
 
 if __name__ == "__main__":
     values = np.array([computed(float(time)) for time in TIMES])
-    square = (TIMES * 1e-6 / restitution.UNIT) ** 2
-    powers = square[:, None] ** np.arange(1, 1 + len(restitution.GAIN))
+    square = (TIMES * 1e-6 / clubs.UNIT) ** 2
+    powers = square[:, None] ** np.arange(1, 1 + len(clubs.GAIN))
     gain, *_ = np.linalg.lstsq(powers[1:], values[1:] - values[0], rcond=None)
     off = values - values[0] - powers @ gain
     for time, value, misfit in zip(TIMES, values, off, strict=True):

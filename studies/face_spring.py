@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from clubface import fem
 from clubface.fem.head_tests import characteristic_time
 from clubface.fem.heads.driver import DriverHead
-from clubface.fem.heads.shells import ShellHead
-from clubface.support.warning import without_warnings
+from clubface.fem.heads.meshed import ShellHead
+from clubface.support.checks import without_warnings
 
 SETTINGS = fem.Settings(until_separation=True)
 LOFTS = (10, 15, 25)

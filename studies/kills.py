@@ -27,7 +27,7 @@ EXAMPLES = Path(__file__).parents[1] / "examples"
 MAIN = "from clubface.cli import main; main()"
 FINDINGS = """
 import sys
-from clubface.findings import __main__ as program, study
+from clubface.inference.findings import __main__ as program, study
 
 def untimed(value):
     if isinstance(value, dict):

@@ -18,7 +18,7 @@ import numpy as np
 from attached_shaft import effective_inertia
 from ball_fit import END
 
-from clubface import Club, club, fem, impact, launch_monitor, units
+from clubface import Club, club, fem, impact, shots as launch_monitor, units
 from clubface.fem.materials import Maxwell
 
 GROOVE = units.parse("3.6 mm", "length")

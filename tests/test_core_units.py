@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clubface import _core
-from clubface.units.table import UNITS, key
+from clubface.units import UNITS, key
 
 
 def test_the_core_has_the_units_of_the_package() -> None:

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import fem, launch_monitor
+from clubface import fem, shots as launch_monitor
 from clubface.errors import ClubfaceError, FileError, InputError, UnitError
-from clubface.fem.resumable import ResumableTable
-from clubface.identification.checkpoint import Checkpoint
-from clubface.identification.simulator import Effort
-from clubface.launch_monitor.reading import read_shots
+from clubface.fem.sweep import ResumableTable
+from clubface.inference.identification.run import Checkpoint
+from clubface.inference.identification.simulator import Effort
+from clubface.shots.reading import read_shots
+from clubface.shots.tables.cells import NUMBER
 from clubface.support.strict_toml import MOST_PARTS, Document
-from clubface.tables.cells import NUMBER
 from fem_meshes import HEAD, write_mesh
 
 MEMORY = 60_000_000
@@ -239,7 +239,7 @@ def test_the_error_of_a_unit_that_is_no_text_is_about_the_unit():
 @pytest.fixture(scope="module")
 def session(tmp_path_factory):
     pytest.importorskip("ezc3d")
-    from clubface.motion_capture.synthetic import synthesize
+    from clubface.capture.synthetic.laboratory import synthesize
 
     folder = tmp_path_factory.mktemp("session")
     synthesize(folder, 3, seed=1)
@@ -270,7 +270,7 @@ def parameters_of(content):
     ],
 )
 def test_a_c3d_file_that_crashes_the_library_is_refused_before(session, tmp_path, name, place, value, words):
-    from clubface.motion_capture import read_c3d
+    from clubface.capture.recording import read_c3d
 
     content = bytearray((session / "calibration.c3d").read_bytes())
     content[parameters_of(content)[name][place]] = value
@@ -280,7 +280,8 @@ def test_a_c3d_file_that_crashes_the_library_is_refused_before(session, tmp_path
 
 
 def test_a_crash_of_the_library_is_one_bad_file_and_the_rest_is_read(session, tmp_path, monkeypatch):
-    from clubface.motion_capture import read_swings, recording
+    from clubface.capture import recording
+    from clubface.capture.swing import read_swings
 
     dies = tmp_path / "library.py"
     dies.write_text(
@@ -296,27 +297,27 @@ def test_a_crash_of_the_library_is_one_bad_file_and_the_rest_is_read(session, tm
 
 
 def test_endless_work_and_all_memory_end_the_process_apart_and_nothing_else(tmp_path, monkeypatch):
-    from clubface.support import isolated
+    from clubface.support import processes
 
     library = tmp_path / "library.py"
     library.write_text(
         "def endless():\n    while True:\n        pass\n\n\ndef all_memory():\n    return len(bytearray(2**45))\n\n\n"
         "def echo(value):\n    print('noise')\n    return value\n\n\ndef broken():\n    raise ValueError('a\\nb')\n"
     )
-    monkeypatch.setattr(isolated, "LEAST_TIME", 0.5)
-    process = isolated.IsolatedProcess(library)
-    with pytest.raises(isolated.IsolatedError, match="takes longer than"):
+    monkeypatch.setattr(processes, "LEAST_TIME", 0.5)
+    process = processes.IsolatedProcess(library)
+    with pytest.raises(processes.IsolatedError, match="takes longer than"):
         process.call("endless")
-    monkeypatch.setattr(isolated, "LEAST_TIME", 60.0)  # what follows ends by itself, however busy the machine is
-    with pytest.raises(isolated.IsolatedError, match="more memory"):
+    monkeypatch.setattr(processes, "LEAST_TIME", 60.0)  # what follows ends by itself, however busy the machine is
+    with pytest.raises(processes.IsolatedError, match="more memory"):
         process.call("all_memory")
-    with pytest.raises(isolated.IsolatedError, match=r"^a b$"):
+    with pytest.raises(processes.IsolatedError, match=r"^a b$"):
         process.call("broken")
     assert process.call("echo", {"points": np.arange(3.0)})["points"].tolist() == [0.0, 1.0, 2.0]
 
 
 def test_a_store_says_of_itself_whether_it_is_whole(tmp_path):
-    from clubface.support.resuming import Store
+    from clubface.jobs.resuming import Store
 
     with Store(tmp_path / "store", {}) as store:
         store.keep("a", {"rows": 3, "value": float("nan")})

@@ -14,12 +14,12 @@ DEG, MM = math.pi / 180.0, 1e-3
 
 DEFAULTS = {
     "design.best_loft:best_loft": {"attack": 0.0},
-    "design.comparison.comparison:compare": {"split": True},
-    "design.dispersion.sampling:dispersion": {"count": 16_384, "seed": 0, "flight": True},
-    "design.dispersion.derivatives:ByDerivatives.variance": {"order": 2},
-    "design.dispersion.derivatives:ByDerivatives.spread": {"order": 2},
-    "design.dispersion.indices:indices": {"count": 1024, "seed": 0},
-    "design.golfer.golfer:Golfer": {"hand": 1, "mishit_share": 0.0, "mishit_scale": 1.0},
+    "design.comparison:compare": {"split": True},
+    "design.dispersion:dispersion": {"count": 16_384, "seed": 0, "flight": True},
+    "design.variance:ByDerivatives.variance": {"order": 2},
+    "design.variance:ByDerivatives.spread": {"order": 2},
+    "design.variance:indices": {"count": 1024, "seed": 0},
+    "design.golfer:Golfer": {"hand": 1, "mishit_share": 0.0, "mishit_scale": 1.0},
     "design.optimisation.fitting:Fitting": {"shots": 10_000, "seed": 1},
     "design.optimisation.study:DesignStudy": {
         "distributed": False, "conform": True, "tolerance": True, "shots": 10_000, "seed": 1, "starts": 8, "points": 9,
@@ -27,7 +27,7 @@ DEFAULTS = {
     "design.optimisation.run:optimise": {"resume": False},
     "equipment.clubs:Club": {"hand": 1},
     "equipment.parameters:ParameterSet": {"default": False, "includes_face": True},
-    "evaluation.evaluation:evaluate": {"resamples": 2000, "seed": 0},
+    "inference.evaluation.evaluation:evaluate": {"resamples": 2000, "seed": 0},
     "fem.balls:Ball": {"friction": 0.35, "cube": 12},
     "fem.files:write_run": {"animation": False},
     "fem.files:write_sweep": {"published": False},
@@ -35,47 +35,47 @@ DEFAULTS = {
     "fem.head_tests:characteristic_time": {"toe": 0.0, "high": 0.0, "threads": 0},
     "fem.heads.driver:DriverHead": {"scales": (0.5, 2.0), "elements": (36, 12, 25)},
     "fem.heads.iron:IronHead": {"elements": (40, 24, 2)},
-    "fem.heads.hardening:Hardening": {"modulus": 0.0, "gain": 0.0, "rate": 0.0},
+    "fem.heads.metal:Hardening": {"modulus": 0.0, "gain": 0.0, "rate": 0.0},
     # Ti-6Al-4V as data sheets have it: 114 GPa, 0.34, 4430 kg/m3.
     "fem.heads.metal:Metal": {"youngs": 114e9, "poisson": 0.34, "density": 4430.0},
     "fem.heads.user_mesh:MeshHead": {"face_centre": (0.0, 0.0, 0.0)},
-    "fem.reference_case:reference": {"friction": 0.35, "refine": 1},
+    "fem.paper:reference": {"friction": 0.35, "refine": 1},
     "fem.settings:Settings": {
         "duration": 1e-3, "interval": 5e-6, "until_separation": False, "bulk_viscosity": 0.0, "frames": 0,
         "fields": False, "threads": 0,
     },
-    "identification.run:identify": {
+    "inference.identification.run:identify": {
         "population": 200, "generations": 100, "refined": 5, "folds": 5, "bootstrap": 200, "confidence": 0.95,
         "seed": 1, "resume": False,
     },
-    "identification.search:search": {"population": 200, "generations": 100, "seed": 1},
+    "inference.identification.search:search": {"population": 200, "generations": 100, "seed": 1},
     "inference.posterior:Posterior.interval": {"confidence": 0.95},
     "inference.run:infer": {"samples": 2000, "seed": 0},
     "inference.file:infer_shots": {"resume": False},
-    "motion_capture.captured:CapturedDelivery.interval": {"level": 0.95},
-    "motion_capture.captured:CapturedDelivery.sample": {"seed": 0},
-    "motion_capture.geometry:Assumed": {
+    "capture.captured:CapturedDelivery.interval": {"level": 0.95},
+    "capture.captured:CapturedDelivery.sample": {"seed": 0},
+    "capture.geometry:Assumed": {
         "face": 2 * DEG, "loft": 2 * DEG, "lie": 2 * DEG, "delivered_loft": 6 * DEG, "delivered_face": 4 * DEG,
         "delivered_lie": 3 * DEG, "blow": 2 * DEG, "sole": 5 * MM, "toe": 12 * MM, "high": 10 * MM,
     },
-    "motion_capture.markers:Markers": {"ball_offset": (0.0, 0.0, 0.0)},
-    "motion_capture.recording:Recording": {"first_frame": 1},
-    "motion_capture.shots:CapturedSwings": {"interrupted": False},
-    "motion_capture.synthetic.files:synthesize": {"count": 10, "seed": 1},
-    "motion_capture.synthetic.files:synthesize_bare": {"count": 10, "seed": 1},
-    "motion_capture.synthetic.laboratory:Cameras": {
+    "capture.markers:Markers": {"ball_offset": (0.0, 0.0, 0.0)},
+    "capture.recording:Recording": {"first_frame": 1},
+    "capture.swing:CapturedSwings": {"interrupted": False},
+    "capture.synthetic.laboratory:synthesize": {"count": 10, "seed": 1},
+    "capture.synthetic.laboratory:synthesize_bare": {"count": 10, "seed": 1},
+    "capture.synthetic.laboratory:Cameras": {
         "origin": (0.35, -0.2, 0.01), "rate": 720.0, "noise": 0.0, "before": 0.25, "after": 0.03, "gaps": 0.0,
         "gap": 4.0, "calibration_frames": 200,
     },
-    "prediction.predict:predict": {"carry": True, "chunk_rows": 16_384, "resume": False},
-    "simulation.delivery:Delivery": dict.fromkeys(
+    "shots.prediction:predict": {"carry": True, "chunk_rows": 16_384, "resume": False},
+    "simulation.inputs:Delivery": dict.fromkeys(
         (
             "attack", "path", "face", "lie", "toe", "high", "closure", "pitch_rate", "lie_rate", "ball_backspin",
             "ball_sidespin", "ball_riflespin",
         ),
         0.0,
     ),
-    "studies.state:status": {"check": False},
+    "studies.running:status": {"check": False},
     "units:show": {"digits": 6},
     "cli.fem:reference": {"friction": 0.35},
     "cli.capture:read": {"roughness": 0.6},
@@ -85,19 +85,19 @@ DEFAULTS = {
         "confidence": 0.95, "seed": 1, "resume": False,
     },
     # The port that the Open Connect interface is published with.
-    "cli.monitor_live:listen": {"port": 921},
-    "cli.monitor_live:send": {"port": 921},
+    "cli.monitor:listen": {"port": 921},
+    "cli.monitor:send": {"port": 921},
 }  # fmt: skip
 
 SAME = {
-    "cli.evaluate:evaluate": "evaluation.evaluation:evaluate",
-    "cli.identify:identify": "identification.run:identify",
+    "cli.evaluate:evaluate": "inference.evaluation.evaluation:evaluate",
+    "cli.identify:identify": "inference.identification.run:identify",
     "cli.infer:infer": "inference.file:infer_shots",
-    "cli.dispersion:dispersion": "design.dispersion.sampling:dispersion",
-    "cli.compare:compare": "design.comparison.comparison:compare",
-    "cli.predict:predict": "prediction.predict:predict",
-    "cli.capture:synthesize": "motion_capture.synthetic.files:synthesize",
-    "cli.fem:reference": "fem.reference_case:reference",
+    "cli.dispersion:dispersion": "design.dispersion:dispersion",
+    "cli.compare:compare": "design.comparison:compare",
+    "cli.predict:predict": "shots.prediction:predict",
+    "cli.capture:synthesize": "capture.synthetic.laboratory:synthesize",
+    "cli.fem:reference": "fem.paper:reference",
     "cli.optimise:optimise": "design.optimisation.run:optimise",
 }
 """Commands and the functions they stand for."""

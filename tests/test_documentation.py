@@ -9,7 +9,7 @@ import pytest
 import clubface
 from clubface import units
 from clubface.equipment.backends import OWN
-from clubface.tour import averages, tour
+from clubface.validation import tour
 
 ROOT = Path(__file__).parent.parent
 TUTORIALS = ROOT / "docs" / "tutorials"
@@ -69,7 +69,7 @@ def test_the_commands_of_the_readme_name_files_and_options_that_exist(clubface_)
 def test_the_readme_gives_the_errors_of_this_version():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     given = re.findall(r"^\| (\w+) \| ([\d.]+) \| ([\d.]+) \| (\d+) \| ([\d.]+) \|$", text, re.MULTILINE)
-    results = [tour.tour(table=name) for name in averages.TABLES]
+    results = [tour.tour(table=name) for name in tour.TABLES]
     assert [row[0] for row in given] == results[0].models
     for name, *figures in given:
         errors = tour.mean_absolute_error(results, name)

@@ -91,7 +91,7 @@ def test_the_captured_swing__is_as_sure_of_the_launch_as_of_what_made_it(capsys)
 
 
 def test_a_study_of_a_better_driver_is_that_of_its_page():
-    from clubface.design.optimisation.study_file import read
+    from clubface.design.optimisation.study import read
 
     study = read(EXAMPLES / "better_driver.toml")
     assert study.distributed

@@ -8,12 +8,12 @@ import pytest
 
 import clubface
 from clubface import units
+from clubface.capture.recording import Recording
 from clubface.design.strokes import expected
 from clubface.errors import ClubfaceError, InputError
-from clubface.evaluation.noise import monitor_noise
-from clubface.identification.cost import noise_of
-from clubface.motion_capture.recording import Recording
-from clubface.recorded.shots import RecordedShots
+from clubface.inference.evaluation.noise import monitor_noise
+from clubface.inference.identification.simulator import noise_of
+from clubface.shots.recorded import RecordedShots
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 FLAT = {"ball_speed": 60.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0}

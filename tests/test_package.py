@@ -7,6 +7,8 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
+import pytest
+
 import clubface
 
 
@@ -47,3 +49,30 @@ def test_no_module_hides_a_public_function_of_its_package():
 def test_public_names_are_listed():
     assert {"impact", "history", "sensitivity", "fly", "Club", "Ball", "ParameterSet"} <= set(dir(clubface))
     assert not hasattr(clubface, "nonsense")
+
+
+@pytest.mark.parametrize(("old", "new"), clubface._MOVED.items())
+def test_an_old_name_of_a_module_goes_on_working_and_names_the_new_one(old, new):
+    code = (
+        "import warnings\n"
+        "with warnings.catch_warnings(record=True) as caught:\n"
+        "    warnings.simplefilter('always')\n"
+        f"    import clubface.{old}\n"
+        f"    from clubface import {old}\n"
+        f"import clubface.{new}\n"
+        f"assert {old} is clubface.{new} and {old}.__spec__.name == 'clubface.{new}'\n"
+        "print([(each.category.__name__, each.filename, str(each.message)) for each in caught])"
+    )
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    warning = ("DeprecationWarning", "<string>", f"clubface.{old} is called clubface.{new} now")
+    assert result.stdout.strip() == str([warning])
+
+
+def test_a_module_in_a_package_that_was_renamed_is_the_same_by_both_names():
+    code = (
+        "from clubface.launch_monitor.open_connect import Listener; from clubface.shots import open_connect;"
+        "from clubface.motion_capture import synthetic; import clubface.capture.synthetic as new;"
+        "print(Listener is open_connect.Listener, synthetic is new)"
+    )
+    result = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True)
+    assert result.stdout.strip() == "True True"

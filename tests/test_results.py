@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import measurements
+from clubface import published_data
 from clubface.design.rules import rules
-from clubface.evaluation.published_accuracy import published
 from clubface.fem.materials import laws
-from clubface.launch_monitor.registry import FORMATS
-from clubface.simulation import quantities
+from clubface.inference.evaluation.model_errors import published
+from clubface.shots.monitors import FORMATS
+from clubface.simulation import results
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 DRIVE = {"speed": "105 mph", "loft": "12 deg"}
@@ -51,17 +51,17 @@ def test_printing_a_result_computes_nothing(monkeypatch, name):
 
 REGISTRIES = {
     "models": clubface.models,
-    "published tables": measurements.subjects,
-    "tables of a subject": lambda: next(iter(measurements.subjects().values())),
+    "published tables": published_data.subjects,
+    "tables of a subject": lambda: next(iter(published_data.subjects().values())),
     "rules": rules,
     "published accuracy": published,
     "materials": laws,
-    "inputs": quantities.inputs,
-    "outputs": quantities.outputs,
+    "inputs": results.inputs,
+    "outputs": results.outputs,
     "quantities of a launch": lambda: clubface.impact("driver", DRIVE).quantities(),
-    "columns": quantities.input_columns,
-    "dimensions": quantities.input_dimensions,
-    "inputs of a flight": quantities.flight_inputs,
+    "columns": results.input_columns,
+    "dimensions": results.input_dimensions,
+    "inputs of a flight": results.flight_inputs,
     "formats": lambda: FORMATS,
 }
 

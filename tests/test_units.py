@@ -9,7 +9,7 @@ from hypothesis import given, strategies as st
 
 from clubface import units
 from clubface.errors import InputError, UnitError
-from clubface.units.table import UNITS
+from clubface.units import UNITS
 
 # One unit is so many of the SI, and zero of it is so much. Sources: BIPM, The International System of Units (2019), for
 # prefixes, degrees, minutes and the degree Celsius; the agreement of 1959 on yard (0.9144 m) and pound (0.45359237 kg),

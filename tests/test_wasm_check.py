@@ -3,7 +3,7 @@
 import runpy
 from pathlib import Path
 
-from clubface.simulation.quantities import inputs
+from clubface.simulation.results import inputs
 
 SCRIPT = Path(__file__).parents[1] / "scripts" / "wasm_check.py"
 

@@ -15,12 +15,12 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from clubface import _core, benchmark_data, units
+from clubface import _core, units
 from clubface.equipment.models import model, models
 from clubface.equipment.parameters import builtin_sets
-from clubface.evaluation.published_accuracy import published
-from clubface.measured.shots import QUANTITIES
-from clubface.tour import averages as tour_averages, tables as tour_tables, tour
+from clubface.inference.evaluation.model_errors import published
+from clubface.shots.measured import QUANTITIES
+from clubface.validation import benchmark_data, tour, tour as tour_averages, tour_tables
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:

@@ -9,13 +9,14 @@ from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 import clubface
-from clubface import benchmark_data, units
-from clubface.benchmark_data.recipe import HEADS, recipe
+from clubface import units
 from clubface.equipment.balls import published_ball
-from clubface.evaluation.contradictions import contradictions
-from clubface.evaluation.published_accuracy import published
-from clubface.measured.shots import QUANTITIES
+from clubface.inference.evaluation.evaluation import contradictions
+from clubface.inference.evaluation.model_errors import published
+from clubface.shots.measured import QUANTITIES
 from clubface.support.arrays import Floats
+from clubface.validation import benchmark_data
+from clubface.validation.benchmark_data import HEADS, recipe
 
 MEAN_DELIVERY = ("speed", "attack", "loft")
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.evaluation.tables import TITLES
-from clubface.measured.shots import QUANTITIES
+from clubface.inference.evaluation.tables import TITLES
+from clubface.shots.measured import QUANTITIES
 
 RESULTS = Path(__file__).parent.parent / "findings.json"
 DIGITS = {"ball_speed": 2, "launch": 2, "azimuth": 2, "backspin": 0, "sidespin": 0, "spin": 0, "carry": 1}

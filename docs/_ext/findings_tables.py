@@ -12,10 +12,10 @@ from sphinx.application import Sphinx
 from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.evaluation.published_accuracy import published
-from clubface.evaluation.tables import TITLES, duration, percent
-from clubface.findings.implied_bias import bias_of, bias_of_magnitudes
-from clubface.measured.shots import QUANTITIES
+from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation.tables import TITLES, duration, percent
+from clubface.inference.findings import bias_of, bias_of_magnitudes
+from clubface.shots.measured import QUANTITIES
 
 SOURCES = {
     "all": "everything, as measured",

@@ -12,7 +12,7 @@ from sphinx.application import Sphinx
 
 from clubface import units
 from clubface.equipment.models import model as model_named
-from clubface.findings.tour_fit import FREE
+from clubface.inference.findings import FREE
 
 
 def tour_means(of: dict[str, Any], kind: str) -> dict[str, float]:

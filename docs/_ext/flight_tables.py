@@ -7,7 +7,7 @@ from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 import clubface
-from clubface import measurements, units
+from clubface import published_data, units
 from clubface.simulation.flight import Flight
 
 SETS = {
@@ -23,14 +23,14 @@ QUANTITIES = {"carry": "yd", "apex": "yd", "landing_angle": "deg"}
 
 def flown(name: str, **conditions: str) -> Flight:
     """Return the flights of the launches of a published table."""
-    table = measurements.table(name).columns
+    table = published_data.table(name).columns
     launch = {"ball_speed": table["ball_speed"], "launch": table["launch"], "backspin": table["spin"], "sidespin": 0.0}
     return clubface.fly(launch, **conditions)
 
 
 def deviation(flight: Flight, name: str, quantity: str) -> np.ndarray | None:
     """Return what was computed less what is published, or None where it is not published."""
-    table = measurements.table(name).columns
+    table = published_data.table(name).columns
     if quantity not in table:
         return None
     unit = QUANTITIES[quantity]
@@ -61,7 +61,7 @@ class FlightClubs(CoreTable):
     def table(self) -> list[str]:
         """One row a club."""
         name = self.arguments[0]
-        flight, table = flown(name), measurements.table(name)
+        flight, table = flown(name), published_data.table(name)
         rows = []
         for index, club in enumerate(table["club"]):
             cells = []
@@ -78,8 +78,8 @@ class Runs(CoreTable):
 
     def table(self) -> list[str]:
         """One row a drive or a set."""
-        chart = measurements.table("optimum-trackman-2010")["optimum_of"]
-        computed = measurements.table("flights-computed-trackman")["landing_angle"]
+        chart = published_data.table("optimum-trackman-2010")["optimum_of"]
+        computed = published_data.table("flights-computed-trackman")["landing_angle"]
         low = computed < np.radians(25.0)
         cases = [
             ("PGA Tour, average drive", "pga-2023", slice(0, 1), "22 (2007), 15 (2017), 25 (2023)"),
@@ -92,7 +92,7 @@ class Runs(CoreTable):
         ]
         rows = []
         for words, name, chosen, published in cases:
-            table, cells = measurements.table(name), []
+            table, cells = published_data.table(name), []
             for firmness in ("soft fairway", "fairway", "firm fairway"):
                 flight = flown(name, ground=firmness)
                 carry = 0.0 if "total" in words.split(", ")[-1:] else flight.get("carry", "yd")

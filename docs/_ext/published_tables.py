@@ -8,8 +8,8 @@ import numpy as np
 from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
-from clubface import measurements
-from clubface.measurements import KINDS, PublishedTable
+from clubface import published_data
+from clubface.published_data import KINDS, PublishedTable
 
 LONG = 16
 """Rows of a table that is shown folded."""
@@ -22,7 +22,9 @@ class PublishedTables(CoreTable):
 
     def table(self) -> list[str]:
         """The tables, in the order of the file."""
-        return [line for each in measurements.subjects()[self.arguments[0]].values() for line in (*described(each), "")]
+        return [
+            line for each in published_data.subjects()[self.arguments[0]].values() for line in (*described(each), "")
+        ]
 
 
 def described(each: PublishedTable) -> list[str]:

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from clubface import plots, units
-from clubface.motion_capture.figures import study_figure
-from clubface.motion_capture.study import UNITS, Study, study
-from clubface.motion_capture.synthetic import Cameras
+from clubface.capture.picture import study_figure
+from clubface.capture.study import UNITS, Study, study
+from clubface.capture.synthetic.laboratory import Cameras
 
 COUNT = 200
 LAUNCHES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}

@@ -10,12 +10,11 @@ from matplotlib.figure import Figure
 import clubface
 from clubface import fem, plots, units
 from clubface.equipment.parameters import ParameterSet
-from clubface.fem.area_term import AreaTerm, area_term
 from clubface.fem.case import case
-from clubface.fem.displacement import Displacement, displaced_centre
-from clubface.fem.figures.impact import name_panel
-from clubface.fem.result import Impact
-from clubface.plots.style import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
+from clubface.fem.pictures import name_panel
+from clubface.fem.reduced import AreaTerm, area_term
+from clubface.fem.result import Displacement, Impact, displaced_centre
+from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
 
 BALL, FRICTION = "paper", 0.3
 END = fem.Settings(until_separation=True)

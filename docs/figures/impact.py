@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 from clubface import fem
-from clubface.fem.figures.section import Section
 from clubface.fem.result import Impact
+from clubface.fem.section_picture import Section
 
 SETTINGS = {"font.family": "DejaVu Sans", "font.size": 9}
 BALL, FORCE, SPIN = "YlOrRd", "#0072B2", "#D55E00"

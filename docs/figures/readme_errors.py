@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from clubface.tour import averages, tour
-from clubface.tour.tables import summary
+from clubface.validation import tour
+from clubface.validation.tour_tables import summary
 
 README = Path(__file__).parents[2] / "README.md"
 ROWS = re.compile(
@@ -16,7 +16,7 @@ ROWS = re.compile(
 
 def main() -> None:
     """Compute all tables and rewrite the rows."""
-    _, rows = summary([tour.tour(table=name) for name in averages.TABLES])
+    _, rows = summary([tour.tour(table=name) for name in tour.TABLES])
     lines = ["| --- | --- | --- | --- | --- |", *(f"| {' | '.join(row)} |" for row in rows)]
     text, found = ROWS.subn("\n".join(lines) + "\n", README.read_text(encoding="utf-8"))
     if not found:

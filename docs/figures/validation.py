@@ -15,7 +15,7 @@ from clubface import plots
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.validation import Figure, validate
 from clubface.validation.catalogue import CHECKS
-from clubface.validation.figures import validation_figure
+from clubface.validation.pictures import validation_figure
 
 HERE = Path(__file__).parent
 STORED = HERE.parent / "validation-fem.json"

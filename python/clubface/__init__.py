@@ -5,7 +5,10 @@ Every public name is loaded when it is first used, so that ``import clubface`` c
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
+from importlib.machinery import ModuleSpec
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from clubface.equipment.backends import CLUB_FILES, MODULES
@@ -13,11 +16,12 @@ from clubface.support.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from clubface import (
-        benchmark_data as benchmark_data,
+        capture as capture,
         errors as errors,
         fem as fem,
-        launch_monitor as launch_monitor,
-        measurements as measurements,
+        plots as plots,
+        published_data as published_data,
+        shots as shots,
         studies as studies,
         units as units,
     )
@@ -29,62 +33,72 @@ if TYPE_CHECKING:
 
 
 _HOME = {
-    "Air": "simulation.air",
-    "Alternative": "design.comparison.comparison",
+    "Air": "simulation.flight",
+    "Alternative": "design.comparison",
     "Ball": "equipment.balls",
     "Club": "equipment.clubs",
     "ClubfaceError": "errors",
-    "Compared": "design.comparison.comparison",
+    "Compared": "design.comparison",
     "Comparison": "simulation.launch",
     "ConditionedLaunch": "simulation.launch_conditioned",
-    "Delivery": "simulation.delivery",
-    "Dispersion": "design.dispersion.sampling",
-    "FaceMap": "design.face_map.face_map",
-    "FaceMapDifference": "design.face_map.difference",
-    "Evaluation": "evaluation.evaluation",
+    "Delivery": "simulation.inputs",
+    "Dispersion": "design.dispersion",
+    "FaceMap": "design.face_map",
+    "FaceMapDifference": "design.face_map",
+    "Evaluation": "inference.evaluation.evaluation",
     "Flight": "simulation.flight",
-    "Golfer": "design.golfer.golfer",
+    "Golfer": "design.golfer",
     "History": "simulation.history",
     "Hole": "design.strokes",
-    "Identification": "identification.result",
+    "Identification": "inference.identification.result",
     "Launch": "simulation.launch",
     "Model": "equipment.models",
     "ParameterSet": "equipment.parameters",
     "Posterior": "inference.posterior",
-    "PredictReport": "prediction.predict",
+    "PredictReport": "shots.prediction",
     "Prior": "inference.prior",
-    "RecordedShots": "recorded.shots",
+    "RecordedShots": "shots.recorded",
     "Sensitivity": "simulation.sensitivity",
-    "Touch": "simulation.contact_motion",
-    "Trajectory": "simulation.trajectory",
+    "Touch": "simulation.own_law",
+    "Trajectory": "simulation.flight",
     "ball": "equipment.balls",
     "best_loft": "design.best_loft",
     "club": "equipment.clubs",
-    "compare": "design.comparison.comparison",
-    "dispersion": "design.dispersion.sampling",
-    "estimate_golfer": "design.golfer.estimate",
-    "evaluate": "evaluation.evaluation",
+    "compare": "design.comparison",
+    "dispersion": "design.dispersion",
+    "estimate_golfer": "design.golfer_estimate",
+    "evaluate": "inference.evaluation.evaluation",
     "fit": "design.optimisation.fitting_run",
     "fly": "simulation.flight",
-    "golfer": "design.golfer.golfers",
-    "golfers": "design.golfer.golfers",
+    "golfer": "design.golfer",
+    "golfers": "design.golfer",
     "history": "simulation.history",
-    "identify": "identification.run",
+    "identify": "inference.identification.run",
     "impact": "simulation.impact",
     "impact_at_launch": "simulation.launch_conditioned",
     "infer": "inference.run",
-    "map_face": "design.face_map.face_map",
+    "map_face": "design.face_map",
     "models": "equipment.models",
     "optimise": "design.optimisation.run",
-    "predict": "prediction.predict",
-    "read_shots": "launch_monitor.reading",
+    "predict": "shots.prediction",
+    "read_shots": "shots.reading",
     "register_law": "simulation.own_law",
     "sensitivity": "simulation.sensitivity",
-    "trajectory": "simulation.trajectory",
+    "trajectory": "simulation.flight",
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("benchmark_data", "errors", "fem", "launch_monitor", "measurements", "motion_capture", "studies", "units")
+_MODULES = ("capture", "errors", "fem", "plots", "published_data", "shots", "studies", "units")
+
+_MOVED = {
+    "benchmark_data": "validation.benchmark_data",
+    "evaluation": "inference.evaluation",
+    "identification": "inference.identification",
+    "launch_monitor": "shots",
+    "measurements": "published_data",
+    "motion_capture": "capture",
+}
+"""The new name of each public module that was renamed; the old ones go on working, with a warning."""
 
 MODULES["fem"] = "clubface.fem.backend"
 CLUB_FILES["shape"] = CLUB_FILES["groups"] = "clubface.fem.heads.read"
@@ -97,9 +111,41 @@ def __getattr__(name: str) -> Any:
         found = getattr(import_module(f"clubface.{_HOME[name]}"), name)
         globals()[name] = found
         return found
-    if name in _MODULES:
+    if name in _MODULES or name in _MOVED:
         return import_module(f"clubface.{name}")
     raise AttributeError(f"module 'clubface' has no attribute {name!r}")
+
+
+class _MovedModules:
+    """Imports modules by their old names, and warns of the new ones."""
+
+    def __init__(self, name: str = "") -> None:
+        self.name = name
+
+    @classmethod
+    def find_spec(cls, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
+        """Return how to import a module that was renamed, or one in a package that was."""
+        package, _, rest = name.partition(".")
+        first, dot, inner = rest.partition(".")
+        if package != "clubface" or first not in _MOVED:
+            return None
+        return ModuleSpec(name, cls(f"clubface.{_MOVED[first]}{dot}{inner}"))  # pyright: ignore[reportArgumentType]
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """Return the module of the new name."""
+        from clubface.support.checks import warn_once
+
+        warn_once(f"{spec.name} is called {self.name} now", DeprecationWarning)
+        module = import_module(self.name)
+        self.spec = module.__spec__
+        return module
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Leave the module as it is."""
+        module.__spec__ = self.spec
+
+
+sys.meta_path.insert(0, _MovedModules)
 
 
 def __dir__() -> list[str]:

@@ -53,7 +53,7 @@ def test_one_swing_is_printed_value_by_value_each_with_its_standard_deviation(cl
 
 
 def test_a_swing_is_read_within_four_standard_deviations(clubface_, folder):
-    from clubface.launch_monitor.reading import read_shots
+    from clubface.shots.reading import read_shots
 
     truth = read_shots(folder / "truth.csv").deliveries
     found = clubface_(*arguments(folder), "--json").json
@@ -76,7 +76,7 @@ def test_the_last_row_of_many_swings_is_the_mean_of_their_standard_deviations(cl
 
 
 def test_json_holds_everything_in_si(clubface_, folder):
-    from clubface.launch_monitor.reading import read_shots
+    from clubface.shots.reading import read_shots
 
     found = clubface_(*arguments(folder), "--json").json
     truth = read_shots(folder / "truth.csv").deliveries
@@ -155,9 +155,9 @@ def test_files_without_a_swing_end_with_status_two(clubface_, folder):
 
 
 def test_ctrl_c_keeps_the_swings_that_were_read(clubface_, folder, monkeypatch):
-    from clubface.motion_capture import shots
+    from clubface.capture import swing
 
-    real, calls = shots.capture, []
+    real, calls = swing.capture, []
 
     def stopped(recording, setup):
         calls.append(recording)
@@ -165,7 +165,7 @@ def test_ctrl_c_keeps_the_swings_that_were_read(clubface_, folder, monkeypatch):
             raise KeyboardInterrupt
         return real(recording, setup)
 
-    monkeypatch.setattr(shots, "capture", stopped)
+    monkeypatch.setattr(swing, "capture", stopped)
     names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
     ran = clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
     assert ran.status == 130
@@ -218,9 +218,9 @@ def test_a_template_names_the_markers_of_a_file(clubface_, folder):
 
 
 def test_without_matplotlib_the_table_is_written_all_the_same(clubface_, folder, monkeypatch):
-    from clubface.cli import capture_pictures
+    from clubface.cli import capture
 
-    monkeypatch.setattr(capture_pictures, "find_spec", lambda name: None)
+    monkeypatch.setattr(capture, "find_spec", lambda name: None)
     ran = clubface_(*arguments(folder), "-o", str(folder / "shots.csv"))
     assert ran.status == 0
     assert "no picture is written beside the table" in ran.err

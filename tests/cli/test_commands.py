@@ -179,7 +179,9 @@ def test_a_file_without_one_usable_row_is_a_failure(clubface_, tmp_path, write):
 
 def test_the_tour_is_compared_and_written(clubface_, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
-    monkeypatch.setattr("clubface.tour.report.write", lambda result, folder: [folder / f"{len(result.clubs)} clubs"])
+    monkeypatch.setattr(
+        "clubface.validation.tour_report.write", lambda result, folder: [folder / f"{len(result.clubs)} clubs"]
+    )
     ran = clubface_("tour", "--model", "standard,slip", "-o", str(tmp_path / "out"), "--json")
     assert len(ran.json["rows"]) == 24
     assert ran.err == f"clubface: wrote {tmp_path / 'out' / '12 clubs'}\n"

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from clubface.design.dispersion.sampling import dispersion
-from clubface.design.golfer.golfers import golfer, golfers
+from clubface.design.dispersion import dispersion
+from clubface.design.golfer import golfer, golfers
 from command_line import assert_mistake
 
 FEW = ("--count", "256", "--no-shares")

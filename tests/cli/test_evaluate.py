@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 import clubface
-from clubface.benchmark_data.recipe import FOLDER
 from clubface.errors import FileError
+from clubface.validation.benchmark_data import FOLDER
 from command_line import assert_mistake
 
 pytest.importorskip("typer")
@@ -56,7 +56,7 @@ def test_noise_is_given_with_units(clubface_):
 def test_the_report_is_written(clubface_, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     monkeypatch.setattr(
-        "clubface.evaluation.Evaluation.write", lambda result, folder: [f"{folder}: {len(result.shots)}"]
+        "clubface.inference.evaluation.Evaluation.write", lambda result, folder: [f"{folder}: {len(result.shots)}"]
     )
     ran = clubface_("evaluate", SHOTS, "--models", "slip", "-o", str(tmp_path / "out"))
     assert ran.err == f"clubface: wrote {tmp_path / 'out'}: 120\n"

@@ -10,9 +10,9 @@ import pytest
 
 from clubface.errors import FileError
 from clubface.fem import case as cases, files
-from clubface.findings import __main__ as findings
-from clubface.prediction.predict import predict
-from clubface.support import resuming
+from clubface.inference import findings
+from clubface.jobs import resuming
+from clubface.shots.prediction import predict
 from command_line import MAIN
 from deliveries import HEAD
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from clubface.benchmark_data.recipe import FOLDER
-from clubface.launch_monitor.reading import read_shots
+from clubface.shots.reading import read_shots
+from clubface.validation.benchmark_data import FOLDER
 from command_line import assert_mistake
 
 pytest.importorskip("typer")

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 from fem_runs import write_case
 from study_files import shots
 

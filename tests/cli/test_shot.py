@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface import units
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.equipment.ranges import RANGES
+from clubface.equipment.parameters import RANGES
 from command_line import assert_mistake
 
 SHOT_KEYS = [

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from clubface.design.best_loft import beside_ping, beside_trackman, best_loft
-from clubface.design.dispersion.derivatives import by_derivatives
-from clubface.design.dispersion.sampling import Hitting
-from clubface.design.golfer.golfers import golfer
+from clubface.design.dispersion import Hitting
+from clubface.design.golfer import golfer
+from clubface.design.variance import by_derivatives
 from clubface.equipment.clubs import club
 from clubface.errors import InputError
 

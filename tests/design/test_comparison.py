@@ -9,9 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 import clubface
-from clubface.design.comparison.contributions import NODES
-from clubface.design.comparison.quantities import FLOWN, LAUNCHED, QUANTITIES
-from clubface.design.comparison.rows import read_deliveries
+from clubface.design.comparison import read_deliveries
+from clubface.design.contributions import FLOWN, LAUNCHED, NODES, QUANTITIES
 from clubface.errors import FileError, InputError, RangeWarning, RuleWarning, ShotError, UnknownNameError
 from fem_runs import coarse
 

@@ -4,11 +4,9 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.design.dispersion import sampling as module
-from clubface.design.dispersion.file import shots_file
-from clubface.design.dispersion.sampling import Hitting, dispersion
-from clubface.design.dispersion.tally import FLOWN, LAUNCHED, Scale, Tally, forward
-from clubface.design.golfer.golfers import golfer
+from clubface.design import dispersion as module
+from clubface.design.dispersion import FLOWN, LAUNCHED, Hitting, Scale, Tally, dispersion, forward, shots_file
+from clubface.design.golfer import golfer
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import club
 from clubface.errors import InputError
@@ -162,7 +160,7 @@ def test_a_million_shots_need_no_more_memory_than_a_hundred_thousand():
     import sys
 
     code = (
-        "import resource, sys; from clubface.design.dispersion.sampling import dispersion;"
+        "import resource, sys; from clubface.design.dispersion import dispersion;"
         "dispersion('bogey-driver', count=int(sys.argv[1]));"
         "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
     )

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from clubface.design.dispersion.derivatives import ByDerivatives, by_derivatives, moments
-from clubface.design.dispersion.sampling import Hitting
-from clubface.design.golfer.golfers import golfer
+from clubface.design.dispersion import Hitting
+from clubface.design.golfer import golfer
+from clubface.design.variance import ByDerivatives, by_derivatives, moments
 from clubface.equipment.clubs import club
 from clubface.errors import InputError
 

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from scipy.special import ndtr
 
-from clubface.design.dispersion.derivatives import ByDerivatives, by_derivatives
-from clubface.design.dispersion.indices import indices, indices_by_derivatives, shapley, sobol
-from clubface.design.dispersion.sampling import Hitting
-from clubface.design.golfer.golfers import golfer
+from clubface.design.dispersion import Hitting
+from clubface.design.golfer import golfer
+from clubface.design.variance import ByDerivatives, by_derivatives, indices, indices_by_derivatives, shapley, sobol
 from clubface.equipment.clubs import club
 from clubface.errors import InputError
 

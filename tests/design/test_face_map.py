@@ -7,14 +7,12 @@ import pytest
 
 import clubface
 from clubface import units
-from clubface.design.comparison.quantities import LAUNCHED, QUANTITIES
-from clubface.design.face_map.difference import FaceMapDifference
-from clubface.design.face_map.forgiveness import forgiveness
-from clubface.design.face_map.outline import Outline, outline_of
-from clubface.design.face_map.surface import Interpolated, _area, _greatest
+from clubface.design.contributions import LAUNCHED, QUANTITIES
+from clubface.design.face_map import FaceMapDifference, forgiveness
+from clubface.design.face_surface import Interpolated, Outline, _area, _greatest, outline_of
 from clubface.errors import InputError, RangeWarning, RuleWarning, RunError, ShotError, UnknownNameError
 from clubface.fem.heads.read import club_of
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 from clubface.support.strict_toml import Document
 from fem_runs import coarse
 
@@ -354,11 +352,11 @@ def test_an_area_is_of_a_share(driver, share):
 
 def test_points_are_struck_and_remarked_on_alike_however_many_are_in_memory(monkeypatch):
     struck = {"model": "volumetric", "grid": (11, 9)}
-    monkeypatch.setattr("clubface.support.warning._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", set())
     with pytest.warns(RangeWarning) as at_once:
         whole = clubface.map_face("driver", speed=40.0, **struck)
-    monkeypatch.setattr("clubface.design.face_map.shots.CHUNK", 10)
-    monkeypatch.setattr("clubface.support.warning._given", set())
+    monkeypatch.setattr("clubface.design.face_surface.CHUNK", 10)
+    monkeypatch.setattr("clubface.support.checks._given", set())
     done = []
     with pytest.warns(RangeWarning) as in_parts:
         parts = clubface.map_face("driver", speed=40.0, progress=lambda some, _: done.append(some), **struck)

@@ -7,10 +7,10 @@ import pytest
 
 import clubface
 from clubface import club, fly, impact
-from clubface.design.golfer.golfers import golfer
+from clubface.design.golfer import golfer
 from clubface.design.optimisation import fitting_run
 from clubface.design.optimisation.fitting_run import fit, landings
-from clubface.design.optimisation.study_file import from_text
+from clubface.design.optimisation.study import from_text
 from clubface.errors import FileError, InputError
 
 BEGIN = 'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\nshots = 64\n'

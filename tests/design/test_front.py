@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from clubface.design.optimisation.run import optimise
-from clubface.design.optimisation.study_file import from_text
+from clubface.design.optimisation.study import from_text
 
 TEXT = """
 title = "t"

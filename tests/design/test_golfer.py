@@ -7,12 +7,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from clubface import measurements, units
-from clubface.design.golfer.file import from_document, to_toml
-from clubface.design.golfer.golfer import ASSUMED, Golfer
-from clubface.design.golfer.golfers import golfer, golfers
+from clubface import published_data, units
+from clubface.design.golfer import ASSUMED, Golfer, from_document, golfer, golfers, to_toml
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.simulation.delivery import OF_CLUB
+from clubface.simulation.inputs import OF_CLUB
 from clubface.support.strict_toml import Document
 
 DEG = np.pi / 180.0
@@ -159,7 +157,7 @@ def test_every_shipped_golfer_reads_back_and_hits_its_club(name):
     ],
 )
 def test_the_means_of_shipped_drives_are_those_published(name, group):
-    table = measurements.table("drives-by-handicap")
+    table = published_data.table("drives-by-handicap")
     row = list(table["group"]).index(group)
     of = golfer(name)
     for variable, column in (("speed", "club_speed"), ("attack", "attack"), ("loft", "dynamic_loft")):
@@ -168,7 +166,7 @@ def test_the_means_of_shipped_drives_are_those_published(name, group):
 
 def test_the_means_of_the_tour_are_those_published():
     of = golfer("tour-driver")
-    table = measurements.table("pga-2019")
+    table = published_data.table("pga-2019")
     row = list(table["club"]).index("driver")
     assert of.mean[0] == pytest.approx(float(table["club_speed"][row]), rel=1e-12)
     assert of.mean[of.variables.index("loft")] == pytest.approx(units.parse("12.8 deg", "angle"), rel=1e-12)
@@ -233,7 +231,7 @@ def test_a_number_in_degrees_or_miles_is_not_taken_for_si(part, given, name):
 def test_the_page_tells_what_rests_on_each_assumed_figure():
     """The table of docs/dispersion.md, to the digits that it shows."""
     import clubface
-    from clubface.design.golfer.doubt import doubts, is_assumed
+    from clubface.design.golfer_estimate import doubts, is_assumed
 
     page = Path(__file__).parents[2].joinpath("docs", "dispersion.md").read_text()
     rows = re.findall(r"^\| `(\S+-(?:driver|iron))` \| ([a-z, ]+) \| ([\d.]+) yd \| (.*) \|$", page, re.MULTILINE)
@@ -265,7 +263,7 @@ def test_the_page_tells_how_shipped_amateurs_differ_from_measured_golfers():
     """Least and greatest of each, as docs/dispersion.md has them, of the ball as it starts and of the carry."""
     import clubface
 
-    table = measurements.table("shot-spreads-2025")
+    table = published_data.table("shot-spreads-2025")
     told = {
         "driver": ("2.8 to 4.3", "1.4 to 2.0", "8 to 13", "2.8 to 6.5", "2.5 to 4.7", "13 to 28"),
         "7-iron": ("2.6 to 4.5", "2.9 to 3.6", "12 to 16", "1.6 to 2.3", "1.9 to 2.9", "9 to 11"),
@@ -296,7 +294,7 @@ def test_the_drives_of_shipped_amateurs_spread_in_direction_as_published(name, s
     are written to a tenth of a degree, which is some 4 %, and 2^12 shots add 1 %."""
     import clubface
 
-    table = measurements.table("drive-directions-2009")
+    table = published_data.table("drive-directions-2009")
     slope = (table["direction_spread"][1] - table["direction_spread"][0]) / (table["score"][1] - table["score"][0])
     known = table["direction_spread"][0] + slope * (score - table["score"][0])
     launch = clubface.impact("driver", golfer(name).sample(2**12), on_error="nan")

@@ -4,16 +4,13 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.design.dispersion.file import shots_file
-from clubface.design.dispersion.sampling import dispersion
-from clubface.design.golfer.doubt import changed, doubts
-from clubface.design.golfer.estimate import estimate_golfer
-from clubface.design.golfer.golfer import Golfer
-from clubface.design.golfer.golfers import golfer, golfers
+from clubface.design.dispersion import dispersion, shots_file
+from clubface.design.golfer import Golfer, golfer, golfers
+from clubface.design.golfer_estimate import changed, doubts, estimate_golfer
 from clubface.errors import InputError
-from clubface.launch_monitor.reference_points import _normal, _tilted, _turned
-from clubface.measured.ready import ready_shots
-from clubface.recorded.shots import RecordedShots
+from clubface.shots.measured import ready_shots
+from clubface.shots.recorded import RecordedShots
+from clubface.shots.reference_points import _normal, _tilted, _turned
 
 DEG = np.pi / 180.0
 NAMES = ("speed", "path", "loft", "face", "toe", "high")

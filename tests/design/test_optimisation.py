@@ -7,11 +7,11 @@ import pytest
 
 from clubface import club
 from clubface.design import feasibility
-from clubface.design.golfer.golfers import golfer
-from clubface.design.optimisation import objectives, solve, words
+from clubface.design.golfer import golfer
+from clubface.design.optimisation import landings, result, solve
 from clubface.design.optimisation.landings import Landings, Setting
 from clubface.design.optimisation.run import optimise
-from clubface.design.optimisation.study_file import from_text
+from clubface.design.optimisation.study import from_text
 from clubface.design.optimisation.variables import Variables
 from clubface.design.strokes import Hole
 
@@ -68,7 +68,7 @@ def test_weights_of_an_objective_are_its_derivatives(name):
     carry = rng.normal(200.0, 10.0, 40)
     landed = np.array([carry, rng.normal(0, 15, 40), carry + 15, rng.normal(0, 18, 40)])
     landed[3, 12], landed[3, 30] = 14.2, -15.4  # in the band about the edge of the fairway, 14.63 m
-    judge = objectives.strokes(Hole(length="400 yd")) if name == "strokes" else objectives.objective(name)
+    judge = landings.strokes(Hole(length="400 yd")) if name == "strokes" else landings.objective(name)
     _, weights = judge.judge(landed)
     for place in [(0, 3), (1, 7), (2, 11), (3, 12), (3, 30)]:
         up, down = landed.copy(), landed.copy()
@@ -79,7 +79,7 @@ def test_weights_of_an_objective_are_its_derivatives(name):
 
 
 def test_expected_strokes_are_those_of_the_hole_but_for_the_bands_between_lies():
-    judge, hole = objectives.strokes(Hole(length="400 yd")), Hole(length="400 yd")
+    judge, hole = landings.strokes(Hole(length="400 yd")), Hole(length="400 yd")
     for ahead, side in ((200.0, 0.0), (210.0, 24.0), (190.0, -60.0), (365.0, 2.0)):
         landed = np.array([[0.0], [0.0], [math.hypot(ahead, side)], [side]])
         assert judge.judge(landed)[0] == pytest.approx(hole.after(np.array([ahead]), np.array([side]))[0], abs=1e-4)
@@ -89,7 +89,7 @@ def test_the_ellipse_holds_its_share_of_normal_shots():
     """A circle of radius r has 1 - exp(-r^2 / 2 s^2) of them: the area for s = 10 m is pi 100 times -2 log(0.1)."""
     rng = np.random.default_rng(2)
     down, side = 200.0 + 10.0 * rng.standard_normal(200_000), 10.0 * rng.standard_normal(200_000)
-    area = objectives.ellipse(np.array([np.hypot(down, side), side]))[0]
+    area = landings.ellipse(np.array([np.hypot(down, side), side]))[0]
     # Covariances of 200,000 shots are known to 0.3%.
     assert area == pytest.approx(math.pi * 100.0 * 2.0 * math.log(10.0), rel=0.01)
 
@@ -322,8 +322,8 @@ def test_two_golfers_are_weighted():
 
 def test_notes_tell_of_a_lie_that_no_file_has_and_of_a_head_without_point_masses(monkeypatch):
     _, found = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=64)
-    assert any("a club file has none" in each for each in words.notes(found))
+    assert any("a club file has none" in each for each in result.notes(found))
     assert found.placed()
-    assert not any("No point masses" in each for each in words.notes(found))
+    assert not any("No point masses" in each for each in result.notes(found))
     monkeypatch.setattr(type(found), "placed", lambda _: [])
-    assert any("No point masses" in each for each in words.notes(found))
+    assert any("No point masses" in each for each in result.notes(found))

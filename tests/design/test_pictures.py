@@ -9,8 +9,7 @@ pytest.importorskip("matplotlib")
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from clubface.design.comparison.figures import BARS, comparison_figure
-from clubface.design.face_map.figures import SHOWN, face_map_figure
+from clubface.design.pictures import COMPARISON_BARS, MAPPED_QUANTITIES, comparison_figure, face_map_figure
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -42,7 +41,7 @@ def test_a_comparison_shows_flights_and_the_largest_contributions():
         assert line.get_xdata()[-1] == pytest.approx(found.value(name, "carry"), rel=0.01)
     assert len(above.lines) == len(clubs) + 1  # and the target line
     labels = [each.get_text() for each in bars[0].get_yticklabels()]
-    assert len(labels) == BARS + 2
+    assert len(labels) == COMPARISON_BARS + 2
     assert labels[-1] == "remainder"
     carry = next(axes for axes in bars if axes.get_title(loc="left").startswith("carry"))
     difference = found.difference("3-wood", "carry")
@@ -65,7 +64,7 @@ def test_a_map_has_a_panel_for_each_quantity_with_centre_and_sweet_spot(driver):
     figure = face_map_figure(driver)
     assert_apart(figure)
     shown = panels(figure)
-    assert len(shown) == len(SHOWN)
+    assert len(shown) == len(MAPPED_QUANTITIES)
     assert [axes.get_title(loc="left") for axes in shown[:2]] == ["ball speed (mph)", "launch (deg)"]
     assert "start line (deg), right is positive" in [axes.get_title(loc="left") for axes in shown]
     levels, speeds = shown[0].collections[0].levels, driver.get("ball_speed", "mph")

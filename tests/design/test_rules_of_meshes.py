@@ -8,7 +8,7 @@ import pytest
 
 import clubface
 from clubface import fem
-from clubface.design.optimisation.study_file import design_study
+from clubface.design.optimisation.study import design_study
 from clubface.design.rules import check_rules
 from clubface.fem.heads import MeshHead
 from fem_meshes import GROUPS, HEAD, coarse_walls, write_walls

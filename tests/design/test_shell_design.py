@@ -10,13 +10,11 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.design import shells
-from clubface.design.shells import engine as engine_module, fast as fast_module, words
-from clubface.design.shells.engine import Engine
-from clubface.design.shells.fast import FastModel, face_radius, plate_stress, plate_time
-from clubface.design.shells.rigid import rigid_values
+from clubface.design.shells import engine as engine_module, engine as fast_module, report
+from clubface.design.shells.engine import Engine, FastModel, face_radius, plate_stress, plate_time, rigid_values
 from clubface.errors import FileError, InputError, RunError
 from clubface.fem.head_tests import characteristic_time
-from clubface.fem.heads import DriverHead, driver_file
+from clubface.fem.heads import DriverHead, driver as driver_file
 from clubface.fem.heads.read import from_text
 from clubface.fem.stress import peak_stress
 from fem_runs import coarse
@@ -104,7 +102,7 @@ def test_the_rules_bind_the_fastest_face(fastest):
     # Faces get faster as they get thinner, until the rule of 239 us and its tolerance of 18 us stops them.
     assert 0.995 * 257e-6 <= time <= 257e-6
     assert search.best.values["ball_speed"] > search.start.values["ball_speed"]
-    verdicts = {row[0]: row[-1] for row in words.limits_table(search)[1]}
+    verdicts = {row[0]: row[-1] for row in report.limits_table(search)[1]}
     assert verdicts["characteristic time, µs"] == "binds"
     assert "broken" not in verdicts.values()
     assert fastest.runs == 2 * len(search.found.steps)
@@ -159,7 +157,7 @@ def test_of_two_metals_the_stronger_is_chosen():
     assert found.chosen.metal.name == "strong"
     weak, strong = (each.best.values["ball_speed"] for each in found.searches)
     assert strong > weak
-    assert [row[0] for row in words.metals_table(found)[1]] == ["weak", "strong"]
+    assert [row[0] for row in report.metals_table(found)[1]] == ["weak", "strong"]
 
 
 def test_a_limit_of_the_mass_that_the_target_breaks_is_refused_before_any_run():

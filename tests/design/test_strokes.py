@@ -33,7 +33,7 @@ def test_lies_follow_from_where_balls_come_to_rest():
 def test_a_shot_of_the_tour_gains_about_nothing():
     """The tour's golfer on a hole of 430 yards: his own average, to the tenth of a stroke that fairway and rough, which
     are assumed, leave open."""
-    from clubface.design.dispersion.sampling import dispersion
+    from clubface.design.dispersion import dispersion
 
     found = dispersion("tour-driver", count=2**11, hole=Hole(length="430 yd"))
     assert found.gained == pytest.approx(0.0, abs=0.1)

@@ -5,9 +5,8 @@ import math
 import pytest
 
 from clubface import ball, club
-from clubface.design.golfer.file import to_toml
-from clubface.design.golfer.golfers import golfer
-from clubface.design.optimisation.study_file import from_text, read
+from clubface.design.golfer import golfer, to_toml
+from clubface.design.optimisation.study import from_text, read
 from clubface.errors import ClubfaceError
 
 GOOD = """title = "t"

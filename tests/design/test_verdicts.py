@@ -7,7 +7,7 @@ import pytest
 
 from clubface.design.optimisation.result import Verdict, _of_margins, _of_range, _of_rule
 from clubface.design.rules import Rule, RuleVerdict
-from clubface.design.shells.broken import broken
+from clubface.design.shells.run import broken
 
 INF = math.inf
 

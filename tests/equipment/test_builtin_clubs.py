@@ -6,12 +6,12 @@ import warnings
 import numpy as np
 import pytest
 
-from clubface import measurements
+from clubface import published_data
 from clubface.equipment.balls import Ball, ball, ball_names, published_ball
 from clubface.equipment.clubs import CLUB_NAMES, CLUB_PROPERTIES, TOUR_CLUBS, club
 from clubface.errors import RuleWarning
 from clubface.simulation.impact import impact
-from clubface.support import shipped
+from clubface.support import files
 
 pytestmark = pytest.mark.usefixtures("new_process")
 
@@ -66,12 +66,12 @@ def test_the_conforming_ball_breaks_no_rule_and_is_a_uniform_sphere():
 
 
 def test_there_is_a_club_for_every_row_of_the_tour_averages():
-    assert tuple(measurements.table("pga-2023")["club"]) == TOUR_CLUBS
+    assert tuple(published_data.table("pga-2023")["club"]) == TOUR_CLUBS
 
 
 def test_a_built_in_club_is_named_as_its_file():
     assert [club(name).name for name in CLUB_NAMES] == list(CLUB_NAMES)
-    assert sorted(CLUB_NAMES) == list(shipped.builtin_names("clubs"))
+    assert sorted(CLUB_NAMES) == list(files.builtin_names("clubs"))
 
 
 @pytest.mark.parametrize("name", CLUB_NAMES)

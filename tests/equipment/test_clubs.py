@@ -12,9 +12,8 @@ from hypothesis import given, strategies as st
 import clubface
 from clubface import units
 from clubface.equipment.balls import Ball, ball
-from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club
+from clubface.equipment.clubs import CLUB_PROPERTIES, RIGID, Club, club
 from clubface.equipment.face import turn_to_sole
-from clubface.equipment.restitution import RIGID
 from clubface.errors import FileError, ImplausibleWarning, InputError, RuleWarning, UnitError, UnknownNameError
 
 pytestmark = pytest.mark.usefixtures("new_process")

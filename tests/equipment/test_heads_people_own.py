@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import measurements
+from clubface import published_data
 from clubface.equipment.clubs import CATEGORIES, CLUB_NAMES, TOUR_CLUBS, club
 from clubface.errors import InputError
 from clubface.inference.prior import prior_of
-from clubface.measured.ready import ready_shots
-from clubface.recorded.club_names import club_kind
+from clubface.shots.club_names import club_kind
+from clubface.shots.measured import ready_shots
 
 IRONS = {
     "mizuno-pro-241-6-iron": ("PRO 241 #6", 2024),
@@ -29,9 +29,9 @@ SIX_DIGITS = 1e-7
 def measured_by_maltby(name):
     """Return mass, balance point height, CG height, moment about the vertical and loft as Maltby printed them, SI."""
     if name == HYBRID:
-        table, row = measurements.table("head-hybrid-2009"), 0
+        table, row = published_data.table("head-hybrid-2009"), 0
     else:
-        table = measurements.table("heads-irons-2022-2026")
+        table = published_data.table("heads-irons-2022-2026")
         model, year = IRONS[name]
         (row,) = np.flatnonzero((table["model"] == model) & (table["year"] == year))
     return {key: float(table[key][row]) for key in table.units if key != "year"}
@@ -55,7 +55,7 @@ def test_the_measured_irons_balance_at_the_published_height_below_one_common_fac
 
 
 def test_that_face_centre_lies_above_the_mean_balance_point_as_that_of_the_published_7_iron():
-    table = measurements.table("heads-irons-2022-2026")
+    table = published_data.table("heads-irons-2022-2026")
     mean = np.mean(table["balance_point_height"] / np.cos(table["loft"]))
     assert mean - club("7-iron").cg_height == pytest.approx(0.0258, abs=0.5e-4)  # given to 0.1 mm
 
@@ -64,7 +64,7 @@ def test_that_face_centre_lies_above_the_mean_balance_point_as_that_of_the_publi
     ("name", "row", "half_face"), [("average-driver-2020", 0, 0.0275), ("average-3-wood-2008", 1, 0.0185)]
 )
 def test_average_woods_have_the_published_mean_place_of_the_cg(name, row, half_face):
-    table, head = measurements.table("heads-means-cg"), club(name)
+    table, head = published_data.table("heads-means-cg"), club(name)
     height = half_face + head.cg_height
     assert height == pytest.approx(table["height"][row], abs=SIX_DIGITS)
     level = height * math.sin(head.loft) + head.cg_depth * math.cos(head.loft)
@@ -72,7 +72,7 @@ def test_average_woods_have_the_published_mean_place_of_the_cg(name, row, half_f
 
 
 def test_average_drivers_have_the_published_mean_moments():
-    table = measurements.table("heads-means-drivers")
+    table = published_data.table("heads-means-drivers")
     moments = dict(zip(table["year"], table["inertia_vertical"], strict=True))
     for year in (2000, 2020):
         assert club(f"average-driver-{year}").iyy == pytest.approx(moments[year], rel=1e-12)
@@ -97,7 +97,7 @@ def test_the_10k_driver_has_two_moments_of_more_than_10000_together_and_keeps_th
 def test_wedges_go_on_in_steps_of_7_g_with_the_cg_of_measured_blades():
     masses = [club(name).mass for name in ("pitching-wedge", *WEDGES)]
     assert np.diff(masses) == pytest.approx(0.007, rel=1e-9)
-    table = measurements.table("heads-irons-2022-2026")
+    table = published_data.table("heads-irons-2022-2026")
     words = ("MB", "Pro 221", "PRO 241", "Blueprint T", "S1 Forged", "Blade", "Pro S3", "Iron 201")
     blades = np.array([any(word in model for word in words) for model in table["model"]])
     assert blades.sum() == 11

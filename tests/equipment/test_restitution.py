@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, strategies as st
 
-from clubface.equipment.restitution import RANGE, RIGID, characteristic_time_of, restitution
+from clubface.equipment.clubs import RANGE, RIGID, characteristic_time_of, restitution
 from clubface.errors import InputError
 
 

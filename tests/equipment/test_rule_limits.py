@@ -6,7 +6,7 @@ import warnings
 import pytest
 
 import clubface
-from clubface.cli.fem_parts import RULES
+from clubface.cli.fem_heads import RULES
 from clubface.errors import RuleWarning
 
 OUNCE, INCH = 28.349523125e-3, 25.4e-3

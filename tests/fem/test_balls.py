@@ -10,7 +10,7 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.errors import InputError
-from clubface.fem.nodes import node_masses
+from clubface.fem.balls import node_masses
 
 pytest.importorskip("scipy")
 specification = importlib.util.spec_from_file_location(

@@ -8,8 +8,8 @@ import pytest
 
 from clubface import fem
 from clubface.errors import InputError
-from clubface.fem.area_term import area_term
-from clubface.fem.displacement import displaced_centre
+from clubface.fem.reduced import area_term
+from clubface.fem.result import displaced_centre
 from fem_runs import coarse_drive, coarse_throw, throw_case
 
 END = fem.Settings(until_separation=True)

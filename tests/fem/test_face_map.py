@@ -11,7 +11,7 @@ import clubface
 from clubface import fem
 from clubface.equipment.face import face_point, nearest, turn_to_sole
 from clubface.errors import FileError, InputError, RunError, ShotError, UnknownNameError
-from clubface.fem import face_map, head_tests
+from clubface.fem import head_tests
 from fem_runs import coarse, coarse_head
 
 SPEED = 48.768
@@ -65,7 +65,7 @@ def test_restitution_before_the_cg_is_that_of_the_old_rule():
 
 def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
     done = []
-    rows = face_map.face_map(
+    rows = head_tests.face_map(
         coarse_head(),
         toes=[-0.02, 0.0, 0.02],
         highs=[0.0],
@@ -90,7 +90,7 @@ def test_a_point_that_fails_is_told_beside_the_others(monkeypatch):
 
     monkeypatch.setattr(head_tests, "restitution", fails_at_the_toe)
     monkeypatch.setattr(head_tests, "characteristic_time", lambda *_, **__: 250e-6)
-    heel, toe = face_map.face_map(coarse_head(), toes=[-0.01, 0.01], highs=[0.0])
+    heel, toe = head_tests.face_map(coarse_head(), toes=[-0.01, 0.01], highs=[0.0])
     assert (heel["restitution"], heel["characteristic_time_us"], heel["stopped"]) == (0.8, pytest.approx(250.0), "")
     assert math.isnan(toe["restitution"])
     assert math.isnan(toe["characteristic_time_us"])
@@ -100,13 +100,13 @@ def test_a_point_that_fails_is_told_beside_the_others(monkeypatch):
 def test_points_that_are_not_on_the_face_are_refused_before_any_run(monkeypatch):
     monkeypatch.setattr(head_tests, "restitution", pytest.fail)
     with pytest.raises(ShotError, match=r"60\.0 mm is outside the face"):
-        face_map.face_map(coarse_head(), toes=[0.0, 0.06], highs=[0.0])
+        head_tests.face_map(coarse_head(), toes=[0.0, 0.06], highs=[0.0])
     with pytest.raises(InputError, match="points of a face"):
-        face_map.face_map(coarse_head(), toes=[], highs=[0.0])
+        head_tests.face_map(coarse_head(), toes=[], highs=[0.0])
     with pytest.raises(UnknownNameError, match="unknown head of finite elements 'p3'"):
-        face_map.face_map("p3", toes=[0.0], highs=[0.0])
+        head_tests.face_map("p3", toes=[0.0], highs=[0.0])
     with pytest.raises(InputError, match="workers"):
-        face_map.face_map(coarse_head(), toes=[0.0], highs=[0.0], workers=0)
+        head_tests.face_map(coarse_head(), toes=[0.0], highs=[0.0], workers=0)
 
 
 def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
@@ -124,26 +124,26 @@ def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
     with pytest.raises(
         KeyboardInterrupt, match=r"2 of 3 points are done; they are in .*face\.csv\.unfinished, and the same"
     ):
-        face_map.face_map(head, toes=toes, highs=[0.0], output=table, workers=1)
+        head_tests.face_map(head, toes=toes, highs=[0.0], output=table, workers=1)
     monkeypatch.setattr(head_tests, "restitution", lambda _, toe, **__: measured.append(toe) or 0.8 - toe)
-    rows = face_map.face_map(head, toes=toes, highs=[0.0], output=table)
+    rows = head_tests.face_map(head, toes=toes, highs=[0.0], output=table)
     assert measured == toes
     assert [row["restitution"] for row in rows] == pytest.approx([0.8123, 0.8, 0.7877])
-    assert face_map.face_map(head, toes=toes, highs=[0.0], output=table) == rows
+    assert head_tests.face_map(head, toes=toes, highs=[0.0], output=table) == rows
     # One wall in the middle of the head is another.
     walls = head.thickness.copy()
     walls[len(walls) // 2] *= 1.01
     with pytest.raises(FileError, match="not the table of this case"):
-        face_map.face_map(replace(head, thickness=walls), toes=toes, highs=[0.0], output=table)
+        head_tests.face_map(replace(head, thickness=walls), toes=toes, highs=[0.0], output=table)
     # Another test is another table.
     monkeypatch.setattr(head_tests, "COR_SPEED", "150 ft/s")
     with pytest.raises(FileError, match="not the table of this case"):
-        face_map.face_map(head, toes=toes, highs=[0.0], output=table)
+        head_tests.face_map(head, toes=toes, highs=[0.0], output=table)
 
 
 def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
-    monkeypatch.setattr(face_map, "head", lambda _: coarse_head())
+    monkeypatch.setattr(head_tests, "head", lambda _: coarse_head())
     monkeypatch.setattr(head_tests, "restitution", lambda _, toe, high, **__: 0.8 - toe - high)
     monkeypatch.setattr(head_tests, "characteristic_time", lambda _, toe, **__: 250e-6 - 1e-3 * toe)
     ran = clubface_("fem", "face", "paper", "--toe", "-10:10:10", "--high", "0,5", "-o", str(tmp_path), "--json")
@@ -161,7 +161,7 @@ def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypat
 
 def test_the_picture_shows_every_point_in_its_place():
     pytest.importorskip("matplotlib")
-    from clubface.fem.figures.face import face_figure
+    from clubface.fem.pictures import face_figure
 
     rows = [
         {

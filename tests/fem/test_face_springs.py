@@ -10,7 +10,7 @@ import pytest
 
 import clubface
 from clubface import fem
-from clubface.equipment.restitution import restitution
+from clubface.equipment.clubs import restitution
 from clubface.fem import head_tests
 from fem_runs import coarse
 

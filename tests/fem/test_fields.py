@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from clubface.fem import vtu
-from clubface.fem.fields import ElementFields, turned
+from clubface.fem import files
+from clubface.fem.result import ElementFields, turned
 from fem_runs import coarse_drive, shells_case, throw_case
 
 PARAVIEW = {"xx": 0, "yy": 1, "zz": 2, "xy": 3, "yz": 4, "xz": 5}
@@ -76,7 +76,7 @@ def test_a_ball_on_a_plane_is_pressed_where_it_touches():
 def test_paraview_gets_stress_in_the_axes_of_the_world(tmp_path):
     meshio = pytest.importorskip("meshio")
     found = shells_case(frames=4, fields=True, duration="300 us").run()
-    path = vtu.write_series(found, tmp_path, "fields")[2]
+    path = files.write_series(found, tmp_path, "fields")[2]
     cells = meshio.read(path).cell_data
     for body, told in enumerate((found.fields, found.head_fields)):
         assert told is not None

@@ -8,7 +8,7 @@ import pytest
 
 from clubface import fem
 from clubface.errors import InputError
-from clubface.fem import cards, keyword, keyword_head, vtu
+from clubface.fem import files, keyword
 from clubface.fem.case import case
 from fem_runs import coarse_drive, coarse_head, coarse_shells, coarse_throw, drive_case, shells_case, throw_case
 
@@ -27,7 +27,7 @@ def volumes(points, cells):
 def test_shapes_read_back_as_they_were(tmp_path, run):
     meshio = pytest.importorskip("meshio")
     found = run()
-    *shapes, collection = vtu.write_series(found, tmp_path, "an impact: first")
+    *shapes, collection = files.write_series(found, tmp_path, "an impact: first")
     assert 4 <= len(shapes) == len(found.frames) <= 5  # the last step ends a little before the simulated time
     places = found.world_positions()
     nodes = places.shape[1]
@@ -80,7 +80,7 @@ def test_shapes_are_spread_over_the_duration_however_long_the_run():
 
 def test_a_run_without_shapes_is_refused(tmp_path):
     with pytest.raises(InputError, match="frames"):
-        vtu.write_series(throw_case(duration="20 us").run(), tmp_path, "none")
+        files.write_series(throw_case(duration="20 us").run(), tmp_path, "none")
 
 
 class Deck:
@@ -176,7 +176,7 @@ def test_the_deck_of_a_drive_holds_the_head(tmp_path):
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0])
     nearest = np.argmin(np.linalg.norm(corners.mean(axis=1), axis=1))
     assert abs(normals[nearest, 0]) / np.linalg.norm(normals[nearest]) == pytest.approx(1.0, abs=1e-3)
-    assert corners[nearest].mean(axis=0) == pytest.approx([-0.5 * keyword_head.SHELL, 0, 0], abs=2e-3)
+    assert corners[nearest].mean(axis=0) == pytest.approx([-0.5 * keyword.SHELL, 0, 0], abs=2e-3)
     assert (velocity + np.cross(spin, -cg))[0] > 30.0
     assert (normals @ normals[nearest] > 0.0).all()
     # Viscous rubber and cover.
@@ -260,7 +260,7 @@ def test_shells_of_a_deck_have_the_points_of_their_metal(tmp_path):
     sections = [fields(cards[0]) for cards in deck.all("SECTION_SHELL")]
     assert [(section[0], section[3], section[5]) for section in sections][:2] == [(2, 7, -2), (3, 5, 0)]
     parts = [fields(cards[1]) for cards in deck.all("PART")]
-    assert [each[1] for each in parts if each[0] >= keyword_head.HEAD_PART] == [section[0] for section in sections]
+    assert [each[1] for each in parts if each[0] >= keyword.HEAD_PART] == [section[0] for section in sections]
 
 
 def test_a_head_that_moves_away_gives_no_deck(tmp_path):
@@ -272,7 +272,7 @@ def test_a_head_that_moves_away_gives_no_deck(tmp_path):
 
 @pytest.mark.parametrize("value", [0.0, 1.0, -1.0, 1e-300, -1.2345678901e-5, 123456789.123, -0.000123456789, 7e22, 3])
 def test_a_field_is_ten_characters_and_close(value):
-    text = cards.field(value)
+    text = keyword.field(value)
     assert len(text) == 10
     assert float(text) == pytest.approx(value, rel=1e-4)
 

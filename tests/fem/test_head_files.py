@@ -9,7 +9,7 @@ import clubface
 from clubface import fem
 from clubface.errors import FileError, InputError
 from clubface.fem import head_tests
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 from fem_runs import coarse
 
 SHOT = {"speed": "100 mph", "toe": "8 mm"}

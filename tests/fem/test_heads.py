@@ -12,7 +12,7 @@ from clubface.errors import EdgeWarning, FileError, InputError, TargetWarning
 from clubface.fem import head_tests
 from clubface.fem.case import case
 from clubface.fem.heads.read import from_toml
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 from fem_runs import coarse, coarse_head, coarse_shells, shells_case
 
 

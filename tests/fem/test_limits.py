@@ -5,10 +5,9 @@ import math
 import pytest
 
 from clubface.errors import InputError
-from clubface.fem.balls import Ball
+from clubface.fem.balls import Ball, Piece
 from clubface.fem.heads import Group, Metal
 from clubface.fem.materials import Material, Maxwell
-from clubface.fem.pieces import Piece
 from clubface.fem.run import throw_values
 
 DEG = math.pi / 180

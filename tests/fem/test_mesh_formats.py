@@ -9,7 +9,7 @@ import pytest
 from clubface import fem
 from clubface.errors import ClubfaceError, FileError, MeshWarning
 from clubface.fem.heads import Group, MeshHead
-from clubface.fem.heads.places import spread
+from clubface.fem.heads.added_mass import spread
 from fem_meshes import (
     FACE,
     FORMATS,

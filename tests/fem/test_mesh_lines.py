@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.fem.heads import Metal, ShellHead, SolidHead
-from clubface.fem.heads.shells import Part
+from clubface.fem.heads.meshed import Part
 from fem_runs import coarse
 
 LOFT = np.radians(10.5)

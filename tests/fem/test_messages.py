@@ -9,7 +9,7 @@ from clubface import fem
 from clubface.errors import FileError
 from clubface.fem import head_tests
 from clubface.fem.case import case
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 from fem_meshes import HEAD, write_mesh
 from fem_runs import coarse
 

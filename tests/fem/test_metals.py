@@ -9,7 +9,7 @@ from clubface import fem
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.fem import keyword
 from clubface.fem.heads.read import from_toml
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 from fem_runs import coarse, coarse_head, shells_case
 
 IRON = builtin_path("head", "7-iron", "fem_heads")

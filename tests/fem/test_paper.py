@@ -10,8 +10,8 @@ import pytest
 from clubface import fem
 from clubface.errors import InputError
 from clubface.fem import paper
+from clubface.fem.balls import node_masses
 from clubface.fem.case import case
-from clubface.fem.nodes import node_masses
 from clubface.fem.sweep import sweep
 from fem_runs import coarse, drive_case, throw_case
 

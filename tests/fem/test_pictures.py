@@ -8,10 +8,9 @@ from fem_runs import coarse_drive, coarse_shells, coarse_throw
 pytest.importorskip("matplotlib")
 
 from clubface.errors import InputError
-from clubface.fem.figures.models import contacts, models_figure
-from clubface.fem.figures.paper import paper_figure, sweep_figure
-from clubface.fem.figures.section import section_figure
 from clubface.fem.paper import PUBLISHED
+from clubface.fem.pictures import contacts, models_figure, paper_figure, sweep_figure
+from clubface.fem.section_picture import section_figure
 
 
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])

@@ -10,9 +10,21 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.fem.response.design import PARTS, strikes
-from clubface.fem.response.fit import LIGHT, effective_mass, fit, fitted, scales, simulated, weights
-from clubface.fem.response.residuals import figure, summary
-from clubface.fem.response.runs import COLUMNS, TARGETS, in_fit, run
+from clubface.fem.response.fit import (
+    COLUMNS,
+    LIGHT,
+    TARGETS,
+    effective_mass,
+    figure,
+    fit,
+    fitted,
+    in_fit,
+    run,
+    scales,
+    simulated,
+    summary,
+    weights,
+)
 
 STUDY = Path(__file__).parents[2] / "studies" / "response"
 DEFAULTS = {each.name: each.default for each in clubface.models()["response"].parameters}

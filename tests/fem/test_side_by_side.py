@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from clubface.fem.side_by_side import side_by_side
+from clubface.fem.run import side_by_side
 
 
 @pytest.mark.parametrize(
@@ -22,7 +22,7 @@ from clubface.fem.side_by_side import side_by_side
     ],
 )
 def test_no_core_is_left_without_work_at_the_end(points, workers, threads, monkeypatch):
-    monkeypatch.setattr("clubface.fem.side_by_side.processors", lambda: 8)
+    monkeypatch.setattr("clubface.fem.run.processors", lambda: 8)
     given, ended = {}, []
 
     def run(point, keep_going, count):

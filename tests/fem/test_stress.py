@@ -11,8 +11,8 @@ import pytest
 from clubface import fem
 from clubface.fem import stress
 from clubface.fem.heads.read import from_toml
-from clubface.fem.recovery import SurfaceRecovery
-from clubface.support.shipped import builtin_path
+from clubface.fem.result import SurfaceRecovery
+from clubface.support.files import builtin_path
 from fem_meshes import HEAD, write_mesh
 from fem_runs import coarse, coarse_head
 
@@ -128,7 +128,7 @@ def test_a_head_of_dimensions_tells_how_far_its_stress_depends_on_the_mesh():
 
 def test_the_picture_has_the_stress_of_both_sides_and_a_cross_at_the_largest():
     pytest.importorskip("matplotlib")
-    from clubface.fem.figures.stress import stress_figure
+    from clubface.fem.section_picture import stress_figure
 
     blow = stress.blow_stress(iron(2), **BLOW)
     figure = stress_figure(blow, iron(2).shape["loft"])

@@ -7,10 +7,11 @@ import pytest
 
 pytest.importorskip("ezc3d")
 
-from clubface.motion_capture.reduction import QUANTITIES
-from clubface.motion_capture.setup import prepare
-from clubface.motion_capture.swing import capture
-from clubface.motion_capture.synthetic import Cameras, positions_map, random_swing
+from clubface.capture.reduction import QUANTITIES
+from clubface.capture.setup import prepare
+from clubface.capture.swing import capture
+from clubface.capture.synthetic.laboratory import Cameras, positions_map
+from clubface.capture.synthetic.synthetic_swing import random_swing
 
 SHOWN = {
     name: math.degrees(1.0)

@@ -6,7 +6,7 @@ from functools import cache
 from clubface import fem
 from clubface.fem.case import Case, case
 from clubface.fem.heads.read import from_toml
-from clubface.support.shipped import builtin_path
+from clubface.support.files import builtin_path
 
 
 def coarse(name="reference"):

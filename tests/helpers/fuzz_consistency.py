@@ -18,10 +18,10 @@ from typing import Any
 import numpy as np
 
 import clubface
-from clubface import launch_monitor
+from clubface import shots
 from clubface.errors import ClubfaceError
-from clubface.launch_monitor.open_connect import MessageError, from_json, recorded
-from clubface.prediction.predict import predict
+from clubface.shots.open_connect_messages import MessageError, from_json, recorded
+from clubface.shots.prediction import predict
 from clubface.studies.study import read_study
 from fem_meshes import FORMATS, HEAD, coarse_walls, write_walls
 from fuzz_tables import (
@@ -116,7 +116,7 @@ def in_several_files(path: Path) -> None:
             paths.append(folder / f"session-{number}.{ending}")
             paths[-1].write_bytes(data)
         again = [random.choice(paths)] if given["again"] else []
-        same_shots(plain, launch_monitor.read([*paths, *again]))
+        same_shots(plain, shots.read([*paths, *again]))
 
 
 def several(random: Random) -> bytes:

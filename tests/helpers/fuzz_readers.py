@@ -17,30 +17,31 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface import fem, launch_monitor
-from clubface.design.comparison.rows import read_deliveries
-from clubface.design.golfer.golfers import golfer
-from clubface.design.optimisation import study_file
-from clubface.design.shells import study_file as shells_file
+from clubface import fem, shots as launch_monitor
+from clubface.capture.markers import MarkerMap, template
+from clubface.capture.recording import read_c3d
+from clubface.capture.swing import read_swings
+from clubface.capture.synthetic.laboratory import synthesize
+from clubface.design.comparison import read_deliveries
+from clubface.design.golfer import golfer
+from clubface.design.optimisation import study
+from clubface.design.shells import study as shells_file
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import read_sets
 from clubface.fem.case import Case
-from clubface.fem.resumable import ResumableTable
-from clubface.identification.checkpoint import Checkpoint
-from clubface.identification.simulator import Effort
+from clubface.fem.sweep import ResumableTable
 from clubface.inference.file import infer_shots
+from clubface.inference.identification.run import Checkpoint
+from clubface.inference.identification.simulator import Effort
 from clubface.inference.prior import Prior
-from clubface.launch_monitor.mapping import mapping_of
-from clubface.launch_monitor.open_connect import MessageError, from_json, recorded
-from clubface.launch_monitor.open_connect.framing import Broken, ObjectStream
-from clubface.launch_monitor.reading import read_shots
-from clubface.motion_capture import MarkerMap, read_c3d, read_swings, template
-from clubface.motion_capture.synthetic import synthesize
-from clubface.prediction.predict import predict
-from clubface.recorded.shots import RecordedShots
+from clubface.shots.formats import mapping_of
+from clubface.shots.open_connect_messages import Broken, MessageError, ObjectStream, from_json, recorded
+from clubface.shots.prediction import predict
+from clubface.shots.reading import read_shots
+from clubface.shots.recorded import RecordedShots
 from clubface.studies import study as studies
-from clubface.support.shipped import DATA
+from clubface.support.files import DATA
 from clubface.support.strict_toml import Document
 from fem_meshes import FORMATS, HEAD, WHOLE, coarse_walls, stl_binary, write_mesh, write_walls
 from fuzz_consistency import ORACLES
@@ -510,7 +511,7 @@ READERS = {
     "ball": Reader("toml", Ball.from_toml, lambda: [*_toml("balls")(), Ball.template().encode()], 2),
     "parameters": Reader("toml", _parameters, _toml("parameters"), 2),
     "prior": Reader("toml", Prior.from_toml, lambda: [PRIOR]),
-    "study": Reader("toml", study_file.read, lambda: [STUDY, FITTING]),
+    "study": Reader("toml", study.read, lambda: [STUDY, FITTING]),
     "sweep-study": Reader("toml", _study, lambda: [each.encode() for each in SWEEPS_OF_KINDS], 2),
     "shells": Reader("toml", shells_file.read, lambda: [SHELLS]),
     "golfer": Reader("toml", golfer, lambda: [GOLFER]),

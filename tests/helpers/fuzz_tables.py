@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from clubface import launch_monitor
-from clubface.recorded.shots import RecordedShots
+from clubface import shots as launch_monitor
+from clubface.shots.recorded import RecordedShots
 
 MONITORS = Path(__file__).parents[1] / "data" / "launch_monitors"
 Rows = list[list[str]]

@@ -3,7 +3,7 @@
 import numpy as np
 
 import clubface
-from clubface.recorded.shots import RecordedShots
+from clubface.shots.recorded import RecordedShots
 
 DEG = np.pi / 180.0
 USUAL = {"driver": (14.0, 1.0, 46.0), "7-iron": (25.0, -4.0, 36.0), "pitching-wedge": (40.0, -5.0, 32.0)}

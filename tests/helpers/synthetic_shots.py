@@ -5,12 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from clubface.equipment.clubs import club as club_named
-from clubface.identification.cost import cost_of, noise_of
-from clubface.identification.free_parameters import free_parameters
-from clubface.identification.prepared import prepared_shots
-from clubface.identification.simulator import Simulator
-from clubface.measured.shots import QUANTITIES
-from clubface.recorded.shots import RecordedShots
+from clubface.inference.identification.problem import free_parameters, prepared_shots
+from clubface.inference.identification.simulator import Simulator, cost_of, noise_of
+from clubface.shots.measured import QUANTITIES
+from clubface.shots.recorded import RecordedShots
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import parameter_set
 

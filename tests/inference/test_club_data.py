@@ -12,10 +12,10 @@ from clubface import infer, units
 from clubface.errors import InputError
 from clubface.inference import file as files
 from clubface.inference.run import CLUB_NOISE, NOISE, Inference
-from clubface.launch_monitor import refer
-from clubface.launch_monitor.as_seen import as_seen
-from clubface.measured.shots import QUANTITIES
-from clubface.recorded.shots import RecordedShots
+from clubface.shots import refer
+from clubface.shots.measured import QUANTITIES
+from clubface.shots.recorded import RecordedShots
+from clubface.shots.reference_points import as_seen
 
 DEG = np.pi / 180
 MEASURED = ("speed", "attack", "path", "face")

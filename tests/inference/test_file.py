@@ -10,7 +10,7 @@ import clubface
 from clubface import units
 from clubface.errors import FileError, InputError
 from clubface.inference import file as files
-from clubface.recorded.shots import RecordedShots
+from clubface.shots.recorded import RecordedShots
 from command_line import assert_mistake
 
 OPTIONS = {"club": "driver", "samples": 60, "model": "slip"}

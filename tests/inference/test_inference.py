@@ -8,10 +8,10 @@ import pytest
 import clubface
 from clubface import Prior, infer
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.inference import UnreachableLaunchError, words
+from clubface.inference import UnreachableLaunchError, posterior
 from clubface.inference.prior import prior_of
 from clubface.inference.run import NOISE, Inference
-from clubface.measured.shots import QUANTITIES
+from clubface.shots.measured import QUANTITIES
 
 DEG, RPM, MPH = math.pi / 180, math.pi / 30, 0.44704
 DRIVE = {"ball_speed": "159 mph", "launch": "14.5 deg", "azimuth": "1.5 deg", "backspin": "2900 rpm",
@@ -93,10 +93,10 @@ def test_the_truth_has_any_rank_among_the_draws_with_the_same_probability(club, 
 
 
 def test_what_cannot_be_told_apart_is_said(found):
-    text = " ".join(words.ambiguities(found))
+    text = " ".join(posterior.ambiguities(found))
     for pair in ("attack and loft", "toe and face", "path and face"):
         assert pair in text
-    assert words.not_learned(found) == ["lie", "closure", "pitch_rate", "lie_rate"]
+    assert posterior.not_learned(found) == ["lie", "closure", "pitch_rate", "lie_rate"]
     correlation = dict(zip(found.names, found.correlation[found.names.index("face")], strict=True))
     # Toe side and closed face: the gear effect takes the ball back where an open face would send it.
     assert correlation["toe"] < -0.9
@@ -114,7 +114,7 @@ def test_one_number_alone_is_enough_to_ask():
     # A monitor knows ball speed to 0.25 m/s, a hundredth of the prior; what is not learned is in the impact point.
     assert one.learned["speed"] > 0.25
     # 2000 draws show a deviation to 1.6 %; three of these are less than the 5 % from which something is learned.
-    assert "face" in words.not_learned(one)
+    assert "face" in posterior.not_learned(one)
 
 
 @pytest.mark.parametrize(
@@ -247,7 +247,7 @@ def test_draws_become_shots_that_can_be_predicted(found, tmp_path):
 
 def test_the_picture_is_drawn(found, tmp_path):
     pytest.importorskip("matplotlib")
-    from clubface.inference.figures import pairs_figure, worth_drawing
+    from clubface.inference.picture import pairs_figure, worth_drawing
     from clubface.plots import save
 
     assert worth_drawing(found) == ["speed", "attack", "path", "loft", "face", "toe", "high"]

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from clubface.inference.importance import attempt, standard_normal, standard_t
-from clubface.inference.ridge import Sheet, peak
+from clubface.inference.importance import Sheet, attempt, peak, standard_normal, standard_t
 
 NOISE = 0.05
 

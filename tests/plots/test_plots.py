@@ -9,10 +9,9 @@ from clubface.errors import InputError
 pytest.importorskip("matplotlib")
 
 from clubface import plots
-from clubface.identification.figures import identification_figure
-from clubface.plots import style
-from clubface.simulation.trajectory import trajectory
-from clubface.tour import figures, tour
+from clubface.inference.identification.picture import identification_figure
+from clubface.simulation.flight import trajectory
+from clubface.validation import pictures, tour
 from synthetic_shots import recorded
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}
@@ -119,14 +118,14 @@ def test_each_model_has_its_own_colour_and_dash_whatever_else_is_drawn(histories
     alone = lines(plots.force_histories({"area": histories["area"]}).axes[0])[0]
     beside = lines(plots.force_histories(histories).axes[0])[1]
     assert alone.get_color() == beside.get_color()
-    looks = [str(style.look(name)) for name in clubface.models()]
+    looks = [str(plots.look(name)) for name in clubface.models()]
     assert len(set(looks)) == len(looks)
 
 
 def test_finite_elements_look_like_no_other_model():
     """A drive by the default model and by finite elements, drawn together, had one colour and one dash."""
     from clubface.equipment.models import models
-    from clubface.plots.style import look, marker
+    from clubface.plots import look, marker
 
     names = [*models(), "fem"]
     for of in (look, marker):
@@ -137,7 +136,7 @@ def test_finite_elements_look_like_no_other_model():
 
 
 def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
-    figure = figures.error_figure(averages)
+    figure = pictures.error_figure(averages)
     spin = figure.axes[4]
     drawn = sorted(value for line in spin.lines if line.get_marker() not in ("None", "") for value in line.get_ydata())
     expected = [error for name in averages.models for error in averages.errors(name)["spin"] * 30.0 / np.pi]
@@ -146,14 +145,14 @@ def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
 
 
 def test_launches_stand_beside_what_was_published(averages):
-    figure = figures.launch_figure(averages)
+    figure = pictures.launch_figure(averages)
     published = figure.axes[0].lines[0]
     assert published.get_ydata()[0] == pytest.approx(167.0, rel=1e-12)
     assert_nothing_overlaps(figure)
 
 
 def test_lofts_are_drawn_from_the_launch_angle_up(averages):
-    lofts = figures.launch_figure(averages).axes[3]
+    lofts = pictures.launch_figure(averages).axes[3]
     low, high = averages.possible_lofts
     assert [bar.get_y() for bar in lofts.patches] == pytest.approx(np.degrees(low - averages.published["launch"]))
     assert [bar.get_height() for bar in lofts.patches] == pytest.approx(np.degrees(high - low))
@@ -165,7 +164,7 @@ def test_lofts_are_drawn_from_the_launch_angle_up(averages):
 
 
 def test_without_a_published_loft_there_is_no_row_of_launch_angles():
-    assert len(figures.error_figure(tour.tour(["standard"])).axes) == 6
+    assert len(pictures.error_figure(tour.tour(["standard"])).axes) == 6
 
 
 def test_each_identified_parameter_has_its_interval_samples_and_profile(identified):

@@ -8,22 +8,20 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from clubface import measurements
+from clubface import published_data
 from fem_runs import coarse_drive
 
 pytest.importorskip("matplotlib")
 
 from clubface.design.best_loft import Beside
-from clubface.design.best_loft_figure import chart_figure
-from clubface.evaluation.figures import error_figure
-from clubface.evaluation.published_accuracy import published
-from clubface.fem.figures.paper import paper_figure, sweep_figure
-from clubface.measured.shots import QUANTITIES
-from clubface.tour import tour
-from clubface.tour.averages import TABLES, published_lofts
-from clubface.tour.figures import launch_figure
-from clubface.validation import validate
-from clubface.validation.figures import validation_figure
+from clubface.design.pictures import chart_figure
+from clubface.fem.pictures import paper_figure, sweep_figure
+from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation.picture import error_figure
+from clubface.shots.measured import QUANTITIES
+from clubface.validation import tour, validate
+from clubface.validation.pictures import launch_figure, validation_figure
+from clubface.validation.tour import TABLES, published_lofts
 
 DOCS = Path(__file__).parents[2] / "docs"
 
@@ -92,7 +90,7 @@ def test_the_sweep_is_marked_with_the_case_and_the_least_factor_of_roh_and_lee()
 @pytest.mark.parametrize("table", TABLES)
 def test_tour_averages_are_drawn_as_they_were_published(table):
     result = tour.tour(["standard"], table=table)
-    rows = measurements.table(table)
+    rows = published_data.table(table)
     chosen = [list(rows["club"]).index(club) for club in result.clubs]
     figure = launch_figure(result)
     for axes, (name, unit) in zip(figure.axes, (("ball_speed", "mph"), ("spin", "rpm"), ("carry", "yd")), strict=False):
@@ -121,7 +119,7 @@ def test_the_pga_averages_of_2023_are_those_of_the_chart():
     ("optimum-trackman-2010", "dynamic_loft", "deg"), ("optimum-ping-2019", "launch", "deg"),
 ])  # fmt: skip
 def test_a_chart_of_best_lofts_is_drawn_as_it_was_published(table, column, unit):
-    rows = measurements.table(table)
+    rows = published_data.table(table)
     found = SimpleNamespace(loft=rows[column] + 0.01)
     of = Beside(found, dict(rows.columns))
     figure = chart_figure(of, {"loft": (column, "loft", unit)}, table)

@@ -12,7 +12,7 @@ from clubface.equipment.models import models
 from clubface.equipment.parameters import builtin_sets
 from clubface.errors import RuleWarning
 from clubface.simulation.inputs import equipped
-from clubface.simulation.quantities import input_columns
+from clubface.simulation.results import input_columns
 
 PLACES = [input_columns()[name] for name in ("characteristic_time", "included_time")]
 OWN, IRON = 250e-6, 85e-6

@@ -9,7 +9,7 @@ import pytest
 import clubface
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import AssumptionWarning, InputError, ShotError, UnitError, UnknownNameError
-from clubface.simulation.launch_terms import vectors
+from clubface.simulation.launch import vectors
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 

@@ -5,9 +5,9 @@ import pytest
 
 import clubface
 from clubface.errors import InputError, UnknownNameError
-from clubface.simulation.flight_derivatives import differentiated, flight_derivatives
-from clubface.simulation.flight_inputs import flight_columns
-from clubface.simulation.quantities import flight_inputs
+from clubface.simulation.flight import flight_columns
+from clubface.simulation.results import flight_inputs
+from clubface.simulation.sensitivity import differentiated, flight_derivatives
 
 DRIVE = {"ball_speed": "160 mph", "launch": "12 deg", "azimuth": "2 deg", "backspin": "2600 rpm", "sidespin": "300 rpm"}
 AIR = {"air": {"temperature": "15 degC", "altitude": "300 m"}, "wind": ("3 m/s", 0.0, "-2 m/s")}

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import measurements
+from clubface import published_data
 
 YARD = 0.9144
 
 
 def deviations(name):
     """Return carry [%], height [yd] and angle of descent [deg] less the published ones, a row each."""
-    table = measurements.table(name).columns
+    table = published_data.table(name).columns
     launch = {"ball_speed": table["ball_speed"], "launch": table["launch"], "backspin": table["spin"], "sidespin": 0.0}
     flights = clubface.fly(launch)
     rows = [100.0 * (flights.carry / table["carry"] - 1.0)]
@@ -67,7 +67,7 @@ def test_flights_that_were_seen_to_their_end_are_bounded():
 @pytest.mark.parametrize("table", ["pga-2023", "lpga-2023"])
 def test_every_club_carries_farther_at_altitude(table):
     """The drag crisis comes earlier in thin air, and does not take away what less air gives: 1% of carry at 1500 m."""
-    columns = measurements.table(table).columns
+    columns = published_data.table(table).columns
     launch = {"ball_speed": columns["ball_speed"], "launch": columns["launch"], "backspin": columns["spin"]}
     low, high = (clubface.fly({**launch, "sidespin": 0.0}, air={"altitude": each}).carry for each in (0.0, 1500.0))
     assert (high / low > 1.01).all(), high / low

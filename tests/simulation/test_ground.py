@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import measurements
+from clubface import published_data
 from clubface.errors import InputError, UnknownNameError
 from clubface.simulation import core
-from clubface.simulation.flight_inputs import flight_columns
-from clubface.simulation.grounds import GROUNDS
-from clubface.simulation.quantities import flight_inputs, flight_outputs
+from clubface.simulation.flight import GROUNDS, flight_columns
+from clubface.simulation.results import flight_inputs, flight_outputs
 
 G, YARD, MPH, RPM = 9.80665, 0.9144, 0.44704, math.pi / 30.0
 MASS, RADIUS = 0.0459, 0.0213
@@ -93,7 +92,7 @@ def test_the_run_is_that_of_penners_equations():
 
 def trackman():
     """Rows of the chart of 2010 without what looks like a misprint: optimum of, published run [yd], our run [yd]."""
-    table = measurements.table("optimum-trackman-2010").columns
+    table = published_data.table("optimum-trackman-2010").columns
     speeds, attacks = np.rint(table["club_speed"] / MPH), np.rint(np.degrees(table["attack"]))
     keys = list(zip(table["optimum_of"], speeds, attacks, strict=True))
     # At 80 mph the totals of both optima are some 10 yards shorter than the rows before and after have them.
@@ -122,7 +121,7 @@ def test_runs_on_a_firm_fairway_are_those_of_trackmans_chart():
 def test_runs_are_those_that_a_trackman_computes(table):
     """From low drives that come down at 11 degrees to wedges at 49, from the monitor's own launch: within 7 yards, and
     3 in the mean. Without the bounds on bounce and grass the lowest ran 50 yards too far."""
-    value = measurements.table(table).columns
+    value = published_data.table(table).columns
     launches = {"ball_speed": value["ball_speed"], "launch": value["launch"], "backspin": value["spin"]}
     missed = run_of(clubface.fly(launches)) - (value["total"] - value["carry"]) / YARD
     assert np.abs(missed).max() < 7.0
@@ -131,7 +130,7 @@ def test_runs_are_those_that_a_trackman_computes(table):
 
 def test_a_low_drive_comes_to_rest_where_it_did():
     """244 yards for 145 mph, 6.4 deg and 1106 rpm, between those of a soft and of a firm fairway."""
-    value = measurements.table("low-drive").columns
+    value = published_data.table("low-drive").columns
     launch = {"ball_speed": value["ball_speed"], "launch": value["launch"], "backspin": value["spin"]}
     soft, average, firm = (clubface.fly(launch, ground=f"{each}fairway").total[0] for each in ("soft ", "", "firm "))
     assert soft < value["total"][0] < firm

@@ -14,7 +14,7 @@ import clubface
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, UnitError, UnknownNameError
-from clubface.simulation.quantities import inputs
+from clubface.simulation.results import inputs
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -242,9 +242,9 @@ def test_a_delivery_names_every_input_of_its_group():
 
 
 def test_one_model_is_the_default_of_everything():
+    from clubface.capture.study import Study
     from clubface.inference.run import infer
-    from clubface.motion_capture.study import Study
-    from clubface.prediction.predict import predict
+    from clubface.shots.prediction import predict
     from clubface.validation.run import validate
 
     assert DEFAULT_MODEL in models()

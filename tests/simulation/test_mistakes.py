@@ -7,7 +7,7 @@ import pytest
 
 import clubface
 from clubface.errors import ClubfaceError, InputError, ShotError, UnknownNameError
-from clubface.support import memory
+from clubface.support import processes
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -115,7 +115,7 @@ def test_memory_is_enough_for_the_reasons_of_shots_that_all_fail(monkeypatch, as
     import tracemalloc
 
     counted = []
-    for module in ("inputs", "flight_inputs"):
+    for module in ("inputs", "flight"):
         monkeypatch.setattr(
             f"clubface.simulation.{module}.check_request", lambda shots, each: counted.append(shots * each)
         )
@@ -137,12 +137,12 @@ def test_what_fits_is_computed_and_what_does_not_is_told(monkeypatch):
 
     22 outputs of 8 bytes, and 400 bytes for the reason of a shot without a result, make 173611 shots.
     """
-    monkeypatch.setattr(memory, "available_memory", lambda: 200_000_000)
+    monkeypatch.setattr(processes, "available_memory", lambda: 200_000_000)
     with pytest.raises(InputError, match="at most 173611"):
         clubface.impact("driver", speed=np.full(600_000, 50.0))
     assert clubface.impact("driver", speed=np.full(170_000, 50.0)).shape == (170_000,)
-    assert memory.available_memory() > 0
+    assert processes.available_memory() > 0
 
 
 def test_free_memory_is_known_here():
-    assert 2**20 < memory.available_memory() < 2**50
+    assert 2**20 < processes.available_memory() < 2**50

@@ -8,16 +8,15 @@ import pytest
 
 import clubface
 from clubface import Prior
+from clubface.capture.rotations import delivered, face_axes
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.equipment.parameters import ParameterSet
-from clubface.equipment.ranges import RANGES
+from clubface.equipment.parameters import RANGES, ParameterSet
 from clubface.errors import FileError, RangeWarning
 from clubface.fem.response.design import heads
-from clubface.motion_capture.attitude import delivered, face_axes
-from clubface.simulation.outside import Tally
-from clubface.support.warning import without_warnings
-from clubface.tour.tour import tour
+from clubface.simulation.impact import Tally
+from clubface.support.checks import without_warnings
 from clubface.validation import validate
+from clubface.validation.tour import tour
 from deliveries import table
 
 RANGE = RANGES[DEFAULT_MODEL]
@@ -168,7 +167,7 @@ def test_a_ball_of_other_pieces_without_coefficients_is_told():
 
 def test_an_inferred_delivery_is_told_by_its_mean_and_a_file_of_them_in_its_remarks(tmp_path):
     from clubface.inference.file import infer_shots
-    from clubface.recorded.shots import RecordedShots
+    from clubface.shots.recorded import RecordedShots
 
     slow = Prior(name="slow", mean={"speed": 40.0, "loft": 0.25}, deviation={"speed": 2.0, "loft": 0.03})
     with pytest.warns(RangeWarning, match=r"of slip: clubhead speed 8\d\.\d+ mph \(101 to 118 mph\)") as caught:

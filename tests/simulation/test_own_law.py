@@ -9,16 +9,8 @@ import pytest
 import clubface
 from clubface.equipment.backends import OWN
 from clubface.errors import ClubfaceError, InputError, RunError, ShotError
-from clubface.simulation.contact_motion import (
-    BALL,
-    BALL_SPIN,
-    BALL_VELOCITY,
-    CLUB,
-    CLUB_MOMENTUM,
-    CLUB_VELOCITY,
-    TwoBodies,
-)  # fmt: skip
-from clubface.simulation.quantities import inputs
+from clubface.simulation.own_law import BALL, BALL_SPIN, BALL_VELOCITY, CLUB, CLUB_MOMENTUM, CLUB_VELOCITY, TwoBodies
+from clubface.simulation.results import inputs
 
 pytest.importorskip("scipy")
 

@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface.equipment.models import models
 from clubface.errors import InputError, ShotError, UnitError, UnknownNameError
-from clubface.simulation.quantities import inputs
+from clubface.simulation.results import inputs
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 

@@ -10,8 +10,7 @@ from hypothesis import given, settings, strategies as st
 from clubface.errors import FileError, InputError
 from clubface.studies import designs
 from clubface.studies.axes import Axis, Swept, axis
-from clubface.studies.designs import Grid, Remembered, Rows, Samples, design
-from clubface.studies.table_rows import table_columns
+from clubface.studies.designs import Grid, Remembered, Rows, Samples, design, table_columns
 from clubface.units import to_si
 
 SPEED = Swept("m/s")

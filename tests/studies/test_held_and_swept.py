@@ -4,10 +4,10 @@ import pytest
 
 import clubface
 from clubface.design.best_loft import best_loft
-from clubface.design.dispersion.sampling import dispersion
-from clubface.design.golfer.golfers import golfer
+from clubface.design.dispersion import dispersion
+from clubface.design.golfer import golfer
 from clubface.errors import FileError
-from clubface.simulation.grounds import GROUNDS
+from clubface.simulation.flight import GROUNDS
 from clubface.studies.study import read_study
 
 pytest.importorskip("pyarrow")

@@ -7,7 +7,7 @@ import clubface
 from clubface import studies
 from clubface.equipment.backends import OWN
 from clubface.errors import FileError
-from clubface.studies.kinds.registry import kind
+from clubface.studies.kinds.kind import kind
 from clubface.studies.study import read_study
 from study_files import shots
 

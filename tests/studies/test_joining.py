@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from clubface import studies
-from clubface.cli.study_summary import document
+from clubface.cli.study import document
 from clubface.errors import InputError
 from clubface.units import from_si
 from study_files import shots, squares

@@ -8,15 +8,15 @@ import pytest
 import clubface
 from clubface import studies
 from clubface.design.best_loft import best_loft
-from clubface.design.dispersion.sampling import dispersion
-from clubface.design.golfer.golfers import golfer
+from clubface.design.dispersion import dispersion
+from clubface.design.golfer import golfer
 from clubface.design.optimisation.run import optimise
-from clubface.design.optimisation.study_file import from_text
+from clubface.design.optimisation.study import from_text
 from clubface.design.strokes import Hole
 from clubface.errors import FileError
 from clubface.fem import head_tests
 from clubface.fem.case import case
-from clubface.studies.kinds.registry import MODULES, kind
+from clubface.studies.kinds.kind import KINDS, kind
 from clubface.studies.study import read_study
 from clubface.units import to_si
 
@@ -32,7 +32,7 @@ def computed(folder, name, table, sweep, study=""):
     return study.design.values(range(study.design.count)), found
 
 
-@pytest.mark.parametrize("name", MODULES)
+@pytest.mark.parametrize("name", KINDS)
 def test_the_module_of_a_kind_has_a_kind_of_that_name(name):
     assert kind(name).name == name
 
@@ -206,9 +206,9 @@ def test_tests_of_a_head_are_those_of_the_package(tmp_path):
 
 def test_a_study_of_motion_capture_is_that_of_the_package(tmp_path):
     pytest.importorskip("scipy")
-    from clubface.motion_capture.reduction import QUANTITIES
-    from clubface.motion_capture.study import study
-    from clubface.motion_capture.synthetic.laboratory import Cameras
+    from clubface.capture.reduction import QUANTITIES
+    from clubface.capture.study import study
+    from clubface.capture.synthetic.laboratory import Cameras
 
     table = 'noise = "0.5 mm"\noutputs = ["speed_error", "face_stated", "touch_error"]'
     sweep = 'estimator = ["linear", "smoother"]\nrate = [360, 720]\nswing = { from = 0, to = 2, step = 1 }'

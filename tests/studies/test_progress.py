@@ -4,8 +4,8 @@ import pytest
 
 import clubface
 from clubface import studies
-from clubface.motion_capture.synthetic.files import synthesize
-from clubface.tour.tour import tour
+from clubface.capture.synthetic.laboratory import synthesize
+from clubface.validation.tour import tour
 from study_files import squares
 
 pytestmark = pytest.mark.usefixtures("in_this_process")

@@ -5,7 +5,7 @@ from hypothesis import given, strategies as st
 
 from clubface import studies
 from clubface.errors import InputError
-from clubface.studies.shards import shard
+from clubface.studies.running import shard_of
 from study_files import shots, sums
 
 SLURM = {"SLURM_ARRAY_TASK_ID": "12", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY_TASK_COUNT": "40"}
@@ -13,7 +13,7 @@ SLURM = {"SLURM_ARRAY_TASK_ID": "12", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY
 
 @given(st.integers(1, 50), st.integers(0, 500))
 def test_every_chunk_falls_to_one_share(of, chunk):
-    assert sum(chunk in shard(f"{number}/{of}").of_all(501) for number in range(1, of + 1)) == 1
+    assert sum(chunk in shard_of(f"{number}/{of}").of_all(501) for number in range(1, of + 1)) == 1
 
 
 def test_shares_joined_are_the_whole(tmp_path, in_this_process):
@@ -38,7 +38,7 @@ def test_shares_joined_are_the_whole(tmp_path, in_this_process):
     ],
 )
 def test_a_share_is_typed_or_taken_from_the_scheduler(text, environment, found):
-    assert shard(text, environment) == found
+    assert shard_of(text, environment) == found
 
 
 @pytest.mark.parametrize(
@@ -58,4 +58,4 @@ def test_a_share_is_typed_or_taken_from_the_scheduler(text, environment, found):
 )
 def test_a_share_that_there_is_not_is_told(text, environment, words):
     with pytest.raises(InputError, match=words):
-        shard(text, environment)
+        shard_of(text, environment)

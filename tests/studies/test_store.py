@@ -8,13 +8,12 @@ import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, FileError, RunError
-from clubface.studies import chunk_size, parts, running
-from clubface.studies.chunks import KEPT, Chunks, checked_part
+from clubface.studies import chunks, running
+from clubface.studies.chunks import KEPT, Chunks, checked_part, read_part
 from clubface.studies.kinds.kind import Computed
-from clubface.studies.parts import read_part
-from clubface.studies.state import opened
+from clubface.studies.running import opened
 from clubface.studies.study import read_study
-from clubface.support.whole_file import whole_file
+from clubface.support.files import whole_file
 from study_files import shots, squares, sums
 
 pytest.importorskip("pyarrow")
@@ -66,7 +65,7 @@ def test_a_run_that_another_tidies_up_after_while_it_writes_finds_the_part_there
             Chunks(read_study(path), opened(path)).ensure(2)
             opened(path).tidy()
 
-    monkeypatch.setattr(parts, "whole_file", overtaken)
+    monkeypatch.setattr(chunks, "whole_file", overtaken)
     assert Chunks(read_study(path), opened(path)).ensure(2)["did"] == KEPT
     assert studies.status(path, check=True).damaged == ()
 
@@ -309,10 +308,10 @@ class Slow:
 )
 def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, count, size):
     clock = [0.0]
-    monkeypatch.setattr(chunk_size.time, "process_time", lambda: clock[0])
+    monkeypatch.setattr(running.time, "process_time", lambda: clock[0])
     path = tmp_path / "study.toml"
     path.write_text(f'[study]\nkind = "empty"\n[sweep]\nx = {{ from = 0, to = 1, count = {count} }}\n')
-    assert chunk_size.chunk_size(read_study(path), Slow(clock, loading, each)) == size
+    assert running.chunk_size(read_study(path), Slow(clock, loading, each)) == size
 
 
 def test_a_pipe_in_the_place_of_a_part_is_refused_and_not_waited_for(tmp_path):

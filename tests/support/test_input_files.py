@@ -8,7 +8,7 @@ import pytest
 
 import clubface
 from clubface.errors import FileError
-from clubface.support.input_files import (
+from clubface.support.files import (
     InputRecord,
     given_files,
     input_file,
@@ -21,22 +21,18 @@ from clubface.support.input_files import (
 ROOT = Path(clubface.__file__).parent
 READERS = {"read_text", "read_bytes"}
 NO_INPUTS = {
-    "support/input_files.py": "the place itself",
+    "support/files.py": "the place itself; what is written",
     "cli/failures.py": "the device for what nobody reads",
-    "evaluation/report.py": "pictures that were just drawn",
-    "fem/resumable.py": "finished runs of the same work",
-    "measurements/file.py": "published tables, which come with the package",
+    "inference/evaluation/report.py": "pictures that were just drawn",
+    "fem/sweep.py": "finished runs of the same work",
+    "published_data.py": "published tables, which come with the package",
     "simulation/own_law.py": "the source of a law of contact of one's own",
-    "studies/parts.py": "finished parts of a study",
-    "studies/store.py": "inputs that a study keeps",
-    "support/checked_json.py": "records of long work",
-    "support/lock.py": "who works on a file",
-    "support/memory.py": "the memory of the machine",
-    "support/process_identity.py": "the time at which a process began",
-    "support/processors.py": "the processor of the machine",
-    "support/resuming.py": "finished parts of long work",
-    "support/whole_file.py": "what is written",
-    "tables/writer.py": "pieces of what is written",
+    "studies/chunks.py": "finished parts of a study; inputs that a study keeps",
+    "jobs/store.py": "records of long work",
+    "jobs/lock.py": "who works on a file; the time at which a process began",
+    "support/processes.py": "the memory of the machine; the processor of the machine",
+    "jobs/resuming.py": "finished parts of long work",
+    "shots/tables/writer.py": "pieces of what is written",
     "cli/app.py": "the device for messages that nobody reads",
     "support/isolated_script.py": "the pipe to the process of a library",
     "studies/worker.py": "the pipe to the process of a study",
@@ -112,7 +108,7 @@ def test_a_worker_reads_what_it_was_given_and_nothing_else(tmp_path):
 
 
 def test_a_large_table_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("clubface.support.input_files.LARGEST_KEPT", 10)
+    monkeypatch.setattr("clubface.support.files.LARGEST_KEPT", 10)
     path = tmp_path / "shots.csv"
     path.write_text("a" * 3_000_000)
     with open_input(path) as file:
@@ -124,7 +120,7 @@ def test_a_large_table_that_changes_while_it_is_read_is_refused(tmp_path, monkey
 
 
 def test_files_beyond_what_is_kept_are_read_in_their_place_and_refused_once_they_change(tmp_path, monkeypatch):
-    monkeypatch.setattr("clubface.support.input_files.MOST_KEPT", 5)
+    monkeypatch.setattr("clubface.support.files.MOST_KEPT", 5)
     first, second = tmp_path / "first.toml", tmp_path / "second.toml"
     first.write_text("before one")
     second.write_text("before two")

@@ -9,10 +9,9 @@ import time
 import pytest
 
 from clubface.errors import FileError
-from clubface.support import lock as locks
-from clubface.support.lock import Lock
-from clubface.support.process_identity import begun, is_running, this_process
-from clubface.support.resuming import Store
+from clubface.jobs import lock as locks
+from clubface.jobs.lock import Lock, begun, is_running, this_process
+from clubface.jobs.resuming import Store
 
 
 def test_this_process_runs_and_one_of_its_number_that_began_earlier_does_not():
@@ -40,7 +39,7 @@ def test_a_reused_number_does_not_keep_unfinished_work_from_being_begun_anew(tmp
     folder = tmp_path / "out.csv.unfinished"
     said = {**this_process(), "process": os.getppid()}  # a number that another process has now
     with monkeypatch.context() as patch:
-        patch.setattr("clubface.support.resuming.this_process", lambda: said)
+        patch.setattr("clubface.jobs.resuming.this_process", lambda: said)
         Store(folder, {"club": "driver"}, resume=False).keep("0", 1)
         store = Store(folder, {"club": "driver"}, resume=False)
         store.keep("1", 1)
@@ -52,7 +51,7 @@ def test_work_of_a_running_process_is_left_to_it(tmp_path, monkeypatch):
     folder = tmp_path / "out.csv.unfinished"
     other = {**this_process(), "process": os.getppid(), "begun": begun(os.getppid())}
     with monkeypatch.context() as patch:
-        patch.setattr("clubface.support.resuming.this_process", lambda: other)
+        patch.setattr("clubface.jobs.resuming.this_process", lambda: other)
         store = Store(folder, {"club": "driver"}, resume=False)
         store.keep("1", 1)
         store.flush()

@@ -12,11 +12,11 @@ import pytest
 
 import clubface
 from clubface.errors import FileError
+from clubface.jobs.lock import Lock
+from clubface.jobs.resuming import Store
+from clubface.jobs.store import PartStore
+from clubface.support.files import whole_file, whole_text, write_text
 from clubface.support.fingerprint import fingerprint
-from clubface.support.lock import Lock
-from clubface.support.part_store import PartStore
-from clubface.support.resuming import Store
-from clubface.support.whole_file import whole_file, whole_text, write_text
 
 
 def test_a_file_has_its_name_only_once_it_is_whole_and_synced(tmp_path, monkeypatch):
@@ -108,8 +108,8 @@ def test_files_are_written_in_one_place():
     # The others open a lock, devices and pipes in the place of an output, or copy inputs for a library that opens files
     # itself: none of them makes a file of results.
     pipes = {"cli/app.py", "cli/failures.py", "fem/heads/mesh_file.py", "support/isolated_script.py"}
-    assert found <= {"support/whole_file.py", "support/lock.py", "support/input_files.py", *pipes}
-    assert "support/whole_file.py" in found
+    assert found <= {"support/files.py", "jobs/lock.py", *pipes}
+    assert "support/files.py" in found
 
 
 @pytest.mark.parametrize("text", ["p.open('w')", "open(p, 'xb')", "p.write_text('a')", "os.replace(a, b)"])

@@ -34,7 +34,7 @@ def test_the_lofts_of_the_chart_follow_from_its_balls(behind):
     assert behind.ratio == pytest.approx((1.123, 0.026), abs=0.0005)
     assert behind.loft < 0.1 * DEG
     inertia, mass, radius = 8.336e-6, 0.0459, 0.0213
-    table = clubface.measurements.table(chart.TABLE)
+    table = clubface.published_data.table(chart.TABLE)
     row = np.flatnonzero((table["optimum_of"] == "carry") & (table.get("attack", "deg") == 0.0))[5]
     assert table.get("club_speed", "mph")[row] == pytest.approx(100.0)
     spin, speed = table["spin"][row], table["ball_speed"][row]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from clubface.errors import InputError
-from clubface.recorded.sessions import joined
+from clubface.shots.recorded import joined
 from clubface.validation import own_monitor as own
 from monitor_sessions import session
 

@@ -8,25 +8,14 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import measurements, units
+from clubface import published_data, units
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, UnknownNameError
-from clubface.tour.averages import averages
-from clubface.validation import (
-    Figure,
-    at_launch,
-    average,
-    directions,
-    irons,
-    optimum,
-    plates,
-    strikes,
-    tables,
-    validate,
-)
+from clubface.validation import Figure, launches, strikes, tables, validate
 from clubface.validation.catalogue import CHECKS
 from clubface.validation.check import A_MODEL, CERTAINTIES, Judged, figure
 from clubface.validation.run import summary
+from clubface.validation.tour import averages
 
 DOCS = Path(__file__).parents[2] / "docs"
 STORED = json.loads((DOCS / "validation-fem.json").read_text(encoding="utf-8"))
@@ -87,7 +76,7 @@ def test_every_check_has_its_own_name_its_sources_and_a_reason():
     for each in CHECKS:
         assert each.tables
         assert each.reason.endswith(".")
-    assert {name for each in CHECKS for name in each.sources} <= set(measurements.names())
+    assert {name for each in CHECKS for name in each.sources} <= set(published_data.names())
 
 
 def test_the_published_figures_are_those_of_the_tables():
@@ -174,7 +163,7 @@ def test_no_tolerance_is_wider_than_was_agreed():
 
 def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
     """TrackMan's standard pitching wedge and the drive of a male handicap of 10, typed again from the sources."""
-    found = directions.deliveries()
+    found = launches.deliveries()
     wedge = {"speed": 72 * 0.44704, "attack": -3.9 * DEG, "loft": 36.7 * DEG}
     assert found["pitching-wedge"] == pytest.approx(wedge, rel=1e-12)
     assert found["7-iron"]["speed"] == pytest.approx(82 * 0.44704, rel=1e-12)
@@ -190,15 +179,15 @@ def test_at_its_own_launch_a_model_has_its_own_spin_whatever_the_loft_was():
         "club": "7-iron", "club_speed": 38.0, "attack": -3 * DEG, "dynamic_loft": 99 * DEG,
         "launch": float(shot.launch), "ball_speed": float(shot.ball_speed), "spin": float(shot.total_spin),
     }  # fmt: skip
-    for each in at_launch.judged_at_launch(judged, "robot", row, scatter=None):
+    for each in launches.judged_at_launch(judged, "robot", row, scatter=None):
         assert each.inside is None
         # The loft is solved to 1e-10 rad.
         assert each.error == pytest.approx(0.0, abs=1e-8)
 
 
 def test_the_shots_that_stand_for_a_scatter_have_its_spreads_and_no_mean():
-    spreads = average.Scatter(0.06, 0.011, 0.007)
-    places, weights = average.scattered(spreads)
+    spreads = launches.Scatter(0.06, 0.011, 0.007)
+    places, weights = launches.scattered(spreads)
     assert weights.sum() == pytest.approx(1.0)
     for name, spread in zip(("face", "toe", "high"), spreads, strict=True):
         assert weights @ places[name] == pytest.approx(0.0, abs=1e-12)
@@ -221,14 +210,14 @@ def test_faces_that_scatter_add_to_the_mean_spin_as_the_angle_in_space_grows(spr
     spins = judged.hit("7-iron", speed=speed, attack=attack, loft=lofts).total_spin
     power = float(np.diff(np.log(spins))[0] / np.diff(np.log(lofts - attack))[0])
     variance = (spread * DEG / (loft - attack)) ** 2
-    aside = average.Scatter(spread * DEG, 0.0, 0.0)
-    least, most = average.ratios("7-iron", speed, attack, launch, aside, average.CENTRE)["total_spin"]
+    aside = launches.Scatter(spread * DEG, 0.0, 0.0)
+    least, most = launches.ratios("7-iron", speed, attack, launch, aside, launches.CENTRE)["total_spin"]
     assert most == 1.0
     # A sixth of the excess for what the head adds.
     expected = power * variance / 2.0 + 3.0 * power * (power - 2.0) * variance**2 / 8.0
     assert 1.0 / least - 1.0 == pytest.approx(expected, rel=0.17)
     # A drive's spin loft is less than two thirds of it, and its square less than half.
-    drive = average.ratios("driver", speed, attack, launch - 6 * DEG, aside, average.CENTRE)["total_spin"]
+    drive = launches.ratios("driver", speed, attack, launch - 6 * DEG, aside, launches.CENTRE)["total_spin"]
     assert 1.0 / drive[0] - 1.0 > 1.5 * (1.0 / least - 1.0)
 
 
@@ -241,25 +230,25 @@ def test_the_spin_of_drives_counts_as_missed_only_beyond_what_scatter_and_the_he
     )
     # At one launch a strike higher on a driver spins less, by tens of rpm a mm.
     assert 20 * RPM < (low.total_spin - high.total_spin) / 6 < 150 * RPM
-    (spin,) = at_launch.judged_at_launch(judged, "drive", row, scatter=None)
+    (spin,) = launches.judged_at_launch(judged, "drive", row, scatter=None)
     assert spin.computed == pytest.approx(middle.total_spin, rel=1e-9)
     ends = [300.0 * middle.total_spin / each.total_spin for each in (low, high)]
     assert spin.published == pytest.approx(ends, rel=1e-9)
     # The interval is the publication's, so it is the same whatever model is judged; scatter widens it downward only.
-    (other,) = at_launch.judged_at_launch(Judged("standard"), "drive", row, scatter=None)
+    (other,) = launches.judged_at_launch(Judged("standard"), "drive", row, scatter=None)
     assert other.published == spin.published
     assert other.computed != spin.computed
-    (scattered,) = at_launch.judged_at_launch(judged, "drive", row, scatter=average.scatter("driver", 49.0))
+    (scattered,) = launches.judged_at_launch(judged, "drive", row, scatter=launches.scatter("driver", 49.0))
     assert scattered.published[1] == spin.published[1]
     assert scattered.published[0] < 0.96 * spin.published[0]
 
 
 def test_golfers_who_swing_faster_scatter_less_and_irons_have_no_known_scatter_of_the_strike():
-    slow, middling, fast = (average.scatter("driver", each * 0.44704) for each in (80, 100, 115))
+    slow, middling, fast = (launches.scatter("driver", each * 0.44704) for each in (80, 100, 115))
     assert slow > middling > fast
     # 3.22 degrees between start and path of drives that take 0.76 of face-to-path.
     assert fast.face_to_path == pytest.approx(3.22 * DEG / 0.76)
-    assert average.scatter("7-iron", 115 * 0.44704) == (fast.face_to_path, 0.0, 0.0)
+    assert launches.scatter("7-iron", 115 * 0.44704) == (fast.face_to_path, 0.0, 0.0)
 
 
 def test_a_driver_is_fastest_nearer_to_its_mass_centre_and_loses_speed_with_the_square_of_the_distance():
@@ -286,15 +275,15 @@ def test_what_other_models_computed_is_shown_but_judges_no_model():
 @pytest.mark.parametrize("restitution", [0.0, 0.25])
 def test_the_tangential_restitution_of_slip_on_a_plate_is_its_parameter(restitution):
     values = {"slip_y": restitution, "cor": 0.8}
-    shot = Judged("slip").hit(plates.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
+    shot = Judged("slip").hit(strikes.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
     # The plate is heavier than a ball by 2e4, and as much is missing.
-    found = plates.restitutions(shot, 30.0, 40 * DEG)
+    found = strikes.restitutions(shot, 30.0, 40 * DEG)
     assert found == pytest.approx((0.8, restitution), abs=2e-4)
 
 
 def test_a_head_that_does_not_turn_has_the_restitution_of_the_model():
-    for of in (plates.PLATE, plates.HEAD):
-        normal, _ = plates.restitutions(Judged("standard").hit(of, speed=48.768), 48.768, 0.0)
+    for of in (strikes.PLATE, strikes.HEAD):
+        normal, _ = strikes.restitutions(Judged("standard").hit(of, speed=48.768), 48.768, 0.0)
         assert normal == pytest.approx(0.83, abs=1e-9)
 
 
@@ -303,13 +292,13 @@ def test_the_share_is_one_where_balls_start_along_the_normal_and_falls_with_grip
         def hit(self, club, *, parameters=None, loft, attack, speed, face=0.0):
             return type("Shot", (), {"launch": loft, "azimuth": face})
 
-    assert {each.computed for each in directions.shares(AlongTheNormal("standard"))} == {1.0}
-    shares = [each.computed for each in directions.shares(Judged("standard"))]
+    assert {each.computed for each in launches.shares(AlongTheNormal("standard"))} == {1.0}
+    shares = [each.computed for each in launches.shares(Judged("standard"))]
     assert all(0.5 < each < 1.0 for each in shares)
 
 
 def test_an_open_face_curves_to_the_right_by_as_much_as_it_is_open():
-    found = directions.curvature(Judged("standard"))
+    found = launches.curvature(Judged("standard"))
     assert all(np.sign(each.computed) == np.sign(each.published[0]) for each in found)
     curve = {each.what: each.computed for each in found}
     right, left = (curve[f"PGA Tour, 6-iron, face to path {each} deg"] for each in (2, -5))
@@ -318,7 +307,7 @@ def test_an_open_face_curves_to_the_right_by_as_much_as_it_is_open():
 
 
 def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
-    found = {each.what: each.computed for each in directions.curvature(Judged("slip"))}
+    found = {each.what: each.computed for each in launches.curvature(Judged("slip"))}
     average = next(each for each in averages("lpga-2019") if each.club == "driver")
     shot = clubface.impact(
         "driver", speed=average.club_speed, attack=average.attack, loft="15.5 deg", face="-2.5 deg", path="2.5 deg",
@@ -332,21 +321,21 @@ def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
 
 
 def test_the_spin_by_a_degree_is_that_between_two_lofts_a_degree_from_the_mean():
-    slope = irons.by_loft(Judged("slip"))[1]
+    slope = launches.by_loft(Judged("slip"))[1]
     mean = 662.4 / 26
-    low, high = (Judged("slip").hit("7-iron", loft=(mean + each) * DEG, **irons.GOLF_DIGEST) for each in (-1.0, 1.0))
+    low, high = (Judged("slip").hit("7-iron", loft=(mean + each) * DEG, **launches.GOLF_DIGEST) for each in (-1.0, 1.0))
     # The check takes a wider step, over which the slope falls a little.
     assert slope.computed == pytest.approx((high.total_spin - low.total_spin) / 2.0, rel=0.02)
 
 
 def test_a_wedge_that_slides_has_lost_the_published_share_of_its_spin():
     judged = Judged("rings")
-    (rise,) = irons.sliding(judged)
-    whole = judged.at_launch("pitching-wedge", 30.74 * DEG, **irons.WEDGE)
+    (rise,) = launches.sliding(judged)
+    whole = judged.at_launch("pitching-wedge", 30.74 * DEG, **launches.WEDGE)
     loft = whole.delivery["loft"]
     frictions = np.linspace(0.05, 0.5, 200)
     shots = [
-        judged.hit("pitching-wedge", parameters={"friction": each}, loft=loft, **irons.WEDGE) for each in frictions
+        judged.hit("pitching-wedge", parameters={"friction": each}, loft=loft, **launches.WEDGE) for each in frictions
     ]
     spins = np.array([each.total_spin for each in shots]) / whole.total_spin
     nearest = shots[int(np.argmin(np.abs(spins - 3714 / 5811)))]
@@ -355,19 +344,19 @@ def test_a_wedge_that_slides_has_lost_the_published_share_of_its_spin():
 
 
 def test_a_model_without_friction_says_nothing_of_sliding():
-    assert irons.sliding(Judged("standard"))[0].within is None
+    assert launches.sliding(Judged("standard"))[0].within is None
 
 
 def test_the_top_of_a_parabola_is_found_and_the_end_of_what_rises():
     places = np.arange(0.0, 5.0)
-    assert irons.top(places, 3.0 - (places - 2.3) ** 2) == pytest.approx(2.3)
-    assert irons.top(places, places) == 4.0
+    assert launches.top(places, 3.0 - (places - 2.3) ** 2) == pytest.approx(2.3)
+    assert launches.top(places, places) == 4.0
 
 
 @pytest.mark.parametrize("attack", [-5.0, 5.0])
 def test_no_loft_near_it_carries_further_than_that_of_the_longest_drive(attack):
     judged = Judged("standard")
-    best = optimum.longest(judged, 45.0, attack * DEG)
+    best = launches.longest(judged, 45.0, attack * DEG)
     loft, carry = best.delivery["loft"], clubface.fly(best).carry
     others = [judged.hit("driver", speed=45.0, attack=attack * DEG, loft=loft + each * DEG) for each in (-2, -1, 1, 2)]
     # A parabola through three points 2 degrees apart; its top is flat.

@@ -1,23 +1,45 @@
-"""The list of commands, and how a run ends: result, mistake of the user, interruption."""
+"""The list of commands, and how a run ends: result, mistake of the user, interruption.
+
+What a person typed, with which another person repeats a run.
+"""
 
 from __future__ import annotations
 
 import io
 import os
+import shlex
 import sys
 from collections.abc import Sequence
+from contextvars import ContextVar
 from importlib import import_module
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
 from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
-from clubface.cli.invocation import remember
 from clubface.cli.output import legible_streams
 from clubface.errors import UnknownNameError
-from clubface.support.input_files import InputRecord
+from clubface.support.files import InputRecord
 from clubface.support.version import __version__
+
+_ARGUMENTS: ContextVar[tuple[str, ...]] = ContextVar("arguments", default=())
+
+
+def remember(arguments: Sequence[str]) -> None:
+    """Keep the arguments of the command that begins."""
+    _ARGUMENTS.set(tuple(arguments))
+
+
+def command() -> str:
+    """Return the command as it can be typed again, files without the folders that they lie in."""
+    return shlex.join(["clubface", *(Path(each).name if _is_path(each) else each for each in _ARGUMENTS.get())])
+
+
+def _is_path(text: str) -> bool:
+    return os.sep in text and (os.path.isabs(text) or os.path.exists(text) or os.path.isdir(os.path.dirname(text)))
+
 
 COMMANDS = {
     "shot": "shot",

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output, reporting
+from clubface.cli import options, output, reporting
 from clubface.cli.failures import say_written
-from clubface.cli.progress import progress_bar
-from clubface.cli.tables import print_numbers
+from clubface.cli.output import print_numbers, progress_bar
 from clubface.errors import ClubfaceError
 from clubface.support.checks import check_choice
 from clubface.units import from_si, size
 
 if TYPE_CHECKING:
     from clubface.design.best_loft import Beside, BestLoft
+
 
 app = typer.Typer(add_completion=False)
 
@@ -58,10 +58,10 @@ def best_loft(
 
     output.check_picture(plot, (club,))
     output.check_report(report, (club,))
-    head = option_values.club_of(club, texts["hand"], texts.get("model"))
-    conditions = option_values.conditions(texts)
+    head = options.club_of(club, texts["hand"], texts.get("model"))
+    conditions = options.conditions(texts)
     hit = {
-        "club": head, "model": texts["model"], "parameters": option_values.one_set(head, texts), "ball": texts["ball"],
+        "club": head, "model": texts["model"], "parameters": options.one_set(head, texts), "ball": texts["ball"],
         "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     if chart is not None:
@@ -78,8 +78,8 @@ def best_loft(
     if speed is None:
         raise ClubfaceError('--speed is missing; give it, as in --speed "100 mph", or a chart, as in --chart trackman')
     attack = ["-5 deg,0 deg,5 deg"] if attack is None else attack
-    speeds = [option_values.parsed("--speed", text, "speed") for text in option_values.names(speed) or [""]]
-    attacks = [option_values.parsed("--attack", text, "angle") for text in option_values.names(attack) or [""]]
+    speeds = [options.parsed("--speed", text, "speed") for text in options.names(speed) or [""]]
+    attacks = [options.parsed("--attack", text, "angle") for text in options.names(attack) or [""]]
     import numpy as np
 
     each, other = (values.reshape(-1) for values in np.meshgrid(speeds, attacks, indexing="ij"))
@@ -119,7 +119,7 @@ def _write(
     if plot is None and report is None:
         return
     from clubface import plots
-    from clubface.design.best_loft_figure import best_loft_figure, chart_figure
+    from clubface.design.pictures import best_loft_figure, chart_figure
 
     if beside is None:
         shows, figure = "Best loft and its carry over the club speed", best_loft_figure(found)
@@ -133,7 +133,7 @@ def _write(
         plots.save(figure, plot)
     if report is None:
         return
-    from clubface import measurements
+    from clubface import published_data
     from clubface.design.best_loft import CHARTS as TABLES
     from clubface.simulation.impact import impact
 
@@ -141,7 +141,7 @@ def _write(
         head, {"speed": found.speed, "attack": found.attack, "loft": found.loft}, model=hit["model"],
         parameters=hit["parameters"], ball=hit["ball"], accuracy=hit["accuracy"],
     )  # fmt: skip
-    sources = [] if beside is None else [f"Chart of {WHOSE[chart]}: {measurements.table(TABLES[chart]).source}"]
+    sources = [] if beside is None else [f"Chart of {WHOSE[chart]}: {published_data.table(TABLES[chart]).source}"]
     reporting.write(
         report, title=f"The loft that carries the ball farthest: {head.name}", words=_words(found, beside, chart),
         picture=(shows, figure), columns=_columns(found, beside, chart), show=show, launches=[launch], given={},

@@ -1,19 +1,146 @@
-"""``clubface capture``: motion capture to deliveries, and synthetic swings."""
+"""``clubface capture``: motion capture to deliveries, and synthetic swings.
+
+``clubface capture join``: captured deliveries and a monitor's launches of the same shots, as one table.
+
+Where ``clubface capture read`` puts its pictures.
+
+The tables that ``clubface capture`` prints.
+"""
 
 from __future__ import annotations
 
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from clubface import units
 from clubface.cli import options, output
-from clubface.cli.capture_join import join
-from clubface.cli.capture_pictures import PICTURES, pictures_of
-from clubface.cli.capture_tables import print_many, print_one, print_study
 from clubface.cli.failures import Interrupted, say, say_written
-from clubface.cli.progress import progress_bar
-from clubface.cli.tables import print_numbers
+from clubface.cli.output import print_numbers, progress_bar
+from clubface.errors import InputError
+
+
+def join(
+    captured: Annotated[
+        str, typer.Argument(metavar="CAPTURED", help="Table of deliveries, as capture read writes it.")
+    ],
+    session: Annotated[str, typer.Argument(metavar="SESSION", help="The launches: a monitor's file, or a table.")],
+    target: Annotated[str, options.output("FILE", "Write the shots, CSV or Parquet.")],
+    format_: options.Format = None,
+    mapping: options.ColumnsFile = None,
+    as_json: options.Json = False,
+) -> None:
+    """Pair captured deliveries with the launches of a monitor, in the order in which the shots were hit."""
+    from clubface import capture, shots as launch_monitor
+    from clubface.shots.tables.writer import KINDS
+
+    output.check_target("--output", target, KINDS, [captured, session, mapping])
+    shots = capture.join(launch_monitor.read(captured), launch_monitor.read(session, format=format_, mapping=mapping))
+    shots.write(target)
+    if as_json:
+        document = {"shots": len(shots), "output": target, "rejected": [each._asdict() for each in shots.rejected]}
+        output.print_json(document | {"notes": shots.notes})
+        return
+    print(f"{output.counted(len(shots), 'shot')}: {target}")
+    output.print_rejected(shots.rejected, "left out", "--json lists all")
+    output.print_notes(shots.notes)
+
+
+PICTURES = "path, face and residuals; beside the table of -o unless given"
+
+
+def pictures_of(picture: str | None, table: str | None, files: list[str], mapping: str) -> str | None:
+    """Return the file for the pictures, or None.
+
+    A table that is kept gets the pictures by which it can be judged beside it, a page a swing. A command that prints
+    leaves no file behind unless it is told to.
+    """
+    inputs = [*files, mapping]
+    if picture is not None:
+        output.check_picture(picture, inputs)
+        if len(files) > 1 and Path(picture).suffix.lower() != ".pdf":
+            raise InputError("--plot", picture, "a file ending in .pdf, since several swings make several pages")
+        return picture
+    if table is None:
+        return None
+    if find_spec("matplotlib") is None:
+        say('no picture is written beside the table: pip install "clubface[plots]"')
+        return None
+    beside = str(Path(table).with_suffix(".pdf"))
+    output.check_picture(beside, inputs)
+    return beside
+
+
+ROWS = (
+    ("club speed", "speed", "mph", 2), ("attack", "attack", "deg", 2), ("path", "path", "deg", 2),
+    ("dynamic loft", "loft", "deg", 2), ("face angle", "face", "deg", 2), ("lie", "lie", "deg", 2),
+    ("towards the toe", "toe", "mm", 2), ("high", "high", "mm", 2), ("closure", "closure", "deg/s", 0),
+    ("pitch rate", "pitch_rate", "deg/s", 0), ("lie rate", "lie_rate", "deg/s", 0),
+)  # fmt: skip
+LAUNCH_ROWS = (("ball speed", "ball_speed", "mph", 2), ("launch", "launch", "deg", 2), ("azimuth", "azimuth", "deg", 2))
+SHOWN = ROWS[:5] + ROWS[6:9]
+"""The columns of a table of many swings."""
+
+
+def print_study(found: Any) -> None:
+    """Print bias, spread and coverage, a row a quantity."""
+    from clubface.capture.study import UNITS
+
+    heads = ["", *(f"{name}\n{figure}" for name in found.errors for figure in ("bias", "spread", "covers, %"))]
+    figures = {name: (found.bias(name), found.spread(name), found.coverage(name)) for name in found.errors}
+    rows = []
+    for label, name, _, _ in ROWS:
+        digits = 0 if UNITS[name] == "deg/s" else 3
+        row = [f"{label}, {UNITS[name]}"]
+        for bias, spread, coverage in figures.values():
+            row += [output.number(bias[name], digits), output.number(spread[name], digits)]
+            row.append(output.number(100.0 * coverage[name], 1))
+        rows.append(row)
+    noise = f"{units.from_si(found.cameras.noise, 'mm'):g} mm"
+    print_numbers(
+        heads, rows, title=f"{len(found)} swings, {found.club.name}, markers' noise {noise}: captured less true"
+    )
+
+
+def print_one(found: Any) -> None:
+    """Print one delivery, value by value."""
+    rows = []
+    for label, name, unit, digits in ROWS:
+        value, deviation = found.get(name, unit)
+        rows.append([f"{label}, {unit}", output.number(value, digits), output.number(deviation, digits)])
+    for label, name, unit, digits in LAUNCH_ROWS if found.launch else ():
+        value, deviation = (units.from_si(each[name], unit) for each in (found.launch, found.launch_uncertainty))
+        rows.append([f"{label}, {unit}", output.number(value, digits), output.number(deviation, digits)])
+    print_numbers(("", "", "standard\ndeviation"), rows, title=f"{found.source}: {found.club.name}, {found.estimator}")
+    noise = f"markers' noise {units.fixed(found.marker_noise, 'mm', 3)}"
+    for known in found.geometry:
+        output.print_paragraph(str(known))
+    print(f"first touch {found.time:.6f} s, after frame {found.frames[0]}; {found.used} frames used; {noise}")
+    output.print_notes(found.notes)
+
+
+def print_many(found: Any) -> None:
+    """Print a table of swings, and the mean of each standard deviation."""
+    from pathlib import Path
+
+    heads = ("swing", *(f"{label}\n{unit}" for label, _, unit, _ in SHOWN))
+    rows = [
+        [Path(each.source).name, *(output.number(each.get(name, unit)[0], digits) for _, name, unit, digits in SHOWN)]
+        for each in found.captured
+    ]
+    deviations = found.uncertainty.deliveries
+    means = [float(units.from_si(deviations[name].mean(), unit)) for _, name, unit, _ in SHOWN]
+    last = [output.number(mean, digits) for mean, (*_, digits) in zip(means, SHOWN, strict=True)]
+    rows.append(["standard deviation", *last])
+    print_numbers(heads, rows, summary=True)
+    shared = [str(each) for each in found.captured[0].geometry]
+    for known in shared:
+        if all(known in map(str, each.geometry) for each in found.captured):
+            output.print_paragraph(known)
+    output.print_notes(found.shots.notes)
+
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
 app.command("join")(join)
@@ -76,8 +203,8 @@ def read(
     as_json: options.Json = False,
 ) -> None:
     """Read the delivery, with its uncertainty, from recordings of swings."""
-    from clubface.motion_capture import read_swings
-    from clubface.tables.writer import KINDS
+    from clubface.capture.swing import read_swings
+    from clubface.shots.tables.writer import KINDS
 
     output.check_target("--output", target_file, KINDS, [*files, markers])
     pictures = pictures_of(picture, target_file, files, markers)
@@ -89,7 +216,7 @@ def read(
         )  # fmt: skip
     written = found.write(target_file) if target_file is not None and len(found) else []
     if pictures is not None and len(found):
-        from clubface.motion_capture.swing_figure import save_swings
+        from clubface.capture.picture import save_swings
 
         written.append(save_swings(found.captured, pictures))
     for each in found.captured:
@@ -123,7 +250,7 @@ def markers(
     """List the markers of a recording: how often each is seen, where and how fast."""
     import numpy as np
 
-    from clubface.motion_capture import read_c3d
+    from clubface.capture.recording import read_c3d
 
     found = read_c3d(file, unit=units)
     rows = []
@@ -153,7 +280,8 @@ def template(
     target_file: options.Template = None,
 ) -> None:
     """Print an explained mapping file to start your own from."""
-    from clubface.motion_capture import read_c3d, template as text
+    from clubface.capture.markers import template as text
+    from clubface.capture.recording import read_c3d
 
     written = text() if file is None else text(read_c3d(file, unit="mm").labels)
     output.write_template(written, target_file, "fill it in, then give it as --markers")
@@ -177,8 +305,7 @@ def synthesize(
     ] = False,
 ) -> None:
     """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
-    from clubface.motion_capture.synthetic import Cameras, synthesize as write_usual, synthesize_bare
-    from clubface.motion_capture.synthetic.files import BARE_RATE
+    from clubface.capture.synthetic.laboratory import BARE_RATE, Cameras, synthesize as write_usual, synthesize_bare
 
     write = synthesize_bare if bare else write_usual
     usual = BARE_RATE if bare else Cameras.rate
@@ -215,8 +342,8 @@ def study(
     as_json: options.Json = False,
 ) -> None:
     """Compare the estimators on swings whose truth is known: bias, spread, coverage."""
-    from clubface.motion_capture.study import study as run
-    from clubface.motion_capture.synthetic import Cameras
+    from clubface.capture.study import study as run
+    from clubface.capture.synthetic.laboratory import Cameras
 
     output.check_picture(picture)
     cameras = Cameras(rate=rate, noise=units.parse(noise, "length", name="--noise"), gaps=gaps)
@@ -228,7 +355,7 @@ def study(
     try:
         if picture is not None:
             from clubface import plots
-            from clubface.motion_capture.figures import study_figure
+            from clubface.capture.picture import study_figure
 
             told = "no noise" if cameras.noise == 0.0 else f"{units.from_si(cameras.noise, 'mm'):g} mm noise"
             say(f"wrote {plots.save(study_figure({told: found}), picture)}")

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface import units
-from clubface.cli import option_values, options, output
+from clubface.cli import options, output
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
 from clubface.support.strict_toml import quoted
 
 if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
+
 
 WHOLE, INERTIA = "inertia", ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 """What ``--set`` calls the whole tensor of inertia, and its elements."""
@@ -43,9 +44,7 @@ def new(
     from clubface.equipment.clubs import Club, club
 
     base = Club.from_text(Club.template(name)) if like is None else club(like).replace(name=name)
-    changes = _changes(
-        base, option_values.pairs([part for each in settings or () for part in each.split(",")], "--set")
-    )
+    changes = _changes(base, options.pairs([part for each in settings or () for part in each.split(",")], "--set"))
     changed = base.replace(**changes)  # refuses what cannot be
     text = changed.to_toml() if like is not None else _template(name, changes)
     output.write_template(text, target, f"fill it in, then try: clubface club check {target}")
@@ -120,7 +119,7 @@ def _rules(checked: Club) -> list[dict[str, Any]]:
 
 def _print_rules(checked: Club, file: str) -> None:
     """Print what the club has of every limit of the rules, and what is not known of it."""
-    from clubface.cli.tables import print_numbers
+    from clubface.cli.output import print_numbers
     from clubface.design.rules import NOT_KNOWN, UNMEASURED, check_rules
     from clubface.fem.heads.meshed import mesh_of
 

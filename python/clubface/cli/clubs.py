@@ -8,8 +8,8 @@ import typer
 
 from clubface import units
 from clubface.cli import options, output
-from clubface.cli.tables import print_words
-from clubface.support.warning import without_warnings
+from clubface.cli.output import print_words
+from clubface.support.checks import without_warnings
 
 app = typer.Typer(add_completion=False)
 

@@ -1,23 +1,127 @@
-"""``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and what makes the difference."""
+"""``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and what makes the difference.
+
+What ``clubface compare`` compares: every combination of what was given more than once, called by what differs.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from clubface import units
-from clubface.cli import option_values, options, output, reporting
-from clubface.cli.compare_alternatives import alternatives_of
-from clubface.cli.failures import say_written
-from clubface.cli.progress import progress_bar
-from clubface.cli.quantity_units import KEYS, VALUES, Shown, label, shown_units
-from clubface.cli.tables import print_numbers
-from clubface.equipment.models import model
-from clubface.errors import ClubfaceError
+from clubface.cli import options, output, reporting
+from clubface.cli.failures import say, say_written
+from clubface.cli.output import KEYS, VALUES, Shown, label, print_numbers, progress_bar, shown_units
+from clubface.equipment.models import DEFAULT_MODEL, model as model_named
+from clubface.errors import ClubfaceError, InputError
+from clubface.support.checks import check_names
 from clubface.units import from_si
+
+
+def alternatives_of(
+    clubs: Sequence[str],
+    changes: Sequence[str] | None,
+    file: str | None,
+    texts: Mapping[str, Any],
+    units: Mapping[str, str] | None = None,
+) -> dict[str, dict[str, Any]]:
+    """Return every combination of what was given, called by what differs.
+
+    ``units`` are those of columns of ``file`` that name none.
+    """
+    from clubface.equipment.balls import ball
+
+    heads = _named([(options.club_of(which, texts["hand"], texts.get("model")), which) for which in clubs], "CLUB")
+    balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
+    models = options.model_names(texts["model"], DEFAULT_MODEL)
+    options.check_accuracy(models, texts["accuracy"])
+    swings = _deliveries(changes, file, units or {}, texts)
+    combined = []
+    for head_name, head in heads.items():
+        for ball_name, made in balls.items():
+            for model in models:
+                for set_name, chosen in _sets(model, models, head, texts).items():
+                    for swing_name, swing in swings.items():
+                        names = (head_name, ball_name, model, set_name, swing_name)
+                        fields = {"club": head, "ball": made, "model": model, "parameters": chosen, "delivery": swing,
+                                  "accuracy": texts["accuracy"]}  # fmt: skip
+                        combined.append((names, fields))
+    differ = [len(set(column)) > 1 for column in zip(*(names for names, _ in combined), strict=True)]
+    found = {}
+    for names, fields in combined:
+        told = [name for name, shown in zip(names, differ, strict=True) if shown]
+        found[", ".join(told) or names[0]] = fields
+    return found
+
+
+def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
+    """Return things by their names; those of the same name are called as they were typed."""
+    names = [each.name for each, _ in pairs]
+    found = {}
+    for name, (each, typed) in zip(names, pairs, strict=True):
+        key = name if names.count(name) == 1 else Path(str(typed)).stem
+        key = str(typed) if key in found else key
+        if key in found:
+            raise InputError(option, typed, "given once: it is compared with itself")
+        found[key] = each
+    return found
+
+
+def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the parameter sets of a model to compare: those given that fit it, or that by default."""
+    settings = texts["setting"] or []
+    options.parameter_sets(models, head.parameters, texts["parameters"], settings)  # refuses what fits none of them
+    usual = options.parameter_sets([model], head.parameters)[model]
+    fitting = [each for each in settings if each.partition("=")[0].strip() in usual.values]
+    chosen = []
+    for which in texts["parameters"] or ():
+        found = options.parameter_sets(models, head.parameters, which)[model]
+        # One that serves another of the models leaves this one with its own.
+        if len(models) == 1 or found != usual:
+            chosen.append((options.parameter_sets([model], head.parameters, which, fitting)[model], which))
+    if not chosen:
+        changed = options.parameter_sets([model], head.parameters, None, fitting)[model]
+        return {"default parameters": changed if fitting else None}
+    return _named(chosen, "--parameters")
+
+
+def _deliveries(
+    changes: Sequence[str] | None, file: str | None, units: Mapping[str, str], texts: Mapping[str, Any]
+) -> dict[str, dict[str, float]]:
+    from clubface.simulation.inputs import DIMENSIONS
+
+    base = options.quantities(texts, DIMENSIONS, {})
+    if changes and file is not None:
+        raise ClubfaceError("--delivery and --deliveries both say what is compared; give one of them")
+    if file is not None:
+        from clubface.design.comparison import MOST, read_deliveries
+
+        told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"), units=units)
+        found = {name: {**base, **each} for name, each in told.items()}
+    else:
+        told, found = {}, {}
+        for text in changes or [""]:
+            pairs = options.pairs(text.split(",") if text else (), "--delivery")
+            check_names("value of --delivery", pairs, DIMENSIONS)
+            told[text] = {
+                name: options.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name])
+                for name, each in pairs.items()
+            }
+            swing = {**base, **told[text]}
+            if swing in found.values():
+                raise InputError("--delivery", text, "given once: it is compared with itself")
+            found[text] = swing
+    for name in base:
+        if told and all(name in each for each in told.values()):
+            what = f"every row of {file}" if file is not None else "every --delivery"
+            raise ClubfaceError(f"--{name.replace('_', '-')} has no effect: {what} has its own; leave it out")
+    if any("speed" not in each for each in found.values()):
+        raise ClubfaceError('--speed is missing; give it with its unit, as in --speed "113 mph"')
+    return found
+
 
 app = typer.Typer(add_completion=False)
 
@@ -86,12 +190,12 @@ def compare(
     output.check_target("--output", target, (".csv", ".tsv", ".parquet"), inputs)
     output.check_picture(plot, inputs)
     output.check_report(report, inputs)
-    conditions = option_values.conditions(texts)
-    file_units = option_values.pairs(unit or (), "--unit") if deliveries is not None else {}
+    conditions = options.conditions(texts)
+    file_units = options.pairs(unit or (), "--unit") if deliveries is not None else {}
     file_units = {name: symbol for name, symbol in file_units.items() if name not in VALUES}
     shown = shown_units(each for each in unit or () if each.partition("=")[0].strip() not in file_units)
 
-    from clubface.design.comparison.comparison import MOST, compare as computed
+    from clubface.design.comparison import MOST, compare as computed
 
     alternatives = alternatives_of(clubs, delivery, deliveries, texts, file_units)
     if nodes is not None and not split:
@@ -106,7 +210,7 @@ def compare(
         found = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
     if plot is not None or report is not None:
         from clubface import plots
-        from clubface.design.comparison.figures import comparison_figure
+        from clubface.design.pictures import comparison_figure
 
         figure = comparison_figure(found, **conditions, units={key: told for key, (told, _) in shown.items()})
         if plot is not None:
@@ -125,7 +229,7 @@ def compare(
     else:
         _print(found, shown)
         struck = [(found.launches[name].club, each["delivery"]) for name, each in alternatives.items()]
-        if told := option_values.own_lofts(struck):
+        if told := options.own_lofts(struck):
             print()
             output.print_paragraph(told)
     say_written([each for each in (target, plot, report) if each is not None])
@@ -198,10 +302,10 @@ def _print_split(found: Any, name: str, shown: Shown) -> None:
 
 def _told(launch: Any, made: Any) -> list[tuple[list[str], Any]]:
     """Return name and values of each change with its contribution; the coefficients of a fit are taken together."""
-    from clubface.simulation.quantities import inputs
+    from clubface.simulation.results import inputs
     from clubface.simulation.sensitivity import FEW, OF_THE_BALL
 
-    parameters = {each.name: each.unit for each in model(launch.model).parameters}
+    parameters = {each.name: each.unit for each in model_named(launch.model).parameters}
     fitted = {name for name in parameters if len(parameters) > FEW and name not in OF_THE_BALL}
     rows, hidden = [], []
     for change, part in zip(made.changes, made.si, strict=True):
@@ -229,7 +333,7 @@ def _head(name: str) -> str:
 
 def _by_name(part: Any) -> dict[str, float]:
     """Return differences or contributions [SI] by quantity."""
-    from clubface.design.comparison.quantities import QUANTITIES
+    from clubface.design.contributions import QUANTITIES
 
     return dict(zip(QUANTITIES, map(float, part), strict=True))
 
@@ -265,7 +369,7 @@ def _document(found: Any, alternatives: Mapping[str, Mapping[str, Any]]) -> dict
 
 
 def _write(found: Any, target: str) -> None:
-    from clubface.tables.writer import write_columns
+    from clubface.shots.tables.writer import write_columns
 
     write_columns(_columns(found), Path(target))
 

@@ -1,29 +1,147 @@
-"""``clubface dispersion``: where a golfer's shots go, by sampling and by derivatives, and what spreads them."""
+"""``clubface dispersion``: where a golfer's shots go, by sampling and by derivatives, and what spreads them.
+
+What ``clubface dispersion`` found as JSON has it.
+
+The report of ``clubface dispersion``: where the shots go, in words, beside what the command prints.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
-from clubface.cli.dispersion_document import QUANTILES, document
-from clubface.cli.dispersion_report import write as write_report
+from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
-from clubface.cli.golfer import GolferArgument
-from clubface.cli.progress import progress_bar
-from clubface.cli.quantity_units import VALUES
-from clubface.cli.tables import print_numbers
+from clubface.cli.golfer import GolferArgument, golfer_sources
+from clubface.cli.output import VALUES, print_numbers, progress_bar
 from clubface.equipment.models import models
 from clubface.errors import ClubfaceError, InputError
+from clubface.support.version import __version__
 from clubface.units import from_si, size
 
 if TYPE_CHECKING:
-    from clubface.design.dispersion.derivatives import ByDerivatives
-    from clubface.design.dispersion.indices import Indices
-    from clubface.design.dispersion.sampling import Dispersion
-    from clubface.design.golfer.golfer import Golfer
+    from clubface.design.dispersion import Dispersion, Hitting
+    from clubface.design.golfer import Golfer
     from clubface.design.strokes import Hole
+    from clubface.design.variance import ByDerivatives, Indices
+
+
+QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
+"""The shares of the shots whose quantiles are told."""
+
+
+def document(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> dict[str, Any]:
+    """Return a dispersion with its spread by derivatives and its shares of the variance, as JSON has them [SI]."""
+    from dataclasses import asdict
+
+    from clubface.design.dispersion import SHARES
+
+    found: dict[str, Any] = {
+        "golfer": of.golfer.name, "club": of.club.name, "ball": of.ball.name, "model": of.model, "shots": of.count,
+        "lost": of.lost, "reasons": dict(of.reasons), "seed": of.seed, "clubface_version": __version__,
+        "quantities": {
+            name: {
+                "mean": of.mean(name), "spread": of.spread(name), "of_mean_delivery": of.mean_shot[name],
+                "quantiles": {f"{share:g}": of.quantile(name, share) for share in QUANTILES},
+            }
+            for name in of.quantities
+        },
+    }  # fmt: skip
+    if of.points.size:
+        found["ellipses"] = [
+            {
+                "share": each.share,
+                "centre": each.centre.tolist(),
+                "half_axes": each.half_axes.tolist(),
+                "angle": each.angle,
+            }
+            for each in map(of.ellipse, SHARES)
+        ]
+    if slopes is not None:
+        found["by_derivatives"] = {
+            name: {
+                "mean": slopes.mean(name),
+                "spread": slopes.spread(name),
+                "spread_first_order": slopes.spread(name, order=1),
+            }
+            for name in slopes.value
+        }
+    if of.hole is not None:
+        found["hole"] = {
+            **asdict(of.hole),
+            "before": of.hole.before(),
+            "after": of.strokes,
+            "gained": of.gained,
+            "lies": dict(of.lies),
+        }
+    if shares is not None:
+        found["shares"] = {
+            "kind": shares.kind, "variables": shares.variables,
+            "share": {name: each.tolist() for name, each in shares.share.items()},
+            "total": {name: each.tolist() for name, each in shares.total.items()},
+        }  # fmt: skip
+    return found
+
+
+def write(
+    target: str,
+    of: Dispersion,
+    shares: Indices | None,
+    hit: Hitting,
+    conditions: Mapping[str, Any],
+    show: Callable[[], None],
+) -> None:
+    """Write the report; ``conditions`` are air, wind and ground, ``show`` prints the tables."""
+    from clubface.design.pictures import dispersion_figure
+
+    drawn = None
+    columns: dict[str, Any] = {}
+    if of.points.size:
+        drawn = ("Where the balls land, and what spreads them", dispersion_figure(of, shares))
+        columns = {"ahead (yd)": from_si(of.points[:, 0], "yd"), "right (yd)": from_si(of.points[:, 1], "yd")}
+    golfer = of.golfer
+    hole = {} if of.hole is None else {"hole": of.hole.told()}
+    told = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
+    with_ = "" if told["golfer"].endswith(of.club.name) else f" with {of.club.name}"
+    reporting.write(
+        target, title=f"{told['golfer']}: where the shots go{with_}", words=_words(of, shares),
+        picture=drawn, columns=columns, show=show, launches=[hit.mean(golfer)[0]],
+        given=told | hole, conditions=conditions, sources=golfer_sources(golfer),
+    )  # fmt: skip
+
+
+def _words(of: Dispersion, shares: Indices | None) -> Iterator[str]:
+    """Say where shots go, and what spreads them most, in sentences."""
+
+    def told(name: str, share: float) -> str:
+        return f"{from_si(of.quantile(name, share), VALUES[name][0]):.0f}"
+
+    yield f"Half of {of.count} shots leave at {told('ball_speed', 0.25)} to {told('ball_speed', 0.75)} mph."
+    if not of.points.size:
+        return
+    yield (
+        f"Half of them carry {told('carry', 0.25)} to {told('carry', 0.75)} yd, and nine of ten at least "
+        f"{told('carry', 0.1)} yd."
+    )
+    left, right = (from_si(of.quantile("side", share), "yd") for share in (0.05, 0.95))
+    places = [reporting.more_or_less(each, "yd", ("right", "left"), 0) for each in (left, right)]
+    yield f"Nine of ten land between {' and '.join(places)} of the line."
+    if shares is not None:
+        from clubface.design.golfer import told as name_of
+
+        words = {"carry": "How far the ball goes", "side": "How far it is off the line"}
+        for name, parts in shares.share.items():
+            most = max(range(len(parts)), key=lambda place, parts=parts: float(parts[place]))
+            if name in words:
+                yield (
+                    f"{words[name]} depends most on the {name_of(shares.variables[most])}, which makes"
+                    f" {float(parts[most]):.0%} of the differences (of the variance)."
+                )
+    if of.hole is not None:
+        yield f"On the hole given, the shot leaves {of.strokes:.2f} strokes to play, as tour players count."
+
 
 app = typer.Typer(add_completion=False)
 
@@ -72,10 +190,9 @@ def dispersion(
     **texts: Any,
 ) -> None:
     """Hit many shots of a golfer and sum up where they go."""
-    from clubface.design.dispersion.hitting import Hitting
-    from clubface.design.dispersion.sampling import COUNT, dispersion as compute
-    from clubface.design.golfer.golfers import club_of, golfer as golfer_named
-    from clubface.tables.writer import KINDS
+    from clubface.design.dispersion import COUNT, Hitting, dispersion as compute
+    from clubface.design.golfer import club_of, golfer as golfer_named
+    from clubface.shots.tables.writer import KINDS
 
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
@@ -85,15 +202,15 @@ def dispersion(
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
     own = None if club is not None else "right" if player.hand > 0 else "left"
-    head = option_values.club_of(
+    head = options.club_of(
         club_of(player) if club is None else club,
         own if texts["hand"] is None else texts["hand"],
         texts["model"],
     )
     _check(player, head, texts["model"], count)
-    conditions = option_values.conditions(texts)
+    conditions = options.conditions(texts)
     hitting = {
-        "model": texts["model"], "parameters": option_values.one_set(head, texts), "ball": texts["ball"],
+        "model": texts["model"], "parameters": options.one_set(head, texts), "ball": texts["ball"],
         "flight": not no_flight, "accuracy": texts["accuracy"], **conditions,
     }  # fmt: skip
     played = _hole(hole, fairway, rough, lie)
@@ -107,17 +224,17 @@ def dispersion(
     hit = Hitting(head, **hitting)
     slopes, shares = _by_derivatives(found, hit), None
     if not (no_shares or no_flight) and found.golfer.spread.any():
-        from clubface.design.dispersion.indices import indices
+        from clubface.design.variance import indices
 
         with progress_bar("orders of what varies") as progress:
             shares = indices(found.golfer, hit, seed=seed, progress=progress)
     if picture is not None:
         from clubface import plots
-        from clubface.design.dispersion.figure import dispersion_figure
+        from clubface.design.pictures import dispersion_figure
 
         say(f"wrote {plots.save(dispersion_figure(found, shares), picture)}")
     if report is not None:
-        write_report(report, found, shares, hit, conditions, lambda: _print(found, slopes, shares))
+        write(report, found, shares, hit, conditions, lambda: _print(found, slopes, shares))
         say(f"wrote {report}")
     if as_json:
         output.print_json(document(found, slopes, shares))
@@ -151,7 +268,7 @@ def _file(target: str | None, seed: int) -> Any:
         from contextlib import nullcontext
 
         return nullcontext()
-    from clubface.design.dispersion.file import shots_file
+    from clubface.design.dispersion import shots_file
 
     return shots_file(target, seed=seed)
 
@@ -166,12 +283,10 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
     from clubface.design.strokes import Hole
 
     told = {"fairway": fairway, "rough": rough}
-    lengths = {
-        name: option_values.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None
-    }
+    lengths = {name: options.parsed(f"--{name}", text, "length") for name, text in told.items() if text is not None}
     try:
         return Hole(
-            length=option_values.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie})
+            length=options.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie})
         )
     except InputError as error:
         error.parameter = "--hole" if error.parameter == "length" else error.parameter
@@ -182,7 +297,7 @@ def _by_derivatives(of: Dispersion, hit: Any) -> ByDerivatives | None:
     """Return the spread by derivatives, or None for a model that has none."""
     if of.model not in models():
         return None
-    from clubface.design.dispersion.derivatives import by_derivatives
+    from clubface.design.variance import by_derivatives
 
     return by_derivatives(of.golfer, hit)
 
@@ -219,7 +334,7 @@ def _print(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None)
 def _print_ellipses(of: Dispersion) -> None:
     from math import degrees
 
-    from clubface.design.dispersion.sampling import SHARES
+    from clubface.design.dispersion import SHARES
 
     rows = []
     for share in SHARES:
@@ -245,7 +360,7 @@ def _print_strokes(of: Dispersion) -> None:
 
 
 def _print_shares(of: Indices) -> None:
-    from clubface.design.golfer.golfer import told
+    from clubface.design.golfer import told
 
     order = sorted(range(len(of.variables)), key=lambda place: -max(float(each[place]) for each in of.share.values()))
     sobol = of.kind == "sobol"

@@ -7,10 +7,10 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
+from clubface.cli import options, output
 from clubface.cli.failures import say, say_written
+from clubface.cli.output import print_numbers
 from clubface.cli.recorded import RECORDED, recorded_shots
-from clubface.cli.tables import print_numbers
 
 app = typer.Typer(add_completion=False)
 
@@ -47,20 +47,20 @@ def evaluate(
     **texts: Any,
 ) -> None:
     """Compare models with measured shots: how large their errors are, what these depend on, which model is best."""
-    names = option_values.model_names(models)
+    names = options.model_names(models)
     output.prepare_folder(folder)
-    from clubface.evaluation import report, tables
-    from clubface.evaluation.evaluation import evaluate as compute
+    from clubface.inference.evaluation import report, tables
+    from clubface.inference.evaluation.evaluation import evaluate as compute
 
     if folder is not None:
         report.refuse_input(folder, shots)
 
     recorded = recorded_shots(shots, texts)
-    sets = option_values.parameter_sets(names, recorded.club.parameters, parameters, setting)
+    sets = options.parameter_sets(names, recorded.club.parameters, parameters, setting)
     result = compute(
         recorded, models=names, parameters=sets, ball=texts["ball"],
-        noise=option_values.pairs(noise or (), "--noise"),
-        delivery_noise=option_values.pairs(delivery_noise or (), "--delivery-noise"),
+        noise=options.pairs(noise or (), "--noise"),
+        delivery_noise=options.pairs(delivery_noise or (), "--delivery-noise"),
         compared_at="launch" if at_launch else "delivery", resamples=resamples, seed=seed, progress=_progress(),
     )  # fmt: skip
     files = result.write(folder) if folder is not None else []

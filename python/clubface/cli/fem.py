@@ -1,4 +1,7 @@
-"""``clubface fem``: finite element impacts."""
+"""``clubface fem``: finite element impacts.
+
+The rows of the tables of ``clubface fem``.
+"""
 
 from __future__ import annotations
 
@@ -10,18 +13,99 @@ import typer
 
 from clubface.cli import options, output
 from clubface.cli.failures import Interrupted, say, say_written
-from clubface.cli.fem_design import design
-from clubface.cli.fem_parts import ball as report_ball, face as report_face, head as report_head
-from clubface.cli.fem_rows import FIGURE_ROWS, PAPER_ROWS, REFERENCE_ROWS, RUN_ROWS, SWEEP_COLUMNS
-from clubface.cli.progress import progress_bar, run_with_progress
-from clubface.cli.tables import print_numbers
+from clubface.cli.fem_heads import ball as report_ball, design, face as report_face, head as report_head
+from clubface.cli.output import print_numbers, progress_bar, run_with_progress
 from clubface.errors import InputError, RunError, Told
 from clubface.support.checks import check_choice
-from clubface.support.folders import prepared_folder
+from clubface.support.files import prepared_folder
 from clubface.units import fixed, from_si
 
 if TYPE_CHECKING:
     from clubface.fem.case import Case
+
+
+RUN_ROWS: tuple[tuple[str, str, str, int], ...] = (
+    ("ball speed, mph", "ball_speed", "mph", 1),
+    ("launch angle, deg", "launch", "deg", 2),
+    ("azimuth, deg", "azimuth", "deg", 2),
+    ("velocity off the plane, m/s", "normal_velocity", "1", 2),
+    ("velocity along it, m/s", "tangential_velocity", "1", 2),
+    ("backspin, rpm", "backspin", "rpm", 0),
+    ("sidespin, rpm", "sidespin", "rpm", 0),
+    ("spin axis, deg", "spin_axis", "deg", 1),
+    ("carry, yd", "carry", "yd", 1),
+    ("side, yd", "side", "yd", 1),
+    ("apex, yd", "apex", "yd", 1),
+)
+"""Label, key, unit and digits of launch and flight."""
+FIGURE_ROWS: tuple[tuple[str, str, str, int], ...] = (
+    ("peak force, N", "peak_force", "1", 0),
+    ("at, us", "peak_force_time", "us", 0),
+    ("contact, us", "contact_time", "us", 0),
+    ("largest tangential force, N", "tangential_max", "1", 0),
+    ("smallest tangential force, N", "tangential_min", "1", 0),
+    ("reversal, us", "reversal_time", "us", 0),
+    ("largest spin on the way, rpm", "spin_max", "rpm", 0),
+    ("contraction, %", "contraction", "%", 1),
+    ("at, us ", "contraction_time", "us", 0),
+    ("f'", "f_prime", "1", 4),
+    ("f", "f", "1", 4),
+)
+"""The same, of the figures of the contact."""
+
+PAPER_ROWS: tuple[tuple[str, str, str, int], ...] = (
+    ("ball speed, m/s", "ball_speed_mps", "1", 1),
+    ("ball speed, mph", "ball_speed_mps", "mph", 1),
+    ("launch angle, deg", "launch_deg", "1", 1),
+    ("club speed after, m/s", "club_speed_after_mps", "1", 1),
+    ("club speed after, mph", "club_speed_after_mps", "mph", 1),
+    ("spin of the launch, rpm", "spin_rpm", "1", 0),
+    ("spin of all nodes at take-off, rpm", "ball_spin_rpm", "1", 0),
+    ("spin of a section's nodes at take-off, rpm", "section_spin_rpm", "1", 0),
+    ("spin if it rolled off, rpm", "rolling_spin_rpm", "1", 0),
+    ("velocity along the face at first, m/s", "tangential_first_mps", "1", 2),
+    ("least of it, m/s", "tangential_least_mps", "1", 2),
+    ("at, us", "tangential_least_time_s", "us", 0),
+    ("at take-off, m/s", "tangential_last_mps", "1", 2),
+    ("peak force, N", "peak_force_n", "1", 0),
+    ("at, us ", "peak_force_time_s", "us", 0),
+    ("reversal, us", "reversal_time_s", "us", 0),
+    ("contraction, %", "contraction", "%", 1),
+    ("at, us  ", "contraction_time_s", "us", 0),
+    ("f'", "f_prime", "1", 4),
+    ("f", "f", "1", 4),
+)
+"""Label, key, unit and digits."""
+
+SWEEP_COLUMNS: tuple[tuple[str, str, str, int], ...] = (
+    ("speed\nm/s", "speed_mps", "1", 1),
+    ("\nmph", "speed_mps", "mph", 1),
+    ("loft\ndeg", "loft_deg", "1", 1),
+    ("ball\nm/s", "ball_speed_mps", "1", 1),
+    ("\nmph", "ball_speed_mps", "mph", 1),
+    ("launch\ndeg", "launch_deg", "1", 2),
+    ("spin\nrpm", "spin_rpm", "1", 0),
+    ("club after\nm/s", "club_speed_after_mps", "1", 1),
+    ("\nmph", "club_speed_after_mps", "mph", 1),
+    ("peak\nN", "peak_force_n", "1", 0),
+    ("f", "f", "1", 4),
+)
+"""Heading, key, unit and digits of the columns of a sweep."""
+
+REFERENCE_ROWS: tuple[tuple[str, str, str, int], ...] = (
+    ("normal rebound, m/s", "normal_mps", "1", 2),
+    ("tangential rebound, m/s", "tangential_mps", "1", 2),
+    ("spin, rpm", "spin_rpm", "1", 0),
+    ("largest spin, rpm", "spin_max_rpm", "1", 0),
+    ("peak force, N", "peak_force_n", "1", 0),
+    ("at, us", "peak_force_time_s", "us", 0),
+    ("contact, us", "contact_time_s", "us", 0),
+    ("largest tangential force, N", "tangential_max_n", "1", 0),
+    ("smallest tangential force, N", "tangential_min_n", "1", 0),
+    ("reversal, us", "reversal_time_s", "us", 0),
+)
+"""Label, key, unit and digits."""
+
 
 app = typer.Typer(
     add_completion=False,
@@ -87,7 +171,7 @@ def reference(
         output.print_json(document)
         _end(found)
         return
-    from clubface.fem.reference_case import other_solvers
+    from clubface.fem.paper import other_solvers
 
     # What other solvers found is known of this case alone.
     same = friction == 0.35 and ball == "reference"
@@ -141,7 +225,7 @@ def run(
         if folder is not None:
             written += files.write_run(found, folder, animation=animate)
         if report is not None:
-            from clubface.cli.fem_report import write_run
+            from clubface.cli.fem_heads import write_run
 
             write_run(report, found, chosen, case, show)
             written.append(report)
@@ -224,17 +308,17 @@ def export(
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""
-    from clubface.fem import case as cases, keyword, vtu
+    from clubface.fem import case as cases, files, keyword
 
     check_choice("--format", form, ("lsdyna", "vtu"))
     chosen = cases.case(case)
     target = prepared_folder(folder)
     if form == "lsdyna":
-        say_written([keyword.write(chosen, target / f"{vtu.file_stem(chosen.name)}.k")])
+        say_written([keyword.write(chosen, target / f"{files.file_stem(chosen.name)}.k")])
         return
     wanted = chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True})
     found = run_with_progress(wanted.run)
-    say_written(vtu.write_series(found, target, chosen.name)[-1:])
+    say_written(files.write_series(found, target, chosen.name)[-1:])
     _end(found)
 
 

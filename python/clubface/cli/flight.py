@@ -6,8 +6,8 @@ from typing import Any
 
 import typer
 
-from clubface.cli import option_values, options, output
-from clubface.cli.tables import print_numbers
+from clubface.cli import options, output
+from clubface.cli.output import print_numbers
 from clubface.units import from_si
 
 app = typer.Typer(add_completion=False)
@@ -29,13 +29,12 @@ ENDS = ("soft", "firm")
 def flight(as_json: options.Json = False, **texts: Any) -> None:
     """Compute where a launched ball flies, bounces and rolls."""
     from clubface.equipment.balls import ball
-    from clubface.simulation.flight import fly
-    from clubface.simulation.grounds import has_measured_run
-    from clubface.simulation.quantities import outputs
+    from clubface.simulation.flight import fly, has_measured_run
+    from clubface.simulation.results import outputs
 
     dimensions = {name: outputs()[name].dimension for name in options.LAUNCH}
-    values = option_values.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})
-    conditions = option_values.conditions(texts)
+    values = options.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})
+    conditions = options.conditions(texts)
     launch = {**values, **ball(texts["ball"]).inputs()}
     flown = fly(launch, **conditions)
     between: dict[str, float] = {}

@@ -8,13 +8,12 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
-from clubface.cli.progress import progress_bar
+from clubface.cli import options, output
+from clubface.cli.output import print_numbers, progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
-from clubface.cli.tables import print_numbers
 from clubface.equipment.models import model as model_named
 from clubface.errors import ClubfaceError, InputError
-from clubface.support.whole_file import write_text
+from clubface.support.files import write_text
 
 app = typer.Typer(add_completion=False)
 
@@ -113,7 +112,7 @@ def identify(
     **texts: Any,
 ) -> None:
     """Identify parameters of a model from shots whose delivery and launch were measured."""
-    ties = {name: value.strip() for name, value in option_values.pairs(tie or (), "--tie").items()}
+    ties = {name: value.strip() for name, value in options.pairs(tie or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)
     output.check_picture(plot, read)
@@ -121,18 +120,18 @@ def identify(
         raise ClubfaceError("--model is missing; name the model whose parameters to find, as in --model slip")
     model = model_named(texts["model"]).name
 
-    from clubface.identification.run import identify as fit
+    from clubface.inference.identification.run import identify as fit
 
     recorded = recorded_shots(shots, texts)
     head = recorded.club
     kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         found = fit(
-            recorded, club=head, model=model, parameters=option_values.one_set(head, texts), free=_free(free),
+            recorded, club=head, model=model, parameters=options.one_set(head, texts), free=_free(free),
             tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"],
-            quantities=option_values.names(quantities) or None,
+            quantities=options.names(quantities) or None,
             compared_at="launch" if at_launch else "delivery", cost=cost, normaliser=normaliser,
-            noise=option_values.pairs(noise or (), "--noise"), population=population,
+            noise=options.pairs(noise or (), "--noise"), population=population,
             generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,
             profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],
             threads=threads, checkpoint=kept, resume=resume,
@@ -151,14 +150,14 @@ def _write(found: Any, target: str | None, plot: str | None) -> None:
     if target is not None:
         write_text(target, found.to_toml())
     if plot is not None:
-        from clubface.identification.figures import identification_figure
-        from clubface.plots.style import save
+        from clubface.inference.identification.picture import identification_figure
+        from clubface.plots import save
 
         save(identification_figure(found), plot)
 
 
 def _print(found: Any) -> None:
-    from clubface.identification import result as report
+    from clubface.inference.identification import result as report
 
     share = f"{100 * found.confidence:g}% interval"
     heads = ["parameter", "value", f"{share}\nfrom", "\nto", "profile\nlikelihood", "\nidentified"]
@@ -169,13 +168,13 @@ def _print(found: Any) -> None:
 
 
 def _free(texts: Iterable[str] | None) -> str | list[str] | None:
-    names = option_values.names(texts)
+    names = options.names(texts)
     return "all" if names == ["all"] else names or None
 
 
 def _bounds(texts: Iterable[str] | None) -> dict[str, tuple[str, str]]:
     found = {}
-    for name, value in option_values.pairs(texts or (), "--bounds").items():
+    for name, value in options.pairs(texts or (), "--bounds").items():
         low, colon, high = value.partition(":")
         if not (colon and low.strip() and high.strip()):
             raise InputError("--bounds", f"{name}={value}", "of the form name=low:high")

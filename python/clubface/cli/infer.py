@@ -6,15 +6,14 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
+from clubface.cli import options, output
 from clubface.cli.failures import say
-from clubface.cli.progress import progress_bar
+from clubface.cli.output import print_numbers, progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
-from clubface.cli.tables import print_numbers
 from clubface.errors import ClubfaceError
-from clubface.simulation.quantities import outputs
+from clubface.shots.tables.writer import KINDS
+from clubface.simulation.results import outputs
 from clubface.support.checks import check_choice
-from clubface.tables.writer import KINDS
 
 app = typer.Typer(add_completion=False)
 
@@ -61,14 +60,14 @@ def infer(
     **texts: Any,
 ) -> None:
     """Sample the deliveries that can have made a launch, and say what the launch leaves open."""
-    from clubface.simulation.delivery import OF_CLUB
+    from clubface.simulation.inputs import OF_CLUB
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
-    launch, delivery = option_values.quantities(texts, dimensions, {}), option_values.quantities(texts, OF_CLUB, {})
+    launch, delivery = options.quantities(texts, dimensions, {}), options.quantities(texts, OF_CLUB, {})
     settings: dict[str, Any] = {
         "model": texts["model"], "ball": texts["ball"], "prior": prior, "seed": seed, "accuracy": texts["accuracy"],
-        "noise": option_values.pairs(noise or (), "--noise"),
-        "delivery_noise": option_values.pairs(delivery_noise or (), "--delivery-noise"),
+        "noise": options.pairs(noise or (), "--noise"),
+        "delivery_noise": options.pairs(delivery_noise or (), "--delivery-noise"),
         **({} if samples is None else {"samples": samples}),
     }  # fmt: skip
     if shots is not None:
@@ -78,45 +77,45 @@ def infer(
         recorded = recorded_shots(shots, texts)
         for note in recorded.notes:
             say(f"note: {note}")
-        settings |= {"club": recorded.club, "parameters": option_values.one_set(recorded.club, texts)}
-        _whole_file(_without(recorded, option_values.names(ignore)), settings, target, resume, as_json)
+        settings |= {"club": recorded.club, "parameters": options.one_set(recorded.club, texts)}
+        _whole_file(_without(recorded, options.names(ignore)), settings, target, resume, as_json)
         return
     if ignore:
         raise ClubfaceError("--ignore is for a file of shots; of one launch, leave out the club data itself")
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
-    head = option_values.club_of(texts["club"], texts["hand"], texts.get("model"))
+    head = options.club_of(texts["club"], texts["hand"], texts.get("model"))
     output.check_target("--output", target, KINDS)
     output.check_picture(picture)
-    from clubface.inference import words
+    from clubface.inference import posterior
     from clubface.inference.run import infer as compute
 
     if not launch:
         measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)
         raise ClubfaceError(f"no launch is given; give at least one of {measured}")
-    found = compute(launch, club=head, delivery=delivery, parameters=option_values.one_set(head, texts), **settings)
+    found = compute(launch, club=head, delivery=delivery, parameters=options.one_set(head, texts), **settings)
     if target is not None:
         found.shots().write(target)
         say(f"wrote {target}")
     if picture is not None:
         from clubface import plots
-        from clubface.inference.figures import pairs_figure
+        from clubface.inference.picture import pairs_figure
 
         say(f"wrote {plots.save(pairs_figure(found), picture)}")
     if as_json:
-        output.print_json(words.document(found))
+        output.print_json(posterior.document(found))
     else:
-        heads, rows = words.summary(found)
+        heads, rows = posterior.summary(found)
         print_numbers(heads, rows, title=f"Deliveries that make this launch: {head.name}, {found.model}")
         print()
-        output.print_notes(words.notes(found))
+        output.print_notes(posterior.notes(found))
 
 
 def _without(recorded: Any, ignored: list[str]) -> Any:
     """Return the shots without the club data ``ignored``."""
     from dataclasses import replace
 
-    from clubface.simulation.delivery import OF_CLUB
+    from clubface.simulation.inputs import OF_CLUB
 
     for name in ignored:
         check_choice("--ignore", name, (*OF_CLUB, "all"))

@@ -7,9 +7,9 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output
-from clubface.cli.tables import print_numbers, print_words
+from clubface.cli.output import print_numbers, print_words
 from clubface.equipment.models import DEFAULT_MODEL, further_models, model, models as registry
-from clubface.equipment.ranges import RANGES, in_words
+from clubface.equipment.parameters import RANGES, in_words
 
 app = typer.Typer(add_completion=False)
 

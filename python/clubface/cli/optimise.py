@@ -9,8 +9,7 @@ import typer
 
 from clubface.cli import options, output, reporting
 from clubface.cli.failures import say
-from clubface.cli.progress import progress_bar
-from clubface.cli.tables import print_numbers
+from clubface.cli.output import print_numbers, progress_bar
 
 app = typer.Typer(add_completion=False)
 
@@ -36,7 +35,7 @@ def optimise(
     output.check_report(report, (study,))
     output.check_resume(resume, target)
     from clubface.design.optimisation.fitting import Fitting
-    from clubface.design.optimisation.study_file import read
+    from clubface.design.optimisation.study import read
 
     asked = read(study)
     output.check_not_read(target)
@@ -51,7 +50,7 @@ def optimise(
 def _optimise(
     asked: Any, target: str | None, picture: str | None, report: str | None, resume: bool, as_json: bool
 ) -> None:
-    from clubface.design.optimisation import words
+    from clubface.design.optimisation import result
     from clubface.design.optimisation.run import optimise as find
 
     with progress_bar(lambda _, whole, told: told) as progress:
@@ -59,7 +58,7 @@ def _optimise(
     if target is not None:
         say(f"wrote {target}")
     if picture is not None or report is not None:
-        from clubface.design.optimisation.figures import optimum_figure
+        from clubface.design.pictures import optimum_figure
 
         figure = optimum_figure(found)
         if picture is not None:
@@ -70,17 +69,17 @@ def _optimise(
             _report(found, figure, report)
             say(f"wrote {report}")
     if as_json:
-        output.print_json(words.document(found))
+        output.print_json(result.document(found))
     else:
         _print(found)
 
 
 def _report(found: Any, figure: Any, target: str) -> None:
-    from clubface.design.optimisation import words
+    from clubface.design.optimisation import result
 
-    heads, rows = words.design_table(found)
+    heads, rows = result.design_table(found)
     reporting.write(
-        target, title=found.study.title, words=words.gains(found),
+        target, title=found.study.title, words=result.gains(found),
         picture=("Landings with the club at the start and with the optimum, and what changed", figure),
         columns={head.replace("\n", " ") or "field": [row[place] for row in rows] for place, head in enumerate(heads)},
         show=lambda: _print(found), launches=_deliveries(found.study, [found.study.club, found.built]),
@@ -89,27 +88,27 @@ def _report(found: Any, figure: Any, target: str) -> None:
 
 
 def _print(found: Any) -> None:
-    from clubface.design.optimisation import words
+    from clubface.design.optimisation import result
 
     asked = found.study
-    print_numbers(*words.design_table(found), title=asked.title)
+    print_numbers(*result.design_table(found), title=asked.title)
     print()
-    print_numbers(*words.shots_table(found), title="On fresh shots")
+    print_numbers(*result.shots_table(found), title="On fresh shots")
     print()
-    print_numbers(*words.limits_table(found), title="Limits")
-    heads, rows = words.placement_table(found)
+    print_numbers(*result.limits_table(found), title="Limits")
+    heads, rows = result.placement_table(found)
     if rows:
         print()
         print_numbers(heads, rows, title="One way to place the discretionary mass, seen from the face centre")
     if found.front:
         print()
-        print_numbers(*words.front_table(found), title="Clubs than which none is better in both objectives")
+        print_numbers(*result.front_table(found), title="Clubs than which none is better in both objectives")
     print()
-    output.print_notes(words.notes(found))
+    output.print_notes(result.notes(found))
 
 
 def _fit(asked: Any, target: str | None, picture: str | None, report: str | None, resume: bool, as_json: bool) -> None:
-    from clubface.design.optimisation import fitting_words
+    from clubface.design.optimisation import fitting_run
     from clubface.design.optimisation.fitting_run import fit, table
 
     with progress_bar("combinations") as progress:
@@ -118,12 +117,12 @@ def _fit(asked: Any, target: str | None, picture: str | None, report: str | None
         say(f"wrote {target}")
 
     def show() -> None:
-        print_numbers(*fitting_words.table(asked, found), title=asked.title)
+        print_numbers(*fitting_run.best_table(asked, found), title=asked.title)
         print()
-        output.print_notes(fitting_words.notes(asked, found))
+        output.print_notes(fitting_run.notes(asked, found))
 
     if picture is not None or report is not None:
-        from clubface.design.optimisation.fit_figure import fit_figure
+        from clubface.design.pictures import fit_figure
 
         figure = fit_figure(asked, found)
         if picture is not None:
@@ -133,14 +132,14 @@ def _fit(asked: Any, target: str | None, picture: str | None, report: str | None
         if report is not None:
             data = table(asked, found)
             reporting.write(
-                report, title=asked.title, words=fitting_words.advice(asked, found),
+                report, title=asked.title, words=fitting_run.advice(asked, found),
                 picture=("Landings with the best parts, and how far behind the others are", figure),
                 columns=dict(zip(data.headings, zip(*data.rows, strict=True), strict=True)), show=show,
                 launches=_deliveries(asked, asked.clubs, asked.balls), **_asked(asked),
             )  # fmt: skip
             say(f"wrote {report}")
     if as_json:
-        output.print_json(fitting_words.document(asked, found))
+        output.print_json(fitting_run.document(asked, found))
     else:
         show()
 
@@ -161,7 +160,7 @@ def _deliveries(asked: Any, clubs: Sequence[Any], balls: Sequence[Any] = (None,)
 
 def _asked(asked: Any) -> dict[str, Any]:
     """Return for whom, with how many shots and in which air a study was solved, as ``reporting.write`` takes it."""
-    from clubface.cli.golfer_report import golfer_sources
+    from clubface.cli.golfer import golfer_sources
 
     golfers = ", ".join(
         (golfer.title or golfer.name) + (f" (weight {weight:g})" if len(asked.golfers) > 1 else "")

@@ -1,14 +1,28 @@
-"""Options and arguments that commands share, in groups a command takes as a whole."""
+"""Options and arguments that commands share, and what their texts mean.
+
+Options and arguments that commands share, in groups a command takes as a whole.
+
+From the texts of options to deliveries, clubs, models, parameter sets and air.
+"""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
-from typing import Annotated, Any
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.equipment.models import DEFAULT_MODEL
+from clubface import units
+from clubface.cli.failures import say
+from clubface.equipment.models import DEFAULT_MODEL, model, models, models_with
+from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.support.checks import check_choice, check_names
+
+if TYPE_CHECKING:
+    from clubface.equipment.clubs import Club
+
 
 Group = Mapping[str, tuple[Any, Any]]
 """Options by the name of their value: annotation and default."""
@@ -178,3 +192,215 @@ def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]
         return command
 
     return with_options
+
+
+USUAL = {
+    "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
+    "angular rate": (0.0, 2000.0, "rpm"), "temperature": (200.0, 330.0, "degC"), "pressure": (4e4, 1.2e5, "hPa"),
+}  # fmt: skip
+"""Least and most [SI] of a dimension in golf, whatever the sign, and the unit in which it is told."""
+USUAL_OF = {
+    "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
+    **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),
+    **dict.fromkeys(("--hole", "--fairway", "--rough"), (0.0, 0.0, "yd")),
+    **dict.fromkeys(("--closure", "--pitch-rate", "--lie-rate"), (0.0, 250.0, "deg/s")),
+}  # fmt: skip
+"""The same of options that are more narrowly known than their dimension."""
+
+
+ONCE = ("--delivery", "--air", "--unit", "--assume")
+"""Options in which no name may be given twice; of those of --set the last wins."""
+
+
+def parsed(option: str, text: str, dimension: str) -> float:
+    """Return a value in SI.
+
+    A number without a unit is said to be taken so. One that no shot has in SI was meant in another unit, which is asked
+    for.
+    """
+    number = text.strip()
+    has_unit = number[-1:] not in "0123456789."
+    try:
+        value = units.parse(text if has_unit else float(number), dimension, name=option)
+    except ValueError:
+        value = units.parse(text, dimension, name=option)  # which says what is wrong with it
+    if has_unit or value == 0.0 or dimension == units.DIMENSIONLESS:
+        return value
+    si = units.SI_UNITS[dimension]
+    least, most, unit = USUAL_OF.get(option) or USUAL.get(dimension) or (0.0, math.inf, si)
+    if not least <= abs(value) <= most:
+        raise ClubfaceError(
+            f'{option} {number} has no unit; give it, as in {option} "{number} {unit}": a number alone is in {si}'
+        )
+    say(f"note: {option} {text} has no unit and is taken in {si}")
+    return value
+
+
+def quantities(
+    given: Mapping[str, str | None], dimensions: Mapping[str, str], required: Mapping[str, str]
+) -> dict[str, float]:
+    """Return the values that were given, SI; those ``required``, each with an example, must be among them."""
+    found = {}
+    for name, dimension in dimensions.items():
+        option, text = f"--{name.replace('_', '-')}", given[name]
+        if text is not None:
+            found[name] = parsed(option, text, dimension)
+        elif name in required:
+            raise ClubfaceError(f'{option} is missing; give it with its unit, as in {option} "{required[name]}"')
+    return found
+
+
+def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
+    """Return the delivery values that were given, SI; the speed must be among them."""
+    from clubface.simulation.inputs import DIMENSIONS
+
+    return quantities(given, DIMENSIONS, {"speed": "113 mph"})
+
+
+def club_of(which: str, hand: str | None = None, model: str | Iterable[str] | None = None) -> Any:
+    """Return the club called ``which``, turned to ``hand`` where one is given; ``model`` is what computes its shots."""
+    from clubface.equipment.clubs import club
+
+    found = club(which)
+    computed = [model] if isinstance(model, str) else [*(model or ())]
+    if hasattr(found, "head") and not found.characteristic_time and computed != ["fem"]:
+        say(
+            f"note: every model but fem takes the face of {found.name} as rigid; clubface fem head {which} --measure"
+            ' tells how it gives, and a line such as characteristic_time = "250 us" in the file says it'
+        )
+    return found if hand is None else found.replace(hand=hand)
+
+
+def model_names(given: Iterable[str] | None, unless_given: str = "all") -> list[str]:
+    """Return the models asked for, in the order asked; "all" are those of the registry."""
+    asked = names(given or [unless_given])
+    if not asked:
+        raise UnknownNameError("model", "", models())
+    spread = [each for name in asked for each in (models() if name == "all" else [name])]
+    return [model(name).name for name in dict.fromkeys(spread)]
+
+
+def names(texts: Iterable[str] | None) -> list[str]:
+    """Return the names in texts that each hold one or several with commas, each once."""
+    return list(dict.fromkeys(name.strip() for each in texts or () for name in each.split(",") if name.strip()))
+
+
+def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
+    """Refuse an accuracy of which none of the models makes any use."""
+    if accuracy is not None and all(model(name).kind == "impulse" for name in names):
+        contact = [name for name in models() if model(name).kind == "contact"]
+        told = f"leave it out: no steps are taken by {', '.join(names)}; those with steps are {', '.join(contact)}"
+        raise InputError("--accuracy", accuracy, told)
+
+
+def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
+    """Return the parameter set that the options of ``options.ONE_MODEL`` choose for a club."""
+    model = texts["model"]
+    check_accuracy([model], texts["accuracy"])
+    return parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])[model]
+
+
+def parameter_sets(
+    names: Sequence[str],
+    family: str,
+    chosen: str | Iterable[str] | None = None,
+    settings: Sequence[str] | None = None,
+) -> dict[str, Any]:
+    """Return the parameter set of each model for a family of clubs.
+
+    A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
+    that fits none of the models is an error; of several, the last wins.
+    """
+    from clubface.equipment.parameters import ParameterSet
+
+    sets = {name: ParameterSet.builtin(name, family) for name in names}
+    for each in [chosen] if isinstance(chosen, str) else chosen or ():
+        sets.update(_chosen(names, family, each))
+    for key, value in pairs(settings or (), "--set").items():
+        holders = [name for name in names if key in sets[name].values]
+        if not holders and (others := models_with(key)):
+            raise InputError("--set", key, f"a parameter of {', '.join(names)}; {_models_to_name(others)}")
+        if not holders:
+            raise UnknownNameError("parameter", key, dict.fromkeys(k for name in names for k in sets[name].values))
+        sets.update({name: sets[name].replace(**{key: value}) for name in holders})
+    return sets
+
+
+def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
+    from clubface.equipment.parameters import ParameterSet, builtin_sets, read_sets
+    from clubface.support.files import is_path
+    from clubface.support.strict_toml import Document
+
+    if is_path(chosen):
+        models = {each.model for each in read_sets(Document.read(chosen))}
+        fitting = [name for name in names if name in models]
+        if not fitting:
+            raise InputError("--parameters", chosen, f"a file for {' or '.join(names)}; it holds {', '.join(models)}")
+        return {name: ParameterSet.from_toml(chosen, model=name, club=family) for name in fitting}
+    others = {each.model: None for each in builtin_sets() if each.name == chosen and each.club in (family, "any")}
+    if others and not others.keys() & set(names):
+        raise InputError("--parameters", chosen, f"a set of {', '.join(names)}; {_models_to_name(others)}")
+    known = {each.name: None for name in names for each in builtin_sets(name) if each.club in (family, "any")}
+    check_choice(f"parameter set for {family}", chosen, known)
+    fitting = [
+        name
+        for name in names
+        if any(each.name == chosen and each.club in (family, "any") for each in builtin_sets(name))
+    ]
+    return {name: ParameterSet.builtin(name, family, chosen) for name in fitting}
+
+
+def _models_to_name(having: Iterable[str]) -> str:
+    return f"name a model that has it: --model {' or '.join(having)}"
+
+
+def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
+    """Return air, wind and, for a command that takes one, ground; single options win over the one text ``air``."""
+    told = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
+    single = [name for name in AIR if name != "air"]
+    check_names("value of --air", told, single)
+    told.update({name: text for name in single if (text := given[name]) is not None})
+    wind = told.pop("wind", None)
+    air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in told.items()}
+    ground = {"ground": given["ground"]} if "ground" in given else {}
+    return {"air": air, "wind": _wind(wind) if wind is not None else None, **ground}
+
+
+def _air_dimension(name: str) -> str:
+    from clubface.simulation.results import flight_inputs
+
+    return "length" if name == "altitude" else flight_inputs()[name].dimension
+
+
+def _wind(text: str) -> tuple[float, float, float]:
+    """Return the wind to the target, up and right from "along" or "along, right"."""
+    parts = text.split(",")
+    if len(parts) > 2:
+        raise InputError("--wind", text, 'a tailwind, or "along, right" as in "-5 m/s, 2 m/s"')
+    speeds = [parsed("--wind", part, "speed") for part in parts]
+    return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
+
+
+def own_lofts(struck: Iterable[tuple[Club, Collection[str]]]) -> str:
+    """Say which clubs were delivered with their static loft, as theirs alone was known; "" if none.
+
+    ``struck`` are clubs with the names of what was given of their deliveries.
+    """
+    told = {head.name: f"{units.from_si(head.loft, 'deg'):.4g} deg" for head, known in struck if "loft" not in known}
+    if not told:
+        return ""
+    which = ", ".join(f"{name} {loft}" for name, loft in told.items())
+    return f"--loft is not given: delivered with the static loft ({which}), which few golfers do."
+
+
+def pairs(texts: Iterable[str], option: str) -> dict[str, str]:
+    """Return names and values of texts of the form name=value; ``option`` is called so in errors."""
+    found = {}
+    for text in texts:
+        key, equals, value = text.partition("=")
+        if not (equals and key.strip() and value.strip()):
+            raise InputError(option, text, "of the form name=value")
+        if key.strip() in found and option in ONCE:
+            raise InputError(option, text, f"with {key.strip()} given once")
+        found[key.strip()] = value.strip()
+    return found

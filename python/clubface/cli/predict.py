@@ -7,9 +7,9 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
+from clubface.cli import options, output
 from clubface.cli.failures import say
-from clubface.cli.progress import progress_bar
+from clubface.cli.output import progress_bar
 from clubface.cli.recorded import CHOICE, assumed
 
 app = typer.Typer(add_completion=False)
@@ -37,18 +37,18 @@ def predict(
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
-    head = option_values.club_of(club, texts["hand"], texts.get("model"))
-    chosen = option_values.one_set(head, texts)
-    conditions = option_values.conditions(texts)
+    head = options.club_of(club, texts["hand"], texts.get("model"))
+    chosen = options.one_set(head, texts)
+    conditions = options.conditions(texts)
 
-    from clubface.prediction.predict import predict as compute
+    from clubface.shots.prediction import predict as compute
 
     with progress_bar(lambda part, whole, rows: f"{rows} deliveries") as update:
         report = compute(
             deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
             accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
             hand=texts["hand"], format=texts["format"], mapping=texts["mapping"],
-            units=option_values.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
+            units=options.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
             mismatch=texts["mismatch"], assume=assumed(texts),
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip

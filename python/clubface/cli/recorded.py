@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options
+from clubface.cli import options
 from clubface.cli.options import Group, text_option
 
 if TYPE_CHECKING:
-    from clubface.measured.ready import ReadyShots
-    from clubface.recorded.shots import RecordedShots
+    from clubface.shots.measured import ReadyShots
+    from clubface.shots.recorded import RecordedShots
+
 
 _SHOTS = "Shots"
 _MISMATCH = typer.Option(
@@ -68,35 +69,35 @@ def read_shots(
     path: str | list[str], texts: Mapping[str, Any], club: Any = None, *, where: bool = False
 ) -> RecordedShots:
     """Return the shots of files, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
-    from clubface import launch_monitor
+    from clubface import shots as launch_monitor
 
-    units = option_values.pairs(texts["unit"] or (), "--unit")
+    units = options.pairs(texts["unit"] or (), "--unit")
     shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
     if not where or texts["where"] is None:
         return shots
-    from clubface.recorded.conditions import chosen_shots
+    from clubface.shots.conditions import chosen_shots
 
     return chosen_shots(shots, texts["where"])[0]
 
 
 def recorded_shots(path: str | list[str], texts: Mapping[str, Any]) -> ReadyShots:
     """Return the shots of one club, from the options of ``RECORDED``, ready for models."""
-    from clubface.measured.ready import ready_shots
+    from clubface.shots.measured import ready_shots
 
     return ready_shots(read_shots(path, texts), **choice(texts))
 
 
 def choice(texts: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what :func:`clubface.measured.ready.ready_shots` takes, from the options of ``RECORDED``."""
+    """Return what :func:`clubface.shots.measured.ready_shots` takes, from the options of ``RECORDED``."""
     return {name: texts[name] for name in ("club", "hand", "only", "where", "mismatch")} | {"assume": assumed(texts)}
 
 
 def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
     """Return the values that are stated for what was not measured; one without a unit is told."""
-    from clubface.simulation.delivery import DIMENSIONS
+    from clubface.simulation.inputs import DIMENSIONS
 
-    found = option_values.pairs(texts["assume"] or (), "--assume")
+    found = options.pairs(texts["assume"] or (), "--assume")
     for name, text in found.items():
         if name in DIMENSIONS:
-            option_values.parsed(f"--assume {name}", text, DIMENSIONS[name])
+            options.parsed(f"--assume {name}", text, DIMENSIONS[name])
     return found

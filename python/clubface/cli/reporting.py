@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import redirect_stdout
 from typing import Any
 
-from clubface.cli import invocation, output
-from clubface.support.input_files import recorded_files, short_names
+from clubface.cli import app, output
+from clubface.support.files import recorded_files, short_names
 
 MOST_BYTES = 2**17
 """Larger descriptions are told by their fingerprint alone, as tables are."""
@@ -51,10 +51,8 @@ def write(
     files
         Texts of descriptions that are not in a file the command reads, by name.
     """
-    from clubface.plots.style import svg
-    from clubface.reports.blocks import Block, Data, Heading, Paragraph, Picture
-    from clubface.reports.document import file_name, write_document
-    from clubface.reports.origin import origin
+    from clubface.plots import svg
+    from clubface.present.report import Block, Data, Heading, Paragraph, Picture, file_name, origin, write_document
 
     data = Data(file_name(title), list(columns), list(zip(*columns.values(), strict=True)))
     blocks: list[Block] = [Heading(1, title), Paragraph(tuple(words))]
@@ -70,25 +68,25 @@ def write(
 
 def named(text: str) -> str:
     """Return words as the name of a file."""
-    from clubface.reports.document import file_name
+    from clubface.present.report import file_name
 
     return file_name(text)
 
 
 def flown(conditions: Mapping[str, Any] | None) -> dict[str, str]:
     """Return the conditions of flight in words, by name; nothing where no ball flies."""
-    from clubface.reports.conditions import flight_conditions
+    from clubface.present.shot_report import flight_conditions
 
     return {} if conditions is None else flight_conditions(**conditions)
 
 
 def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
     """Return the end of a report: the command that was typed, the files that it read, and other ``files`` by name."""
-    from clubface.reports.blocks import Heading, Listing, Paragraph, Table
+    from clubface.present.report import Heading, Listing, Paragraph, Table
 
     read = [each for each in recorded_files() if not each.shipped]
     names = short_names([each.path for each in read])
-    blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", invocation.command())]
+    blocks: list[Any] = [Heading(2, "To compute it again"), Listing("The command", app.command())]
     if read:
         rows = [(name, str(each.size), each.sha256) for name, each in zip(names, read, strict=True)]
         blocks += [Paragraph(("It reads these files.",)), Table(("file", "bytes", "SHA-256"), rows)]

@@ -6,8 +6,8 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
-from clubface.cli.tables import print_numbers
+from clubface.cli import options, output
+from clubface.cli.output import print_numbers
 
 app = typer.Typer(add_completion=False)
 
@@ -29,16 +29,16 @@ def sensitivity(
     **texts: Any,
 ) -> None:
     """Print how the launch changes with every input and parameter ("rpm per mm")."""
-    delivery = option_values.delivery(texts)
-    head = option_values.club_of(club, texts["hand"], texts.get("model"))
-    chosen = option_values.one_set(head, texts)
+    delivery = options.delivery(texts)
+    head = options.club_of(club, texts["hand"], texts.get("model"))
+    chosen = options.one_set(head, texts)
 
     from clubface.simulation.sensitivity import MAIN, sensitivity as differentiate
 
-    outputs = option_values.names(wanted) or (None if as_json else MAIN)
+    outputs = options.names(wanted) or (None if as_json else MAIN)
     found = differentiate(
         head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
-        outputs=outputs, variables=option_values.names(by) or None,
+        outputs=outputs, variables=options.names(by) or None,
     )  # fmt: skip
     if as_json:
         output.print_json(_document(found))

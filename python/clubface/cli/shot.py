@@ -7,12 +7,12 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output, reporting
+from clubface.cli import options, output, reporting
 from clubface.cli.failures import say, say_written
-from clubface.cli.quantity_units import KEYS
+from clubface.cli.output import KEYS
 from clubface.equipment.models import DEFAULT_MODEL, model
 from clubface.errors import RangeWarning
-from clubface.reports.quantity_units import SHOWN
+from clubface.simulation.results import SHOWN
 
 app = typer.Typer(add_completion=False)
 
@@ -52,19 +52,18 @@ def shot(
     **texts: Any,
 ) -> None:
     """Compute one shot: how the ball leaves and where it flies."""
-    delivery = option_values.delivery(texts)
+    delivery = options.delivery(texts)
     output.check_picture(plot)
     output.check_report(report)
-    head = option_values.club_of(club, texts["hand"], texts.get("model"))
-    names = option_values.model_names(texts["model"], DEFAULT_MODEL)
-    option_values.check_accuracy(names, texts["accuracy"])
-    sets = option_values.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
-    conditions = option_values.conditions(texts)
+    head = options.club_of(club, texts["hand"], texts.get("model"))
+    names = options.model_names(texts["model"], DEFAULT_MODEL)
+    options.check_accuracy(names, texts["accuracy"])
+    sets = options.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])
+    conditions = options.conditions(texts)
 
     from clubface.simulation.flight import fly
-    from clubface.simulation.impact import impact
-    from clubface.simulation.outside import Tally
-    from clubface.support.warning import without_warnings
+    from clubface.simulation.impact import Tally, impact
+    from clubface.support.checks import without_warnings
 
     with without_warnings(RangeWarning):
         launches = {
@@ -77,7 +76,7 @@ def shot(
     if plot is not None or report is not None:
         _draw(plot, report, launches, flights, conditions, delivery)
     _print(launches, flights, as_json)
-    if not as_json and (told := option_values.own_lofts([(head, delivery)])):
+    if not as_json and (told := options.own_lofts([(head, delivery)])):
         output.print_paragraph(told)
     say_written([each for each in (plot, report) if each is not None])
     if not (texts["model"] or as_json):
@@ -97,7 +96,7 @@ def number(launch: Any, flight: Any, quantity: str) -> str:
 
 
 def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: bool) -> None:
-    from clubface.cli import tables
+    from clubface.cli import output
 
     if as_json:
         rows = [
@@ -109,13 +108,13 @@ def _print(launches: Mapping[str, Any], flights: Mapping[str, Any], as_json: boo
     if len(launches) == 1:
         (launch,) = launches.values()
         title = f"{launch.club.name}, ball {launch.ball.name}, by {launch.model}"
-        tables.print_list(_listed(launch, flights[launch.model]), title=title)
+        output.print_list(_listed(launch, flights[launch.model]), title=title)
     else:
         rows = [
             [name, *(number(launch, flights[name], quantity) for quantity in CELLS)]
             for name, launch in launches.items()
         ]
-        tables.print_numbers(HEADS, rows)
+        output.print_numbers(HEADS, rows)
     if note := _note(launches, flights):
         output.print_paragraph(note)
 
@@ -152,10 +151,10 @@ def _draw(
 ) -> None:
     """Draw forces and flights of all models into one file, and write the report around the same picture."""
     from clubface import plots, units
-    from clubface.simulation.backends import backend_of
-    from clubface.simulation.delivery import DIMENSIONS
+    from clubface.simulation.flight import trajectory
     from clubface.simulation.history import history
-    from clubface.simulation.trajectory import trajectory
+    from clubface.simulation.impact import backend_of
+    from clubface.simulation.inputs import DIMENSIONS
 
     positions = {name: trajectory(launch, **conditions).position for name, launch in launches.items()}
     histories: dict[str, Any] = {}
@@ -177,8 +176,8 @@ def _draw(
     if plot is not None:
         plots.save(figure, plot)
     if report is not None:
-        from clubface.reports.document import write_document
-        from clubface.reports.shot import shot_blocks
+        from clubface.present.report import write_document
+        from clubface.present.shot_report import shot_blocks
 
         blocks = shot_blocks(launches, flights, figure, positions, given=reporting.flown(conditions))
         write_document([*blocks, *reporting.repeat()], report)

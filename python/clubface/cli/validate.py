@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import option_values, options, output
+from clubface.cli import options, output
 from clubface.cli.failures import say_written
-from clubface.cli.progress import progress_bar
-from clubface.cli.tables import print_numbers
+from clubface.cli.output import print_numbers, progress_bar
 from clubface.equipment.models import DEFAULT_MODEL
 
 if TYPE_CHECKING:
     from clubface.validation.own_monitor import OwnMonitor
     from clubface.validation.run import Validation
+
 
 app = typer.Typer(add_completion=False)
 
@@ -46,8 +46,8 @@ def validate(
     from clubface.validation import report, run, tables
     from clubface.validation.catalogue import check_named
 
-    models = option_values.model_names(model, DEFAULT_MODEL)
-    checks = option_values.names(check) or None
+    models = options.model_names(model, DEFAULT_MODEL)
+    checks = options.names(check) or None
     for each in checks or ():
         check_named(each)  # before the work: a name that does not exist is found at once
     output.prepare_folder(folder)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface import measurements, units
+from clubface import published_data, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
@@ -20,7 +20,7 @@ from clubface.errors import InputError, RangeWarning, Told
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Parameters, impact
 from clubface.support.arrays import Floats
-from clubface.support.warning import without_warnings
+from clubface.support.checks import without_warnings
 
 LEAST, MOST = np.radians(-2.0), np.radians(50.0)
 """Between which lofts [rad] the best is looked for."""
@@ -197,7 +197,7 @@ class Beside(NamedTuple):
 
 def beside_trackman(**options: Any) -> Beside:
     """Return the best lofts for the rows of TrackMan's chart of 2010; options as for :func:`best_loft`."""
-    table = measurements.table(CHARTS["trackman"])
+    table = published_data.table(CHARTS["trackman"])
     rows = table["optimum_of"] == "carry"
     published = {name: table[name][rows] for name in table.columns if name != "optimum_of"}
     return Beside(best_loft(published["club_speed"], published["attack"], **options), published)
@@ -208,7 +208,7 @@ def beside_ping(**options: Any) -> Beside:
 
     Each club speed is that with which the longest drive has the published ball speed, after two corrections.
     """
-    table = measurements.table(CHARTS["ping"])
+    table = published_data.table(CHARTS["ping"])
     published = {name: table[name] for name in table.columns}
     speed = published["ball_speed"] / SMASH
     found = best_loft(speed, published["attack"], **options)

@@ -25,6 +25,7 @@ from clubface.support.checks import check_choice
 if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
+
 MASS_PROPERTIES = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 """The fields of a club that its distribution of mass determines."""
 SHAPES = ("ellipsoid", "box")

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from clubface import measurements, units
+from clubface import published_data, units
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.fem.heads.meshed import mesh_of
-from clubface.support.frozen import Frozen
+from clubface.support.checks import Frozen
 
 STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
 """The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
@@ -109,7 +109,7 @@ def rules() -> Mapping[str, Rule]:
     """Return the limits by name."""
     found = {}
     for name, (table, column, tolerance) in _PLACES.items():
-        published = measurements.table(table)
+        published = published_data.table(table)
         margin = 0.0 if tolerance is None else float(published[tolerance][0])
         found[name] = Rule(
             name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source

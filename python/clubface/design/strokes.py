@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface import measurements, units
+from clubface import published_data, units
 from clubface.errors import InputError, Told
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
@@ -135,8 +135,8 @@ def _places(ahead: Any, aside: Any) -> tuple[Floats, Floats]:
 def _table(lie: str) -> tuple[Floats, Floats]:
     check_choice("lie", lie, (*LIES, GREEN))
     if lie == GREEN:
-        table = measurements.table("putts-to-hole-out")
+        table = published_data.table("putts-to-hole-out")
         return table["distance"], table["putts"]
-    table = measurements.table("strokes-to-hole-out")
+    table = published_data.table("strokes-to-hole-out")
     printed = np.isfinite(table[lie])
     return table["distance"][printed], table[lie][printed]

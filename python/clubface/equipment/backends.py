@@ -1,6 +1,6 @@
 """The models that something else than the compiled core of reduced models computes, by the module that does.
 
-Such a module declares its model as ``MODEL`` and what computes it, a :class:`clubface.simulation.backends.Backend`, as
+Such a module declares its model as ``MODEL`` and what computes it, a :class:`clubface.simulation.impact.Backend`, as
 ``BACKEND``.
 It is imported when its model is named; here are names alone, so that a registration costs nothing.
 """

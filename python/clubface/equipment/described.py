@@ -10,8 +10,7 @@ from typing import Any, ClassVar, NamedTuple, Self, TypeVar
 
 from clubface import units
 from clubface.errors import ClubfaceError, InputError
-from clubface.support.checks import check_choice, check_names
-from clubface.support.frozen import Frozen
+from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.strict_toml import Document, quoted
 
 HANDS = {"right": 1, "left": -1}

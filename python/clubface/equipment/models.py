@@ -10,7 +10,7 @@ from importlib import import_module
 from clubface.equipment import core
 from clubface.equipment.backends import MODULES, OWN
 from clubface.errors import InputError, UnknownNameError
-from clubface.support.frozen import Frozen
+from clubface.support.checks import Frozen
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
 DEFAULT_MODEL = "response"

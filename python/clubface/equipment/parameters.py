@@ -1,24 +1,187 @@
-"""Sets of model parameters: the published ones, and the user's own."""
+"""Parameter sets of the models: values with units and bounds, their files, and the strikes they were made for.
+
+Sets of model parameters: the published ones, and the user's own.
+
+Files of parameter sets, one file a source.
+
+A file names its source and holds one or more ``[[set]]``, each with the model and club it was found for, its
+values with units, and what must be said of them::
+
+    title = "My range session"
+    reference = "42 drives, June"
+
+    [[set]]
+    model = "volumetric"
+    club = "driver"                       # driver, 7-iron or any
+    [set.range]                           # optional: the shots it was found from
+    speed = ["101 mph", "118 mph"]
+    [set.values]
+    stiffness = "6.25e9 N/m3"
+    ...
+    [set.value_caveats]
+    stiffness = "not identifiable from launch data"
+
+Values of parameters: texts with units to SI, and their bounds.
+
+The strikes that models and parameter sets were made for; outside, nothing tells how near they are.
+"""
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Any, Self, TypeVar
+from typing import Any, NamedTuple, Self, TypeVar
 
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
-from clubface.equipment.models import Model, model
-from clubface.equipment.parameter_file import FLAGS, check_entry, entries
-from clubface.equipment.parameter_values import checked, parsed, parsed_scalar
-from clubface.equipment.ranges import OF_THE_RANGE, RANGES, Range, checked_range
+from clubface.equipment.models import Model, Parameter, model
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
-from clubface.support.checks import check_choice
-from clubface.support.frozen import Frozen
-from clubface.support.shipped import DATA
+from clubface.support.checks import Frozen, check_choice
+from clubface.support.files import DATA
 from clubface.support.strict_toml import Document, quoted
+
+
+def _dimension(parameter: Parameter) -> str:
+    return units.unit(parameter.unit, name=parameter.name).dimension
+
+
+def parsed(value: Any, parameter: Parameter) -> Any:
+    """Return a value, which may be an array, in SI."""
+    return units.parse_values(value, _dimension(parameter), name=parameter.name)
+
+
+def parsed_scalar(value: Any, parameter: Parameter) -> float:
+    """Return a single value in SI."""
+    return units.parse(value, _dimension(parameter), name=parameter.name)
+
+
+def checked(value: Any, parameter: Parameter) -> Any:
+    """Return ``value`` as float or float64 array, refused where it is outside the bounds of ``parameter``."""
+    value = parsed(value, parameter)
+    low = value if isinstance(value, float) else value.min(initial=parameter.upper)
+    high = value if isinstance(value, float) else value.max(initial=parameter.lower)
+    if not (low >= parameter.lower and high <= parameter.upper):
+        outside = low if not low >= parameter.lower else high
+        symbol = parameter.unit
+        allowed = f"from {units.show(parameter.lower, symbol)} to {units.show(parameter.upper, symbol)}"
+        raise InputError(parameter.name, units.show(float(outside), symbol), allowed)
+    return value
+
+
+Range = Mapping[str, tuple[float, float]]
+"""Least and greatest value [SI] by quantity."""
+
+
+class Bounded(NamedTuple):
+    """A quantity of a strike: in words, and the unit people read it in."""
+
+    words: str
+    unit: str
+
+
+QUANTITIES = {
+    "speed": Bounded("clubhead speed", "mph"),
+    "incidence": Bounded("angle between path and face normal", "deg"),
+    "friction": Bounded("friction", "1"),
+    "club_mass": Bounded("mass of the head", "g"),
+    "characteristic_time": Bounded("characteristic time", "us"),
+    "ball_backspin": Bounded("backspin before impact", "rpm"),
+    "ball_sidespin": Bounded("sidespin before impact", "rpm"),
+    "ball_riflespin": Bounded("riflespin before impact", "rpm"),
+}
+"""What a range can be of: inputs of a shot, ``friction`` of the model's parameters, and ``incidence``, the angle
+between the velocity of the clubhead and the normal at the face centre."""
+
+RANGES: Mapping[str, Range] = {
+    "response": {
+        "speed": (10.0, 65.0),
+        "incidence": (0.0, math.radians(72.0)),
+        "friction": (0.05, 0.6),
+        "club_mass": (0.16, 5.0),
+        "characteristic_time": (0.0, 350e-6),
+        **dict.fromkeys(("ball_backspin", "ball_sidespin", "ball_riflespin"), (-100.0 * math.pi, 100.0 * math.pi)),
+    }
+}
+"""Ranges by model: the strikes from which its parameters come for every ball. The strikes by finite elements to which
+``response`` is fitted are made from its range. Places on the face are not bounded: off centre a head gives way more
+easily, and the small heads among the strikes do so as much as the built-in clubs 30 mm beside the face centre."""
+
+
+OF_THE_RANGE = " of the range"
+"""How an error about one quantity of a range names it."""
+
+
+def checked_range(given: Mapping[str, Any]) -> Range:
+    """Return a range in SI from pairs of values, each text with a unit or an SI number."""
+    found = {}
+    for name, ends in given.items():
+        check_choice("quantity of a range", name, QUANTITIES)
+        if not (isinstance(ends, (list, tuple)) and len(ends) == 2):
+            raise InputError(name + OF_THE_RANGE, ends, "two values, the least and the greatest")
+        dimension = units.unit(QUANTITIES[name].unit).dimension
+        least, most = (units.parse(each, dimension, name=name + OF_THE_RANGE) for each in ends)
+        if not least <= most:
+            raise InputError(name + OF_THE_RANGE, list(ends), "two values, the least first")
+        found[name] = (least, most)
+    return Frozen(found)
+
+
+def in_words(of: Range) -> str:
+    """Return a range in words: "clubhead speed 101 to 118 mph"."""
+    return ", ".join(f"{QUANTITIES[name].words} {ends_in_words(name, of)}" for name in of)
+
+
+def ends_in_words(name: str, of: Range) -> str:
+    """Return the ends of one quantity of a range: "101 to 118 mph"."""
+    least, most = of[name]
+    return f"{units.show(least, QUANTITIES[name].unit, 4).split()[0]} to {units.show(most, QUANTITIES[name].unit, 4)}"
+
+
+FILE_KEYS = ("title", "reference", "set")
+TEXTS = ("model", "club", "variant", "source")
+FLAGS = {"default": False, "includes_face": True}
+"""Keys of yes or no, and what is taken where they are left out."""
+SET_KEYS = (*TEXTS, *FLAGS, "characteristic_time", "caveats", "range", "values", "value_caveats")
+
+
+def entries(document: Document) -> list[dict[str, Any]]:
+    """Return the tables [[set]] of a document, whose own keys are checked."""
+    data = document.data
+    document.check_keys(data, FILE_KEYS, ("title", "reference", "set"))
+    document.check_text(data, ("title", "reference"))
+    found = data["set"]
+    if not (isinstance(found, list) and found and all(isinstance(each, dict) for each in found)):
+        raise document.error("there must be at least one [[set]]", "set")
+    return found
+
+
+def check_entry(document: Document, entry: dict[str, Any], index: int) -> Model:
+    """Check the keys and kinds of one [[set]], its numbers not yet; return its model."""
+    document.check_keys(entry, SET_KEYS, ("model", "club", "values"), "set", index)
+    document.check_text(entry, TEXTS, "set", index)
+    caveats = entry.get("caveats", [])
+    if not (isinstance(caveats, list) and all(isinstance(each, str) for each in caveats)):
+        raise document.error("caveats must be a list of texts", "caveats", "set", index)
+    for key, usual in FLAGS.items():
+        if not isinstance(entry.get(key, usual), bool):
+            raise document.error(f"{key} must be true or false", key, "set", index)
+    values, value_caveats, within = entry["values"], entry.get("value_caveats", {}), entry.get("range", {})
+    if not all(isinstance(each, dict) for each in (values, value_caveats, within)):
+        raise document.error("values, value_caveats and range must be tables", "values", "set", index)
+    try:
+        declared = model(entry["model"])
+    except ClubfaceError as error:
+        raise document.wrap(error, "set", index) from error
+    names = [each.name for each in declared.parameters]
+    document.check_keys(values, names, names, "set.values", index)
+    document.check_keys(value_caveats, names, (), "set.value_caveats", index)
+    document.check_text(value_caveats, value_caveats, "set.value_caveats", index)
+    document.check_keys(within, QUANTITIES, (), "set.range", index)
+    return declared
+
 
 FAMILIES = ("driver", "7-iron", "any")
 T = TypeVar("T")
@@ -57,7 +220,7 @@ class ParameterSet:
     characteristic_time
         That of the face which the values include [s]; None where nobody said, and where they include none.
     range
-        The strikes that the values were made for, see :mod:`clubface.equipment.ranges`; that of the model unless given.
+        The strikes that the values were made for; that of the model unless given.
     unchosen
         The parameters whose values nobody chose, neither themselves nor with a set: a ball may have its own.
     """

@@ -10,9 +10,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from clubface.fem.balls import Ball as Ball, ball as ball, ball_names as ball_names
+from clubface.fem.balls import Ball as Ball, Piece as Piece, ball as ball, ball_names as ball_names
 from clubface.fem.derivatives import Derivatives as Derivatives, sensitivity as sensitivity, variables as variables
-from clubface.fem.fields import ElementFields as ElementFields
 from clubface.fem.heads import (
     DriverHead as DriverHead,
     Hardening as Hardening,
@@ -26,13 +25,12 @@ from clubface.fem.heads import (
     head_names as head_names,
 )
 from clubface.fem.materials import Material as Material, Maxwell as Maxwell, laws as laws
-from clubface.fem.pieces import Piece as Piece
-from clubface.fem.reference_case import reference as reference
-from clubface.fem.result import Impact as Impact
+from clubface.fem.paper import reference as reference
+from clubface.fem.result import ElementFields as ElementFields, Impact as Impact
 from clubface.fem.run import strike as strike, throw as throw
 from clubface.fem.settings import Settings as Settings
 
-_MODULES = ("case", "face_map", "files", "head_tests", "keyword", "paper", "reduced", "stress", "sweep", "vtu")
+_MODULES = ("case", "files", "head_tests", "keyword", "paper", "reduced", "stress", "sweep")
 
 
 def __getattr__(name: str) -> Any:

@@ -16,8 +16,8 @@ from clubface.fem.heads.meshed import mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.run import FRICTION, simulate, strike, struck
 from clubface.fem.settings import Settings
-from clubface.simulation.backends import Balls, Problems, Request
-from clubface.simulation.quantities import outputs
+from clubface.simulation.impact import Balls, Problems, Request
+from clubface.simulation.results import outputs
 
 MODEL = Model(
     name="fem",

@@ -1,4 +1,11 @@
-"""Balls made of pieces: from TOML, from code or built in, with checks."""
+"""Balls made of pieces, from TOML, from code or built in: checks, masses and nodes.
+
+Balls made of pieces: from TOML, from code or built in, with checks.
+
+The pieces of a ball, core and layers: from TOML or from code, with checks.
+
+What the nodes of a ball weigh.
+"""
 
 from __future__ import annotations
 
@@ -9,25 +16,102 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface import units
 from clubface.equipment.balls import (
     DEFAULT_BALL,
     FOLDER,
     KEYS,
     Ball as RigidBall,
+    Construction,
     ball_names as all_names,
     check_friction,
     check_parameters,
     check_sources,
 )
-from clubface.equipment.pieces import Construction
 from clubface.errors import ClubfaceError, InputError
 from clubface.fem import core
-from clubface.fem.pieces import Piece, read_piece
-from clubface.support.checks import check_choice, check_count, check_name, check_text
-from clubface.support.shipped import builtin_path, is_path, path_of
+from clubface.fem.materials import Material, Maxwell, laws
+from clubface.support.checks import check_choice, check_count, check_name, check_text, without_warnings
+from clubface.support.files import builtin_path, is_path, path_of
 from clubface.support.strict_toml import Document
-from clubface.support.warning import without_warnings
+
+MATERIAL_KEYS = ("law", "youngs", "poisson", "density", "maxwell")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """The core of a ball, or one layer around it.
+
+    Attributes
+    ----------
+    name
+        Its name in tables and messages.
+    material
+        Its material.
+    layers
+        Number of element layers through it; for the core, between the inner cube and the surface of the core.
+    thickness
+        Thickness [m]; None for the core, which fills what the layers leave.
+    """
+
+    name: str
+    material: Material
+    layers: int
+    thickness: float | None = None
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        if not isinstance(self.material, Material):
+            raise InputError(f"material of {self.name}", self.material, "a Material")
+        check_count(f"layers of {self.name}", self.layers, 1, 48)
+        if self.thickness is not None:
+            value = units.parse(self.thickness, "length", name=f"thickness of {self.name}")
+            object.__setattr__(self, "thickness", value)
+            if not 1e-5 <= value <= 0.02:
+                raise InputError(f"thickness of {self.name}", units.show(value, "mm"), "0.01 to 20 mm")
+
+
+def read_piece(document: Document, table: dict[str, Any], number: int, branches: int) -> Piece:
+    """Read one of [[pieces]]; ``branches`` is how many of [[pieces.maxwell]] stand above it."""
+    constants = {name for law in laws().values() for name in law.constants}
+    known = ("name", "layers", "thickness", *MATERIAL_KEYS, *sorted(constants))
+    document.check_keys(table, known, ("name", "law", "layers", "poisson"), "pieces", number)
+    try:
+        check_choice("law", table["law"], laws())
+        common = {"density": table.get("density"), "maxwell": _branches(document, table, branches)}
+        if "youngs" in table:
+            if table["law"] != "linear":
+                raise InputError("youngs", table["youngs"], f"leave it out: {table['law']} has constants of its own")
+            also = [name for name in table if name in constants]
+            if also:
+                raise InputError(also[0], table[also[0]], "leave it out, since youngs is given")
+            material = Material.linear(table["youngs"], table["poisson"], **common)
+        else:
+            given = {name: table[name] for name in table if name in constants}
+            material = Material(law=table["law"], constants=given, poisson=table["poisson"], **common)
+        return Piece(name=table["name"], material=material, layers=table["layers"], thickness=table.get("thickness"))
+    except InputError as error:
+        if " of " not in error.parameter:
+            error.parameter += f" of {table['name']}"
+        raise document.wrap(error, "pieces", number) from error
+
+
+def _branches(document: Document, table: dict[str, Any], above: int) -> tuple[Maxwell, ...]:
+    tables = table.get("maxwell", [])
+    if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
+        raise InputError("maxwell", tables, "tables, each under [[pieces.maxwell]]")
+    found = []
+    for number, each in enumerate(tables, above):
+        document.check_keys(each, ("modulus", "time"), ("modulus", "time"), "pieces.maxwell", number)
+        try:
+            found.append(Maxwell(**each))
+        except InputError as error:
+            raise document.wrap(error, "pieces.maxwell", number) from error
+    return tuple(found)
+
 
 FRICTION = 0.35
 """Of a ball whose file gives none: measured are 0.3 to 0.4."""
@@ -267,3 +351,21 @@ def from_document(document: Document) -> Ball:
         return Ball(pieces=tuple(pieces), **data)
     except ClubfaceError as error:
         raise document.wrap(error) from error
+
+
+def node_masses(mesh: Mapping[str, Any]) -> NDArray[Any]:
+    """Return each node's share of the mass of a ball's mesh, from elements taken as parallelepipeds."""
+    nodes, elements = mesh["nodes"], mesh["elements"].astype(int)
+    mass = element_masses(nodes, elements, np.asarray(mesh["density"])[mesh["piece"]])
+    shares = np.zeros(len(nodes))
+    np.add.at(shares, elements, mass[:, None] / 8.0)
+    return shares / shares.sum()
+
+
+def element_masses(nodes: NDArray[Any], elements: NDArray[Any], density: Any) -> NDArray[Any]:
+    """Return the mass of each hexahedron, taken as a parallelepiped [kg]."""
+    corner = nodes[elements]
+    edges = [corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
+             corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1),
+             corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1)]  # fmt: skip
+    return abs(np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])) * density

@@ -16,12 +16,11 @@ from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import friction_of, strike, throw, throw_values
 from clubface.fem.settings import Settings
-from clubface.simulation.delivery import DIMENSIONS
 from clubface.simulation.impact import impact
-from clubface.support.checks import check_choice, check_name, check_names, check_text
-from clubface.support.shipped import builtin_names, is_path, path_of
+from clubface.simulation.inputs import DIMENSIONS
+from clubface.support.checks import check_choice, check_name, check_names, check_text, without_warnings
+from clubface.support.files import builtin_names, is_path, path_of
 from clubface.support.strict_toml import Document
-from clubface.support.warning import without_warnings
 
 T = TypeVar("T")
 FOLDER = "fem_cases"

@@ -17,8 +17,8 @@ from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.run import AnyBall, friction_of, inputs_of, one_shot
 from clubface.fem.settings import Settings, settings_of
-from clubface.simulation.delivery import Delivery
-from clubface.simulation.quantities import outputs
+from clubface.simulation.inputs import Delivery
+from clubface.simulation.results import outputs
 from clubface.support.checks import check_choice, check_names
 
 VARIABLES_A_RUN = 4

@@ -1,21 +1,310 @@
-"""A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads too, to compare with other programs."""
+"""A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads: cards, ball and head.
+
+A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads too, to compare with other programs.
+
+Lines of a keyword deck: fields of fixed width, as LS-DYNA and OpenRadioss read them.
+
+The head of a keyword deck: rigid with its face as a mesh, or meshed.
+"""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import repeat
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from clubface import units
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest, turn_to_sole
+from clubface.fem import core
 from clubface.fem.balls import Ball
-from clubface.fem.cards import BALL_SET, Cards
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
-from clubface.fem.keyword_head import write_head
+from clubface.fem.heads import MeshedHead, Metal, ShellHead
 from clubface.fem.materials import Material, laws
+from clubface.fem.run import strike
 from clubface.fem.settings import Settings
-from clubface.support.whole_file import write_text
+from clubface.simulation.inputs import DIMENSIONS
+from clubface.support.files import write_text
+
+WIDTH = 10
+"""Characters of a field, but for nodes and elements."""
+LONGEST = 80
+"""Characters of a line."""
+BALL_SET = 1
+"""Number of the set of the parts of the ball."""
+
+
+class Cards:
+    """A deck as it is written: keywords, comments and cards, in order."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+
+    def comment(self, *paragraphs: str) -> None:
+        """Add comments, wrapped; an empty one is a bare line."""
+        for text in paragraphs:
+            self.lines += [f"$ {line}" for line in textwrap.wrap(ascii_text(text), LONGEST - 2)] or ["$"]
+
+    def keyword(self, name: str, *cards: Sequence[Any], names: str = "") -> None:
+        """Add a keyword with its cards; ``names`` are those of the fields of the first, for a comment."""
+        self.lines.append(f"*{name}")
+        if names:
+            self.lines.append(("$#" + "".join(f"{each:>{WIDTH}}" for each in names.split())[2:])[:LONGEST])
+        for card in cards:
+            self.card(card)
+
+    def card(self, fields: Sequence[Any]) -> None:
+        """Add a line of fields: numbers, None for a blank."""
+        self.lines.append("".join(field(value) for value in fields).rstrip() or " " * WIDTH)
+
+    def text(self, text: str) -> None:
+        """Add a line of text, as of a title."""
+        self.lines.append(ascii_text(text)[:LONGEST])
+
+    def nodes(self, places: Any, first: int = 1) -> None:
+        """Add nodes at places (n, 3), numbered from ``first``: I8, then three coordinates of 16 characters."""
+        self.keyword("NODE")
+        for number, place in enumerate(places.tolist(), first):
+            self.lines.append(f"{number:8d}" + "".join(f"{each:16.8e}" for each in place))
+
+    def elements(self, kind: str, parts: Iterable[int], corners: Any, first: int = 1) -> int:
+        """Add elements, numbered from ``first``: the part and the nodes (n, k) of each; return the last number."""
+        self.keyword(f"ELEMENT_{kind}")
+        for number, (part, nodes) in enumerate(zip(parts, corners.tolist(), strict=True), first):
+            self.lines.append(element(number, part, nodes))
+        return first + len(corners) - 1
+
+    def rows(self, lines: Iterable[str]) -> None:
+        """Add lines that are formatted already."""
+        self.lines += lines
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines) + "\n"
+
+
+def field(value: float | None, width: int = WIDTH) -> str:
+    """Write a number right-aligned in ``width`` characters, a float with as many digits as fit and at most nine."""
+    if value is None:
+        return " " * width
+    if isinstance(value, int):
+        text = str(value)
+    else:
+        if not math.isfinite(value):
+            raise ValueError(f"{value} cannot stand in a deck")
+        digits = range(9, 0, -1)
+        text = next(t for d in digits for t in (_plain(value, d), _scientific(value, d)) if len(t) <= width)
+    if len(text) > width:
+        raise ValueError(f"{text} does not fit {width} characters")
+    return text.rjust(width)
+
+
+def ascii_text(text: str) -> str:
+    """Return ``text`` in the letters every reader of decks knows."""
+    return text.encode("ascii", "replace").decode()
+
+
+def element(number: int, part: int, nodes: Sequence[int]) -> str:
+    """Write an element: fields of I8."""
+    return "".join(f"{each:8d}" for each in (number, part, *nodes))
+
+
+def _plain(value: float, digits: int) -> str:
+    text = f"{value:.{digits}g}"
+    return text if "e" in text or "." in text else text + ".0"
+
+
+def _scientific(value: float, digits: int) -> str:
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    return f"{mantissa}e{int(exponent)}"
+
+
+HEAD_PART, HEAD_SECTION = 101, 2
+HEAD_HOURGLASS = 2
+USUAL_POINTS = 5
+"""Through the thickness of a shell, unless its metal tells how many."""
+STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
+"""Of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
+SHELL = 1e-3
+"""Thickness of these shells [m]."""
+FACE_ELEMENT = 2.5e-3
+"""Size of these shells [m]."""
+OF_DECK = (
+    "toe", "high", "closure", "pitch_rate", "lie_rate", "ball_backspin", "ball_sidespin", "ball_riflespin",
+)  # fmt: skip
+"""What of a delivery the motion in a deck is made of, beside the velocity that the core tells."""
+
+
+def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
+    """Write the head of a case behind a ball of so many ``nodes`` and ``elements``, and its contact with the ball."""
+    assert case.club is not None
+    club = case.club.club if isinstance(case.club, MeshedHead) else case.club
+    hit = _first_touch(case, club)
+    _spin(deck, hit["ball_spin"], case.ball.diameter / 2.0)
+    if isinstance(case.club, MeshedHead):
+        write_elements = _shells if isinstance(case.club, ShellHead) else _solid
+        faces, last = write_elements(deck, case.club, hit, nodes, elements)
+        _masses_and_motion(deck, case.club, hit, nodes, last)
+    else:
+        _rigid(deck, club, hit, nodes, elements)
+        faces = [HEAD_PART]
+    deck.comment("Penalty by node mass and time step (SOFT = 1), as in clubface.")
+    for part in faces:
+        deck.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
+        deck.card([len(case.ball.pieces), part, 3, 3, 0, 0, 1, 1])
+        deck.card([float(case.friction), float(case.friction)])
+        deck.card([None])
+        deck.card([1])
+
+
+def _spin(deck: Cards, spin: list[float], radius: float) -> None:
+    """Write the spin of the ball about its centre, if it has any."""
+    size = math.hypot(*spin)
+    if size:
+        axis = [each / size for each in spin]
+        names = "id styp omega vx vy vz"
+        deck.keyword(
+            "INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, size, 0.0, 0.0, 0.0], [radius, 0.0, 0.0, *axis], names=names
+        )
+
+
+def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+    """Write mesh and parts of a head of shells; return the parts of its face, and the last element."""
+    deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
+    for number, part in enumerate(head.parts):
+        section = HEAD_SECTION + number
+        _section(deck, section, part.metal)
+        _part(deck, HEAD_PART + number, f"{head.name}: {part.name}", part.metal, section, HEAD_HOURGLASS)
+    deck.nodes(_places(head, hit), nodes + 1)
+    deck.keyword("ELEMENT_SHELL_THICKNESS")
+    corners = (head.quads.astype(int) + nodes + 1).tolist()
+    walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
+    for number, (part, each, thickness) in enumerate(walls, start=elements + 1):
+        deck.rows([element(number, HEAD_PART + part, each), f"{thickness:16.8e}" * 4])
+    faces = [HEAD_PART + number for number, part in enumerate(head.parts) if part.face]
+    return faces, elements + len(corners)
+
+
+def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+    """Write mesh and part of a solid head; return its part, and the last element."""
+    if head.grooves is not None:
+        deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
+    # Section and hourglass control are those of the ball.
+    _part(deck, HEAD_PART, head.name, head.metal, 1, 1)
+    deck.nodes(_places(head, hit), nodes + 1)
+    corners = head.hexahedra.astype(int) + nodes + 1
+    return [HEAD_PART], deck.elements("SOLID", repeat(HEAD_PART, len(corners)), corners, elements + 1)
+
+
+def _section(deck: Cards, number: int, metal: Metal) -> None:
+    """Write the section of a part of shells, with the points that the metal asks for; any do for stress resultants."""
+    count, rule = metal.points or USUAL_POINTS, 0
+    if metal.points is not None or (metal.yield_stress is not None and metal.rule != "gauss"):
+        deck.keyword("INTEGRATION_SHELL", [number, count, 0], names="irid nip esop")
+        for place, weight in core.fem_thickness_points(count, metal.rule):
+            deck.card([place, 0.5 * weight])
+        rule = -number
+    names = "secid elform shrf nip propt qr"
+    deck.keyword("SECTION_SHELL", [number, 2, 5.0 / 6.0, count, 0, rule], [1e-3] * 4, names=names)
+
+
+def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hourglass: int) -> None:
+    deck.keyword("PART")
+    deck.text(title)
+    deck.card([number, section, number, 0, hourglass])
+    elastic = [number, metal.density, metal.youngs, metal.poisson]
+    if metal.yield_stress is None:
+        deck.keyword("MAT_ELASTIC", elastic, names="mid ro e pr")
+        return
+    # A curve of its own takes the place of the tangent modulus.
+    deck.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY", [*elastic, metal.yield_stress], [None], names="mid ro e pr sigy")
+    strains, stresses = zip(*metal.curve(), strict=True)
+    deck.card(list(strains))
+    deck.card(list(stresses))
+
+
+def _places(head: Any, hit: dict[str, Any]) -> NDArray[Any]:
+    """Return the nodes of a head [m] in the axes of the deck."""
+    return (head.nodes @ turn_to_sole(head.loft) - hit["point"]) @ np.asarray(hit["axes"]).T
+
+
+def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, last: int) -> None:
+    """Write added masses, as elements behind the ``last``, and the velocity of every node."""
+    deck.keyword("ELEMENT_MASS")
+    added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
+    deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1))
+    spin = np.asarray(hit["spin"])
+    velocities = np.asarray(hit["velocity"]) + np.cross(spin, _places(head, hit) - np.asarray(hit["cg"]))
+    deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
+    for number, velocity in enumerate(velocities.tolist(), start=nodes + 1):
+        deck.card([number, *velocity, *spin.tolist()])
+
+
+def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: int) -> None:
+    """Write a rigid head: a mesh of its face for contact, its mass, inertia and motion as numbers."""
+    if club.characteristic_time:
+        deck.comment("the face of this club gives by a spring in clubface; this deck has a rigid face")
+    deck.keyword("PART_INERTIA")
+    deck.text(f"{club.name}: rigid")
+    deck.card([HEAD_PART, HEAD_SECTION, HEAD_PART])
+    deck.card([*hit["cg"], club.mass, 0])
+    inertia = hit["inertia"]
+    deck.card([inertia[i][j] for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))])
+    deck.card([*hit["velocity"], *hit["spin"]])
+    deck.keyword(
+        "MAT_RIGID", [HEAD_PART, STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON], [0.0], [None], names="mid ro e pr"
+    )
+    deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2], [SHELL] * 4, names="secid elform")
+    deck.comment("The shells lie half their thickness behind the face, so that contact is on the face itself.")
+    places, quads = _face_mesh(club)
+    deck.nodes((places - hit["point"]) @ np.asarray(hit["axes"]).T, nodes + 1)
+    deck.elements("SHELL", repeat(HEAD_PART, len(quads)), quads + nodes + 1, elements + 1)
+
+
+def _first_touch(case: Case, club: Club) -> dict[str, Any]:
+    """Return the head at first touch, in the axes of the deck, and ``axes`` and ``point`` in those of the face."""
+    coarse = replace(case.ball, cube=2, pieces=tuple(replace(piece, layers=1) for piece in case.ball.pieces))
+    # The core sets the scene; a run of two steps is the least that tells it.
+    least = Settings(duration=1e-6, interval=1e-6, threads=1)
+    hit = strike(club, case.delivery, which=coarse, friction=case.friction, settings=least)
+    axes, attitude = hit.axes, hit.attitude
+    turn = turn_to_sole(club.loft)
+    lever = turn.T @ np.asarray(club.cg)
+    delivery = {key: units.parse(case.delivery.get(key, 0.0), DIMENSIONS[key]) for key in OF_DECK}
+    point = face_point(delivery["toe"], delivery["high"], club.bulge, club.roll)
+    world_spin = np.array([-delivery["lie_rate"], delivery["closure"], delivery["pitch_rate"]])
+    mirror = np.array([club.hand, club.hand, 1.0])
+    ball_spin = mirror * [delivery["ball_riflespin"], -delivery["ball_sidespin"], delivery["ball_backspin"]]
+    return {
+        "axes": axes,
+        "point": point,
+        "cg": (-axes @ (lever + point)).tolist(),
+        "velocity": hit.frame_velocity.tolist(),
+        "spin": (axes @ attitude.T @ world_spin).tolist(),
+        "ball_spin": (axes @ attitude.T @ ball_spin).tolist(),
+        "inertia": (axes @ turn.T @ np.asarray(club.inertia) @ turn @ axes.T).tolist(),
+    }
+
+
+def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return nodes [m] of the middle surface of the face's shells, face axes, and quadrangles, numbered from 0."""
+    across, up = (max(8, round(size / FACE_ELEMENT)) for size in (club.face_width, club.face_height))
+    places = []
+    for high in np.linspace(-0.5, 0.5, up + 1) * club.face_height:
+        for toe in np.linspace(-0.5, 0.5, across + 1) * club.face_width:
+            point = face_point(toe, high, club.bulge, club.roll)
+            places.append(point - 0.5 * SHELL * nearest(point, club.bulge, club.roll)[1])
+    first = (np.arange(up)[:, None] * (across + 1) + np.arange(across)).reshape(-1)
+    quads = np.stack([first, first + across + 1, first + across + 2, first + 1], axis=1)
+    return np.array(places), quads
+
 
 USUAL_SAFETY = 0.9
 """Time step over the stable one where the case leaves it open: what other codes take."""

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import InputError
 from clubface.fem import core
-from clubface.support.checks import check_choice, check_names
-from clubface.support.frozen import Frozen
+from clubface.support.checks import Frozen, check_choice, check_names
 
 
 class Law(NamedTuple):

@@ -1,10 +1,16 @@
-"""The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM", and its table of figures."""
+"""Published and reference cases: Roh and Lee's impacts, and a ball whose every constant is stated.
+
+The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM", and its table of figures.
+
+The reference case: a ball whose every constant is stated, thrown at a rigid plane.
+"""
 
 from __future__ import annotations
 
 import math
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,11 +18,13 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
+from clubface.fem.balls import Ball, ball
 from clubface.fem.case import PLANE, Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.settings import METHODS
-from clubface.support.shipped import DATA
+from clubface.fem.run import throw
+from clubface.fem.settings import METHODS, Settings
+from clubface.support.files import DATA
 from clubface.support.strict_toml import Document
 
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
@@ -158,3 +166,42 @@ def figures(found: Impact) -> dict[str, Any]:
 def document(runs: Mapping[str, Impact]) -> dict[str, Any]:
     """Return the document that ``clubface fem paper --json`` prints: the first run, and the tables of all."""
     return {**figures(next(iter(runs.values()))), "by_contact": {method: table(run) for method, run in runs.items()}}
+
+
+REFERENCE_SPEED = "35 m/s"
+ANGLE = "11.5 deg"
+FRICTION = 0.35
+
+
+def reference(
+    *,
+    which: str | os.PathLike[str] | Ball = "reference",
+    friction: Any = FRICTION,
+    refine: int = 1,
+    element: str = "one-point",
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+) -> Impact:
+    """Throw the ball of Roh and Lee at a rigid plane, at 35 m/s and 11.5 deg from the normal, for 1000 us.
+
+    Parameters
+    ----------
+    which
+        The ball: a name, a TOML file or a :class:`Ball`.
+    friction
+        Coefficient of Coulomb friction.
+    refine
+        How many times finer the mesh is along every edge.
+    element
+        The kind of elements: "one-point" or "full".
+    settings, progress
+        As for :func:`throw`.
+    """
+    made = replace(ball(which).refined(refine), element=element)
+    return throw(made, speed=REFERENCE_SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)
+
+
+def other_solvers() -> tuple[list[str], dict[str, list[float]]]:
+    """Return the names of independent solvers, and what they found [SI; rpm], by the keys of the command line."""
+    told = Document.read(DATA / "published_impacts.toml").data["reference"]
+    return told["solvers"], told["figures"]

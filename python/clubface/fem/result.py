@@ -1,17 +1,34 @@
-"""Result of a finite element impact: figures, histories and energies."""
+"""Results of a finite element impact: figures, histories, energies, and fields of stress and strain.
+
+Result of a finite element impact: figures, histories and energies.
+
+Stress and strain in the elements of a body, at the times of its deformed shapes.
+
+Stress at the surface of a body of hexahedra, from that at the centres of its elements.
+
+The stress at the centre of an element is the most exact one that a hexahedron has (it is superconvergent), but a wall
+under bending has its largest stress at its surface, half an element away: two layers of elements see half of it at
+their centres, three layers two thirds. Patch recovery (Zienkiewicz and Zhu, 1992) fits each component of the stress in
+the elements round a node inside the body by a linear function of the place. A node of the surface takes the value of
+the function of the nearest node inside, extrapolated.
+
+The displaced mass centre of the model ``adjusted``, from the forces on a ball of finite elements.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.errors import InputError
 from clubface.fem.balls import Ball
-from clubface.fem.fields import ElementFields
 from clubface.fem.heads import ShellHead
-from clubface.simulation.quantities import inputs
+from clubface.simulation.results import inputs
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
@@ -21,6 +38,70 @@ if TYPE_CHECKING:
     from clubface.fem.settings import Settings
     from clubface.simulation.inputs import Shots
     from clubface.simulation.launch import Launch
+
+
+COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+"""Order of the components of tensors."""
+
+
+@dataclass(frozen=True)
+class ElementFields:
+    """Stress and strain in the elements of a body.
+
+    Attributes
+    ----------
+    stress
+        Cauchy stress [Pa], shape (frames, elements, components) with :data:`COMPONENTS`; for shells (frames, elements,
+        sides, components), the outer side first. In the axes of the frames.
+    strain
+        Logarithmic strain in the same shape (shear is not doubled); for shells only the elastic part.
+    plastic_strain
+        Equivalent plastic strain, shape (frames, elements); for shells the largest one through the thickness.
+
+    Notes
+    -----
+    One-point hexahedra give the values at their centre, and fully integrated ones the average of their points. Shells
+    give the values of their surfaces, or of the outermost points if they have points through the thickness, without
+    transverse shear. The numbers have single precision.
+    """
+
+    stress: NDArray[Any]
+    strain: NDArray[Any]
+    plastic_strain: NDArray[Any]
+
+    @classmethod
+    def from_core(cls, told: dict[str, NDArray[Any]], frames: int, elements: int, *, shells: bool) -> ElementFields:
+        """Return the fields of a body as the core tells them, both sides of all elements."""
+        shape = (frames, elements, 2, len(COMPONENTS))
+        stress, strain = (told[name].reshape(shape) for name in ("stress", "strain"))
+        if not shells:
+            stress, strain = stress[:, :, 0], strain[:, :, 0]
+        return cls(stress, strain, told["plastic_strain"].reshape(frames, elements))
+
+    @property
+    def pressure(self) -> NDArray[Any]:
+        """Minus the mean stress [Pa]; positive in compression."""
+        return -self.stress[..., :3].mean(axis=-1)
+
+    @property
+    def von_mises(self) -> NDArray[Any]:
+        """Equivalent stress of von Mises [Pa]."""
+        return von_mises(self.stress)
+
+
+def von_mises(stress: NDArray[Any]) -> NDArray[Any]:
+    """Return the equivalent stress of von Mises of tensors, components last."""
+    xx, yy, zz, xy, xz, yz = np.moveaxis(stress, -1, 0)
+    differences = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(0.5 * differences + 3.0 * (xy**2 + xz**2 + yz**2))
+
+
+def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> NDArray[Any]:
+    """Return symmetric tensors (components last) in axes in which the old ones are the columns of ``rotation``."""
+    xx, yy, zz, xy, xz, yz = np.moveaxis(tensors, -1, 0)
+    whole = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
+    seen = rotation @ whole @ rotation.T
+    return np.stack([seen[..., i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))], axis=-1)
 
 
 class Impact:
@@ -276,3 +357,118 @@ def _fields(
         return of_ball, None
     shells = isinstance(head, ShellHead)
     return of_ball, ElementFields.from_core(told[1], frames, head.elements, shells=shells)
+
+
+SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+"""Corners of the sides of a hexahedron, counterclockwise as seen from outside; its own go round the bottom, then round
+the top."""
+FLAT = 1e-3
+"""Singular values below this share of the largest say that a patch has no extent in a direction."""
+
+
+@dataclass(frozen=True)
+class SurfaceRecovery:
+    """How stress at the nodes of a surface follows from that at the centres of elements.
+
+    Attributes
+    ----------
+    nodes
+        Nodes of the surface, in ascending order, shape (n,).
+    quads
+        The surface as quadrilaterals between nodes of the mesh, shape (m, 4).
+    elements, weights
+        Elements whose stress makes that of each node, and their shares, shape (n, most); shares of 0 fill up.
+    extrapolated
+        Whether each node has a node inside to extrapolate from. Others, such as those of a wall of one layer, take the
+        mean of the elements round them, which do not see how the wall bends.
+    """
+
+    nodes: NDArray[Any]
+    quads: NDArray[Any]
+    elements: NDArray[Any]
+    weights: NDArray[Any]
+    extrapolated: NDArray[Any]
+
+    @classmethod
+    def of_mesh(cls, nodes: NDArray[Any], hexahedra: NDArray[Any]) -> SurfaceRecovery:
+        """Prepare the recovery for a mesh: places of nodes [m], shape (k, 3), and corners of elements, shape (l, 8)."""
+        quads = outer_sides(hexahedra)
+        on_surface = np.zeros(len(nodes), bool)
+        on_surface[quads] = True
+        centres = nodes[hexahedra].mean(axis=1)
+        order = np.argsort(hexahedra, axis=None, kind="stable")
+        ends = np.searchsorted(hexahedra.reshape(-1)[order], np.arange(len(nodes) + 1))
+        around = [order[start:end] // 8 for start, end in pairwise(ends)]
+        surface = np.flatnonzero(on_surface)
+        patches, inside = [], []
+        for node in surface:
+            corners = np.unique(hexahedra[around[node]])
+            near = corners[~on_surface[corners]]
+            inside.append(near.size > 0)
+            if near.size == 0:
+                patches.append((around[node], np.full(len(around[node]), 1.0 / len(around[node]))))
+                continue
+            middle = near[((nodes[near] - nodes[node]) ** 2).sum(axis=1).argmin()]
+            away, there = centres[around[middle]] - nodes[middle], nodes[node] - nodes[middle]
+            size = abs(away).max()
+            terms = np.column_stack([np.ones(len(away)), away / size])
+            patches.append((around[middle], np.array([1.0, *there / size]) @ np.linalg.pinv(terms, rcond=FLAT)))
+        most = max(len(shares) for _, shares in patches)
+        elements, weights = np.zeros((len(surface), most), int), np.zeros((len(surface), most))
+        for row, (patch, shares) in enumerate(patches):
+            elements[row, : len(patch)], weights[row, : len(patch)] = patch, shares
+        return cls(surface, quads, elements, weights, np.array(inside))
+
+    def at_nodes(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
+        return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
+
+
+def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
+    """Return the sides of elements that belong to no second element, in their own order of corners, shape (m, 4)."""
+    sides = hexahedra[:, SIDES].reshape(-1, 4)
+    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+    return sides[np.sort(first[count == 1])]
+
+
+class Displacement(NamedTuple):
+    """Where the mass centre of a deformed ball is, as an impulse at one point sees it.
+
+    The impulse acts at the distance R from an undeformed ball's centre. With a mass centre displaced by (``normal``,
+    ``up``, ``toe``) it has the moments that the forces of the contact had about the ball's mass centre.
+
+    Attributes
+    ----------
+    normal
+        Displacement away from the face [m], averaged with the force along the face; negative is nearer the face.
+    up, toe
+        Displacement up the face and towards the toe from the centre of pressure [m], averaged with the normal force.
+    moment
+        The moment about the toe direction over the normal impulse, less that of a ball that stays round [m]: the
+        displacement up the face that would do all by itself. Positive adds backspin.
+    """
+
+    normal: float
+    up: float
+    toe: float
+    moment: float
+
+
+def displaced_centre(found: Impact) -> Displacement:
+    """Return the displacement of the mass centre that the model ``adjusted`` calls dCG, from a finished impact.
+
+    The directions are those of first touch, as in the model. With a head, ``up`` and ``toe`` thus include what the head
+    turns and the face curves while the ball is on it.
+    """
+    if found.stopped is not None:
+        raise InputError("impact", found, "a complete one")
+    patch, motion = found.patch, found.motion
+    times, record = np.unique(patch["time"], return_inverse=True)
+    keys = ("normal", "tangential")
+    normal, tangential = (np.bincount(record, weights=patch[key]) for key in keys)
+    up, toe = (np.bincount(record, weights=patch["normal"] * patch[key]) for key in ("up", "toe"))
+    lever = np.interp(times, motion["time"], motion["radius"])
+    along, across = np.trapezoid(tangential, times), np.trapezoid(normal, times)
+    nearer = np.trapezoid(tangential * lever, times) / along - 0.5 * found.ball.diameter
+    shift_up, shift_toe = (-np.trapezoid(each, times) / across for each in (up, toe))
+    return Displacement(float(nearer), float(shift_up), float(shift_toe), float(shift_up + nearer * along / across))

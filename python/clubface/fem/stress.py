@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
-from clubface.fem.fields import von_mises
 from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
 from clubface.fem.heads.read import Design, design_of
-from clubface.fem.recovery import SurfaceRecovery
+from clubface.fem.result import SurfaceRecovery, von_mises
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 
@@ -22,6 +21,7 @@ if TYPE_CHECKING:
     import os
 
     from clubface.fem.result import Impact
+
 
 BLOW = "125 mph"
 """Speed of the club where none is given: about the most that professionals on tour reach with a driver."""
@@ -148,7 +148,7 @@ def blow_stress(
     The metals stay elastic for it, whether they yield or not, so that the stress may exceed the one at which they
     yield: the margin then says by how much a design is too weak. It is the stress on the two sides of a shell (at its
     outermost points, if its metal has points through the thickness), and that at the surface of hexahedra, to which
-    patch recovery extrapolates it from the centres of elements (:mod:`clubface.fem.recovery`). Neither knows of
+    patch recovery extrapolates it from the centres of elements (:mod:`clubface.fem.result`). Neither knows of
     notches, welds or fatigue.
 
     Parameters

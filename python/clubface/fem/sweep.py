@@ -1,19 +1,177 @@
-"""Sweeps: one case over a grid of speeds and lofts, one run on each core, resumable."""
+"""Sweeps of a case over speeds and lofts, and tables of long computations that resume.
+
+Sweeps: one case over a grid of speeds and lofts, one run on each core, resumable.
+
+Tables of long computations, a row at a time, so that an interruption loses nothing.
+"""
 
 from __future__ import annotations
 
+import csv
+import io
 import os
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import Any, TypeVar
 
 from clubface import units
-from clubface.errors import InputError
+from clubface.errors import FileError, InputError
 from clubface.fem import paper
 from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.resumable import ResumableTable
-from clubface.fem.side_by_side import workers_of
+from clubface.fem.run import side_by_side, workers_of
+from clubface.jobs.resuming import Store, unfinished
+from clubface.support.files import prepared_folder
+from clubface.support.fingerprint import fingerprint
+
+P = TypeVar("P")
+
+
+class ResumableTable:
+    """Rows found by their first two columns, in a CSV file where one is given; its first line tells what they are of.
+
+    Rows that are finished are kept in a store beside the file until all are, and then written together, those of the
+    file that were not asked for this time after them.
+
+    Parameters
+    ----------
+    path
+        The file; None keeps the rows for this run alone.
+    content
+        What the rows are of, by what a person calls it: numbers, texts, arrays, data classes, and lists and mappings of
+        these. A table of anything else is refused.
+    columns
+        Names of the columns.
+    kinds
+        How to read columns that are no floats.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str] | None,
+        content: Mapping[str, Any],
+        columns: Sequence[str],
+        kinds: Mapping[str, Callable[[str], Any]],
+    ) -> None:
+        self._path = None if path is None else Path(path)
+        self._content = content
+        self._columns, self._kinds = tuple(columns), kinds
+        self._rows: dict[tuple[float, ...], dict[str, Any]] = {}
+        self._mark = "# case " + fingerprint(list(content.values()))[:16]
+        if self._path is not None:
+            prepared_folder(self._path.parent)
+            if self._path.exists():
+                self._read(self._path)
+
+    def _read(self, path: Path) -> None:
+        lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]
+        if lines[:1] != [self._mark] or lines[1:2] != [",".join(self._columns)]:
+            raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
+        # Each line by itself: a quotation mark in a damaged one must not swallow the others.
+        for number, line in enumerate(lines[2:], 3):
+            try:
+                (cells,) = csv.reader([line], strict=True)
+                pairs = zip(self._columns, cells, strict=True)
+                self._keep({name: self._kinds.get(name, float)(text) for name, text in pairs})
+            except (ValueError, csv.Error):
+                raise FileError(str(path), number, "this is not a row of the table; remove it") from None
+
+    def fill(
+        self,
+        places: Mapping[P, tuple[float, float]],
+        run: Callable[[P, Progress, int], dict[str, Any]],
+        *,
+        what: str,
+        workers: int | None,
+        progress: Callable[[int, int], object] | None,
+        is_of: Callable[[P, Mapping[str, Any]], bool] = lambda point, row: True,
+    ) -> list[dict[str, Any]]:
+        """Run what has no row yet, side by side, a row kept as each ends; return the rows of all.
+
+        Parameters
+        ----------
+        places
+            What is run, and the values of the first two columns of its row.
+        run
+            As for :func:`clubface.fem.run.side_by_side`; returns a row.
+        what
+            What is run, in the plural, for people.
+        workers
+            Runs at a time; left out, as many as there are cores.
+        progress
+            Called with the rows there are and the rows in all.
+        is_of
+            Whether a row that is there is of what is run now; if not, it is run again.
+        """
+        with self._store(places, is_of) as store:
+            if store is not None:
+                for name in store:
+                    self._keep(store[name])
+            rows = {point: self._row(point, place, is_of) for point, place in places.items()}
+
+            def ended(point: P, row: dict[str, Any]) -> None:
+                rows[point] = row
+                self._keep(row)
+                if store is not None:
+                    store.keep(",".join(map(repr, places[point])), row)
+                if progress is not None:
+                    progress(sum(row is not None for row in rows.values()), len(rows))
+
+            try:
+                side_by_side([point for point, row in rows.items() if row is None], run, ended, workers=workers)
+            except KeyboardInterrupt:
+                kept = f"; they are in {store.folder}, and the same command goes on after them" if store else ""
+                done = sum(row is not None for row in rows.values())
+                raise KeyboardInterrupt(f"{done} of {len(rows)} {what} are done{kept}") from None
+            found = [row for row in rows.values() if row is not None]
+            if store:
+                self._write(found, store)
+        return found
+
+    def _row(
+        self, point: P, place: tuple[float, float], is_of: Callable[[P, Mapping[str, Any]], bool]
+    ) -> dict[str, Any] | None:
+        """Return the row of a place, None where there is none or one of something else."""
+        row = self._rows.get(_key(place))
+        return row if row is not None and is_of(point, row) else None
+
+    def _store(
+        self, places: Mapping[P, tuple[float, float]], is_of: Callable[[P, Mapping[str, Any]], bool]
+    ) -> AbstractContextManager[Store | None]:
+        """Return the store of what is not in the table yet, or None."""
+        if self._path is None:
+            return nullcontext()
+        folder = unfinished(self._path)
+        if not folder.exists() and all(self._row(*each, is_of) is not None for each in places.items()):
+            return nullcontext()
+        otherwise = f"finish that with the same command, or remove {folder}"
+        return Store(folder, self._content, of=self._path, otherwise=otherwise)
+
+    def _write(self, first: Sequence[dict[str, Any]], store: Store) -> None:
+        """Write the table, some rows first."""
+        assert self._path is not None
+        text = io.StringIO()
+        out = csv.writer(text, lineterminator="\n")
+        keys = dict.fromkeys([*map(self._key_of, first), *self._rows])
+        for row in (self._rows[key] for key in keys):
+            out.writerow([row[name] if isinstance(row[name], str) else repr(row[name]) for name in self._columns])
+        whole = f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}"
+        store.write_result(self._path, lambda file: file.write(whole.encode()))
+        store.remove()
+
+    def _keep(self, row: dict[str, Any]) -> None:
+        self._rows[self._key_of(row)] = row
+
+    def _key_of(self, row: Mapping[str, Any]) -> tuple[float, ...]:
+        return _key([row[name] for name in self._columns[:2]])
+
+
+def _key(place: Sequence[float]) -> tuple[float, ...]:
+    """Return values without the rounding of units on their way."""
+    return tuple(round(value, 9) for value in place)
+
 
 COLUMNS = (
     "speed_mps", "loft_deg", "ball_speed_mps", "launch_deg", "spin_rpm", "club_speed_after_mps", "peak_force_n",

@@ -1,21 +1,295 @@
-"""Where the ball goes after launch: flight through moist air and wind, bounces and roll."""
+"""The flight of the ball through air and wind, bounces and roll: inputs, grounds, results and the path.
+
+Where the ball goes after launch: flight through moist air and wind, bounces and roll.
+
+From launch, air, wind and ground to the columns of the core.
+
+Named grounds on which balls bounce and roll.
+
+How firm a ground is and how its grass slows a rolling ball are independent here. Firmness is the tilt of the effective
+plane of a bounce and a factor on the restitution. The average ground lies between two published readings: runs that a
+TrackMan computes today ask for a tilt of 13.3 deg, those of the PGA Tour's drives for at most 12.3. Firm is the ground
+of TrackMan's chart of 2010 and of the LPGA Tour's drives; soft differs from the average as much to the other side.
+
+Grass is the rolling friction of a slow ball, for fairways that of Penner's average green, on which a ball runs 6 ft off
+a Stimpmeter (0.131), for greens of today that of 10 ft (0.0784), both assumed; and the way over which it slows a fast
+ball, for fairways from low shots that a TrackMan computes, for greens, cut to a quarter, four times as long (assumed).
+
+The air a ball flies through.
+
+The path of one ball through the air.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any, Literal, overload
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any, Literal, NamedTuple, overload
 
+import numpy as np
 from numpy.typing import NDArray
 
+from clubface import units
+from clubface.equipment.balls import ball
+from clubface.errors import InputError, ShotError, Told
 from clubface.simulation import core
-from clubface.simulation.air import Air
-from clubface.simulation.flight_inputs import flight_columns, flight_error
-from clubface.simulation.launch import Comparison, Launch
-from clubface.simulation.quantities import Quantity, flight_inputs, flight_outputs
-from clubface.simulation.results import Result, Varied, first_error, index_of
-from clubface.simulation.run_options import check_on_error, thread_count
+from clubface.simulation.inputs import check_on_error, common_shape, thread_count
+from clubface.simulation.launch import Comparison, Launch, vectors
+from clubface.simulation.results import (
+    Quantity,
+    Result,
+    Series,
+    Varied,
+    first_error,
+    flight_inputs,
+    flight_outputs,
+    index_of,
+)
+from clubface.support.checks import check_choice, check_names
+from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
+
+_FIRMNESS = {
+    "firm ": {"ground_tilt": 9.5 * math.pi / 180.0, "restitution_factor": 1.3},
+    "": {"ground_tilt": 12.3 * math.pi / 180.0, "restitution_factor": 1.0},
+    "soft ": {"ground_tilt": 15.1 * math.pi / 180.0, "restitution_factor": 0.7},
+}
+_GRASS = {
+    "fairway": {"rolling_friction": 0.131, "grass_length": 23.0},
+    "green": {"rolling_friction": 0.0784, "grass_length": 92.0},
+}
+
+GROUNDS: Mapping[str, Mapping[str, float]] = MappingProxyType({
+    firmness + surface: MappingProxyType(bounce | grass)
+    for surface, grass in _GRASS.items()
+    for firmness, bounce in _FIRMNESS.items()
+})  # fmt: skip
+"""Inputs of a flight [SI] by the name of the ground; what a ground does not name is as on any other."""
+
+
+MEASURED_DESCENT, MEASURED_SPEED = 25.0 * math.pi / 180.0, 19.0
+"""Least angle of descent [rad] and least speed [m/s] at landing of balls whose runs were measured and published."""
+
+
+def has_measured_run(landing_angle: float, landing_speed: float) -> bool:
+    """Return whether runs of balls that land like this are published, and not only computed by a monitor."""
+    return landing_angle >= MEASURED_DESCENT and landing_speed >= MEASURED_SPEED
+
+
+def ground_of(ground: str | Mapping[str, Any] | None) -> dict[str, Any]:
+    """Return the inputs of a flight meant by None, the name of a ground, or a mapping of values themselves."""
+    if ground is None:
+        return {}
+    if isinstance(ground, str):
+        check_choice("ground", ground, GROUNDS)
+        return dict(GROUNDS[ground])
+    if not isinstance(ground, Mapping):
+        raise InputError("ground", ground, f"{', '.join(GROUNDS)}, or a mapping of values")
+    check_names(
+        "value of the ground", ground, [name for name, each in flight_inputs().items() if each.group == "ground"]
+    )
+    return {name: value for name, value in ground.items() if value is not None}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Air:
+    """The air the ball flies through, each value text with a unit, an SI number, or an array.
+
+    Attributes
+    ----------
+    temperature
+        [K]; 25 degC where nothing is said, to which published carries are normalised.
+    pressure
+        [Pa]; left out, that of the standard atmosphere at the altitude.
+    humidity
+        Relative, 0 to 1; 0.5 where nothing is said.
+    altitude
+        Above the sea [m]; it sets the pressure, not the temperature.
+    """
+
+    temperature: Any = None
+    pressure: Any = None
+    humidity: Any = None
+    altitude: Any = None
+
+    def __post_init__(self) -> None:
+        for name in ("temperature", "pressure", "humidity"):
+            if getattr(self, name) is None:
+                object.__setattr__(self, name, flight_inputs()[name].default)
+            elif name == "pressure" and self.altitude is not None:
+                raise InputError("altitude", self.altitude, "leave it out, since the pressure is given")
+            else:
+                value = units.parse_values(getattr(self, name), flight_inputs()[name].dimension, name=name)
+                object.__setattr__(self, name, value)
+        if self.altitude is not None:
+            altitude = units.parse_values(self.altitude, "length", name="altitude")
+            object.__setattr__(self, "altitude", altitude)
+            object.__setattr__(self, "pressure", _pressure(altitude))
+            self._check_altitude()
+
+    def _check_altitude(self) -> None:
+        """Refuse one altitude whose pressure a flight does not take; a bad one of many is reported with its flight."""
+        allowed = flight_inputs()["pressure"]
+        if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
+            limits = units.show_range(allowed.lower, allowed.upper, "hPa")
+            text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
+            raise InputError("altitude", units.show(self.altitude, "m"), text)
+
+    def values(self) -> dict[str, Any]:
+        """Return the inputs of a flight, SI, by name."""
+        return {"temperature": self.temperature, "pressure": self.pressure, "humidity": self.humidity}
+
+
+def air_of(values: Air | Mapping[str, Any] | None) -> Air:
+    """Return the air meant by None, a mapping of its values, or an :class:`Air` itself."""
+    if values is None:
+        return Air()
+    if isinstance(values, Air):
+        return values
+    if not isinstance(values, Mapping):
+        raise InputError("air", values, "an Air or a mapping of its values")
+    check_names("value of the air", values, Air.__dataclass_fields__)
+    return Air(**values)
+
+
+def _pressure(altitude: Any) -> Any:
+    if isinstance(altitude, float):
+        return core.pressure_at_altitude(altitude)
+    flat = [core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
+    return np.array(flat, dtype=np.float64).reshape(altitude.shape)
+
+
+AXES = ("x", "y", "z")
+VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
+SPIN = tuple(f"spin_{axis}" for axis in AXES)
+BALL = ("ball_mass", "ball_radius", "ball_inertia")
+LEVEL = ("wind_speed", "wind_direction")
+"""What says a level wind in place of its components: how fast it blows, and whereto."""
+
+
+class FlightColumns(NamedTuple):
+    """Flights as the core takes them.
+
+    Attributes
+    ----------
+    columns
+        The inputs by name, in the order of the core: a number, or an array of the flights, flat.
+    shape
+        The shape the inputs broadcast to; () for a single flight.
+    varied
+        The inputs given as arrays, by name, not broadcast; those of a :class:`Launch` stay with it.
+    """
+
+    columns: dict[str, Any]
+    shape: tuple[int, ...]
+    varied: dict[str, NDArray[Any]]
+
+
+def flight_columns(
+    launch: Launch | Mapping[str, Any],
+    air: Air | Mapping[str, Any] | None,
+    wind: Any,
+    ground: str | Mapping[str, Any] | None,
+) -> FlightColumns:
+    """Lay out flights; the arguments are those of :func:`clubface.fly`."""
+    inputs = flight_inputs()
+    given: dict[str, Any] = {}
+    if isinstance(launch, Launch):
+        rows = {name: getattr(launch, name) for name in (*VELOCITY, *SPIN)}
+        rows |= {name: launch.input(name) for name in BALL}
+        given |= {name: _of_shape(value, launch.shape) for name, value in rows.items()}
+    elif isinstance(launch, Mapping):
+        given |= vectors({name: value for name, value in launch.items() if value is not None})
+    else:
+        raise InputError("launch", launch, "a Launch or a mapping of values")
+    given |= conditions(air, wind, ground)
+    parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()} | ball().inputs()
+    varied: dict[str, NDArray[Any]] = {}
+    for name, value in given.items():
+        value = _parsed(value, name)
+        if not isinstance(value, float):
+            value = varied[name] = np.asarray(value, dtype=np.float64)
+        parsed[name] = value
+    shape = common_shape(varied)
+    copies = sum(each.shape != shape for each in varied.values())
+    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies) + 2 * FAILED)  # once more, sorted
+    flat = {
+        name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
+        for name, value in parsed.items()
+    }
+    if isinstance(launch, Launch):
+        varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
+    return FlightColumns(flat, shape, varied)
+
+
+def conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> dict[str, Any]:
+    """Return the inputs of a flight that air, wind and ground give [SI], by name."""
+    blowing = _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
+    given = {**air_of(air).values(), **blowing, **ground_of(ground)}
+    return {name: _parsed(value, name) for name, value in given.items()}
+
+
+def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> None:
+    """Refuse air, wind and ground, single numbers all, that no flight takes."""
+    for name, given in conditions(air, wind, ground).items():
+        value, allowed = _parsed(given, name), flight_inputs()[name]
+        if not isinstance(value, float):
+            raise InputError(name, "an array", "a single number")
+        if not allowed.lower <= value <= allowed.upper:
+            range_ = units.show_range(allowed.lower, allowed.upper, allowed.unit)
+            raise InputError(name, units.show(value, allowed.unit), f"from {range_}")
+
+
+def _parsed(value: Any, name: str) -> Any:
+    return value if type(value) is float else units.parse_values(value, flight_inputs()[name].dimension, name=name)
+
+
+def flight_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
+    """Turn the core's ``ValueError(name, message)`` about one flight into an error of the package."""
+    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+    value = columns.get(name)
+    return ShotError(name, value if isinstance(value, float) else None, message)
+
+
+def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:
+    return value.reshape(shape) if getattr(value, "ndim", 0) else float(value)
+
+
+def _wind(wind: Any) -> Mapping[str, Any]:
+    if wind is None or isinstance(wind, Mapping):
+        return _level_wind(wind or {})
+    scalar = isinstance(wind, str) or not hasattr(wind, "__len__") or getattr(wind, "ndim", 1) == 0
+    if scalar or len(wind) != 3:
+        raise InputError("wind", wind, 'three values: to the target, up and right, as in ("-10 mph", 0, 0)')
+    return {f"wind_{axis}": value for axis, value in zip(AXES, wind, strict=True)}
+
+
+def _level_wind(wind: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the components of a wind that is given by speed and direction; any other as it is."""
+    rest = {name: value for name, value in wind.items() if name not in LEVEL}
+    if len(rest) == len(wind):
+        return wind
+    for name in ("wind_x", "wind_z"):
+        if name in rest:
+            raise InputError(name, rest[name], "left out where the speed of the wind and its direction are given")
+    if wind.get("wind_speed") is None:
+        raise InputError("wind_speed", None, "give it with the direction of the wind")
+    speed = units.parse_values(wind["wind_speed"], "speed", name="wind_speed")
+    blows = wind.get("wind_direction")
+    angle = units.parse_values(0.0 if blows is None else blows, "angle", name="wind_direction")
+    along, across = speed * np.cos(angle), speed * np.sin(angle)
+    if isinstance(speed, float) and isinstance(angle, float):
+        along, across = float(along), float(across)
+    return {**rest, "wind_x": along, "wind_z": across}
+
+
+def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
+    if not isinstance(values, Mapping):
+        raise InputError(what, values, f"a mapping of {', '.join(known)}")
+    check_names(f"value of the {what}", values, known)
+    return {name: value for name, value in values.items() if value is not None}
 
 
 class Flight(Result):
@@ -212,3 +486,55 @@ def _sorted_problems(
             name, message = reason.parameter, reason.reason
         every.append((row, name, "there is no launch to fly" if lost and reason is None else message))
     return every, new
+
+
+class Trajectory(Series):
+    """The path of one ball from launch to landing.
+
+    Attributes
+    ----------
+    time
+        Since launch [s], shape (n,).
+    position
+        From the start, to the target, up, right [m], shape (n, 3).
+    velocity
+        [m/s], shape (n, 3).
+    spin
+        Angular velocity [rad/s], shape (n, 3).
+    """
+
+    quantities = {  # noqa: RUF012
+        "time": Quantity("time", "s", "time since launch"),
+        "position": Quantity("position", "m", "from the start"),
+        "velocity": Quantity("velocity", "m/s", "velocity"),
+        "spin": Quantity("spin", "rad/s", "angular velocity"),
+    }
+
+    def __init__(self, arrays: Mapping[str, NDArray[Any]], provenance: dict[str, Any]) -> None:
+        self._arrays = arrays
+        self.time, self.position, self.velocity, self.spin = (arrays[name] for name in self.quantities)
+        self.provenance = provenance
+
+    def __repr__(self) -> str:
+        carry = math.hypot(self.position[-1, 0], self.position[-1, 2])
+        apex = self.position[:, 1].max()
+        return f"trajectory of {len(self)} points: carry {carry:.5g} m, apex {apex:.4g} m, {self.time[-1]:.3g} s"
+
+
+def trajectory(
+    launch: Launch | Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+) -> Trajectory:
+    """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
+    columns, shape, varied = flight_columns(launch, air, wind, ground)
+    if shape or varied:
+        raise InputError("launch", Told(f"a batch of shape {shape}"), "a single shot: a trajectory is of one ball")
+    try:
+        arrays = core.trajectory(list(columns.values()))
+    except ValueError as error:
+        raise flight_error(error, columns) from None
+    began = {"impact": launch.provenance} if isinstance(launch, Launch) else {}
+    return Trajectory(arrays, {**began, "inputs": {"values": columns}})

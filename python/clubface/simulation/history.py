@@ -13,15 +13,10 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named, models
 from clubface.errors import InputError
-from clubface.simulation.backends import backend_of
-from clubface.simulation.delivery import Delivery
-from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
+from clubface.simulation.impact import Parameters, backend_of, warn_if_outside
+from clubface.simulation.inputs import Delivery, as_values, equipped, shot_error, shots, single, tolerance
 from clubface.simulation.launch import Launch
-from clubface.simulation.outside import warn_if_outside
-from clubface.simulation.quantities import Quantity, in_unit
-from clubface.simulation.results import Series
-from clubface.simulation.run_options import tolerance
+from clubface.simulation.results import Quantity, Series, in_unit
 from clubface.support.checks import check_choice
 
 _STEPS = {

@@ -1,27 +1,297 @@
-"""From delivery to launch: one call for a shot, a batch or several models."""
+"""From delivery to launch: one call for a shot, a batch or several models, by whatever computes the model.
+
+From delivery to launch: one call for a shot, a batch or several models.
+
+What computes a model: the compiled core for the reduced ones, or the module that is registered for it.
+
+Shots outside what their model or its parameters were made for: found, counted, and told in one line.
+"""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Literal, overload
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, overload
 
-from clubface.equipment.balls import Ball
+from clubface import units
+from clubface.equipment.backends import MODULES, OWN
+from clubface.equipment.balls import DEFAULT_BALL, Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, models
-from clubface.equipment.parameters import ParameterSet
+from clubface.equipment.parameters import QUANTITIES, ParameterSet, ends_in_words
 from clubface.errors import InputError, RangeWarning
-from clubface.simulation.backends import Request, backend_of
-from clubface.simulation.delivery import Delivery
-from clubface.simulation.inputs import as_values, broadcast, equipped, shot_error, shots, value_of
+from clubface.simulation import core
+from clubface.simulation.inputs import (
+    Delivery,
+    as_values,
+    broadcast,
+    check_on_error,
+    equipped,
+    shot_error,
+    shots,
+    thread_count,
+    tolerance,
+    value_of,
+)
 from clubface.simulation.launch import Comparison, Launch
-from clubface.simulation.outside import warn_if_outside
-from clubface.simulation.quantities import outputs
-from clubface.simulation.results import first_error
-from clubface.simulation.run_options import check_on_error, thread_count, tolerance
-from clubface.support.checks import check_names
-from clubface.support.warning import without_warnings
+from clubface.simulation.results import first_error, input_columns, outputs
+from clubface.support.checks import check_names, is_silent, warn_once, without_warnings
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+Problems = list[tuple[int, str, str]]
+"""Row, name of the input at fault, and reason of each shot without a launch."""
+
+
+class Balls(NamedTuple):
+    """A ball as a backend computes it, and as the inputs of a shot describe it.
+
+    Attributes
+    ----------
+    own
+        What the backend takes; None where the inputs say everything.
+    described
+        As of :func:`clubface.ball`.
+    """
+
+    own: Any
+    described: Any
+
+
+class Request(NamedTuple):
+    """Shots to compute: a column an input and parameter, each a number or an array of ``size`` numbers.
+
+    Attributes
+    ----------
+    own
+        The ball as :meth:`Backend.balls` gave it.
+    club
+        As of :func:`clubface.club`; the inputs hold its values, some of which a shot may have changed.
+    on_error
+        As of :func:`clubface.impact`: with "nan", what goes wrong with one shot does not stop the others.
+    """
+
+    own: Any
+    club: Any
+    model: str
+    inputs: Sequence[Any]
+    parameters: Sequence[Any]
+    size: int
+    accuracy: float | None
+    threads: int
+    progress: Callable[[int], object] | None
+    on_error: Literal["raise", "nan"] = "raise"
+
+
+class Backend(Protocol):
+    """What computes the launches of a model."""
+
+    def balls(self, given: Any, accuracy: float | None) -> Balls:
+        """Return the ball that ``given`` means; refuse an accuracy that the backend does not take."""
+        ...
+
+    def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
+        """Return outputs by shots, NaN for those without a launch, and what kept them from having one."""
+        ...
+
+    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
+        """Return the forces of one shot over time as :class:`clubface.History` names them, None without a contact."""
+        ...
+
+    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+        """Return what :class:`clubface.History` holds, and the "launch"; asked of contact models alone."""
+        ...
+
+
+class ReducedCore:
+    """The reduced models."""
+
+    def balls(self, given: Any, accuracy: float | None) -> Balls:
+        """Return the ball as it is."""
+        return Balls(None, given)
+
+    def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
+        """Compute all shots at once."""
+        return core.impact(
+            shots.model, shots.inputs, shots.parameters, shots.size, shots.accuracy, shots.threads, shots.progress
+        )
+
+    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
+        """Return None: :func:`clubface.history` tells more."""
+        return None
+
+    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+        """Compute one contact and keep every step."""
+        return core.history(model, inputs, parameters, accuracy)
+
+
+REDUCED = ReducedCore()
+
+
+def backend_of(model: str) -> Backend:
+    """Return what computes a model; of an unknown one, its parameters say that there is none."""
+    if not isinstance(model, str):
+        return REDUCED
+    if model in OWN:
+        return OWN[model].BACKEND
+    return import_module(MODULES[model]).BACKEND if model in MODULES else REDUCED
+
+
+WITHOUT_GEAR_EFFECT = ("jorgensen",)
+"""The models in which a head that turns back does not turn the ball."""
+OFF_CENTRE = "off centre"
+"""What stands for a quantity where a ball is struck beside the face centre by a model without gear effect."""
+FITTED_TO_A_BALL = ("response",)
+"""The models whose parameters are coefficients for the ball ``DEFAULT_BALL``, unless another ball has its own."""
+OTHER_BALL = "ball"
+"""What stands for a quantity where a ball of other pieces has none."""
+ROUNDING = 1e-9
+"""Part of a range by which a value that is converted from another unit may miss its ends."""
+
+
+class Tally:
+    """Counts launches and those of them that are outside, by model, over any number of batches."""
+
+    def __init__(self) -> None:
+        self._shots: dict[str, int] = {}
+        self._found: dict[tuple[str, str], tuple[str, int, float]] = {}
+
+    def add(self, launch: Launch) -> None:
+        """Count the shots of a launch."""
+        model = launch.model
+        self._shots[model] = self._shots.get(model, 0) + math.prod(launch.shape)
+        for name, (count, value) in _outside(launch).items():
+            ends = ends_in_words(name, launch.parameters.range) if name in QUANTITIES else launch.ball.name
+            before = self._found.get((model, name), (ends, 0, value))[1]
+            self._found[model, name] = (ends, before + count, value)
+
+    def add_all(self, launches: Iterable[Launch]) -> Tally:
+        """Count the shots of several launches; return the tally itself."""
+        for each in launches:
+            self.add(each)
+        return self
+
+    def counts(self) -> list[Any]:
+        """Return what is counted, made of what JSON has."""
+        return [self._shots, [[*key, *found] for key, found in self._found.items()]]
+
+    def add_counts(self, counts: Sequence[Any]) -> None:
+        """Add what another tally counted."""
+        shots, found = counts
+        for model, count in shots.items():
+            self._shots[model] = self._shots.get(model, 0) + count
+        for model, name, ends, count, value in found:
+            before = self._found.get((model, name), (ends, 0, value))[1]
+            self._found[model, name] = (ends, before + count, value)
+
+    def remark(self, *, counted: bool = True) -> str:
+        """Return what a reader must know in one line, "" if no shot is outside.
+
+        One shot is told with its values, several with their number, or without where they are not ``counted``.
+        """
+        alike: dict[str, list[str]] = {}
+        for model in self._shots:
+            if told := ", ".join(self._part([model], name, counted=False) for name in self._names(model)):
+                alike.setdefault(told, []).append(model)
+        parts = []
+        for told, of_models in alike.items():
+            names = self._names(of_models[0])
+            told = ", ".join(self._part(of_models, name, counted=True) for name in names) if counted else told
+            parts.append(f"outside the range of {', '.join(of_models)}: {told}")
+        for (model, name), (ball, *_) in self._found.items():
+            if name == OFF_CENTRE:
+                parts.append(f"{model} has no gear effect off centre")
+            elif name == OTHER_BALL:
+                parts.append(f"{model} has no coefficients of the ball {ball} and takes those of {DEFAULT_BALL}")
+        return "; ".join(parts)
+
+    def warn(self) -> None:
+        """Warn in one line if shots are outside; the same of the same models only once in a process."""
+        if text := self.remark():
+            warn_once(text, RangeWarning, key=self.remark(counted=False))
+
+    def _names(self, model: str) -> list[str]:
+        """Return the quantities in which shots of a model are outside."""
+        return [name for name in QUANTITIES if (model, name) in self._found]
+
+    def _part(self, models: list[str], name: str, *, counted: bool) -> str:
+        """Return what is to be said of one quantity of models with the same range."""
+        words, unit = QUANTITIES[name]
+        ends, _, value = self._found[models[0], name]
+        # The same shots by several models, or else other shots by each.
+        numbers = {(self._found[each, name][1], self._shots[each]) for each in models}
+        count, shots = numbers.pop() if len(numbers) == 1 else map(sum, zip(*numbers, strict=True))
+        how = f"{units.show(value, unit, 4)} " if shots == 1 else f"in {count} of {shots} shots "
+        return f"{words} {how if counted else ''}({ends})"
+
+
+def warn_if_outside(launches: Iterable[Launch]) -> None:
+    """Warn as a tally of the launches does."""
+    if is_silent(RangeWarning):
+        return
+    Tally().add_all(launches).warn()
+
+
+def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
+    """Return by quantity how many shots of a launch are outside, and the value of the first of them."""
+    found = {}
+    for name, (least, most) in launch.parameters.range.items():
+        margin = ROUNDING * (most - least)
+        value = _incidence(launch, most) if name == "incidence" else _value(launch, name)
+        if type(value) is float:
+            if value < least - margin or value > most + margin:
+                found[name] = (math.prod(launch.shape), value)
+        elif value.size and not (value.min() >= least - margin and value.max() <= most + margin):
+            out = (value < least - margin) | (value > most + margin)
+            out &= launch.ball_speed.reshape(-1) > 0.0  # a shot that cannot be computed is told otherwise
+            if out.any():
+                found[name] = (int(out.sum()), float(value[out][0]))
+    if launch.model in WITHOUT_GEAR_EFFECT and _any(launch.input("toe"), launch.input("high")):
+        found[OFF_CENTRE] = (1, 0.0)
+    if launch.model in FITTED_TO_A_BALL and launch.parameters.unchosen and _is_of_other_pieces(launch.ball):
+        found[OTHER_BALL] = (1, 0.0)
+    return found
+
+
+def _is_of_other_pieces(ball: Ball) -> bool:
+    """Return whether a ball is known to differ from that of the coefficients, and has none of its own."""
+    return ball.construction is not None and ball.name != DEFAULT_BALL and not ball.parameters.keys() & FITTED_TO_A_BALL
+
+
+def _value(launch: Launch, name: str) -> Any:
+    """Return a quantity of a range: a number, or an array of the shots, flat."""
+    value = launch.input(name) if name in input_columns() else launch.parameters.values.get(name, 0.0)
+    if type(value) is float or value.shape == (math.prod(launch.shape),):
+        return value
+    import numpy as np
+
+    return np.broadcast_to(value, launch.shape).reshape(-1)
+
+
+def _incidence(launch: Launch, limit: float) -> Any:
+    """Return the angle [rad] between path and face normal, or 0 if it is certainly below the ``limit``.
+
+    No side of a triangle on a sphere is longer than the two others together, which saves its cosine nearly always.
+    """
+    attack, path, loft, face = (launch.input(name) for name in ("attack", "path", "loft", "face"))
+    apart, aside = loft - attack, path - face
+    bound = abs(apart) + abs(aside)
+    if (bound if type(bound) is float else bound.max(initial=0.0)) <= limit:
+        return 0.0
+    import numpy as np
+
+    cosine = np.cos(attack) * np.cos(loft) * np.cos(aside) + np.sin(attack) * np.sin(loft)
+    angle = np.arccos(np.clip(cosine, -1.0, 1.0))
+    return angle if np.ndim(angle) else float(angle)
+
+
+def _any(*values: Any) -> bool:
+    return any(value != 0.0 if type(value) is float else bool((value != 0.0).any()) for value in values)
+
 
 ALL = "all"
 ModelNames = str | Iterable[str]

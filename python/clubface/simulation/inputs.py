@@ -1,7 +1,13 @@
-"""From what a person writes to the columns of the core: club, ball, delivery and parameters of one or many shots.
+"""The inputs of an impact: from what a person writes to the columns of the core.
+
+From what a person writes to the columns of the core: club, ball, delivery and parameters of one or many shots.
 
 A single shot must cost little more than its physics, so club, ball and parameter columns are kept, and a plain
 number goes straight into its column.
+
+How the clubhead arrives at the ball.
+
+What every computation takes besides its physics: what a bad shot does, how many threads, which tolerance.
 """
 
 from __future__ import annotations
@@ -9,24 +15,105 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
+from clubface import units
 from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, Told, UnknownNameError
-from clubface.simulation.delivery import Delivery
-from clubface.simulation.quantities import input_columns, input_dimensions, inputs
-from clubface.support.checks import check_choice
-from clubface.support.memory import FAILED, check_request
-from clubface.support.shipped import is_path
+from clubface.simulation.results import input_columns, input_dimensions, inputs
+from clubface.support.checks import check_choice, check_names, whole
+from clubface.support.files import is_path
+from clubface.support.processes import FAILED, check_request
 from clubface.units import parse_values
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, kw_only=True)
+class Delivery:
+    """A delivery, each value text with a unit (``"113 mph"``), an SI number, or an array of either.
+
+    Velocity and angular velocity are those of the clubhead's CG at first touch. For a left-handed club path and face
+    angle stay in world terms, everything else follows the club.
+
+    Attributes
+    ----------
+    speed
+        Speed of the clubhead [m/s]; the one value that cannot be left out.
+    attack
+        Attack angle [rad], moving up is positive.
+    path
+        Club path [rad], moving right of the target is positive.
+    loft
+        Dynamic loft [rad]: face normal at the face centre above horizontal. Left out, it is the club's static loft.
+    face
+        Face angle [rad], pointing right of the target is positive.
+    lie
+        Lie tilt [rad], toe up is positive.
+    toe, high
+        Impact point [m] from the face centre, towards the toe and towards the crown.
+    closure
+        Rate of the face closing, about the vertical [rad/s].
+    pitch_rate
+        Rate of the loft increasing [rad/s].
+    lie_rate
+        Rate of the toe rising [rad/s].
+    ball_backspin, ball_sidespin, ball_riflespin
+        Spin of the ball before impact [rad/s], about the horizontal to the right of the target, about the downward
+        vertical and about the horizontal to the target; zero for the ball at rest of golf.
+    """
+
+    speed: Any
+    attack: Any = 0.0
+    path: Any = 0.0
+    loft: Any = None
+    face: Any = 0.0
+    lie: Any = 0.0
+    toe: Any = 0.0
+    high: Any = 0.0
+    closure: Any = 0.0
+    pitch_rate: Any = 0.0
+    lie_rate: Any = 0.0
+    ball_backspin: Any = 0.0
+    ball_sidespin: Any = 0.0
+    ball_riflespin: Any = 0.0
+
+    def __post_init__(self) -> None:
+        for name, dimension in DIMENSIONS.items():
+            value = getattr(self, name)
+            if not (name == "loft" and value is None):
+                object.__setattr__(self, name, units.parse_values(value, dimension, name=name))
+
+    def values(self) -> dict[str, Any]:
+        """Return the values given, SI, by name."""
+        given = {name: getattr(self, name) for name in DIMENSIONS}
+        return {name: value for name, value in given.items() if value is not None}
+
+    def replace(self, **changes: Any) -> Self:
+        """Return the delivery with some values changed."""
+        names = [each.name for each in fields(self)]
+        check_names("delivery value", changes, names)
+        return replace(self, **changes)
+
+
+OF_CLUB = {
+    "speed": "speed", "attack": "angle", "path": "angle", "loft": "angle", "face": "angle", "lie": "angle",
+    "toe": "length", "high": "length", "closure": "angular rate", "pitch_rate": "angular rate",
+    "lie_rate": "angular rate",
+}  # fmt: skip
+"""The dimension of each value of a delivery that the club has, in the order of the core."""
+DIMENSIONS = {
+    **OF_CLUB, "ball_backspin": "angular rate", "ball_sidespin": "angular rate", "ball_riflespin": "angular rate",
+}  # fmt: skip
+"""The dimension of each value of a delivery, in the order of the core."""
+
 
 _LOFT, _HAND = "loft", "hand"
 
@@ -288,3 +375,36 @@ def as_values(delivery: Delivery | Mapping[str, Any] | None, values: Mapping[str
     if not isinstance(given, Mapping):
         raise InputError("delivery", delivery, 'a Delivery or a mapping; single values go by name: speed="113 mph"')
     return {**given, **values}
+
+
+MOST_THREADS = 1024
+"""More than any machine has cores; a slip of the keyboard shall not start a million."""
+
+
+FINEST, COARSEST = 1e-13, 1e-2
+"""Tolerances of a step that the core takes."""
+
+
+def check_on_error(on_error: object) -> None:
+    """Refuse a word that is not "raise" or "nan"."""
+    check_choice("on_error", on_error, ("raise", "nan"))
+
+
+def thread_count(threads: object) -> int:
+    """Return the number of threads as the core takes it, 0 for all cores."""
+    if threads is None:
+        return 0
+    count = whole(threads)
+    if count is None or not 1 <= count <= MOST_THREADS:
+        raise InputError("threads", threads, f"a whole number from 1 to {MOST_THREADS}, or None for all cores")
+    return count
+
+
+def tolerance(accuracy: object) -> float | None:
+    """Return the tolerance of a step, None for the fast setting."""
+    if accuracy is None:
+        return None
+    found = units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")
+    if not FINEST <= found <= COARSEST:
+        raise InputError("accuracy", accuracy, "from 1e-13 to 1e-2; leave it out for the fast setting")
+    return found

@@ -18,13 +18,11 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import RangeWarning
-from clubface.simulation.delivery import Delivery
-from clubface.simulation.impact import Parameters, impact
-from clubface.simulation.inputs import as_values
+from clubface.simulation.impact import Parameters, impact, warn_if_outside
+from clubface.simulation.inputs import Delivery, as_values
 from clubface.simulation.launch import Launch
-from clubface.simulation.outside import warn_if_outside
 from clubface.support.arrays import Floats
-from clubface.support.warning import without_warnings
+from clubface.support.checks import without_warnings
 
 LOWEST, STEEPEST = units.to_si(-20.0, "deg"), units.to_si(78.0, "deg")
 """The dynamic lofts [rad] between which one is searched."""

@@ -1,4 +1,12 @@
-"""A law of contact of one's own, written in Python and used wherever a model is named."""
+"""A law of contact of one's own, written in Python, and the motion of two bodies under it.
+
+A law of contact of one's own, written in Python and used wherever a model is named.
+
+Clubhead and ball as two free rigid bodies under a law of contact that is written in Python.
+
+The equations are those of Newton and Euler in world axes, with the momentum of both bodies and the angular momentum of
+the head as states: another form than that of the compiled contact models, which checks both.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +14,12 @@ import inspect
 import marshal
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,13 +29,10 @@ from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.models import Model, Parameter, models
 from clubface.errors import InputError, RunError
 from clubface.simulation import core
-from clubface.simulation.backends import Balls, Problems, Request
+from clubface.simulation.impact import Balls, Problems, Request
 from clubface.simulation.inputs import forget_parameters
-from clubface.simulation.quantities import inputs, outputs
+from clubface.simulation.results import inputs, outputs
 from clubface.support.checks import check_text
-
-if TYPE_CHECKING:
-    from clubface.simulation.contact_motion import Law
 
 USUAL_TOLERANCE = 1e-7
 """Of a step, where no accuracy is given: the launch is then correct to 1e-5 or better."""
@@ -173,8 +178,6 @@ class OwnLaw:
 
     def _solve(self, given: list[float], values: list[float], accuracy: float | None) -> Any:
         """Return both bodies and the solution, or the name of what is at fault and why."""
-        from clubface.simulation.contact_motion import LONGEST, MOST_EVALUATIONS, TwoBodies
-
         named = dict(zip(inputs(), given, strict=True))
         if named["characteristic_time"] != named["included_time"]:
             return "characteristic_time", "leave it out: a law of one's own describes ball and face together"
@@ -191,8 +194,6 @@ class OwnLaw:
 
 def _outputs(bodies: Any, solution: Any) -> NDArray[Any]:
     """Return the outputs of a contact in their order."""
-    from clubface.simulation.contact_motion import BALL_SPIN, BALL_VELOCITY, CLUB_VELOCITY
-
     end = solution.y[:, -1]
     mirror, turned = np.array([1.0, 1.0, bodies.hand]), np.array([bodies.hand, bodies.hand, 1.0])
     v, w = end[BALL_VELOCITY] * mirror, end[BALL_SPIN] * turned
@@ -222,16 +223,6 @@ def _peak(bodies: Any, solution: Any) -> float:
 
 def _history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
     """Return the course of a contact under the names of :class:`clubface.History`."""
-    from clubface.simulation.contact_motion import (
-        ATTITUDE,
-        BALL,
-        BALL_SPIN,
-        BALL_VELOCITY,
-        CLUB,
-        CLUB_VELOCITY,
-        WORK,
-    )  # fmt: skip
-
     time = np.linspace(0.0, solution.t[-1], HISTORY_POINTS)
     states = solution.sol(time).T
     states[-1] = solution.y[:, -1]
@@ -256,3 +247,254 @@ def _history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
         "club_spin": np.array([each.club_spin for each in instants]) * turned,
         "club_attitude": turn / np.linalg.norm(turn, axis=1)[:, None],
     }
+
+
+LONGEST = 0.01
+"""Time after which a contact is given up [s]; a drive lasts half a millisecond."""
+MOST_EVALUATIONS = 50_000
+"""Evaluations of a law after which a contact is given up; a drive takes some 300."""
+
+
+class Touch(NamedTuple):
+    """What a law of contact is told of one instant.
+
+    Attributes
+    ----------
+    depth
+        Penetration of ball and face [m], 0 or more.
+    rate
+        Its rate [m/s]: positive while the ball is compressed.
+    sliding_y, sliding_z
+        Velocity of the ball's surface on the face [m/s], up the face and towards the toe.
+    curvature
+        Mean curvature of the face at the point of contact [1/m], 0 for a flat one.
+    radius
+        Of the ball [m].
+    """
+
+    depth: float
+    rate: float
+    sliding_y: float
+    sliding_z: float
+    curvature: float
+    radius: float
+
+
+Law = Callable[[Touch, Mapping[str, float]], tuple[float, float, float]]
+"""Normal force and the friction on the ball up the face and towards the toe [N], from touch and parameters."""
+
+BALL, BALL_VELOCITY, BALL_SPIN, CLUB, CLUB_VELOCITY, CLUB_MOMENTUM = (slice(n, n + 3) for n in range(0, 18, 3))
+ATTITUDE, WORK = slice(18, 22), slice(22, 24)
+
+
+class Instant(NamedTuple):
+    """Everything that the state of both bodies says of one instant, in world axes of a right-hander."""
+
+    touch: Touch
+    forces: tuple[float, float, float]
+    force: NDArray[Any]
+    arm: NDArray[Any]
+    point: NDArray[Any]
+    club_spin: NDArray[Any]
+    attitude: NDArray[Any]
+
+
+class TwoBodies:
+    """One club, ball and delivery, given as the inputs of a shot by name, and the law between them."""
+
+    def __init__(self, given: Mapping[str, float], law: Law, values: Mapping[str, float]) -> None:
+        self.law, self.values = law, values
+        self.hand = given["hand"]
+        self.ball_mass, self.ball_inertia = given["ball_mass"], given["ball_inertia"]
+        self.radius, self.club_mass = given["ball_radius"], given["club_mass"]
+        self.bulge, self.roll = (0.0 if math.isinf(given[name]) else 1.0 / given[name] for name in ("bulge", "roll"))
+        reference = _about_z(given["static_loft"])
+        xx, yy, zz, xy, xz, yz = (given[name] for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
+        self.inertia = reference.T @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ reference
+        self.inverse_inertia = np.linalg.inv(self.inertia)
+        self.lever = reference.T @ np.array([given["cg_x"], given["cg_y"], given["cg_z"]])
+        self.attitude = _attitude(given, self.hand)
+        self.start = self._start(given)
+
+    def _start(self, given: Mapping[str, float]) -> NDArray[Any]:
+        """Return the state at first touch: the clubhead's CG at the origin."""
+        attack, path, speed = given["attack"], given["path"] * self.hand, given["speed"]
+        up, aside = math.sin(attack), math.sin(path)
+        point = self._face_point(given["toe"], given["high"])
+        _, normal, _ = self.nearest(point)
+        state = np.zeros(24)
+        state[BALL] = self.attitude @ (self.lever + point + self.radius * normal)
+        sidespin, riflespin = given["ball_sidespin"] * self.hand, given["ball_riflespin"] * self.hand
+        state[BALL_SPIN] = riflespin, -sidespin, given["ball_backspin"]
+        level = math.cos(attack)
+        state[CLUB_VELOCITY] = speed * np.array([level * math.cos(path), up, level * aside])
+        club_spin = np.array([-given["lie_rate"], given["closure"], given["pitch_rate"]])
+        state[CLUB_MOMENTUM] = self.attitude @ (self.inertia @ (self.attitude.T @ club_spin))
+        state[ATTITUDE] = 1.0, 0.0, 0.0, 0.0
+        return state
+
+    def _face_point(self, toe: float, high: float) -> NDArray[Any]:
+        """Return the face point at offsets in the plane tangent at the centre, from the centre, in face axes."""
+        x = -self.roll * high**2 / (math.sqrt(1.0 - (self.roll * high) ** 2) + 1.0)
+        root = math.sqrt((1.0 + self.bulge * x) ** 2 - (self.bulge * toe) ** 2)
+        return np.array([(2.0 * x + self.bulge * (x**2 - toe**2)) / (root + 1.0), high, toe])
+
+    def nearest(self, place: Sequence[float] | NDArray[Any]) -> tuple[float, NDArray[Any], float]:
+        """Return distance from the face, normal and mean curvature at the nearest point of the face, in face axes."""
+        x, y, z = place
+        across, radial_x, radial_z = _circle(x, z, self.bulge)
+        distance, normal_x, normal_y = _circle(across, y, self.roll)
+        other = normal_x * self.bulge / (1.0 + self.bulge * (across - distance * normal_x))
+        normal = np.array([normal_x * radial_x, normal_y, normal_x * radial_z])
+        return distance, normal, 0.5 * (self.roll + other)
+
+    def at(self, state: NDArray[Any]) -> Instant:
+        """Return what a state says, and the forces of the law."""
+        attitude = self.attitude @ _matrix(state[ATTITUDE])
+        club_spin = attitude @ (self.inverse_inertia @ (state[CLUB_MOMENTUM] @ attitude))
+        apart = state[BALL] - state[CLUB]
+        distance, face_normal, curvature = self.nearest((apart @ attitude - self.lever).tolist())
+        normal = attitude @ face_normal
+        _, upward, _ = face_normal.tolist()
+        up = (attitude[:, 1] - upward * normal) / math.sqrt(1.0 - upward * upward)
+        toe = _cross(normal, up)
+        arm = -distance * normal
+        point = apart + arm
+        face_velocity = state[CLUB_VELOCITY] + _cross(club_spin, point)
+        leaving = state[BALL_VELOCITY] - face_velocity
+        sliding = leaving + _cross(state[BALL_SPIN], arm)
+        rate = -float(normal @ leaving)
+        depth = max(float(self.radius - distance), 0.0)
+        touch = Touch(depth, rate, float(sliding @ up), float(sliding @ toe), float(curvature), self.radius)
+        pressed, along_up, along_toe = self.forces(touch)
+        force = pressed * normal + along_up * up + along_toe * toe
+        return Instant(touch, (pressed, along_up, along_toe), force, arm, point, club_spin, attitude)
+
+    def forces(self, touch: Touch) -> tuple[float, float, float]:
+        """Return what the law says; a ball is never pulled, and what is no force is refused."""
+        try:
+            pressed, up, toe = map(float, self.law(touch, self.values))
+        except Exception as error:
+            raise RunError(f"the law of contact fails at {touch}: {type(error).__name__}: {error}") from error
+        if not math.isfinite(pressed + up + toe):
+            raise RunError(f"the law of contact must return three finite forces, not {pressed}, {up}, {toe} at {touch}")
+        return max(pressed, 0.0), up, toe
+
+    def rate(self, _time: float, state: NDArray[Any]) -> NDArray[Any]:
+        """Return the derivative of a state by time."""
+        now = self.at(state)
+        found = np.empty(24)
+        found[BALL] = state[BALL_VELOCITY]
+        found[BALL_VELOCITY] = now.force / self.ball_mass
+        found[BALL_SPIN] = _cross(now.arm, now.force) / self.ball_inertia
+        found[CLUB] = state[CLUB_VELOCITY]
+        found[CLUB_VELOCITY] = -now.force / self.club_mass
+        found[CLUB_MOMENTUM] = -_cross(now.point, now.force)
+        w, *v = state[ATTITUDE]
+        turning, v = now.attitude.T @ now.club_spin, np.array(v)
+        found[18] = -0.5 * (v @ turning)
+        found[19:22] = 0.5 * (w * turning + _cross(v, turning))
+        pressed, up, toe = now.forces
+        found[22] = pressed * now.touch.rate
+        found[23] = -(up * now.touch.sliding_y + toe * now.touch.sliding_z)
+        return found
+
+    def kinetic_energy(self, state: NDArray[Any]) -> float:
+        """Return the kinetic energy of both bodies [J]."""
+        ball = self.ball_mass * (state[BALL_VELOCITY] @ state[BALL_VELOCITY])
+        ball += self.ball_inertia * (state[BALL_SPIN] @ state[BALL_SPIN])
+        club = self.club_mass * (state[CLUB_VELOCITY] @ state[CLUB_VELOCITY])
+        return 0.5 * float(ball + club + state[CLUB_MOMENTUM] @ self.at(state).club_spin)
+
+    def run(self, tolerance: float) -> Any:
+        """Integrate to separation with a relative tolerance a step; return the solution of scipy, None without an end.
+
+        Raises
+        ------
+        RunError
+            The law fails, or returns something else than three finite forces.
+        """
+        from scipy.integrate import solve_ivp
+
+        approach = self.at(self.start).touch.rate
+        crossing = self.radius / approach
+        turn = approach / self.radius
+        sizes = [(BALL, self.radius), (BALL_VELOCITY, approach), (BALL_SPIN, turn), (CLUB, self.radius)]
+        sizes += [(CLUB_VELOCITY, approach), (CLUB_MOMENTUM, self.ball_inertia * turn), (ATTITUDE, 1.0)]
+        sizes += [(WORK, self.ball_mass * approach**2)]
+        scale = np.ones(24)
+        for where, size in sizes:
+            scale[where] = size
+        count = 0
+
+        def rate(time: float, state: NDArray[Any]) -> NDArray[Any]:
+            nonlocal count
+            count += 1
+            if count > MOST_EVALUATIONS:
+                raise _EndlessError
+            return self.rate(time, state)
+
+        def parted(_time: float, state: NDArray[Any]) -> float:
+            place = _matrix(state[ATTITUDE]).T @ (self.attitude.T @ (state[BALL] - state[CLUB]))
+            return self.radius - self.nearest(place - self.lever)[0]
+
+        parted.terminal, parted.direction = True, -1.0  # pyright: ignore[reportFunctionMemberAccess]
+        try:
+            found = solve_ivp(
+                rate, (0.0, LONGEST), self.start, method="DOP853", rtol=tolerance, atol=tolerance * scale,
+                first_step=1e-3 * crossing, max_step=0.1 * crossing, events=parted, dense_output=True,
+            )  # fmt: skip
+        except _EndlessError:
+            return None
+        return found if found.status == 1 else None
+
+
+class _EndlessError(Exception):
+    """A law that changes so fast that its contact takes too many steps."""
+
+
+def _attitude(given: Mapping[str, float], hand: float) -> NDArray[Any]:
+    """Return the rotation from face axes to world axes: lie, then square, then loft, then face angle."""
+    tilted = _about_x(-given["lie"]) @ _about_z(given["static_loft"])
+    x, y, z = tilted[:, 0]
+    square = _about_y(math.atan2(z, x))
+    raised = _about_z(given["loft"] - math.atan2(y, math.hypot(x, z)))
+    return _about_y(-given["face"] * hand) @ raised @ square @ tilted
+
+
+def _about_x(angle: float) -> NDArray[Any]:
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def _about_y(angle: float) -> NDArray[Any]:
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
+def _about_z(angle: float) -> NDArray[Any]:
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def _matrix(quaternion: NDArray[Any]) -> NDArray[Any]:
+    """Return the rotation of a quaternion w, x, y, z of any size, which an integrator does not keep at 1."""
+    w, x, y, z = quaternion.tolist()
+    n = 2.0 / (w * w + x * x + y * y + z * z)
+    return np.array([
+        [1.0 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)],
+        [n * (x * y + w * z), 1.0 - n * (x * x + z * z), n * (y * z - w * x)],
+        [n * (x * z - w * y), n * (y * z + w * x), 1.0 - n * (x * x + y * y)],
+    ])  # fmt: skip
+
+
+def _cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    (p, q, r), (x, y, z) = a.tolist(), b.tolist()
+    return np.array([q * z - r * y, r * x - p * z, p * y - q * x])
+
+
+def _circle(x: float, y: float, k: float) -> tuple[float, float, float]:
+    """Return signed distance from a circle of curvature ``k`` through the origin, and the normal there; k may be 0."""
+    radial = 1.0 + k * x
+    root = math.hypot(radial, k * y)
+    return (2.0 * x + k * (x * x + y * y)) / (root + 1.0), radial / root, k * y / root

@@ -1,21 +1,113 @@
-"""What launches and flights share: named arrays in SI that know their units and where they come from."""
+"""What launches and flights share, and the quantities that they hold: names, units, digits and meanings.
+
+What launches and flights share: named arrays in SI that know their units and where they come from.
+
+What goes into the core and what comes out: names, units and meanings, in the order of its columns.
+
+In which unit, and with how many digits, people read each quantity of a launch and its flight.
+"""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from clubface import units
 from clubface.errors import ShotError
-from clubface.simulation.quantities import Quantity, in_unit
-from clubface.support.checks import check_choice
+from clubface.simulation import core
+from clubface.support.checks import Frozen, check_choice
 
 if TYPE_CHECKING:
     import pandas
     import xarray
     from numpy.typing import NDArray
+
+
+class Quantity(NamedTuple):
+    """One input or output of the core.
+
+    Attributes
+    ----------
+    name
+        The name in keyword arguments and tables.
+    unit
+        The SI unit it is held in.
+    meaning
+        One line; says what positive means where there is a sign.
+    group
+        What an input belongs to: "delivery", "club", "ball", "parameters", "launch", "air" or "ground".
+    differentiable
+        Whether a launch can be differentiated with respect to it.
+    default, lower, upper
+        For an input of a flight: the value that is used if none is given (NaN if it must be given), and its limits.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    group: str = ""
+    differentiable: bool = False
+    default: float = math.nan
+    lower: float = -math.inf
+    upper: float = math.inf
+
+    @property
+    def dimension(self) -> str:
+        """The dimension, as in ``units``."""
+        return units.unit(self.unit).dimension
+
+
+@cache
+def inputs() -> Mapping[str, Quantity]:
+    """Return the inputs of an impact by name, in the order of the columns."""
+    return _read(core.inputs())
+
+
+@cache
+def outputs() -> Mapping[str, Quantity]:
+    """Return the outputs of an impact by name, in order."""
+    return _read(core.outputs())
+
+
+@cache
+def flight_inputs() -> Mapping[str, Quantity]:
+    """Return the inputs of a flight by name, in the order of the columns."""
+    return _read(core.flight_inputs())
+
+
+@cache
+def flight_outputs() -> Mapping[str, Quantity]:
+    """Return the outputs of a flight by name, in order."""
+    return _read(core.flight_outputs())
+
+
+@cache
+def input_columns() -> Mapping[str, int]:
+    """Return the column of each input of an impact."""
+    return Frozen({name: column for column, name in enumerate(inputs())})
+
+
+@cache
+def input_dimensions() -> Mapping[str, str]:
+    """Return the dimension of each input of an impact."""
+    return Frozen({name: each.dimension for name, each in inputs().items()})
+
+
+def in_unit(value: Any, quantity: Quantity, unit: str) -> Any:
+    """Express SI ``value`` of ``quantity`` in ``unit``, which must be of its dimension."""
+    units.unit(unit, name=quantity.name, dimension=quantity.dimension)
+    return units.from_si(value, unit)
+
+
+def _read(entries: list[dict[str, Any]]) -> Mapping[str, Quantity]:
+    found = {}
+    for entry in entries:
+        values = {key: entry[key] for key in Quantity._fields if key in entry}
+        found[entry["name"]] = Quantity(**values)
+    return Frozen(found)
 
 
 class Problem(NamedTuple):
@@ -297,3 +389,12 @@ def first_error(found: list[tuple[int, str, str]], value: Any, shape: tuple[int,
     """Return the error about the first of the shots without a result; ``value`` is that of its input at fault."""
     row, name, reason = found[0]
     return ShotError(name, value, reason, index_of(row, shape), len(found) - 1)
+
+
+SHOWN = {
+    "ball_speed": ("mph", 1), "smash": ("1", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
+    "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
+    "total": ("yd", 1), "total_side": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1),
+    "contact_time": ("us", 0), "peak_force": ("kN", 1),
+}  # fmt: skip
+"""Unit and digits after the point, by quantity."""

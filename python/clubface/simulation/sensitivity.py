@@ -1,10 +1,15 @@
-"""Exact derivatives of a launch, as a table with units."""
+"""Exact derivatives of a launch and of the flight after it.
+
+Exact derivatives of a launch, as a table with units.
+
+Exact derivatives of a flight by the launch it begins with, the ball, the air and the ground.
+"""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,21 +18,26 @@ from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
-from clubface.errors import InputError, UnitError
+from clubface.errors import InputError, Told, UnitError
 from clubface.simulation import core
-from clubface.simulation.delivery import Delivery
-from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import as_values, equipped, shot_error, shots, single
+from clubface.simulation.flight import Air, flight_columns, flight_error
+from clubface.simulation.impact import Parameters, warn_if_outside
+from clubface.simulation.inputs import Delivery, as_values, equipped, shot_error, shots, single, tolerance
 from clubface.simulation.launch import Launch
-from clubface.simulation.outside import warn_if_outside
-from clubface.simulation.quantities import Quantity, inputs, outputs as launch_outputs
-from clubface.simulation.results import flattened
-from clubface.simulation.run_options import tolerance
+from clubface.simulation.results import (
+    Quantity,
+    flattened,
+    flight_inputs,
+    flight_outputs,
+    inputs,
+    outputs as launch_outputs,
+)
 from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
 
 _SPEED = "mph"
 """The unit of speeds in a table of derivatives, in which golfers think of them."""
@@ -265,3 +275,48 @@ def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -
 def _checked(quantity: Quantity, symbol: str) -> str:
     """Return the unit ``symbol`` if it is one of ``quantity``."""
     return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
+
+
+class FlightDerivatives(NamedTuple):
+    """One flight and its derivatives.
+
+    Attributes
+    ----------
+    values
+        Quantities of the flight by name [SI].
+    jacobian
+        Derivatives [SI], shape (quantities of a flight, inputs of a flight).
+    """
+
+    values: dict[str, float]
+    jacobian: NDArray[Any]
+
+    def by(self, quantity: str, name: str) -> float:
+        """Return the derivative of one quantity by one input [SI]."""
+        rows, columns = list(flight_outputs()), list(flight_inputs())
+        check_choice("quantity", quantity, rows)
+        check_choice("input of a flight", name, columns)
+        return float(self.jacobian[rows.index(quantity), columns.index(name)])
+
+
+def flight_derivatives(
+    launch: Launch | Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+) -> FlightDerivatives:
+    """Differentiate one flight; the arguments are those of :func:`fly`, of a single launch."""
+    columns, shape, varied = flight_columns(launch, air, wind, ground)
+    if shape or varied:
+        raise InputError("launch", Told(f"a batch of shape {shape}"), "a single launch")
+    return differentiated(columns)
+
+
+def differentiated(columns: Mapping[str, float]) -> FlightDerivatives:
+    """Differentiate the flight of which ``columns`` are the inputs [SI], in the order of the core."""
+    try:
+        values, jacobian = core.fly_sensitivity(list(columns.values()))
+    except ValueError as error:
+        raise flight_error(error, columns) from None
+    return FlightDerivatives(dict(zip(flight_outputs(), values.tolist(), strict=True)), jacobian)

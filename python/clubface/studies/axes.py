@@ -18,6 +18,7 @@ from clubface.support.checks import check_choice, check_count, check_names, is_c
 if TYPE_CHECKING:
     from fractions import Fraction
 
+
 MOST = 10**12
 """Tasks of a study; what is more, no cluster computes."""
 EXACT = 2**53

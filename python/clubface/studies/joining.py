@@ -13,15 +13,12 @@ from typing import Any
 from numpy.typing import NDArray
 
 from clubface.errors import FileError
-from clubface.studies.chunks import checked_part
-from clubface.studies.parts import TOLD, ColumnSum, Names, Values, arrow_array, encoding
-from clubface.studies.running import Tallied
-from clubface.studies.state import opened
-from clubface.studies.store import StudyStore
-from clubface.support.whole_file import whole_file
-from clubface.tables.headings import heading_of
-from clubface.tables.parquet import pyarrow_for
-from clubface.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
+from clubface.shots.tables.headings import heading_of
+from clubface.shots.tables.parquet import pyarrow_for
+from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
+from clubface.studies.chunks import TOLD, ColumnSum, Names, StudyStore, Values, arrow_array, checked_part, encoding
+from clubface.studies.running import Tallied, opened
+from clubface.support.files import whole_file
 from clubface.units import from_si
 
 Write = Callable[[Values], object]

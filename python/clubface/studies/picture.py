@@ -10,9 +10,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from clubface.equipment.described import FLAT
-from clubface.plots.style import COLOURS, WIDTH, legend_above, styled
+from clubface.plots import COLOURS, WIDTH, legend_above, styled
+from clubface.shots.tables.headings import heading_of
 from clubface.studies.summaries import Along, Summary, shown_unit
-from clubface.tables.headings import heading_of
 from clubface.units import from_si, size
 
 MOST_ROWS, MOST_COLUMNS = 8, 6

@@ -34,12 +34,21 @@ from typing import Any
 from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
 from clubface.studies.axes import Axis, Swept, axis, inputs_named
-from clubface.studies.designs import DESIGNS, GRID, HYPERCUBE, SOBOL, TABLE, Design, Remembered, Rows, design
-from clubface.studies.kinds.kind import Column, Computed, Kind, Task
-from clubface.studies.kinds.registry import kind
-from clubface.studies.table_rows import table_columns
+from clubface.studies.designs import (
+    DESIGNS,
+    GRID,
+    HYPERCUBE,
+    SOBOL,
+    TABLE,
+    Design,
+    Remembered,
+    Rows,
+    design,
+    table_columns,
+)
+from clubface.studies.kinds.kind import Column, Computed, Kind, Task, kind
 from clubface.support.checks import check_choice, check_name, is_count
-from clubface.support.input_files import InputRecord, absolute
+from clubface.support.files import InputRecord, absolute
 from clubface.support.strict_toml import Document
 
 KEYS = ("name", "kind", "design", "samples", "seed", "chunk", "seconds", "units")

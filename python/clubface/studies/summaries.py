@@ -13,12 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError
+from clubface.shots.tables.headings import heading_of
+from clubface.studies.chunks import Names
 from clubface.studies.joining import parts
-from clubface.studies.parts import Names
-from clubface.studies.running import Tallied
-from clubface.studies.state import opened
+from clubface.studies.running import Tallied, opened
 from clubface.support.checks import check_names
-from clubface.tables.headings import heading_of
 
 MOST_LEVELS = 40
 """Different values of an input that are told one by one; more are put together in classes."""

@@ -19,8 +19,8 @@ def main() -> None:
     os.dup2(2, 1)
     # Loaded while the command prepares the study.
     from clubface.errors import ClubfaceError
+    from clubface.shots.tables.parquet import pyarrow_for
     from clubface.studies.chunks import ensure
-    from clubface.tables.parquet import pyarrow_for
 
     with suppress(ClubfaceError):
         pyarrow_for("")

@@ -1,11 +1,27 @@
-"""Checks of single values, each with an error that says what would have been accepted."""
+"""Checks of single values and their errors; mappings that nobody changes, results as JSON, warnings given once.
+
+Checks of single values, each with an error that says what would have been accepted.
+
+Mappings that nobody changes after they were made, and that can be copied and sent to other processes.
+
+Results as JSON has them: numbers, texts, lists and mappings, nothing else.
+
+Warnings that are given once, at the line of the caller.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import dataclasses
+import math
+import sys
+import warnings
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from numbers import Real
 from operator import index
-from typing import TypeGuard
+from pathlib import Path
+from typing import Any, NoReturn, TypeGuard, TypeVar
 
 from clubface.errors import InputError, UnknownNameError
 
@@ -71,3 +87,71 @@ def check_count(parameter: str, value: object, least: int, most: int) -> int:
     if count is None or not least <= count <= most:
         raise InputError(parameter, value, f"a whole number from {least} to {most}")
     return count
+
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+
+class Frozen(dict[K, V]):
+    """A dictionary that refuses to be changed.
+
+    Unlike ``types.MappingProxyType`` it can be pickled and deep-copied, and so can what holds it.
+    """
+
+    def _refused(self, *arguments: object, **named: object) -> NoReturn:
+        raise TypeError("this mapping cannot be changed; make another with dict(...) and replace()")
+
+    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refused  # pyright: ignore[reportAssignmentType]
+
+    def __reduce__(self) -> tuple[type[Frozen[K, V]], tuple[dict[K, V]]]:
+        return type(self), (dict(self),)
+
+
+def plain(value: Any) -> Any:
+    """Return ``value`` made of what JSON has; numpy numbers and arrays included."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict) or hasattr(value, "items"):
+        return {str(key): plain(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(each) for each in value]
+    return value
+
+
+_given: set[str] = set()
+_silent: ContextVar[tuple[type[Warning], ...]] = ContextVar("_silent", default=())
+
+
+@contextmanager
+def without_warnings(category: type[Warning] = Warning) -> Iterator[None]:
+    """Work without warnings of a category; one that is kept back may still be given later."""
+    token = _silent.set((*_silent.get(), category))
+    try:
+        yield
+    finally:
+        _silent.reset(token)
+
+
+def is_silent(category: type[Warning]) -> bool:
+    """Return whether warnings of a category are kept back."""
+    return issubclass(category, _silent.get())
+
+
+def warn_once(message: str, category: type[Warning], *, key: str | None = None) -> None:
+    """Warn, but say the same thing, or what has the same ``key``, only once in a process."""
+    key = message if key is None else key
+    if key not in _given and not is_silent(category):
+        _given.add(key)
+        warnings.warn(message, category, stacklevel=_level_of_the_caller())
+
+
+def _level_of_the_caller() -> int:
+    """Return how far up the stack, from ``warn_once``, the first code outside the package stands."""
+    inside = (str(Path(__file__).parent.parent), dataclasses.__file__, "<string>")
+    frame, level = sys._getframe(2), 2
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(inside):
+        frame, level = frame.f_back, level + 1
+    return level

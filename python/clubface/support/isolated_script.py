@@ -1,4 +1,4 @@
-"""The process of :mod:`clubface.support.isolated`: a script that answers calls until its input ends.
+"""The process of :mod:`clubface.support.processes`: a script that answers calls until its input ends.
 
 It imports nothing of clubface, so that it starts fast.
 """

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, UnknownNameError, legible
-from clubface.support.input_files import read_input
+from clubface.support.files import read_input
 
 MAXIMUM_SIZE = 1_000_000
 """Bytes; no club, ball or parameter file comes near it."""

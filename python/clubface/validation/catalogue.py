@@ -3,36 +3,36 @@
 from __future__ import annotations
 
 from clubface.support.checks import check_choice
-from clubface.validation import at_launch, average, directions, irons, optimum, plates, strikes
+from clubface.validation import launches, strikes
 from clubface.validation.check import A_MODEL, Check
 
 CHECKS = (
     Check(
         "tour-irons", "Averages of the tours at their launch: irons",
-        (*at_launch.SEASONS, "drive-scatter-blackmore", "launch-shares-horizontal"),
+        (*launches.SEASONS, "drive-scatter-blackmore", "launch-shares-horizontal"),
         "As for the irons of single golfers. The interval is what the scatter of golfers may have done to the averages:"
         " none, or the face-to-path of golfers who drive as fast as the PGA Tour. That of irons is not published.",
-        "fair", at_launch.tour(lambda club: club.endswith(("iron", "wedge"))),
+        "fair", launches.tour(lambda club: club.endswith(("iron", "wedge"))),
     ),
     Check(
         "tour-driver", "Averages of the tours at their launch: driver",
-        (*at_launch.SEASONS, "drive-scatter-blackmore", "launch-shares-horizontal"),
+        (*launches.SEASONS, "drive-scatter-blackmore", "launch-shares-horizontal"),
         "9%, for heads that are unknown. The interval holds the scatter, as for the irons, and a strike 0 to 6 mm above"
         " the face centre, since where the balls were struck is not published.",
-        "fair", at_launch.tour(lambda club: club == average.DRIVER),
+        "fair", launches.tour(lambda club: club == launches.DRIVER),
     ),
     Check(
         "tour-woods", "Averages of the tours at their launch: fairway woods and hybrids",
-        (*at_launch.SEASONS, "drive-scatter-blackmore", "launch-shares-horizontal"),
+        (*launches.SEASONS, "drive-scatter-blackmore", "launch-shares-horizontal"),
         "As for the driver, struck at the face centre. These heads are scaled from the driver and not measured.",
-        "poor", at_launch.tour(lambda club: club in average.WOODS),
+        "poor", launches.tour(lambda club: club in launches.WOODS),
     ),
     Check(
         "amateur-drives", "Drives by handicap at their launch",
         ("drives-by-handicap", "drive-scatter-blackmore", "launch-shares-horizontal"),
         "As for the drives of the tours, with the scatter of golfers of the same club speed. The dynamic lofts that are"
         " published with them are not used.",
-        "fair", at_launch.amateurs,
+        "fair", launches.amateurs,
     ),
     Check(
         "irons-at-launch", "Irons of single golfers and of a robot at their measured launch",
@@ -40,30 +40,30 @@ CHECKS = (
         "The loft is solved so that the launch angle is as measured, since monitors derive lofts from the ball. 15%: at"
         " one launch and speed tours and robots differ by 26%, heads and balls are unknown, and a groove lower on the"
         " face is worth 6%. The interval of golfers holds their scatter; a robot has none.",
-        "fair", at_launch.irons,
+        "fair", launches.irons,
     ),
     Check(
         "drives-at-launch", "Drives at their measured launch", ("drives-blackmore", "shots-bliss-2026"),
         "As for the drives of the tours. The drives of many golfers are chosen to start near their path, so that their"
         " interval has no scatter, but for the height of the strike.",
-        "fair", at_launch.drives,
+        "fair", launches.drives,
     ),
     Check(
         "launch-shares", "Where balls start between path and face",
         ("launch-shares-vertical", "launch-shares-trackman", "launch-shares-horizontal"),
         "The spread over shots that is published; TrackMan publishes none, and gets the largest difference between both"
         " sources. The deliveries are those published elsewhere for amateurs and a robot.",
-        "fair", directions.shares,
+        "fair", launches.shares,
     ),
     Check(
         "curvature", "Curve of shots by face angle less path", ("curvature-trackman",),
         "A quarter: these are worked examples of another model of impact and flight, rounded to a yard.",
-        A_MODEL, directions.curvature,
+        A_MODEL, launches.curvature,
     ),
     Check(
         "head-after-impact", "How the driver's head goes on", ("head-after-impact",),
         "4 to 6 degrees are published, taken here as those of a spin loft of 10 and of 15 degrees; within 1 degree.",
-        "poor", directions.head_after_impact,
+        "poor", launches.head_after_impact,
     ),
     Check(
         "robot-irons", "Spin of 7-irons of a robot by loft", ("robot-7-irons-2026", "robot-7-irons-launch-2026"),
@@ -72,17 +72,17 @@ CHECKS = (
         " LPGA Tour spins 6699 rpm at 76 mph, starting at 19.0 degrees, and these irons 4920 rpm at 80 mph, starting at"
         " 20.9 degrees. No model can meet both. The heads are of 2026; many are hollow and have a deep, low mass"
         " centre, which takes spin away.",
-        "poor", irons.by_loft,
+        "poor", launches.by_loft,
     ),
     Check(
         "sliding", "Launch of a ball that slides on a wedge", ("robot-wedge-covers-2025",),
         "1 degree: over 60 balls that do not slide, the launch angle scatters by 0.6 degrees.",
-        "fair", irons.sliding,
+        "fair", launches.sliding,
     ),
     Check(
         "spin-peak", "Spin loft at which a wedge spins most", ("spin-peak",),
         "4 degrees: few shots by one golfer, and the friction of his ball and face is not known.",
-        "poor", irons.peak,
+        "poor", launches.peak,
     ),
     Check(
         "best-strike", "Where on its face a driver is fastest", ("best-strike-blackmore",),
@@ -115,22 +115,22 @@ CHECKS = (
          "tangential-restitution"),
         "0.01, or 0.02 at low speed, and 0.1 along the plate, where friction or speed are not stated. The ball modern"
         " was fitted to these figures among others.",
-        "fair", plates.plates,
+        "fair", strikes.plates,
     ),
     Check(
         "contact-time", "Contact time of a drive", ("drive-contact-time",),
         "25 us around the published range of 400 to 500 us.",
-        "fair", plates.contact_time,
+        "fair", strikes.contact_time,
     ),
     Check(
         "longest-drives", "Launch of the longest drives by club speed", ("optimum-trackman-2010",),
         "1 degree and 300 rpm, which PING counts as near the optimum. Impact and flight are tested together.",
-        A_MODEL, optimum.by_club_speed,
+        A_MODEL, launches.by_club_speed,
     ),
     Check(
         "longest-drives-ping", "Launch of the longest drives by ball speed", ("optimum-ping-2019",),
         "The same.",
-        A_MODEL, optimum.by_ball_speed,
+        A_MODEL, launches.by_ball_speed,
     ),
 )  # fmt: skip
 """Every check, deliveries at their launch first."""

@@ -14,14 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface import measurements, units
+from clubface import published_data, units
 from clubface.equipment.balls import ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.support.arrays import Floats
-from clubface.support.warning import without_warnings
-from clubface.tour.spin_ratio import loft_of_ratio, spin_ratio
+from clubface.support.checks import without_warnings
 from clubface.validation.check import Judged
+from clubface.validation.tour import loft_of_ratio, spin_ratio
 
 TABLE = "optimum-trackman-2010"
 BALL = "published"
@@ -74,7 +74,7 @@ class Chart(NamedTuple):
 
 def chart() -> Chart:
     """Return what the chart holds, and how near models come to it."""
-    table = measurements.table(TABLE)
+    table = published_data.table(TABLE)
     with without_warnings():  # the ball is a little smaller than the rules allow
         used = ball(BALL)
     launched = (used, table["ball_speed"], table["launch"], table["spin"])
@@ -101,7 +101,7 @@ def through_cg(head: Club) -> tuple[float, float]:
 
 
 def _errors(model: str, struck: str, head: Club, where: tuple[float, float]) -> Errors:
-    table = measurements.table(TABLE)
+    table = published_data.table(TABLE)
     with without_warnings():
         shots = Judged(model, BALL).hit(
             head, speed=table["club_speed"], attack=table["attack"], loft=table["dynamic_loft"], toe=where[0],

@@ -8,17 +8,16 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from clubface import measurements
+from clubface import published_data
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named
 from clubface.errors import RangeWarning
-from clubface.measurements import PublishedTable
-from clubface.simulation.impact import impact
+from clubface.published_data import PublishedTable
+from clubface.simulation.impact import Tally, impact
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_conditioned import impact_at_launch
-from clubface.simulation.outside import Tally
-from clubface.support.warning import without_warnings
+from clubface.support.checks import without_warnings
 
 A_MODEL = "a model"
 CERTAINTIES = {
@@ -43,7 +42,7 @@ class Figure(NamedTuple):
         The unit it is read in.
     published
         The least and the largest value that the publication allows, infinite where there is none: a published range,
-        an average with what it leaves open (:mod:`clubface.validation.average`), or twice the same for a single value.
+        an average with what it leaves open (:mod:`clubface.validation.launches`), or twice the same for a single value.
     computed
         What the model gives; NaN if it says nothing of the quantity.
     tolerance
@@ -159,7 +158,7 @@ class Check:
     @property
     def tables(self) -> list[PublishedTable]:
         """The published tables."""
-        return [measurements.table(each) for each in self.sources]
+        return [published_data.table(each) for each in self.sources]
 
     @property
     def measured(self) -> bool:
@@ -173,5 +172,5 @@ class Check:
 
 def rows(table: str) -> Iterable[dict[str, Any]]:
     """Return the rows of a published table, numbers in SI."""
-    columns = {name: values.tolist() for name, values in measurements.table(table).columns.items()}
+    columns = {name: values.tolist() for name, values in published_data.table(table).columns.items()}
     return [dict(zip(columns, cells, strict=True)) for cells in zip(*columns.values(), strict=True)]

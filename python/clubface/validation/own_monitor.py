@@ -20,17 +20,15 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning
-from clubface.launch_monitor import read
-from clubface.measured.ready import ready_shots
-from clubface.measured.shots import LAUNCH, measured_shots
-from clubface.recorded.shots import RecordedShots
+from clubface.shots.measured import LAUNCH, measured_shots, ready_shots
+from clubface.shots.reading import read
+from clubface.shots.recorded import RecordedShots
 from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.support.arrays import Floats
-from clubface.support.warning import without_warnings
-from clubface.tour.averages import TABLES, averages
-from clubface.validation.at_launch import ROBOT
-from clubface.validation.average import DRIVER, HEIGHTS
+from clubface.support.checks import without_warnings
 from clubface.validation.check import rows
+from clubface.validation.launches import DRIVER, HEIGHTS, ROBOT
+from clubface.validation.tour import TABLES, averages
 
 TOURS, SINGLE = CAMPS = ("tours", "robots and single golfers")
 SINGLE_TABLES = ("robot-7-irons-launch-2026", "shots-bliss-2026", "shots-r50-2026")
@@ -113,7 +111,7 @@ def own_monitor(
     Parameters
     ----------
     shots
-        Recorded shots that name their clubs, or files that :func:`clubface.launch_monitor.read` reads. Club speed,
+        Recorded shots that name their clubs, or files that :func:`clubface.shots.read` reads. Club speed,
         attack angle, launch angle and spin must have been measured.
     model, ball
         As for :func:`clubface.impact`; the camps are computed with the same.

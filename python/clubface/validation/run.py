@@ -13,7 +13,7 @@ from typing import NamedTuple
 from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import InputError
-from clubface.simulation.outside import Tally
+from clubface.simulation.impact import Tally
 from clubface.validation.catalogue import CHECKS, check_named
 from clubface.validation.check import Check, Figure, Judged
 

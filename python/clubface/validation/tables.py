@@ -7,9 +7,9 @@ import math
 from typing import Any
 
 from clubface import units
-from clubface.tour.tables import csv_text
 from clubface.validation.check import Check, Figure
 from clubface.validation.run import Summary, Validation
+from clubface.validation.tour_tables import csv_text
 
 DIGITS = {"mm": 1, "mph": 1, "deg": 1, "rpm": 0, "yd": 1, "us": 0, "1": 3, "%": 1}
 WITHIN = {True: "yes", False: "no", None: ""}

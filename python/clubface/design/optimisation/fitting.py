@@ -1,23 +1,29 @@
-"""What a fitting is: parts and settings to choose from, for whom, and what is judged."""
+"""Fittings: parts and settings to choose from, for whom, what is judged, and the clubs they make.
+
+What a fitting is: parts and settings to choose from, for whom, and what is judged.
+
+One club as it can be put together in a fitting, and how it is told.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from clubface.design.optimisation.landings import DEFAULT_SETTING, Setting
-from clubface.design.optimisation.objectives import Objective, objective
+from clubface import units
+from clubface.design.optimisation.landings import DEFAULT_SETTING, Objective, Setting, objective
 from clubface.design.optimisation.variables import check_bounds
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, RuleWarning
-from clubface.support.warning import without_warnings
+from clubface.support.checks import without_warnings
 
 if TYPE_CHECKING:
-    from clubface.design.golfer.golfer import Golfer
+    from clubface.design.golfer import Golfer
+
 
 MOST_COMBINATIONS = 10_000
 
@@ -99,3 +105,69 @@ class Fitting:
 def changed(head: Club, changes: Mapping[str, float]) -> dict[str, float]:
     """Return the fields of a head that its changes set, the lie as a change."""
     return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
+
+
+SETTINGS = ("loft", "lie", "cg_x", "cg_y", "cg_z")
+"""What a setting of a head may change."""
+WORDS = {
+    "loft": ("more loft", "less loft"), "lie": ("more upright", "flatter"),
+    "cg_x": ("back", "forward"), "cg_y": ("lower", "higher"),
+    "cg_z": ("closer to the heel", "closer to the toe"),
+}  # fmt: skip
+"""What a positive and a negative change of a setting mean; the CG is told by where the face centre is from it."""
+
+
+class Combination(NamedTuple):
+    """One club as it can be put together.
+
+    Attributes
+    ----------
+    club
+        Its name.
+    ball
+        The name of the ball.
+    setting
+        The name of the setting of the head, "" where there are none.
+    changes
+        What loft, lie and CG are changed by [SI]; adjusted values among them.
+    value
+        What it is judged by [SI].
+    others
+        The other numbers of the shots, by name [SI].
+    error
+        Standard error of the difference from the best [SI], 0 for the best itself.
+    place
+        Which of :meth:`Fitting.names` it is.
+    """
+
+    club: str
+    ball: str
+    setting: str
+    changes: Mapping[str, float]
+    value: float
+    others: Mapping[str, float]
+    error: float
+    place: int
+
+
+def named(each: Combination) -> str:
+    """Write a combination in words: "driver with the ball modern, the setting "back" and 1.0 deg more loft"."""
+    parts = [f"{each.club} with the ball {each.ball}", *([f'the setting "{each.setting}"'] if each.setting else [])]
+    changed = told(each.changes)
+    return ", ".join([*parts, changed] if changed else parts)
+
+
+def told(changes: Mapping[str, float]) -> str:
+    """Write the changes of a setting: "1.0 deg more loft, CG 3.0 mm forward"; nothing where none changes."""
+    return ", ".join("CG " * name.startswith("cg") + words for name, words in in_words(changes).items())
+
+
+def in_words(changes: Mapping[str, float]) -> dict[str, str]:
+    """Return each change that counts in words: "1.0 deg more loft" and "3.0 mm forward"."""
+    parts = {}
+    for name, change in changes.items():
+        unit = "deg" if name in ("loft", "lie") else "mm"
+        size = f"{abs(units.from_si(change, unit)):.1f}"
+        if float(size):
+            parts[name] = f"{size} {unit} {WORDS[name][change < 0.0]}"
+    return parts

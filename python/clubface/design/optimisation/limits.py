@@ -11,15 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.design.feasibility import (
-    MASS_PROPERTIES,
-    Envelope,
-    of_club,
-    pseudo_inertia,
-    pseudo_inertia_derivatives,
-)
-from clubface.design.optimisation.objectives import Objective
-from clubface.design.optimisation.problem import State
+from clubface.design.feasibility import MASS_PROPERTIES, Envelope, of_club, pseudo_inertia, pseudo_inertia_derivatives
+from clubface.design.optimisation.landings import Objective
+from clubface.design.optimisation.solve import State
 
 if TYPE_CHECKING:
     from clubface.equipment.clubs import Club

@@ -3,5 +3,4 @@
 from __future__ import annotations
 
 from clubface.design.shells.run import improve as improve
-from clubface.design.shells.study import Blow as Blow, NamedMetal as NamedMetal, ShellStudy as ShellStudy
-from clubface.design.shells.study_file import read as read
+from clubface.design.shells.study import Blow as Blow, NamedMetal as NamedMetal, ShellStudy as ShellStudy, read as read

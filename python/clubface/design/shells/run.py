@@ -1,28 +1,51 @@
-"""A study from start to end: for every metal a search, then the best head of all."""
+"""A search for the best head of shells from start to end, and the limits that a head breaks.
+
+A study from start to end: for every metal a search, then the best head of all.
+
+Which limits a head breaks, in words.
+"""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from clubface.design.shells.broken import broken
-from clubface.design.shells.engine import Engine
-from clubface.design.shells.fast import FastModel
+from clubface import units
+from clubface.design.shells.engine import Engine, FastModel
 from clubface.design.shells.goal import Goal
 from clubface.design.shells.management import Managed, Step, manage
-from clubface.design.shells.study import NamedMetal, ShellStudy
-from clubface.design.shells.study_file import read
+from clubface.design.shells.study import QUANTITIES, NamedMetal, ShellStudy, read
 from clubface.errors import RangeWarning, RunError, TargetWarning
-from clubface.fem.heads import driver_file
+from clubface.fem.heads import driver
 from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.read import from_text
-from clubface.support.resuming import kept_beside
-from clubface.support.warning import without_warnings
+from clubface.jobs.resuming import kept_beside
+from clubface.support.checks import without_warnings
+
+DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
+"""Digits after the point, by unit."""
+
+
+def number(value: float, unit: str) -> str:
+    """Return a value [SI] in a unit, without it."""
+    return units.fixed(value, unit, DIGITS[unit]).removesuffix(f" {unit}").strip()
+
+
+def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float]) -> str:
+    """Return which limits are broken, and by what values."""
+    told = []
+    for name, (least, most) in limits.items():
+        words, _, unit = QUANTITIES[name]
+        value = values[name]
+        if not least <= value <= most:
+            limit, beyond = (most, "above") if value > most else (least, "below")
+            told.append(f"{words} {number(value, unit)} {unit} {beyond} {number(limit, unit)} {unit}")
+    return ", ".join(told)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -128,7 +151,7 @@ def improve(
         head = replace(judged, metal=chosen.metal.metal)
         if output is not None and kept is not None:
             # The models that take the head as rigid learn from this line how its face gives.
-            text = driver_file.text(head, characteristic_time=chosen.best.values["characteristic_time"])
+            text = driver.text(head, characteristic_time=chosen.best.values["characteristic_time"])
             kept.write_result(Path(output), lambda file: file.write(text.encode()))
             kept.remove()
         return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
@@ -141,7 +164,7 @@ def design_of(study: ShellStudy, step: Step, metal: NamedMetal) -> DriverHead:
 
 def as_written(design: DriverHead) -> DriverHead:
     """Return a head as its file has it, so that what is judged is what is written."""
-    made = from_text(driver_file.text(design))
+    made = from_text(driver.text(design))
     assert isinstance(made, DriverHead)
     return made
 

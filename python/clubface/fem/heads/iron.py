@@ -11,15 +11,12 @@ import numpy as np
 from clubface import units
 from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
-from clubface.fem.balls import ELEMENTS
+from clubface.fem.balls import ELEMENTS, element_masses
 from clubface.fem.core import beside
+from clubface.fem.heads.added_mass import Place, note_of, parsed_places, spread
+from clubface.fem.heads.meshed import ROUND, SolidHead, parsed
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, note_of, parsed_places, spread
-from clubface.fem.heads.solid import ROUND, SolidHead
-from clubface.fem.heads.values import parsed
-from clubface.fem.nodes import element_masses
-from clubface.support.checks import check_choice, check_name, check_text, is_count
-from clubface.support.warning import warn_once
+from clubface.support.checks import check_choice, check_name, check_text, is_count, warn_once
 
 LENGTHS = {
     "length": (0.04, 0.12), "heel_height": (0.01, 0.08), "toe_height": (0.015, 0.1), "face": (1e-3, 0.02),

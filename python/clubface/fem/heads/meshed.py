@@ -1,10 +1,19 @@
-"""The common interface of all meshed heads: mass, inertia and a face."""
+"""Meshed heads, of shells or solid: what they have in common, and how the core takes them.
+
+The common interface of all meshed heads: mass, inertia and a face.
+
+A solid head as the core takes it: hexahedra of one metal.
+
+A head of shells as the core takes it: a mesh with thickness and metal.
+
+The tables of numbers that describe a head.
+"""
 
 from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, Self
@@ -14,8 +23,12 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
+from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.core import beside
+from clubface.fem.heads.metal import Metal
+from clubface.fem.materials import Material
+from clubface.support.checks import check_names
 
 
 class MeshedHead(ABC):
@@ -134,3 +147,245 @@ OF_THE_MESH = set(CLUB_PROPERTIES) - {"characteristic_time", "cor"}
 def mesh_of(club: Any) -> MeshedHead | None:
     """Return the mesh of a head, or of a club that has one; None for a rigid one."""
     return club if isinstance(club, MeshedHead) else club.head if isinstance(club, MeshedClub) else None
+
+
+ROUND = (0, 1, 3, 2, 4, 5, 7, 6)
+"""Corners of an element round the bottom, then round the top, from their binary order, and back."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class SolidHead(MeshedHead):
+    """A head of eight-node hexahedra with a flat face.
+
+    Attributes
+    ----------
+    name, description
+        Name and description for tables.
+    nodes
+        Nodes [m], shape (n, 3).
+    hexahedra
+        Nodes of each element, round the bottom, then round the top, shape (m, 8).
+    face
+        Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4).
+    metal
+        The metal.
+    added
+        Mass added to each node [kg].
+    loft
+        Elevation of the face normal at the face centre [rad].
+    grooves
+        "width", "depth", "pitch" and "wall" of the grooves [m], or None.
+    element
+        "one-point" or "full".
+    report
+        Added masses [kg] by name.
+    """
+
+    name: str
+    nodes: NDArray[Any]
+    hexahedra: NDArray[Any]
+    face: NDArray[Any]
+    added: NDArray[Any]
+    loft: float
+    metal: Metal = field(default_factory=Metal)
+    grooves: Mapping[str, float] | None = None
+    element: str = "one-point"
+    description: str = ""
+    report: Mapping[str, float] = field(default_factory=dict)
+    bulge: float = math.inf
+    roll: float = math.inf
+
+    @property
+    def elements(self) -> int:
+        """Number of hexahedra."""
+        return len(self.hexahedra)
+
+    @property
+    def places(self) -> NDArray[Any]:
+        """Places of its nodes [m]."""
+        return self.nodes
+
+    def face_places(self) -> NDArray[Any]:
+        """Return the places of the nodes of the face [m]."""
+        return self.nodes[np.unique(self.face)]
+
+    def values(self) -> dict[str, Any]:
+        """Return what the core takes."""
+        material = Material.linear(self.metal.youngs, self.metal.poisson, density=self.metal.density)
+        return {
+            "nodes": np.ascontiguousarray(self.nodes, float).reshape(-1),
+            "elements": np.ascontiguousarray(self.hexahedra[:, ROUND], np.uint32).reshape(-1),
+            "face": np.ascontiguousarray(self.face, np.uint32).reshape(-1),
+            "added": np.ascontiguousarray(self.added, float),
+            "shear": material.shear,
+            "bulk": material.bulk,
+            "density": self.metal.density,
+            "plastic": self.metal.plastic(),
+            "element": self.element,
+            "loft": self.loft,
+            "grooves": None if self.grooves is None else list(self.grooves.values()),
+        }
+
+
+@dataclass(frozen=True)
+class Part:
+    """Consecutive shells with one name.
+
+    Attributes
+    ----------
+    name
+        Its name, such as "crown".
+    elements
+        Number of shells.
+    metal
+        The metal.
+    face
+        Whether the ball may touch them.
+    """
+
+    name: str
+    elements: int
+    metal: Metal
+    face: bool = False
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ShellHead(MeshedHead):
+    """A head of four-node shells, in SI units.
+
+    The axes are those of :class:`clubface.Club`; the origin is the face centre, on the outside.
+
+    Attributes
+    ----------
+    name, description
+        Name and description for tables.
+    nodes
+        Nodes of the middle surface [m], shape (n, 3).
+    quads
+        Nodes of each element, counterclockwise as seen from outside, shape (m, 4).
+    thickness
+        Thickness of each element [m].
+    parts
+        The parts, in the order of their elements.
+    added
+        Mass added to each node [kg].
+    loft
+        Elevation of the face normal at the face centre [rad].
+    bulge, roll
+        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
+    report
+        What the head took to meet its targets, such as trim masses [kg] by name.
+    asked
+        The targets, under the names of :class:`DriverHead`, in SI units. A target that the bounds do not allow is
+        missed.
+    """
+
+    name: str
+    nodes: NDArray[Any]
+    quads: NDArray[Any]
+    thickness: NDArray[Any]
+    parts: tuple[Part, ...]
+    added: NDArray[Any]
+    loft: float
+    bulge: float
+    roll: float
+    description: str = ""
+    report: Mapping[str, float] = field(default_factory=dict)
+    asked: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def elements(self) -> int:
+        """Number of shells."""
+        return len(self.quads)
+
+    @property
+    def reached(self) -> dict[str, float]:
+        """The values that the head has, under the names of the targets of :class:`DriverHead`, in SI units."""
+        names = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")
+        return {**{name: float(getattr(self.club, name)) for name in names}, "cg_above": self.cg_above}
+
+    @property
+    def places(self) -> NDArray[Any]:
+        """Places of its nodes on the outside of the walls [m]."""
+        normals, walls = np.zeros((len(self.nodes), 3)), np.zeros(len(self.nodes))
+        np.add.at(normals, self.quads, self._area_vectors[:, None])
+        np.maximum.at(walls, self.quads, np.repeat(self.thickness[:, None], 4, axis=1))
+        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+        return self.nodes + 0.5 * walls[:, None] * normals
+
+    @property
+    def volume(self) -> float | None:
+        """What it displaces [m3], to the outside of its walls; None where the mesh is open, such as at a hosel."""
+        sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+        if (np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)[1] != 2).any():
+            return None
+        area = self._area_vectors
+        middle = self.nodes[self.quads].mean(axis=1)
+        walls = np.linalg.norm(area, axis=1) @ self.thickness
+        return float(np.einsum("ij,ij->", area, middle) / 3.0 + 0.5 * walls)
+
+    @property
+    def _area_vectors(self) -> NDArray[Any]:
+        a, b, c, d = (self.nodes[self.quads[:, corner]] for corner in range(4))
+        return 0.5 * np.cross(c - a, d - b)
+
+    def part_of_elements(self) -> NDArray[Any]:
+        """Return the number of the part of each element."""
+        return np.repeat(np.arange(len(self.parts)), [part.elements for part in self.parts])
+
+    def values(self) -> dict[str, Any]:
+        """Return what the core takes."""
+        parts = [
+            {
+                "name": part.name,
+                "elements": part.elements,
+                "youngs": part.metal.youngs,
+                "poisson": part.metal.poisson,
+                "density": part.metal.density,
+                "plastic": part.metal.plastic(),
+                "points": part.metal.points,
+                "rule": part.metal.rule,
+                "face": part.face,
+            }
+            for part in self.parts
+        ]
+        return {
+            "nodes": np.ascontiguousarray(self.nodes, float).reshape(-1),
+            "quads": np.ascontiguousarray(self.quads, np.uint32).reshape(-1),
+            "thickness": np.ascontiguousarray(self.thickness, float),
+            "added": np.ascontiguousarray(self.added, float),
+            "parts": parts,
+            "loft": self.loft,
+        }
+
+    def face_places(self) -> NDArray[Any]:
+        """Return the places of the nodes of the face [m]."""
+        chosen = [number for number, part in enumerate(self.parts) if part.face]
+        return self.nodes[np.unique(self.quads[np.isin(self.part_of_elements(), chosen)])]
+
+
+def parsed(
+    table: str,
+    values: Mapping[str, Any],
+    known: Sequence[str],
+    required: Sequence[str],
+    dimension: Callable[[str], str],
+) -> dict[str, float]:
+    """Return the values of a table [SI]; errors call them by table and key, such as "thickness.crown".
+
+    Parameters
+    ----------
+    table
+        Its name.
+    values
+        Text with units or SI, by key.
+    known, required
+        Keys that it may have, and those that it must.
+    dimension
+        That of a key, as of :mod:`clubface.units`.
+    """
+    check_names(f"value of {table}", values, known)
+    for key in required:
+        if key not in values:
+            raise InputError(f"{table}.{key}", None, "give it with its unit")
+    return {key: units.parse(value, dimension(key), name=f"{table}.{key}") for key, value in values.items()}

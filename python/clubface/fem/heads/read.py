@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.fem.heads.added_mass import MASS_KEYS, parsed_places
 from clubface.fem.heads.driver import SHAPE, TARGETS, WALLS, DriverHead
 from clubface.fem.heads.iron import GROOVES, SHAPE as IRON_SHAPE, IronHead
 from clubface.fem.heads.mesh_groups import Group
 from clubface.fem.heads.meshed import MeshedClub, MeshedHead
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import MASS_KEYS, parsed_places
 from clubface.fem.heads.user_mesh import MeshHead
-from clubface.support.shipped import builtin_names, path_of
+from clubface.support.files import builtin_names, path_of
 from clubface.support.strict_toml import Document
 
 T = TypeVar("T")

@@ -15,16 +15,14 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.described import FLAT
 from clubface.errors import InputError, MeshWarning
-from clubface.fem.heads.mesh_cards import point_masses, walls
+from clubface.fem.heads.added_mass import Place, note_of, parsed_places, spread
 from clubface.fem.heads.mesh_frame import check_frame
-from clubface.fem.heads.mesh_groups import Group, assign
+from clubface.fem.heads.mesh_groups import Group, assign, point_masses, walls
 from clubface.fem.heads.mesh_repair import Shells, repaired
+from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.places import Place, note_of, parsed_places, spread
-from clubface.fem.heads.shells import Part, ShellHead
 from clubface.fem.mesh_files import read_mesh
-from clubface.support.checks import check_name, check_text
-from clubface.support.warning import warn_once
+from clubface.support.checks import check_name, check_text, warn_once
 
 SIZES = (0.06, 0.2)
 """Least and largest size of a head along an axis [m]: between them a unit that is another one is seen, inches for

@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from clubface.errors import FileError, shortened
 from clubface.fem.mesh_files.mesh import UNNAMED, Mesh, MeshBuilder
-from clubface.support.input_files import read_input
+from clubface.support.files import read_input
 
 SHELLS = {2: 3, 3: 4, 9: 6, 10: 9, 16: 8}
 """Numbers of nodes of the surface elements that are read, by type."""

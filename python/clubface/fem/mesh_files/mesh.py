@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import FileError, shortened
-from clubface.support.input_files import read_input
+from clubface.support.files import read_input
 
 LARGEST_NUMBER = 999_999_999
 """Of a node or an element; numbering is free, and only what is there takes memory."""

@@ -1,4 +1,4 @@
-"""What meshio finds in a mesh file; run in a process of its own, see :mod:`clubface.support.isolated`."""
+"""What meshio finds in a mesh file; run in a process of its own, see :mod:`clubface.support.processes`."""
 
 from __future__ import annotations
 

@@ -15,11 +15,9 @@ from clubface.equipment.balls import ball as rigid_ball
 from clubface.errors import ClubfaceError
 from clubface.fem.balls import ball
 from clubface.fem.response.design import PARTS
-from clubface.fem.response.fit import MODEL, fit, weights
-from clubface.fem.response.residuals import PERCENTILES, figure, summary
-from clubface.fem.response.runs import in_fit, of_clubs, run
-from clubface.plots.style import save
-from clubface.support.whole_file import write_text
+from clubface.fem.response.fit import MODEL, PERCENTILES, figure, fit, in_fit, of_clubs, run, summary, weights
+from clubface.plots import save
+from clubface.support.files import write_text
 
 
 def main(arguments: list[str]) -> int:

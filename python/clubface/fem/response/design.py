@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.equipment.clubs import Club, club
-from clubface.equipment.ranges import RANGES
-from clubface.support.warning import without_warnings
+from clubface.equipment.parameters import RANGES
+from clubface.support.checks import without_warnings
 from clubface.units import parse
 
 RANGE = RANGES["response"]

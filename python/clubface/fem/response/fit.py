@@ -1,17 +1,143 @@
-"""The coefficients of the model `response` from strikes by finite elements: least squares with exact derivatives."""
+"""The model `response` from strikes by finite elements: the strikes, the fit, and what it leaves.
+
+The coefficients of the model `response` from strikes by finite elements: least squares with exact derivatives.
+
+What the fitted model leaves: differences from the finite elements, in figures and as a picture.
+
+The table of strikes: each run by finite elements once, also where the design or an interrupted run goes on later.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface.equipment.models import model
-from clubface.fem.response.runs import TARGETS, Strikes
+from clubface.fem.balls import Ball
+from clubface.fem.response.design import Part, Strike, strikes
+from clubface.fem.run import inputs_of, one_shot, strike
+from clubface.fem.settings import Settings
+from clubface.fem.sweep import ResumableTable
 from clubface.simulation import core
-from clubface.simulation.quantities import inputs, outputs
+from clubface.simulation.results import inputs, outputs
+from clubface.support.checks import without_warnings
+from clubface.support.fingerprint import fingerprint
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+TARGETS = (
+    "velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z", "contact_time", "peak_force",
+)  # fmt: skip
+"""What the model must give, SI."""
+COLUMNS = ("part", "number", *TARGETS, "stopped", "inputs")
+"""Of the table: which strike it is (the design tells how it is delivered), its results, and a sum of its inputs, by
+which a row is run again where the design gives its number to another strike."""
+DIGITS = 9
+_SETTINGS = Settings(duration=2.5e-3, interval=2e-5, until_separation=True, threads=1)
+
+
+class Strikes(NamedTuple):
+    """Strikes and their results, one row each.
+
+    Attributes
+    ----------
+    part
+        Number of the part they belong to.
+    inputs
+        Inputs in the order of the core, shape (strikes, inputs).
+    friction
+        Coefficients of friction.
+    found
+        ``TARGETS`` by the finite elements, shape (strikes, targets).
+    """
+
+    part: NDArray[Any]
+    inputs: NDArray[Any]
+    friction: NDArray[Any]
+    found: NDArray[Any]
+
+    def where(self, chosen: NDArray[Any]) -> Strikes:
+        """Return the chosen rows."""
+        return Strikes(*(column[chosen] for column in self))
+
+
+def run(
+    ball: Ball,
+    parts: Mapping[str, Part],
+    path: str | os.PathLike[str],
+    *,
+    workers: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Strikes:
+    """Run the strikes of some parts that the table does not have yet, several at a time, and return all that ended.
+
+    Parameters
+    ----------
+    ball
+        The ball of pieces.
+    parts
+        The strikes, by what they are.
+    path
+        The table. It belongs to one ball, and is refused with another. Strikes that have changed are run again.
+    workers
+        Runs at a time; left out, as many as there are cores.
+    progress
+        Called with the rows there are and the rows in all.
+    """
+    planned = strikes(parts)
+
+    with without_warnings():
+        shots = {place: inputs_of(one_shot(each.club, each.delivery, ball)) for place, each in planned.items()}
+    sums = {place: _sum([*inputs, planned[place].friction]) for place, inputs in shots.items()}
+
+    def one(place: tuple[int, int], keep_going: Any, threads: int) -> dict[str, Any]:
+        return {**_row(place, planned[place], ball, keep_going), "inputs": sums[place]}
+
+    places = {place: (float(place[0]), float(place[1])) for place in planned}
+    rows = ResumableTable(path, {"ball": ball.values()}, COLUMNS, {"stopped": str, "inputs": str}).fill(
+        places, one, what="strikes", workers=workers, progress=progress,
+        is_of=lambda place, row: row["inputs"] == sums[place],
+    )  # fmt: skip
+    pairs = [(place, row) for place, row in zip(planned, rows, strict=True) if not row["stopped"]]
+    return Strikes(
+        np.array([place[0] for place, _ in pairs]),
+        np.array([shots[place] for place, _ in pairs]),
+        np.array([planned[place].friction for place, _ in pairs]),
+        np.array([[row[name] for name in TARGETS] for _, row in pairs]),
+    )
+
+
+def in_fit(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
+    """Return which strikes the coefficients are fitted to: those that are not held out."""
+    return np.isin(of.part, [place for place, part in enumerate(parts.values()) if not part.held_out])
+
+
+def of_clubs(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
+    """Return which strikes are with built-in clubs."""
+    return np.isin(of.part, [place for place, part in enumerate(parts.values()) if part.built_in])
+
+
+def _sum(values: Iterable[float]) -> str:
+    """Return a text that tells inputs apart; another machine may differ in their last digits."""
+    return fingerprint([f"{value + 0.0:.{DIGITS}g}" for value in values])[:8]
+
+
+def _row(place: tuple[int, int], planned: Strike, ball: Ball, keep_going: Any) -> dict[str, Any]:
+    club, delivery, friction = planned
+    with without_warnings():
+        found = strike(club, delivery, which=ball, friction=friction, settings=_SETTINGS, progress=keep_going)
+    out = found.outcome()
+    results = {name: float(f"{out[name]:.{DIGITS}g}") for name in TARGETS}
+    return {"part": float(place[0]), "number": float(place[1]), **results, "stopped": found.stopped or ""}
+
 
 MODEL = "response"
 GIVEN = "friction"
@@ -130,3 +256,86 @@ def fit(
     first = cost(at(start)[0])
     found = best.x if cost(best.fun) < (1.0 - CONVERGED) * first else start
     return dict(zip(names, map(float, found), strict=True))
+
+
+RESIDUAL_SPIN_SHARE, RESIDUAL_SPIN_LEAST = 0.02, 40.0 * math.pi / 30.0
+"""A spin is met within this share of itself, or within this much [rad/s]."""
+PERCENTILES = (50, 95, 100)
+MASSES = (0.0, 0.12, 0.2, math.inf)
+"""Ends of the classes of effective mass [kg] by which differences with any heads are told, too."""
+
+
+def differences(values: Mapping[str, float], strikes: Strikes) -> dict[str, NDArray[Any]]:
+    """Return how far the model with some coefficients is from the finite elements, one value a strike.
+
+    ``speed`` [1] of ball speed, ``direction`` [rad] the angle between the launches, ``spin`` [1] the difference of the
+    spins' sizes and ``spin_vector`` that of the vectors, over 2% of the spin or 40 rpm, whichever is larger;
+    ``contact_time`` and ``peak_force`` [1].
+    """
+    got, _ = simulated(values, strikes, fitted()[:1])
+    want = strikes.found
+    size = np.linalg.norm
+    speeds, spins = (tuple(size(of[:, part], axis=1) for of in (got, want)) for part in (slice(0, 3), slice(3, 6)))
+    cosine = np.einsum("ij,ij->i", got[:, :3], want[:, :3]) / (speeds[0] * speeds[1])
+    allowed = np.maximum(RESIDUAL_SPIN_SHARE * spins[1], RESIDUAL_SPIN_LEAST)
+    return {
+        "speed": np.abs(speeds[0] / speeds[1] - 1.0),
+        "direction": np.arccos(np.clip(cosine, -1.0, 1.0)),
+        "spin": np.abs(spins[0] - spins[1]) / allowed,
+        "spin_vector": size(got[:, 3:6] - want[:, 3:6], axis=1) / allowed,
+        "contact_time": np.abs(got[:, 6] / want[:, 6] - 1.0),
+        "peak_force": np.abs(got[:, 7] / want[:, 7] - 1.0),
+    }
+
+
+def summary(
+    values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]
+) -> dict[str, dict[str, list[float]]]:
+    """Return the percentiles of the differences by part and quantity, for held-out heads also by effective mass."""
+    found = {}
+    for place, (name, part) in enumerate(parts.items()):
+        of_part = strikes.where(strikes.part == place)
+        each, groups = differences(values, of_part), {name: np.arange(len(of_part.friction))}
+        if part.held_out and not part.built_in:
+            masses = effective_mass(of_part)
+            for least, most in pairwise(MASSES):
+                groups[f"{name}, {_class(least, most)}"] = np.flatnonzero((masses >= least) & (masses < most))
+        for group, chosen in groups.items():
+            found[group] = {key: [float(np.percentile(of[chosen], p)) for p in PERCENTILES] for key, of in each.items()}
+    return found
+
+
+def _class(least: float, most: float) -> str:
+    if not least:
+        return f"below {most:g} kg"
+    return f"{least:g} kg and more" if math.isinf(most) else f"{least:g} to {most:g} kg"
+
+
+def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]) -> Figure:
+    """Draw what share of the held-out strikes is within a difference, for ball speed, direction and spin."""
+    from matplotlib.figure import Figure
+
+    from clubface.plots import legend_above
+
+    drawn = Figure(figsize=(9.0, 3.4), layout="constrained")
+    panels = drawn.subplots(1, 3, sharey=True)
+    told = {
+        "speed": ("difference of ball speed, %", 100.0, 0.5),
+        "direction": ("angle between launches, degrees", 180.0 / math.pi, 0.2),
+        "spin": ("difference of spin over 2% or 40 rpm", 1.0, 1.0),
+    }
+    for place, (name, part) in enumerate(parts.items()):
+        if not part.held_out:
+            continue
+        found = differences(values, strikes.where(strikes.part == place))
+        for panel, (key, (_, size, _)) in zip(panels, told.items(), strict=True):
+            ordered = np.sort(found[key]) * size
+            panel.plot(ordered, np.arange(1, len(ordered) + 1) / len(ordered), label=name)
+    legend_above(drawn, panels[0].get_lines())
+    for panel, (text, _, asked) in zip(panels, told.values(), strict=True):
+        panel.axvline(asked, color="0.6", linewidth=0.8)
+        panel.axhline(0.95, color="0.6", linewidth=0.8)
+        panel.set_xlim(0.0, 4.0 * asked)
+        panel.set_xlabel(text)
+    panels[0].set_ylabel("share of the strikes")
+    return drawn

@@ -7,20 +7,18 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
+from clubface.capture.estimators import ESTIMATORS, ROUGHNESS
+from clubface.capture.reduction import QUANTITIES
+from clubface.capture.setup import prepare
+from clubface.capture.study import read_swing
+from clubface.capture.synthetic.laboratory import Cameras, positions_map
+from clubface.capture.synthetic.synthetic_swing import random_swing
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
-from clubface.motion_capture.estimators import ESTIMATORS, ROUGHNESS
-from clubface.motion_capture.reduction import QUANTITIES
-from clubface.motion_capture.setup import prepare
-from clubface.motion_capture.study import read_swing
-from clubface.motion_capture.synthetic.files import positions_map
-from clubface.motion_capture.synthetic.golfer import random_swing
-from clubface.motion_capture.synthetic.laboratory import Cameras
-from clubface.simulation.quantities import inputs
+from clubface.simulation.results import inputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import Column, Described, Kind, chosen_columns, loaded
-from clubface.studies.kinds.one_by_one import OneByOne, Values
+from clubface.studies.kinds.kind import Column, Described, Kind, OneByOne, Values, chosen_columns, loaded
 from clubface.support.checks import MOST_SEED, check_choice
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
@@ -84,4 +82,4 @@ def _task(study: Described) -> OneByOne:
     return OneByOne(study, chosen_columns(table, columns, usual), compute)
 
 
-KIND = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, task=_task)
+CAPTURES = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, task=_task)

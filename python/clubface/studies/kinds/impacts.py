@@ -1,21 +1,30 @@
-"""Studies of impacts and the flights that follow: any input of a shot swept, by any model."""
+"""Studies of impacts, of best lofts, and of nothing but what a study costs.
+
+Studies of impacts and the flights that follow: any input of a shot swept, by any model.
+
+Studies of the dynamic loft with which a ball is carried farthest, with any other input of a shot swept.
+
+Tasks that compute next to nothing: what a study costs by itself on a machine or a cluster is measured with them.
+"""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import RangeWarning, RuleWarning
+from clubface import units
+from clubface.errors import InputError, RangeWarning, RuleWarning
 from clubface.simulation.flight import fly
-from clubface.simulation.impact import impact
-from clubface.simulation.outside import Tally
-from clubface.simulation.quantities import flight_outputs, outputs
-from clubface.studies.kinds.kind import Column, Computed, Described, Kind, chosen_columns
+from clubface.simulation.impact import Tally, impact
+from clubface.simulation.results import flight_outputs, outputs
+from clubface.studies.axes import Swept
+from clubface.studies.kinds.kind import Column, Computed, Described, Kind, OneByOne, Values, chosen_columns
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
-from clubface.support.warning import without_warnings
+from clubface.support.checks import without_warnings
 
 USUAL = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
 """The quantities that are kept where nothing is said."""
@@ -77,4 +86,84 @@ def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str
     ]
 
 
-KIND = Kind(name="impact", keys=(*KEYS, "outputs"), swept=swept_shots, task=Impacts)
+IMPACTS = Kind(name="impact", keys=(*KEYS, "outputs"), swept=swept_shots, task=Impacts)
+
+
+COLUMNS = {
+    "best_loft": Column("rad", "dynamic loft of the longest carry"),
+    "ball_speed": Column("m/s", "ball speed with it"),
+    "launch": Column("rad", "launch angle with it"),
+    "spin": Column("rad/s", "total spin with it"),
+    "carry": Column("m", "carry with it"),
+    "total": Column("m", "total distance with it"),
+    "within_below": Column("rad", "how much less loft costs a yard of carry"),
+    "within_above": Column("rad", "how much more loft costs a yard of carry"),
+}
+
+
+def _swept_best_lofts(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    return {name: each for name, each in swept_shots(table, sweep).items() if name != "loft"}
+
+
+def _best_loft_task(study: Described) -> OneByOne:
+    from clubface.design.best_loft import best_loft
+
+    shot_inputs = ShotInputs(study)
+    if "loft" in study.table.get("held", {}):
+        raise InputError("loft", study.table["held"]["loft"], "left out: the best is looked for")
+
+    def compute(task: Values) -> dict[str, Any]:
+        options = shot_inputs.single(task)
+        found = best_loft(**options.pop("delivery"), **options, **shot_inputs.conditions.at(task))
+        within = found.within[0]
+        figures = {name: getattr(found, name)[0] for name in ("ball_speed", "launch", "spin", "carry", "total")}
+        return {**figures, "best_loft": found.loft[0], "within_below": within[0], "within_above": within[1]}
+
+    return OneByOne(study, chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
+
+
+BEST_LOFTS = Kind(name="best-loft", keys=(*KEYS, "outputs"), swept=_swept_best_lofts, task=_best_loft_task)
+
+
+class Empty:
+    """The square of one input, after a time of work that the study asks for.
+
+    See :class:`clubface.studies.kinds.kind.Task`.
+
+    Parameters
+    ----------
+    study
+        The study.
+    seconds
+        Time of a processor that each task takes [s].
+    """
+
+    columns: Mapping[str, Column]
+    depends_on: Mapping[str, str]
+
+    def __init__(self, study: Described, seconds: float) -> None:
+        self._design, self._seconds = study.design, seconds
+        self.columns = {"square": Column("1", "square of the input x")}
+        self.depends_on = {}
+
+    def run(self, indices: range) -> Computed:
+        """Square the inputs, and work on for the time that was asked for."""
+        ends = time.thread_time() + self._seconds * len(indices)
+        (x,) = self._design.values(indices).values()
+        while time.thread_time() < ends:
+            pass
+        return Computed({"square": x * x})
+
+
+def _swept_empty(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    return {"x": Swept("1")}
+
+
+def _empty_task(study: Described) -> Empty:
+    seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
+    if not 0.0 <= seconds <= 3600.0:
+        raise InputError("seconds", seconds, "from 0 to 3600 s")
+    return Empty(study, seconds)
+
+
+EMPTY = Kind(name="empty", keys=("seconds",), swept=_swept_empty, task=_empty_task)

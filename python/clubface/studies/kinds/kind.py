@@ -1,24 +1,34 @@
-"""What a study may compute: the interface of a kind of study and of its task.
+"""Kinds of studies: their interface, their list, and tasks computed one after the other.
+
+What a study may compute: the interface of a kind of study and of its task.
 
 A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
 swept. From the study it makes a task, whose columns at any index follow from the study and the index alone. One more is
-added by one such module and one line in :mod:`clubface.studies.kinds.registry`.
+added by one such module and one line in :mod:`clubface.studies.kinds.kind`.
+
+The list of kinds of studies.
+
+Tasks of studies that are computed one after the other, each by one call of the package.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, TypeVar
 
+import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
-from clubface.support.checks import check_choice
-from clubface.support.shipped import is_path
+from clubface.support.checks import check_choice, without_warnings
+from clubface.support.files import is_path
+from clubface.support.processes import vector_units
 
 T = TypeVar("T")
 
@@ -48,7 +58,7 @@ class Computed(NamedTuple):
     failed
         The indices without a result, and why; rising.
     outside
-        The shots outside the range of their model, as :meth:`clubface.simulation.outside.Tally.counts` tells them.
+        The shots outside the range of their model, as :meth:`clubface.simulation.impact.Tally.counts` tells them.
     """
 
     columns: Mapping[str, NDArray[Any]]
@@ -158,3 +168,81 @@ def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual:
     for place, name in enumerate(names):
         check_choice(f"outputs[{place}]", name, every)
     return {name: every[name] for name in names}
+
+
+KINDS = {
+    "impact": "impacts.IMPACTS",
+    "comparison": "comparisons.COMPARISONS",
+    "map": "comparisons.MAPS",
+    "dispersion": "golfers.DISPERSIONS",
+    "best-loft": "impacts.BEST_LOFTS",
+    "optimise": "golfers.OPTIMISATIONS",
+    "fem": "fem.CASES",
+    "head": "fem.MESHED_HEADS",
+    "capture": "captures.CAPTURES",
+    "empty": "impacts.EMPTY",
+}
+"""The module and the name of each kind of study."""
+
+
+def kind(name: str) -> Kind:
+    """Return a kind of study by name."""
+    check_choice("kind", name, KINDS)
+    module, kind_name = KINDS[name].split(".")
+    return getattr(import_module(f"clubface.studies.kinds.{module}"), kind_name)
+
+
+Values = Mapping[str, Any]
+"""What is swept, of one task: numbers [SI] and names."""
+
+
+class OneByOne:
+    """Tasks that are computed one after the other. See :class:`clubface.studies.kinds.kind.Task`.
+
+    Parameters
+    ----------
+    study
+        The study.
+    columns
+        What is kept of a task.
+    compute
+        From what is swept to all figures [SI] by name, or to what computes each of them; what has none is an error.
+    elements
+        Whether finite elements compute it, whose last digits depend on the processor.
+    """
+
+    columns: Mapping[str, Column]
+    depends_on: Mapping[str, str]
+
+    def __init__(
+        self,
+        study: Described,
+        columns: Mapping[str, Column],
+        compute: Callable[[Values], Mapping[str, float | Callable[[], float]]],
+        *,
+        elements: bool = False,
+    ) -> None:
+        self._design, self._compute = study.design, compute
+        self._choices = {each.name: each.choices for each in study.design.axes if each.choices}
+        self.columns = columns
+        self.depends_on = {"processor": vector_units()} if elements else {}
+
+    def run(self, indices: range) -> Computed:
+        """Compute one task after the other; why one has no result is told."""
+        values = {name: each.tolist() for name, each in self._design.values(indices).items()}
+        found = {name: np.full(len(indices), math.nan) for name in self.columns}
+        failed: list[tuple[int, str]] = []
+        for place, index in enumerate(indices):
+            task = {name: self._choices[name][each[place]] if name in self._choices else float(each[place])
+                    for name, each in values.items()}  # fmt: skip
+            try:
+                with without_warnings():
+                    figures = self._compute(task)
+                    row = {name: figures[name] for name in self.columns}
+                    row = {name: each() if callable(each) else each for name, each in row.items()}
+            except ClubfaceError as error:
+                failed.append((index, str(error)))
+                continue
+            for name, each in row.items():
+                found[name][place] = each
+        return Computed(found, failed)

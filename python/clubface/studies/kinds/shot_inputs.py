@@ -13,17 +13,14 @@ from clubface.equipment.described import HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet, read_sets
 from clubface.errors import InputError, UnknownNameError
-from clubface.simulation.air import Air
-from clubface.simulation.flight_inputs import LEVEL, check_conditions, conditions
-from clubface.simulation.grounds import ground_of
-from clubface.simulation.inputs import parameter_set
-from clubface.simulation.quantities import flight_inputs, inputs
-from clubface.simulation.run_options import tolerance
+from clubface.simulation.flight import LEVEL, Air, check_conditions, conditions, ground_of
+from clubface.simulation.inputs import parameter_set, tolerance
+from clubface.simulation.results import flight_inputs, inputs
 from clubface.studies.axes import Swept, number
 from clubface.studies.kinds.kind import Described, loaded, resolved
 from clubface.support.checks import check_choice, check_names
-from clubface.support.processors import vector_units
-from clubface.support.shipped import is_path
+from clubface.support.files import is_path
+from clubface.support.processes import vector_units
 from clubface.support.strict_toml import Document
 
 CHOSEN = ("model", "club", "ball", "hand")

@@ -1,0 +1,516 @@
+"""Calibration: where the markers sit on the club, as given, from the address, or from the swing itself.
+
+Where the markers sit on the club: as the mapping says, or from points of the face seen together with them.
+
+Calibration from the address: the head rests on the ground behind the ball, with the loft and lie it was made with.
+
+No marker on the face is needed. That the player aims the face at the target, and holds the shaft as the maker meant it,
+is an assumption. Its standard deviations go into every delivery read with it.
+
+Where a cluster sits on the club, from an attitude that is known roughly and whatever else is known of its place.
+
+The attitude of the club is assumed at one instant: at address, or at the blow. The rest is a small problem of least
+squares in the six coordinates of the club against its markers. Each thing known, with its standard deviation, is a row.
+
+Calibration from the swing itself: the blow shows where the face looks.
+
+In the blow the head loses what momentum the ball gains. The ball flies off between the face's normal and the path, near
+the normal, as the models of impact say. Loft and face angle at impact therefore follow from the direction in which the
+head is slowed. The blow says nothing about the lie, which is assumed to be that of the club. This is rough, a few
+degrees, but speed, attack angle, path and rates hardly depend on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.capture.blow import Blow, find_blow, last_before
+from clubface.capture.geometry import Known, usual_place
+from clubface.capture.markers import MarkerMap
+from clubface.capture.recording import Recording
+from clubface.capture.rotations import (
+    FEWEST,
+    Array,
+    angles,
+    degrees_of_freedom,
+    delivered,
+    exponential,
+    face_axes,
+    fit_poses,
+    pose_information,
+    skew,
+    visible,
+)
+from clubface.capture.tracking import Track, check_scale, check_seen, track
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest
+from clubface.errors import ClubfaceError, FileError
+from clubface.support.checks import without_warnings
+
+MISPLACED = 3e-3
+"""Metres; face points that fit the face so badly are wrongly named or placed."""
+
+
+class Registration(NamedTuple):
+    """The cluster on the club.
+
+    Attributes
+    ----------
+    names
+        The markers.
+    shape
+        Their places from the CG, in club axes with z towards the toe [m], shape (markers, 3).
+    covariance
+        Of the place and turn of the club against the cluster [m, rad], in club axes about the CG, shape (6, 6).
+    misfit
+        Root mean square of what is left between the face points and the face [m]; NaN without any.
+    notes
+        What a reader should know.
+    geometry
+        How it is known.
+    """
+
+    names: tuple[str, ...]
+    shape: Array
+    covariance: Array
+    misfit: float
+    notes: tuple[str, ...] = ()
+    geometry: tuple[Known, ...] = ()
+
+
+def given_positions(mapping: MarkerMap, club: Club) -> Registration:
+    """Return the cluster whose positions the mapping gives."""
+    names = tuple(mapping.cluster)
+    shape = np.array([mapping.cluster[name] for name in names], dtype=np.float64) + np.array(club.cg)
+    covariance = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
+    told = Known.of("markers from the face centre", "given", "mm", deviations=[mapping.position_deviation])
+    return Registration(names, shape, covariance * mapping.position_deviation**2, float("nan"), geometry=(told,))
+
+
+def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
+    """Return the cluster as it is seen together with the points of the face.
+
+    In every frame that shows all points of the face, their attitude and position turn the cluster into club axes. The
+    mean over these frames is the cluster. The noise of the markers averages out over the frames; errors in the places
+    of the face points do not.
+
+    Parameters
+    ----------
+    mapping, club
+        Which marker is what, and the club.
+    recording
+        The calibration trial.
+    turn
+        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+
+    Raises
+    ------
+    FileError
+        Markers are missing or never seen together, or the points do not fit the face.
+    """
+    local = _face_points(mapping, club)
+    faces = recording.markers(mapping.face) @ turn.T
+    cluster = recording.markers(mapping.cluster) @ turn.T
+    whole = np.all(visible(faces), axis=-1)
+    if not whole.any():
+        raise FileError(
+            recording.path, None, f"no frame shows all points of the face at once: {', '.join(mapping.face)}"
+        )
+    check_scale(local, faces[whole], recording.path)
+    poses = fit_poses(local, faces[whole])
+    if not np.isfinite(poses.position).all():
+        raise FileError(recording.path, None, f"the points of the face lie on a line: {', '.join(mapping.face)}")
+    freedom = int(degrees_of_freedom(poses.residuals).sum())
+    misfit = float(np.sqrt((poses.residuals**2).sum() / freedom))
+    if misfit > MISPLACED:
+        worst = list(mapping.face)[int(np.argmax(np.linalg.norm(poses.residuals.mean(0), axis=-1)))]
+        raise FileError(
+            recording.path, None,
+            f"the points of the face miss their places by {units.fixed(misfit, 'mm', 1)}, most of all {worst}: is this"
+            f" the calibration of {club.name}, and are toe, high and standoff those of the markers?",
+        )  # fmt: skip
+    arms = cluster[whole] - poses.position[:, None]
+    turned = np.einsum("kij,kmi->kmj", poses.rotation, arms)
+    counts = visible(turned).sum(0)
+    names = tuple(name for name, count in zip(mapping.cluster, counts, strict=True) if count)
+    absent = [name for name in mapping.cluster if name not in names]
+    if len(names) < FEWEST:
+        raise FileError(recording.path, None, f"no frame shows the face together with: {', '.join(absent)}")
+    shape = np.nanmean(turned[:, counts > 0], axis=0)
+    # The face points' own frame scatters by noise; what their places are wrong by is the same in every frame.
+    noise = mapping.noise if mapping.noise is not None else _scatter(turned)
+    frames = float(whole.sum())
+    face_part = np.linalg.inv(pose_information(local, np.eye(3)[None], np.ones((1, len(local))))[0])
+    shape_part = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
+    covariance = (
+        face_part * (noise**2 / frames + mapping.position_deviation**2)
+        + shape_part * noise**2 / counts[counts > 0].min()
+    )
+    about_cg = np.eye(6)
+    about_cg[:3, 3:] = skew(np.array(club.cg))
+    notes = (f"{', '.join(absent)} not seen in the calibration: left out",) if absent else ()
+    told = (
+        Known.of("markers from the face", "measured", "mm", deviations=[misfit]),
+        Known.of("points of the face", "given", "mm", deviations=[mapping.position_deviation]),
+    )
+    return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes, told)
+
+
+def _face_points(mapping: MarkerMap, club: Club) -> Array:
+    """Return the places of the face's calibration points from the face centre, in club axes [m]."""
+    found = []
+    for name, point in mapping.face.items():
+        if abs(point.toe) > 0.5 * club.face_width or abs(point.high) > 0.5 * club.face_height:
+            raise FileError(mapping.path, None, f"[face] {name} lies outside the face of {club.name}")
+        touched = face_point(point.toe, point.high, club.bulge, club.roll)
+        found.append(touched + point.standoff * nearest(touched, club.bulge, club.roll)[1])
+    return np.array(found) @ face_axes(club.loft).T
+
+
+def _scatter(turned: Array) -> float:
+    """Return the noise of a marker [m] from how the cluster scatters in the frame of the face points.
+
+    It holds the noise of that frame as well, and so is not too small.
+    """
+    often = visible(turned).sum(0) > 1
+    return float(np.sqrt(np.mean(np.nanvar(turned[:, often], axis=0, ddof=1)))) if often.any() else 0.0
+
+
+ROUNDS = 8
+"""Of Gauss and Newton; two suffice where the positions given agree with the attitude to a few degrees."""
+STEP = 1e-6
+"""Metres and radians; of the central differences, and the least standard deviation of a given position."""
+ODD = 4.0
+"""Sum of squares for each row beyond which what is known contradicts itself."""
+
+
+class Attitude(NamedTuple):
+    """Attitude of the club at one instant.
+
+    Attributes
+    ----------
+    values
+        Loft, face angle and lie [rad], as for a right-hander.
+    covariance
+        Of them, shape (3, 3).
+    """
+
+    values: Array
+    covariance: Array
+
+
+def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, height: float | None) -> Registration:
+    """Return the cluster on the club.
+
+    Parameters
+    ----------
+    markers
+        The markers of the cluster at that instant [m], in world axes as a right-hander sees them, shape (markers, 3).
+    attitude
+        That of the club.
+    mapping, club
+        Gives the markers their names, and some of them their positions; the club with its CG and face.
+    height
+        Height of the ground if the sole rests on it, up in world axes [m], or None.
+    """
+    names = tuple(mapping.cluster)
+    cg = np.array(club.cg)
+    assumed = delivered(attitude.values[0], attitude.values[1], attitude.values[2], club.loft)
+    mean, spread = usual_place(club.kind, mapping.assumed)
+    known = [place for place, name in enumerate(names) if mapping.cluster[name] is not None]
+    given = np.array([mapping.cluster[names[place]] for place in known]).reshape(-1, 3)
+    root = np.linalg.inv(np.linalg.cholesky(attitude.covariance))
+    seen = (markers - markers.mean(0)) @ assumed
+    start = seen + (mean if not known else given.mean(0) - seen[known].mean(0)) + cg
+    origin = markers.mean(0) - assumed @ start.mean(0)
+    nominal = 0.5 * club.face_height * np.cos(club.loft)
+
+    def moved(x: Array) -> Array:
+        """Return the markers in club axes, if the club stands ``x`` from where it was taken to be."""
+        return (start - x[:3]) @ exponential(x[3:])
+
+    def rows(x: Array) -> Array:
+        """Return how far each known thing is off, in its standard deviations."""
+        turned = assumed @ exponential(x[3:])
+        off = [root @ (np.array(angles(turned, club.loft)) - attitude.values)]
+        shape = moved(x) - cg
+        if known:
+            off.append(np.ravel(shape[known] - given) / max(mapping.position_deviation, STEP))
+        else:
+            off.append((shape.mean(0) - mean) / spread)
+        if height is not None:
+            centre = origin + assumed @ x[:3] + turned @ cg
+            off.append(np.array([(centre[1] - height - nominal) / mapping.assumed.sole]))
+        return np.concatenate(off)
+
+    x, covariance = least_squares(rows, np.zeros(6))
+    degrees = np.sqrt(np.diag(attitude.covariance))
+    told = []
+    if known:
+        words = f"{len(known)} marker{'s' * (len(known) > 1)} from the face centre"
+        told.append(Known.of(words, "given", "mm", deviations=[mapping.position_deviation]))
+    else:
+        told.append(Known.of("mean of the markers from the face centre", "assumed", "mm", mean, spread))
+    if height is not None:
+        told.append(
+            Known.of("height of the face centre over the ground", "assumed", "mm", [nominal], [mapping.assumed.sole])
+        )
+    shape = moved(x)
+    notes = _disagreement(
+        rows(x), len(known), np.array(angles(assumed @ exponential(x[3:]), club.loft)), attitude, degrees
+    )
+    return Registration(names, shape, covariance, float("nan"), notes, tuple(told))
+
+
+def least_squares(rows: Callable[[Array], Array], start: Array) -> tuple[Array, Array]:
+    """Return where the sum of squares of ``rows`` is least, by Gauss and Newton, and the inverse of its information."""
+    x = start
+    inverse = np.eye(len(x))
+    for _ in range(ROUNDS):
+        steps = STEP * np.eye(len(x))
+        jacobian = np.stack([(rows(x + step) - rows(x - step)) / (2.0 * STEP) for step in steps], 1)
+        inverse = np.linalg.inv(jacobian.T @ jacobian)
+        x = x - inverse @ jacobian.T @ rows(x)
+    return x, inverse
+
+
+def _disagreement(off: Array, known: int, values: Array, attitude: Attitude, deviations: Array) -> tuple[str, ...]:
+    """Return a note where given positions contradict the assumed attitude."""
+    if known < FEWEST or float(off @ off) <= ODD * len(off):
+        return ()
+    worst = int(np.argmax(np.abs(values - attitude.values) / deviations))
+    angle = ("loft", "face angle", "lie")[worst]
+    return (
+        f"the positions of the markers contradict the attitude of the club that is assumed, most of all its {angle}"
+        f" ({units.fixed(values[worst], 'deg', 1)}, not {units.fixed(attitude.values[worst], 'deg', 1)}): check them,"
+        " or allow for more under [assumed]",
+    )
+
+
+STILL = 0.08
+"""m/s; a head that rests does not move faster over ``WINDOW``. Waggles reach ten times that."""
+WINDOW = 0.05
+"""Seconds over which speed is taken, so that the noise of a marker, 1 mm, makes 0.03 m/s."""
+SHORTEST = 0.1
+"""Seconds of rest that make an address: longer than the head pauses at the top of the swing."""
+LOW = 0.15
+"""Metres above its lowest place at which a head may rest: not on the shoulder."""
+
+
+def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
+    """Return the cluster on the club as the address shows it.
+
+    Parameters
+    ----------
+    mapping, club
+        Which marker is what, and the club.
+    recording
+        Shows the head at rest: a trial of its own, or the swing.
+    turn
+        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+
+    Raises
+    ------
+    FileError
+        The head never rests, or a marker is not seen then.
+    """
+    assumed = mapping.assumed
+    seen = recording.markers(mapping.cluster) @ turn.T
+    first, last = _frames(mapping, recording, seen)
+    markers = _mean(seen[first : last + 1], tuple(mapping.cluster), recording, first)
+    attitude = Attitude(np.array([club.loft, 0.0, 0.0]), np.diag([assumed.loft, assumed.face, assumed.lie]) ** 2)
+    found = placed(markers, attitude, mapping, club, mapping.ground)
+    told = (
+        Known.of("loft at address", "assumed", "deg", [club.loft], [assumed.loft]),
+        Known.of("face angle at address", "assumed", "deg", [0.0], [assumed.face]),
+        Known.of("lie at address", "assumed", "deg", [0.0], [assumed.lie]),
+    )
+    frames = f"address taken from frames {first + recording.first_frame} to {last + recording.first_frame}"
+    where = f" of {recording.path}" if mapping.calibration is not None else ""
+    return found._replace(geometry=(*told, *found.geometry), notes=(f"{frames}{where}", *found.notes))
+
+
+def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int, int]:
+    """Return the first and the last frame of the address, from 0."""
+    count = len(seen)
+    if mapping.frames is not None:
+        first, last = (each - recording.first_frame for each in mapping.frames)
+        if first < 0 or last >= count:
+            told = f"{recording.first_frame} to {recording.first_frame + count - 1}"
+            raise FileError(
+                recording.path, None,
+                f"frames of the address are {list(mapping.frames)}; the file has frames {told}: correct frames under"
+                f" [calibration] of {mapping.path}",
+            )  # fmt: skip
+        return first, last
+    middle = np.where(visible(seen)[..., None], seen, np.nan).mean(1)  # NaN where a marker is hidden
+    step = max(round(WINDOW * recording.rate), 1)
+    speed = np.full(count, np.nan)
+    if count > step:
+        speed[: count - step] = np.linalg.norm(middle[step:] - middle[:-step], axis=-1) * recording.rate / step
+    low = middle[:, 1] < np.nanmin(middle[:, 1], initial=np.inf) + LOW
+    with np.errstate(invalid="ignore"):
+        still = np.concatenate([[False], (speed < STILL) & low, [False]])
+    edges = np.flatnonzero(np.diff(still.astype(np.int8)))
+    runs = [
+        (int(first), int(last) - 1 + step)
+        for first, last in edges.reshape(-1, 2)
+        if last - 1 + step - first >= SHORTEST * recording.rate
+    ]
+    if not runs:
+        slowest = "" if np.isnan(speed).all() else f"; it is never slower than {np.nanmin(speed):.2f} m/s"
+        raise FileError(
+            recording.path, None,
+            f"no address: the clubhead nowhere rests near the ground for {units.fixed(SHORTEST, 'ms', 0)}{slowest}."
+            f' Name the frames of the address under [calibration] of {mapping.path}, or a file that shows it; or give'
+            ' by = "swing"',
+        )  # fmt: skip
+    return runs[-1]
+
+
+def _mean(seen: Array, names: tuple[str, ...], recording: Recording, first: int) -> Array:
+    """Return the mean places of the markers over the frames that show all of them, after a fit of their poses."""
+    whole = seen[np.all(visible(seen), axis=-1)]
+    if len(whole) < 1 or len(names) < FEWEST:
+        hidden = [name for name, each in zip(names, np.any(visible(seen), axis=0).tolist(), strict=True) if not each]
+        words = f"{', '.join(hidden)} not seen" if hidden else "no frame shows all markers of the cluster"
+        raise FileError(
+            recording.path, None,
+            f"address from frame {first + recording.first_frame}: {words}; take the marker out of [cluster], or name"
+            " other frames under [calibration]",
+        )  # fmt: skip
+    mean = whole.mean(0)
+    if not np.isfinite(fit_poses(mean - mean.mean(0), mean[None]).position).all():
+        raise FileError(recording.path, None, f"the markers of the cluster lie on a line: {', '.join(names)}")
+    return mean
+
+
+DRAWS = 800
+"""Of what is not known, of which some hundred agree with a usual impact: the spread of the angles follows to 7%."""
+FEWEST_FRAMES = 30
+"""Draws that must agree with a usual impact."""
+USUAL_LOFT = {"wood": units.to_si(3.0, "deg"), "hybrid": 0.0, "iron": units.to_si(-7.0, "deg")}
+"""By how much more loft than the club's a golfer delivers: drivers are hit upwards, irons with the hands ahead."""
+TURNED = units.to_si(8.0, "deg")
+"""How far a head is turned from its static attitude when it meets the ball, about each axis."""
+SWING_ROUNDS = 5
+"""Of the search for the face that sends the ball where it went; each leaves a fifth of the error at most."""
+STEEP = 1.3
+"""Radians; steeper faces are not looked for."""
+SHARE = 0.85
+"""Of a turn of the face by which the ball turns: 0.75 to 0.9 in published models."""
+
+
+def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording, turn: Array) -> Registration:
+    """Return the cluster on the club as the blow shows it; a :class:`FileError` where none can be read.
+
+    Parameters
+    ----------
+    mapping, club, ball
+        Which marker is what, the club and the ball.
+    recording
+        The swing.
+    turn
+        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+    """
+    where = recording.path
+    followed = followed_alone(mapping, recording, turn)
+    noise = mapping.noise
+    if noise is None:
+        noise, _ = followed.noise(np.arange(len(followed.known)) <= last_before(recording.times, followed, where))
+    mean, spread = _place(mapping, club)
+    cg = -mean - np.array(club.cg)
+    arm = float(np.linalg.norm(np.hypot(spread, TURNED * np.linalg.norm(cg))) / np.sqrt(3.0))
+    cg = delivered(club.loft, 0.0, 0.0, club.loft) @ cg
+    blow = find_blow(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where, cg=cg)
+    attitude = _attitude(blow, mapping, club, ball, where)
+    markers = blow.position + followed.shape @ blow.rotation.T
+    found = placed(markers, attitude, mapping, club, None)
+    deviations = np.sqrt(np.diag(attitude.covariance))
+    told = (
+        Known.of("loft and face angle at impact, from the blow and what is usual", "assumed", "deg",
+                 attitude.values[:2], deviations[:2]),
+        Known.of("lie at impact", "assumed", "deg", [0.0], deviations[2:]),
+    )  # fmt: skip
+    return found._replace(geometry=(*told, *found.geometry))
+
+
+def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Track:
+    """Return the head through a swing as its markers alone show it, with the mean of the markers as its origin."""
+    names = tuple(mapping.cluster)
+    seen = recording.markers(names) @ turn.T
+    check_seen(seen, names, recording.path)
+    whole = np.flatnonzero(np.all(visible(seen), axis=-1))
+    if not len(whole):
+        counts = visible(seen).sum(0).tolist()
+        hidden = ", ".join(name for name, count in zip(names, counts, strict=True) if not count)
+        told = f"{hidden} never seen" if hidden else "no frame shows all of them at once"
+        raise FileError(recording.path, None, f"markers of the cluster: {told}; take out of [cluster] what is not seen")
+    first = seen[whole[len(whole) // 2]]
+    return track(first - first.mean(0), seen, names, recording.path)
+
+
+def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
+    """Return loft, face angle and lie at first touch from the direction of the blow, and their covariance."""
+    from clubface.simulation.impact import impact
+
+    random = np.random.default_rng(0)
+    assumed = mapping.assumed
+    mean, spread = _place(mapping, club)
+    change = random.multivariate_normal(blow.later - blow.velocity, blow.covariance, DRAWS, method="eigh")
+    # From the mean of the markers to the CG, in club axes.
+    arm = -(mean + spread * random.normal(size=(DRAWS, 3))) - np.array(club.cg)
+    toe, high = (deviation * random.normal(size=DRAWS).clip(-2.0, 2.0) for deviation in (assumed.toe, assumed.high))
+    lie = assumed.delivered_lie * random.normal(size=DRAWS)
+    aside = assumed.blow * random.normal(size=(2, DRAWS))
+    velocity = blow.velocity
+    speed = float(np.linalg.norm(velocity))
+    given = {
+        "speed": speed, "attack": float(np.arcsin(velocity[1] / speed)),
+        "path": float(np.arctan2(velocity[2], velocity[0])), "lie": lie, "toe": toe, "high": high,
+        "lie_rate": -blow.spin[0], "closure": blow.spin[1], "pitch_rate": blow.spin[2],
+    }  # fmt: skip
+    loft, face = np.full(DRAWS, club.loft), np.zeros(DRAWS)
+    try:
+        for _ in range(SWING_ROUNDS):
+            turned = delivered(float(np.nanmedian(loft)), float(np.nanmedian(face)), 0.0, club.loft)
+            pushed = -(change - np.cross(blow.spin, arm @ turned.T))
+            launch = np.arctan2(pushed[:, 1], np.hypot(pushed[:, 0], pushed[:, 2]))
+            azimuth = np.arctan2(pushed[:, 2], pushed[:, 0])
+            with without_warnings():
+                made = impact(
+                    club.replace(hand="right"), {**given, "loft": loft, "face": face}, ball=ball, on_error="nan"
+                )
+            loft = (loft + (launch + aside[0] - made.launch) / SHARE).clip(-STEEP, STEEP)
+            face = (face + (azimuth + aside[1] - made.azimuth) / SHARE).clip(-STEEP, STEEP)
+    except ClubfaceError:
+        raise FileError(where, None, _fails(club)) from None
+    drawn = np.stack([loft, face, lie])
+    drawn = drawn[:, np.isfinite(drawn).all(0)]
+    usual = np.array([club.loft + USUAL_LOFT[club.kind], 0.0])[:, None]
+    allowed = np.array([assumed.delivered_loft, assumed.delivered_face])[:, None]
+    weights = np.exp(-0.5 * (((drawn[:2] - usual) / allowed) ** 2).sum(0))
+    if (weights > 0.1).sum() < FEWEST_FRAMES:
+        raise FileError(where, None, _fails(club))
+    mean = np.average(drawn, axis=1, weights=weights)
+    return Attitude(np.array([mean[0], mean[1], 0.0]), np.cov(drawn, aweights=weights))
+
+
+def _place(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
+    """Return where the mean of the markers lies from the face centre [m], and its standard deviations."""
+    given = [place for place in mapping.cluster.values() if place is not None]
+    if len(given) < len(mapping.cluster):
+        return usual_place(club.kind, mapping.assumed)
+    return np.mean(given, 0), np.full(3, mapping.position_deviation / np.sqrt(len(given)))
+
+
+def _fails(club: Club) -> str:
+    return (
+        f"the blow drives the ball where no usual impact of {club.name} does: is this the right club, do target and up"
+        ' point where they should, and do the cluster\'s positions hold? If so, give by = "address" in place of "swing"'
+    )

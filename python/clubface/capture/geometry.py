@@ -1,0 +1,135 @@
+"""What is known of the geometry of a swing: measured, given or assumed, and how well.
+
+A marker map may leave things open that a delivery depends on: how the markers sit on the head, where the ball lies.
+Something is then assumed in their place. Its standard deviation goes into that of the delivery, and the result tells
+what it was.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.capture.rotations import Array
+from clubface.errors import InputError
+
+_DEGREE, _MM = units.size("deg"), units.size("mm")
+FINE = 0.095
+"""In the units shown: smaller deviations are written with two digits after the point."""
+GIVEN = 1.0 * _MM
+"""Of a given position whose accuracy is not told: what a calliper on a rounded head gives."""
+GUESSED = 10.0 * _MM
+"""Of a given place of the ball whose accuracy is not told: a ball that somebody puts down again and again."""
+
+
+class Known(NamedTuple):
+    """One part of the geometry.
+
+    Attributes
+    ----------
+    what
+        In words, such as "face angle at address".
+    how
+        "measured", "given" or "assumed".
+    values, deviations
+        Its values and their standard deviations, in ``unit``; empty where there is nothing to tell.
+    unit
+        "deg", "mm" or "ms".
+    """
+
+    what: str
+    how: str
+    values: tuple[float, ...] = ()
+    deviations: tuple[float, ...] = ()
+    unit: str = ""
+
+    @classmethod
+    def of(cls, what: str, how: str, unit: str, values: Any = (), deviations: Any = ()) -> Known:
+        """Make one of values in SI."""
+        shown = [tuple(float(units.from_si(each, unit)) for each in some) for some in (values, deviations)]
+        return cls(what, how, shown[0], shown[1], unit)
+
+    def document(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        return self._asdict() | {"values": list(self.values), "deviations": list(self.deviations)}
+
+    def __str__(self) -> str:
+        if self.deviations and not any(self.deviations):
+            return f"{self.what}: {self.how}, exact"
+        digits = 1 if min(self.deviations, default=1.0) >= FINE else 2
+        values = [f"{each:.{digits}f}" for each in self.values] or [""] * len(self.deviations)
+        deviations = [f"± {each:.{digits}f}" for each in self.deviations] or [""] * len(values)
+        cells = [" ".join(filter(None, pair)) for pair in zip(values, deviations, strict=True)]
+        return f"{self.what}: {self.how}" + (f", {', '.join(cells)} {self.unit}" if cells else "")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Assumed:
+    """Standard deviations [rad, m] of what is assumed where it is not measured.
+
+    Attributes
+    ----------
+    face
+        Of the face angle at address about square. Golfers who mean to aim square are some 2 degrees off.
+    loft, lie
+        Of loft and lie at address about those that the club was made with: the hands lean the shaft.
+    delivered_loft, delivered_face, delivered_lie
+        If the swing itself calibrates: of loft, face angle and lie at impact about what is usual, which is a square
+        face, the lie of the club, and its loft and 3 degrees for a wood, less 7 degrees for an iron.
+    blow
+        Of the direction of the blow as the models of impact give it: published models differ by 1.2 degrees, and the
+        shaft holds the head a little.
+    sole
+        Of the height of the face centre over the ground at address.
+    place
+        Of the mean of the markers from the face centre along each axis of the club, if no marker is given its place.
+        None is (20, 10, 15) mm for a wood and (10, 20, 20) mm for an iron.
+    toe, high
+        Of the impact point about the face centre, if the ball is not measured.
+    """
+
+    face: float = 2.0 * _DEGREE
+    loft: float = 2.0 * _DEGREE
+    lie: float = 2.0 * _DEGREE
+    delivered_loft: float = 6.0 * _DEGREE
+    delivered_face: float = 4.0 * _DEGREE
+    delivered_lie: float = 3.0 * _DEGREE
+    blow: float = 2.0 * _DEGREE
+    sole: float = 5.0 * _MM
+    place: float | None = None
+    toe: float = 12.0 * _MM
+    high: float = 10.0 * _MM
+
+    def __post_init__(self) -> None:
+        for name in DIMENSIONS:
+            value = getattr(self, name)
+            if value is not None and not value > 0.0:
+                raise InputError(name, value, "above 0")
+
+    def told(self) -> dict[str, float]:
+        """Return those that are not as they are unless told."""
+        usual = Assumed()
+        return {name: getattr(self, name) for name in DIMENSIONS if getattr(self, name) != getattr(usual, name)}
+
+
+DIMENSIONS: Mapping[str, str] = {
+    **dict.fromkeys(("face", "loft", "lie", "delivered_loft", "delivered_face", "delivered_lie", "blow"), "angle"),
+    **dict.fromkeys(("sole", "place", "toe", "high"), "length"),
+}
+USUAL_PLACE: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
+    "wood": ((-0.045, 0.030, 0.0), (0.020, 0.010, 0.015)),
+    "iron": ((-0.010, 0.015, -0.010), (0.010, 0.020, 0.020)),
+}
+"""Where the mean of the markers on a head lies from its face centre [m], club axes, and its standard deviation: on the
+crown of a wood; on back, hosel and top line of an iron. Wide enough for wherever they can be stuck."""
+
+
+def usual_place(kind: str, assumed: Assumed) -> tuple[Array, Array]:
+    """Return where the mean of the markers lies from the face centre [m], and its standard deviations, if untold."""
+    place, deviations = USUAL_PLACE["iron" if kind == "iron" else "wood"]
+    spread = np.array(deviations) if assumed.place is None else np.full(3, assumed.place)
+    return np.array(place), spread

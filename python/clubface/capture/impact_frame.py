@@ -1,0 +1,359 @@
+"""The frames about impact: between which the face meets the ball, and the last before first touch.
+
+Between which frames the face meets the ball.
+
+The last frames before first touch, and the path through them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.capture.ball_flight import RestingBall
+from clubface.capture.estimators import TIME, TURN, Path, estimator
+from clubface.capture.reduction import Inputs, deliver, gap
+from clubface.capture.rotations import Array, left_jacobian, logarithm, pose_information, visible
+from clubface.capture.tracking import Track
+from clubface.equipment.clubs import Club
+from clubface.errors import FileError
+
+APPROACH = 1.0
+"""m/s; a face that comes nearer more slowly is being set down behind the ball."""
+ASIDE = 0.15
+"""Metres from the face centre beyond which the head passes the ball instead of meeting it."""
+WIDEST = 8
+"""Frames without a pose across which a meeting is still believed."""
+SLOWED = 0.95
+"""Part of its speed a head keeps at most that has hit a ball: a putter keeps 0.8, a driver 0.7."""
+STILL = 3e-3
+"""Metres a ball moves at most that has not been hit."""
+
+
+class Interval(NamedTuple):
+    """Two frames between which the face meets the ball.
+
+    Attributes
+    ----------
+    before
+        The last frame with a pose before first touch.
+    after
+        The first frame that shows the impact has begun.
+    notes
+        What is not certain about it.
+    """
+
+    before: int
+    after: int
+    notes: tuple[str, ...] = ()
+
+
+def find_impact(
+    position: Array, rotation: Array, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float,
+    rate: float, where: str,
+) -> tuple[Interval, RestingBall]:  # fmt: skip
+    """Find the frames between which the face passes where the ball lies, and make sure that it hit the ball.
+
+    Parameters
+    ----------
+    position, rotation
+        Of the CG [m] and from club axes to the world; NaN in frames without a pose.
+    seen_ball
+        Centre of the ball in every frame [m]; NaN where it is not seen.
+    places
+        Where the ball lay, the last place first; the first at which it is met counts.
+    club, radius
+        The face, and the radius of the ball [m].
+    rate
+        Frames a second.
+    where
+        The file, for errors.
+
+    Returns
+    -------
+    tuple
+        The frames, and the ball where it was met.
+
+    Raises
+    ------
+    FileError
+        No impact: the face never passes the ball, or the ball stays, or the head is not slowed.
+    """
+    for ball in places:
+        ahead, local = gap(position, rotation, ball.centre, club, radius)
+        found = _pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
+        if found is not None:
+            notes = _make_sure(position, seen_ball, ball, found, rate, where)
+            return found._replace(notes=found.notes + notes), ball
+    hidden = _hidden(position, places[0])
+    if hidden is not None:
+        raise FileError(
+            where, None,
+            f"no impact can be read: the clubhead is not seen in frames {hidden[0] + 1} to {hidden[1] + 1}, right"
+            " before the ball leaves: too many to go on from where it was last",
+        )  # fmt: skip
+    away = np.linalg.norm(gap(position, rotation, places[0].centre, club, radius)[1], axis=-1)
+    nearest = int(np.nanargmin(away))
+    stays = "the ball stays" if places[0].departure is None else "the ball leaves"
+    raise FileError(
+        where, None,
+        f"no impact: the face does not pass the ball; its centre comes no nearer than"
+        f" {units.fixed(away[nearest], 'mm', 0)}"
+        f" (frame {nearest + 1} of {len(away)}), and {stays}",
+    )  # fmt: skip
+
+
+def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
+    """Return the first and last frame in which the head is lost from sight before the ball leaves, None if it is not.
+
+    Frames across which its way can be extended do not count.
+    """
+    if ball.departure is None:
+        return None
+    seen = np.flatnonzero(np.isfinite(position[: ball.departure, 0]))
+    first = int(seen[-1]) + 1 if len(seen) else 0
+    return (first, ball.departure - 1) if ball.departure - first >= WIDEST - 1 else None
+
+
+def _pass(ahead: Array, aside: Array, ball: RestingBall, rate: float) -> Interval | None:
+    """Return the frames between which the face passes a ball while it lies there, None if it does not."""
+    known = np.flatnonzero(np.isfinite(ahead))
+    first, second = known[:-1], known[1:]
+    closing = (ahead[first] - ahead[second]) / (second - first) * rate
+    passes = (ahead[first] > 0.0) & (ahead[second] <= 0.0) & (closing > APPROACH) & (second - first <= WIDEST)
+    passes &= np.minimum(aside[first], aside[second]) < ASIDE
+    passes &= (second >= ball.span[0]) & (first <= ball.span[1] + WIDEST)
+    places = np.flatnonzero(passes)
+    if not len(places):
+        return _last_seen(ahead, known, ball, aside)
+    # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
+    key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
+    chosen = places[int(np.argmax(key))]
+    return Interval(int(first[chosen]), int(second[chosen]))
+
+
+def _last_seen(ahead: Array, known: Array, ball: RestingBall, aside: Array) -> Interval | None:
+    """Return the interval of a head that is lost from sight before the ball leaves, or is lost from sight as well."""
+    gone = ball.span[1] + 1 if ball.departure is None else ball.departure
+    earlier = known[known < gone]
+    if gone >= len(ahead) or len(earlier) < 2 or gone - earlier[-1] > WIDEST or aside[earlier[-1]] > ASIDE:
+        return None
+    if not ahead[earlier[-2]] > ahead[earlier[-1]] > 0.0:
+        return None
+    return Interval(int(earlier[-1]), gone, ("the clubhead is lost from sight before it meets the ball",))
+
+
+def _make_sure(
+    position: Array, seen_ball: Array, ball: RestingBall, found: Interval, rate: float, where: str
+) -> tuple[str, ...]:
+    """Refuse a pass that moved neither ball nor head; return what could not be made sure."""
+    frames = f"frames {found.before + 1} and {found.after + 1}"
+    later = seen_ball[found.after + 1 : found.after + 12]
+    later = later[visible(later)]
+    if len(later):
+        moved = float(np.linalg.norm(later - ball.centre, axis=-1).max())
+        if moved < max(STILL, 6.0 * ball.noise):
+            raise FileError(
+                where, None,
+                f"no impact: the face passes the place of the ball between {frames}, but the ball stays there"
+                f" (it moves {units.fixed(moved, 'mm', 1)}): a swing without a ball, or a wrong mapping",
+            )  # fmt: skip
+        return ()
+    speeds = [
+        _speed(position[found.before - 5 : found.before + 1], rate),
+        _speed(position[found.after + 1 : found.after + 7], rate),
+    ]
+    if not np.isfinite(speeds).all():
+        return ("neither ball nor clubhead is seen after impact: that they met is taken from where they were before",)
+    if speeds[1] > SLOWED * speeds[0]:
+        raise FileError(
+            where, None,
+            f"no impact: the face passes the place of the ball between {frames}, but the head keeps its speed"
+            f" ({speeds[0]:.1f} m/s before, {speeds[1]:.1f} m/s after): a swing without a ball, or a wrong mapping",
+        )  # fmt: skip
+    return ("the ball is not seen after impact; the loss of the head's speed shows that they met",)
+
+
+def _speed(position: Array, rate: float) -> float:
+    """Return the speed over a few frames [m/s], NaN with fewer than two poses."""
+    known = np.flatnonzero(np.isfinite(position[:, 0]))
+    if len(known) < 2:
+        return float("nan")
+    return float(np.linalg.norm(position[known[-1]] - position[known[0]]) / (known[-1] - known[0]) * rate)
+
+
+TOUCHING = 1e-3
+"""Metres the face may have moved on after first touch in a frame that is still used: the ball hardly pushes yet."""
+SETTLED = 1e-9
+"""Seconds by which the instant of impact may still move; the head goes 50 nm in that time."""
+MOST_ROUNDS = 20
+WIDEST_APPROACH = 12
+"""Frames without a pose across which the path is still followed."""
+
+
+class Approach(NamedTuple):
+    """The path of the clubhead to the ball.
+
+    Attributes
+    ----------
+    path
+        The path about the instant of first touch.
+    attitude
+        Rotation from club axes to the world where the rotation vector of the path is zero, shape (3, 3).
+    touch
+        Time of first touch [s], on the clock of the frames.
+    frames
+        The numbers of the frames used, ascending.
+    """
+
+    path: Path
+    attitude: Array
+    touch: float
+    frames: Array
+
+
+def follow(
+    times: Array, followed: Track, interval: Interval, ball: Array, club: Club, radius: float,
+    *, noise: float, name: str, roughness: float, where: str,
+) -> Approach:  # fmt: skip
+    """Extend the path of the clubhead to the place where it first touches the ball.
+
+    Parameters
+    ----------
+    times
+        Times of the frames [s].
+    followed
+        The clubhead in every frame, with its origin at the CG.
+    interval
+        The frames between which the head meets the ball.
+    ball
+        Centre of the ball at rest [m].
+    club, radius
+        The club with its face, and the radius of the ball [m].
+    noise
+        Standard deviation of a marker along an axis [m].
+    name, roughness
+        Name of the estimator, and the roughness for the smoother.
+    where
+        The file, for error messages.
+
+    Raises
+    ------
+    FileError
+        There are too few frames before impact, or the path does not lead to the ball.
+    """
+    position, rotation = followed.poses.position, followed.poses.rotation
+    known = np.flatnonzero(followed.known & (np.arange(len(times)) <= interval.before))
+    extend, fewest, most = estimator(name)
+    if len(known) < fewest:
+        raise FileError(where, None, _too_few(len(known), fewest, name))
+    last = known[-4:]
+    ahead, _ = gap(position[last], rotation[last], ball, club, radius)
+    closing = float(ahead[0] - ahead[-1]) / float(times[last[-1]] - times[last[0]])
+    if closing <= 0.0:
+        raise FileError(where, None, "the clubhead does not come nearer to the ball in the last frames before impact")
+    touch = float(times[known[-1]] + ahead[-1] / closing)
+
+    def extended() -> Approach:
+        """Fit the path about ``touch`` and move that to where the path meets the ball."""
+        frames = usable(known[-most:], rotation, fewest)
+        if len(frames) < fewest:
+            raise FileError(where, None, _too_few(len(frames), fewest, name))
+        path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
+        _, time = deliver(Inputs(path.position, path.rate, ball, np.zeros(6)), attitude, club, radius)
+        if not abs(float(time)) < TIME:
+            raise FileError(where, None, f"the path of the clubhead by {name} does not lead to the ball")
+        return Approach(path, attitude, touch + float(time), frames)
+
+    for _ in range(MOST_ROUNDS):
+        found = extended()
+        settled = abs(found.touch - touch) < SETTLED
+        touch = found.touch
+        if times[found.frames[-1]] > touch + TOUCHING / closing:
+            known = known[:-1]
+        elif settled:
+            return found
+    raise FileError(where, None, f"the path of the clubhead by {name} does not settle on an instant of impact")
+
+
+def follow_until(
+    times: Array, followed: Track, touch: float, *, noise: float, name: str, roughness: float, where: str
+) -> Approach:
+    """Extend the path of the clubhead to an instant of first touch that is known, such as that of the blow.
+
+    The parameters and errors are those of :func:`follow`.
+    """
+    extend, fewest, most = estimator(name)
+    known = np.flatnonzero(followed.known & (times <= touch))
+    frames = usable(known[-most:], followed.poses.rotation, fewest)
+    if len(frames) < fewest:
+        raise FileError(where, None, _too_few(len(frames), fewest, name))
+    path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
+    return Approach(path, attitude, touch, frames)
+
+
+def path_through(
+    times: Array,
+    followed: Track,
+    frames: Array,
+    noise: float,
+    extend: Callable[..., Path],
+    roughness: float,
+    where: str,
+) -> tuple[Path, Array]:
+    """Return the path through some frames about time zero, and the attitude from which its rotation vector counts.
+
+    Parameters
+    ----------
+    times
+        Of the frames [s], ascending; counted backwards for a path that is followed back in time.
+    followed, frames
+        The clubhead, and the numbers of the frames; the last is the nearest to time zero.
+    noise
+        Standard deviation of a marker along an axis [m].
+    extend, roughness
+        The estimator's function, and its roughness.
+    where
+        The file, for error messages.
+    """
+    coordinates, errors, attitude = coordinates_of(followed, frames, noise)
+    try:
+        return extend(times, coordinates, errors, roughness=roughness), attitude
+    except np.linalg.LinAlgError:
+        raise FileError(where, None, "the frames before impact do not determine the path of the clubhead") from None
+
+
+def coordinates_of(followed: Track, frames: Array, noise: float) -> tuple[Array, Array, Array]:
+    """Return position and rotation vector of the frames, their covariances, and the attitude it counts from.
+
+    Coordinates have shape (frames, 6); the attitude is that in the last of the frames.
+    """
+    position, rotation = followed.poses.position, followed.poses.rotation
+    attitude = rotation[frames[-1]]
+    turned = logarithm(rotation[frames] @ attitude.T)
+    errors = noise**2 * np.linalg.inv(pose_information(followed.shape, rotation[frames], followed.seen[frames]))
+    to_vector = np.zeros_like(errors)
+    to_vector[:, :3, :3] = np.eye(3)
+    to_vector[:, 3:, 3:] = np.linalg.inv(left_jacobian(turned))
+    return np.concatenate([position[frames], turned], 1), to_vector @ errors @ np.swapaxes(to_vector, 1, 2), attitude
+
+
+def usable(recent: Array, rotation: Array, fewest: int) -> Array:
+    """Return the last frames that hang together and in which the head turns by no more than ``TURN``.
+
+    Those before a wide gap are used as well where otherwise there were less than ``fewest``.
+    """
+    if not len(recent):
+        return recent
+    angle = np.linalg.norm(logarithm(rotation[recent] @ rotation[recent[-1]].T), axis=-1)
+    gaps = np.diff(recent, append=recent[-1]) > WIDEST_APPROACH
+    gaps[len(recent) - fewest :] = False
+    first = np.flatnonzero((angle > TURN) | gaps)
+    return recent[first[-1] + 1 :] if len(first) else recent
+
+
+def _too_few(count: int, fewest: int, name: str) -> str:
+    return f"{count} frames before impact show the clubhead; the estimator {name} needs {fewest}"

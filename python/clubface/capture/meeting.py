@@ -1,0 +1,237 @@
+"""Where and when the clubhead meets the ball: by a ball that is seen or given, or by the blow in the head's path."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface.capture.ball_flight import RestingBall, resting_places
+from clubface.capture.blow import FEWEST, Blow, End, find_blow, impact_at_end, last_before
+from clubface.capture.calibration import Registration
+from clubface.capture.geometry import Known
+from clubface.capture.impact_frame import Approach, find_impact, follow, follow_until
+from clubface.capture.recording import Recording
+from clubface.capture.reduction import Evidence, series
+from clubface.capture.rotations import Array, exponential, face_axes, visible
+from clubface.capture.setup import Setup
+from clubface.capture.tracking import Track
+from clubface.equipment.face import face_point, nearest
+from clubface.errors import FileError
+
+FLOOR = 1e-6
+"""Metres; the least noise of a marker, above the rounding of a file in single precision."""
+MIRROR = np.array([1.0, 1.0, -1.0])
+CG_DEVIATION = 3e-3
+"""Metres; of the CG of a club as its file gives it."""
+SURE = 5e-3
+"""Metres; a given ball known so well tells the instant of impact as well as the blow does, 0.1 ms of a drive."""
+ANYWHERE = 1.0
+"""Metres; of a ball of which nothing is told."""
+SURPRISING = 2.5
+"""Standard deviations beyond which a given ball is told not to lie where the head is slowed."""
+
+
+class Meeting(NamedTuple):
+    """The clubhead on its way to the ball.
+
+    Attributes
+    ----------
+    approach
+        The path about first touch.
+    ball
+        At rest.
+    ball_covariance
+        Of its centre, shape (3, 3).
+    seen_ball
+        Its centre in every frame, shape (frames, 3); NaN where it is not seen.
+    evidence
+        What the blow tells, if that is used.
+    noise, noise_freedom
+        Of a marker along an axis [m], and the degrees of freedom of its estimate; 0 if it was given.
+    remarks
+        What is not certain about it.
+    geometry
+        How the ball is known.
+    """
+
+    approach: Approach
+    ball: RestingBall
+    ball_covariance: Array
+    seen_ball: Array
+    evidence: Evidence | None
+    noise: float
+    noise_freedom: int
+    remarks: tuple[str, ...]
+    geometry: tuple[Known, ...]
+
+    def notes(self, surprise: float) -> list[str]:
+        """Return what a reader should know; ``surprise`` as of :class:`Reduced`."""
+        notes = list(self.remarks)
+        if surprise > SURPRISING:
+            notes.append(
+                f"the clubhead loses speed {surprise:.1f} standard deviations from where ball, club and markers are"
+                " said to be: check their positions, or give them a larger accuracy"
+            )
+        return notes
+
+
+def meet(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
+    """Find where and when the head meets the ball.
+
+    A ball that is seen, or given to ``SURE``, is met where the face passes it. A ball given less surely, or not at all,
+    is met when the head loses speed; how far that contradicts a given place enters with the deviations of both.
+
+    Parameters
+    ----------
+    recording, followed
+        The recording, and the clubhead through it.
+    cluster
+        The markers on the club.
+    setup
+        Mapping, club, ball and estimator.
+    turn
+        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+    """
+    mapping = setup.mapping
+    if mapping.ball is None and (mapping.ball_position is None or mapping.ball_deviation > SURE):
+        try:
+            return _by_blow(recording, followed, cluster, setup, turn)
+        except FileError as error:
+            if mapping.ball_position is None:
+                end = impact_at_end(recording.times, followed)
+                if end is None:
+                    raise
+                return _at_end(recording, followed, setup, end)
+            met = _by_ball(recording, followed, setup, turn)
+            told = "the blow cannot be read, so that all depends on the given place of the ball:"
+            return met._replace(remarks=(*met.remarks, f"{told} {error.message}"))
+    return _by_ball(recording, followed, setup, turn)
+
+
+def _by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -> Meeting:
+    where, head, radius, mapping = recording.path, setup.club, setup.ball.radius, setup.mapping
+    seen, places = _ball(recording, setup, turn)
+    position, rotation = followed.poses.position, followed.poses.rotation
+    interval, ball = find_impact(position, rotation, seen, places, head, radius, recording.rate, where)
+    noise, freedom = _noise(followed, interval.before, setup, where)
+    approach = follow(
+        recording.times, followed, interval, ball.centre, head, radius,
+        noise=noise, name=setup.estimator, roughness=setup.roughness, where=where,
+    )  # fmt: skip
+    if mapping.ball is not None:
+        measured = ball.noise if mapping.noise is None else mapping.noise
+        deviation = max(measured, FLOOR) / np.sqrt(max(ball.frames, 1))
+        told = Known.of("centre of the ball", "measured", "mm", deviations=[deviation])
+    else:
+        deviation = max(mapping.ball_deviation, FLOOR)
+        told = Known.of("centre of the ball", "given", "mm", deviations=[deviation])
+    return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (told,))
+
+
+def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
+    where, mapping, times = recording.path, setup.mapping, recording.times
+    noise, freedom = _noise(followed, last_before(times, followed, where), setup, where)
+    arm = max(float(np.sqrt(np.max(np.linalg.eigvalsh(cluster.covariance[:3, :3])))), CG_DEVIATION)
+    blow = find_blow(times, followed, noise=noise, arm=arm, where=where, roughness=setup.roughness)
+    approach = follow_until(
+        times, followed, blow.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
+    )
+    if mapping.ball_position is None:
+        centre, deviation = _in_front(approach, setup), ANYWHERE
+        told = [Known.of("ball", "assumed: where the clubhead loses speed", "")]
+    else:
+        centre, deviation = turn @ np.array(mapping.ball_position), mapping.ball_deviation
+        told = [Known.of("centre of the ball", "given", "mm", deviations=[deviation])]
+    told.append(Known.of("instant of first touch, from the blow", "measured", "ms", deviations=[blow.deviation]))
+    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _told(blow), told)
+
+
+def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
+    """Return the meeting of a recording that ends with the impact."""
+    where, times = recording.path, recording.times
+    noise, freedom = _noise(followed, end.before - 1, setup, where)
+    kept = followed._replace(poses=followed.poses._replace(position=followed.poses.position.copy()))
+    kept.poses.position[end.before + 1 :] = np.nan
+    approach = follow_until(
+        times, kept, end.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
+    )
+    told = [
+        Known.of("ball", "assumed: where the recording ends", ""),
+        Known.of("instant of first touch, from the end of the recording", "assumed", "ms", deviations=[end.deviation]),
+    ]
+    when = f"{end.later} frames after" if end.later else "with"
+    remark = (
+        f"the recording ends {when} the impact, which is taken to follow frame {end.before + recording.first_frame};"
+        f" record on for {FEWEST} frames or more to have the blow itself"
+    )
+    centre = _in_front(approach, setup)
+    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, remark, told)
+
+
+def _met(
+    approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
+    times: Array, remark: str, told: list[Known],
+) -> Meeting:  # fmt: skip
+    """Return a meeting at an instant [s] known to ``instant``, with a ball known to ``deviation`` [m]."""
+    assumed = setup.mapping.assumed
+    told.append(
+        Known.of(
+            "impact point from the face centre, towards the toe and high", "assumed", "mm", [0.0, 0.0],
+            [assumed.toe, assumed.high],
+        )
+    )  # fmt: skip
+    evidence = Evidence(np.zeros(3), np.array([instant, assumed.toe, assumed.high]))
+    ball = RestingBall(centre, deviation, 1, (0, len(times) - 1), None)
+    nowhere = np.full((len(times), 3), np.nan)
+    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, (remark,), tuple(told))
+
+
+def _in_front(approach: Approach, setup: Setup) -> Array:
+    """Return where the centre of a ball lies that touches the face centre at the instant of the blow [m]."""
+    head, now = setup.club, np.zeros(())
+    values = series(approach.path.position, now)
+    attitude = exponential(values[3:]) @ approach.attitude
+    touched = face_point(0.0, 0.0, head.bulge, head.roll)
+    normal = nearest(touched, head.bulge, head.roll)[1]
+    return values[:3] + attitude @ (np.array(head.cg) + face_axes(head.loft) @ (touched + setup.ball.radius * normal))
+
+
+def _told(blow: Blow) -> str:
+    message = f"impact is taken from the blow: the head loses {100.0 * blow.lost:.0f}% of its speed"
+    if blow.again is None:
+        return message
+    return (
+        f"{message} in frame {blow.before + 1} of the recording. It loses speed in frame {blow.again + 1} as well: cut"
+        " the recording to read that"
+    )
+
+
+def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:
+    """Return the centre of the ball in every frame and where it rests, in world axes as a right-hander sees them."""
+    mapping = setup.mapping
+    if mapping.ball is None:
+        place = turn @ np.array(mapping.ball_position)
+        always = (0, len(recording.positions) - 1)
+        nowhere = np.full((len(recording.positions), 3), np.nan)
+        return nowhere, [RestingBall(place, mapping.ball_deviation, 1, always, None)]
+    offset = np.array(mapping.ball_offset) * (MIRROR if setup.club.hand < 0 else 1.0)
+    seen = recording.marker(mapping.ball) @ turn.T + offset
+    found = resting_places(seen, recording.rate)
+    if not found:
+        lost = "seen at rest" if visible(seen).any() else "seen"
+        raise FileError(
+            recording.path, None,
+            f"the ball's marker {mapping.ball} is never {lost}; give its position under [ball], or leave the table out",
+        )  # fmt: skip
+    return seen, found
+
+
+def _noise(followed: Track, last: int, setup: Setup, where: str) -> tuple[float, int]:
+    """Return the noise of a marker along an axis [m], and the degrees of freedom of its estimate."""
+    if setup.mapping.noise is not None:
+        return max(setup.mapping.noise, FLOOR), 0
+    noise, freedom = followed.noise(np.arange(len(followed.known)) <= last)
+    if freedom <= 0:
+        raise FileError(where, None, "no frame before impact shows the clubhead's pose")
+    return max(noise, FLOOR), freedom

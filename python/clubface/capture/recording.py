@@ -1,0 +1,370 @@
+"""Marker positions over time, from and to C3D files, which are checked before a library reads them.
+
+Marker positions over time: read from and written to C3D files by ezc3d.
+
+The bones of a C3D file, looked at before a library reads it.
+
+A file cut short is otherwise read as a shorter recording, and a damaged one can take the whole process with it. The
+layout is that of "The C3D File Format User Guide" (Motion Lab Systems): a header of 512 bytes, a section of groups of
+parameters, and frames of points and analogue samples.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import struct
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface import units
+from clubface.capture.rotations import Array, visible
+from clubface.errors import FileError, InputError, Told, UnknownNameError
+from clubface.support.files import as_local_file, input_file, read_input, whole_file
+from clubface.support.processes import IsolatedError, IsolatedProcess
+from clubface.units import numbers
+
+BLOCK = 512
+MAGIC = 0x50
+PROCESSORS = {84: ("<", 15), 85: ("<", 13), 86: (">", 12)}
+"""Order of bytes, and which byte of the header has the sign of its scale: of Intel, DEC and MIPS."""
+SIZES = {-1: 1, 1: 1, 2: 2, 4: 4}
+"""Bytes of an element by the type of a parameter: letter, byte, integer, float."""
+TEXT = -1
+"""The type of a text."""
+NUMBERS = {
+    "POINT": ("USED", "SCALE", "RATE", "DATA_START", "FRAMES"),
+    "ANALOG": ("USED", "GEN_SCALE", "RATE"),
+    "ROTATION": ("USED", "DATA_START", "RATE", "RATIO"),
+    "FORCE_PLATFORM": ("USED",),
+}
+"""Parameters that hold one number, where they are there; libraries take that for granted."""
+MOST_POINTS = 10_000
+NOT_C3D = "this is not a C3D file"
+DAMAGED = "this C3D file is damaged"
+
+
+class Layout(NamedTuple):
+    """What the header says.
+
+    Attributes
+    ----------
+    points, analogues
+        Points and analogue samples in a frame.
+    frames
+        Frames in the file.
+    first_frame
+        Number of the first one.
+    """
+
+    points: int
+    analogues: int
+    frames: int
+    first_frame: int
+
+
+def check_layout(path: str | os.PathLike[str]) -> Layout:
+    """Return what a C3D file says it holds; one that is empty, cut short or damaged is a :class:`FileError`."""
+    name = os.fspath(path)
+    content = read_input(path)
+    if not content:
+        raise FileError(name, None, "the file is empty")
+    if len(content) < 2 or content[1] != MAGIC or content[0] < 2:
+        raise FileError(name, None, NOT_C3D)
+    try:
+        return _Reader(content, name).layout()
+    except (struct.error, IndexError):
+        raise FileError(
+            name, None, f"the file is cut short: it ends within its parameters, after {len(content)} bytes"
+        ) from None
+
+
+class _Parameter(NamedTuple):
+    """One parameter.
+
+    Attributes
+    ----------
+    group, label
+        The number of its group, and its name.
+    kind, dimensions, elements
+        Type, number of dimensions, and number of elements.
+    value
+        The first of whole numbers.
+    end
+        Where it ends.
+    """
+
+    group: int
+    label: str
+    kind: int
+    dimensions: int
+    elements: int
+    value: int
+    end: int
+
+
+class _Reader:
+    """Walks through the bytes of one file."""
+
+    def __init__(self, content: bytes, name: str) -> None:
+        self.content, self.name = content, name
+        self.start = (content[0] - 1) * BLOCK
+        processor = content[self.start + 3]
+        if processor not in PROCESSORS:
+            raise self.damaged(f"processor type {processor}, not 84, 85 or 86")
+        self.order, self.sign = PROCESSORS[processor]
+        self.found: dict[str, int] = {}
+
+    def damaged(self, what: str) -> FileError:
+        return FileError(self.name, None, f"{DAMAGED}: {what}")
+
+    def integer(self, at: int) -> int:
+        return struct.unpack_from(f"{self.order}H", self.content, at)[0]
+
+    def layout(self) -> Layout:
+        points, analogues, first, last = (self.integer(at) for at in (2, 4, 6, 8))
+        data = (self.integer(16) - 1) * BLOCK
+        end = self.start + self.content[self.start + 2] * BLOCK
+        self.parameters(min(end, data) if data > self.start else end)
+        if not 0 < points <= MOST_POINTS:
+            raise FileError(self.name, None, f"the file holds {points} points; it needs those of a clubhead")
+        if self.found.get("POINT:USED", points) != points:
+            raise self.damaged(f"the header says {points} points, POINT:USED {self.found['POINT:USED']}")
+        if data < self.start or last < first:
+            raise self.damaged("the header says where data begin and end, and they end first")
+        # Letters beyond 65535 frames do not fit the header; POINT:FRAMES has the same limit. The smaller is sure.
+        frames = last - first + 1
+        frames = min(frames, self.found.get("POINT:FRAMES") or frames)
+        word = 4 if self.content[self.sign] & 0x80 else 2  # a negative scale marks floating point
+        needed = data + frames * word * (4 * points + analogues)
+        if len(self.content) < needed:
+            raise FileError(
+                self.name,
+                None,
+                f"the file is cut short: {len(self.content)} bytes of at least {needed} for {frames} frames",
+            )
+        return Layout(points, analogues, frames, first)
+
+    def parameters(self, end: int) -> None:
+        """Walk through groups and parameters; refuse what points outside the section."""
+        at, groups = self.start + 4, {}
+        named: list[_Parameter] = []
+        while at < end:
+            length, group = struct.unpack_from("bb", self.content, at)
+            length = abs(length)
+            if length == 0:
+                break
+            label = self.content[at + 2 : at + 2 + length].decode("latin-1").upper()
+            at += 2 + length
+            step = struct.unpack_from(f"{self.order}h", self.content, at)[0]
+            if group == 0 or not label.isprintable():
+                raise self.damaged(f"a parameter without a name or group at byte {at}")
+            if group < 0:
+                groups[-group] = label
+                used = 3 + self.content[at + 2]
+            else:
+                named.append(found := self.parameter(at + 2, group, label))
+                used = found.end - at
+            if step != 0 and (step < used or at + step > end):
+                raise self.damaged(f"{label} is said to end at byte {at + step}, outside its section")
+            if step == 0:
+                break
+            at += step
+        for each in named:
+            if each.group not in groups:
+                raise self.damaged(f"{each.label} belongs to group {each.group}, which does not exist")
+            self.check(groups[each.group], each)
+            self.found[f"{groups[each.group]}:{each.label}"] = each.value
+
+    def check(self, group: str, each: _Parameter) -> None:
+        """Refuse a parameter of another kind than libraries take for granted."""
+        if group not in NUMBERS:
+            return
+        if each.label in NUMBERS[group] and (each.kind == TEXT or not each.elements):
+            raise self.damaged(f"{group}:{each.label} is not a number")
+        if each.kind == TEXT and not each.dimensions:
+            raise self.damaged(f"{group}:{each.label} is text without a length")
+
+    def parameter(self, at: int, group: int, label: str) -> _Parameter:
+        """Return a parameter that begins with its type."""
+        kind, count = struct.unpack_from("bB", self.content, at)
+        if kind not in SIZES or count > 7:
+            raise self.damaged(f"{label} has type {kind} and {count} dimensions")
+        elements = 1
+        for each in self.content[at + 2 : at + 2 + count]:
+            elements *= each
+        at += 2 + count
+        size = elements * SIZES[kind]
+        described = self.content[at + size]
+        value = self.integer(at) if kind == 2 and elements else 0
+        return _Parameter(group, label, kind, count, elements, value, at + size + 1 + described)
+
+
+LIBRARY = IsolatedProcess(Path(__file__).with_name("c3d_library.py"))
+MEMORY = 200
+"""Bytes that the library may take for a byte of the file; it takes some 30."""
+SPEED = 1e6
+"""Bytes a second, slower than any machine reads them."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Recording:
+    """The markers of one trial.
+
+    Attributes
+    ----------
+    labels
+        Names of the markers.
+    positions
+        Positions [m] in the axes of the laboratory, shape (frames, markers, 3); NaN, or masked when they are given,
+        where a marker was not seen.
+    rate
+        Frames a second [Hz].
+    first_frame
+        Number of the first frame, as the file counts.
+    path
+        The file, or another name of the source.
+    """
+
+    labels: tuple[str, ...]
+    positions: Array
+    rate: float
+    first_frame: int = 1
+    path: str = "<recording>"
+
+    def __post_init__(self) -> None:
+        positions = numbers(self.positions, name="positions")
+        if positions.ndim != 3 or positions.shape[1:] != (len(self.labels), 3):
+            told = Told(f"an array of shape {positions.shape}")
+            raise InputError("positions", told, f"one of shape (frames, {len(self.labels)} markers, 3)")
+        object.__setattr__(self, "positions", positions)
+
+    @property
+    def times(self) -> Array:
+        """Times of the frames [s], counted from the first one."""
+        return np.arange(len(self.positions)) / self.rate
+
+    def marker(self, label: str) -> Array:
+        """Return the positions of one marker [m], shape (frames, 3)."""
+        return self.markers((label,))[:, 0]
+
+    def markers(self, labels: Iterable[str]) -> Array:
+        """Return the positions of several markers [m], shape (frames, markers, 3).
+
+        A name is found as it stands in the file, or after the name of its subject: ``HEAD1`` in ``club:HEAD1``.
+
+        Raises
+        ------
+        FileError
+            Some names are not in the file; the message lists those that are.
+        """
+        wanted = tuple(labels)
+        places = [self.place(label) for label in wanted]
+        missing = [label for label, place in zip(wanted, places, strict=True) if place is None]
+        if missing:
+            plural = "markers" if len(missing) > 1 else "marker"
+            present = ", ".join(self.labels) or "none"
+            raise FileError(self.path, None, f"no {plural} {', '.join(missing)} here; the file has: {present}")
+        return self.positions[:, [place for place in places if place is not None]]
+
+    def place(self, label: str) -> int | None:
+        """Return which of the markers has a name, as for :meth:`markers`; None if there is none."""
+        if label in self.labels:
+            return self.labels.index(label)
+        ends = [place for place, each in enumerate(self.labels) if each.rpartition(":")[2] == label]
+        if len(ends) > 1:
+            shared = ", ".join(self.labels[place] for place in ends)
+            raise FileError(self.path, None, f"marker {label} may be any of {shared}; write its full name")
+        return ends[0] if ends else None
+
+
+def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Recording:
+    """Read the markers of a C3D file.
+
+    A point that is marked invalid, is not finite, or lies exactly at the origin was not seen, and becomes NaN.
+
+    Parameters
+    ----------
+    path
+        The file.
+    unit
+        Unit of length, instead of the one the file names; needed if the file names none.
+
+    Raises
+    ------
+    FileError
+        The file is missing, empty, cut short, damaged or without points, or its unit of length is unknown.
+    """
+    name = os.fspath(path)
+    layout = check_layout(name)
+    size = input_file(name).size
+    with as_local_file(name) as local:
+        try:  # a crash of the library is an error of the file
+            found = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
+        except IsolatedError as error:
+            reason = str(error).replace(local, name).rstrip(".")
+            raise FileError(name, None, f"this C3D file cannot be read: {reason}") from None
+    points, rate, texts = found["points"], found["rate"], found["texts"]
+    if points.ndim != 3 or not points.shape[1] or not points.shape[2]:
+        raise FileError(name, None, "the file holds no points")
+    if points.shape[2] < layout.frames:
+        raise FileError(name, None, f"the file is cut short: {points.shape[2]} of {layout.frames} frames")
+    if not (np.isfinite(rate) and rate > 0.0):
+        raise FileError(name, None, f"the frame rate is {rate:g} Hz")
+    positions = np.moveaxis(points[:3], 0, -1).swapaxes(0, 1) * _metres(name, texts["UNITS"], unit)
+    unseen = ~visible(positions) | np.all(positions == 0.0, axis=-1)
+    labels = texts["LABELS"] + texts["LABELS2"] + texts["LABELS3"]
+    labels += [f"*{place + 1}" for place in range(len(labels), points.shape[1])]
+    return Recording(
+        labels=tuple(labels[: points.shape[1]]),
+        positions=np.where(unseen[..., None], np.nan, positions),
+        rate=rate,
+        first_frame=layout.first_frame,
+        path=name,
+    )
+
+
+def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
+    """Write the markers of a recording as a C3D file, in mm; markers that were not seen become invalid points."""
+    import ezc3d
+
+    target = Path(path)
+    file = ezc3d.c3d()
+    point: Any = file["parameters"]["POINT"]
+    point["RATE"]["value"] = [recording.rate]
+    point["LABELS"]["value"] = recording.labels
+    point["UNITS"]["value"] = ("mm",)
+    points = np.ones((4, len(recording.labels), len(recording.positions)))
+    points[:3] = np.moveaxis(units.from_si(recording.positions, "mm"), -1, 0).swapaxes(1, 2)
+    file["data"]["points"] = points
+    with whole_file(target) as out:
+        try:
+            file.write(out.name)
+        except RuntimeError as error:
+            raise FileError(os.fspath(target), None, f"cannot be written: {error}") from None
+        # The library does not tell of a full disk: the ninth word of the file says in which block the points begin.
+        begin = 512 * (int.from_bytes(out.read(18)[16:], "little") - 1)
+        if os.path.getsize(out.name) < begin + points.astype(np.float32).nbytes:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    return target
+
+
+def _metres(name: str, given: Sequence[str], unit: str | None) -> float:
+    """Return the length [m] of the unit of a file."""
+    if unit is not None:
+        return units.size(units.unit(unit, name="units", dimension="length").symbol)
+    symbol = given[0] if given else ""
+    if not symbol:
+        raise FileError(name, None, "the file does not name its unit of length; give it, as in --units mm")
+    try:
+        found = units.unit(symbol, dimension="length")
+    except (InputError, UnknownNameError):
+        allowed = ", ".join(units.symbols("length"))
+        raise FileError(
+            name, None, f"the unit of length {symbol!r} is unknown; give the right one with --units: {allowed}"
+        ) from None
+    return units.size(found.symbol)

@@ -1,0 +1,217 @@
+"""From the path of the clubhead and the place of the ball to the delivery at first touch, with its covariance."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from clubface.capture.estimators import TIME, Path
+from clubface.capture.rotations import Array, angles, exponential, face_axes, left_jacobian
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import nearest
+from clubface.simulation.inputs import OF_CLUB
+
+QUANTITIES = tuple(OF_CLUB)
+"""Order of rows and columns of a covariance."""
+STEP = 1e-5
+"""Of the central differences: metres, radians, and their rates a TIME; their error is of its square, 1e-10."""
+
+
+SEEN = [-1, QUANTITIES.index("toe"), QUANTITIES.index("high")]
+"""Of a delivery and its time: those of which there can be evidence."""
+UPDATES = 3
+"""Of path, ball and club by evidence; the second moves a ball by less than a micrometre where the first moved it by
+50 mm."""
+
+
+class Inputs(NamedTuple):
+    """What a delivery is made of, for many variations at once.
+
+    Attributes
+    ----------
+    position, rate
+        Coefficients as of :class:`Path`, shape (..., m, 6) and (..., n, 6).
+    ball
+        Centre of the ball at rest [m], shape (..., 3).
+    club
+        Place and turn of the club against its markers [m, rad], in club axes about the CG, shape (..., 6).
+    """
+
+    position: Array
+    rate: Array
+    ball: Array
+    club: Array
+
+
+def deliver(given: Inputs, attitude: Array, club: Club, radius: float) -> tuple[Array, Array]:
+    """Return the delivery at first touch, in the order of ``QUANTITIES``, shape (..., 11), and its time [s], (...).
+
+    First touch is when the ball's centre is its radius in front of the face, found by Newton's method from time zero.
+    All is as of a right-hander; path and face angle of a left-hander change their signs later.
+
+    Parameters
+    ----------
+    given
+        Path, ball and club.
+    attitude
+        From club axes to the world where the rotation vector is zero, shape (3, 3).
+    club
+        Its CG, loft and face.
+    radius
+        Of the ball [m].
+    """
+    time = np.zeros(given.ball.shape[:-1])
+    turned = exponential(given.club[..., 3:])
+    for _ in range(4):
+        _, velocity, rotation, spin, centre, offset = _pose(given, attitude, club, turned, time)
+        face = rotation @ face_axes(club.loft)
+        local = np.einsum("...ji,...j->...i", face, given.ball - centre)
+        distance, normal = nearest(local, club.bulge, club.roll)
+        outward = np.einsum("...ij,...j->...i", face, normal)
+        at_face = velocity + np.cross(spin, given.ball - radius * outward - offset)
+        time = time + (distance - radius) / np.einsum("...i,...i->...", outward, at_face)
+    _, velocity, rotation, spin, centre, _ = _pose(given, attitude, club, turned, time)
+    face = rotation @ face_axes(club.loft)
+    local = np.einsum("...ji,...j->...i", face, given.ball - centre)
+    distance, normal = nearest(local, club.bulge, club.roll)
+    touched = local - distance[..., None] * normal
+    loft, yaw, lie = angles(rotation, club.loft)
+    level = np.hypot(velocity[..., 0], velocity[..., 2])
+    columns = {
+        "speed": np.linalg.norm(velocity, axis=-1),
+        "attack": np.arctan2(velocity[..., 1], level),
+        "path": np.arctan2(velocity[..., 2], velocity[..., 0]),
+        "loft": loft, "face": yaw, "lie": lie, "toe": touched[..., 2], "high": touched[..., 1],
+        "closure": spin[..., 1], "pitch_rate": spin[..., 2], "lie_rate": -spin[..., 0],
+    }  # fmt: skip
+    return np.stack([columns[name] for name in QUANTITIES], -1), time
+
+
+class Evidence(NamedTuple):
+    """What is known of the impact besides path, ball and club.
+
+    Attributes
+    ----------
+    values
+        Time of first touch [s] on the clock of the path, and the impact point towards the toe and high [m].
+    deviations
+        Their standard deviations.
+    """
+
+    values: Array
+    deviations: Array
+
+
+class Reduced(NamedTuple):
+    """A delivery and how well it is known.
+
+    Attributes
+    ----------
+    values
+        In the order of ``QUANTITIES``, shape (11,).
+    time
+        Of first touch [s].
+    covariance
+        Of the values, shape (11, 11).
+    inputs
+        From which it follows; with evidence, as that corrects them.
+    surprise
+        Root mean square of how far the evidence is from what is expected without it, in standard deviations of both;
+        0 without evidence.
+    """
+
+    values: Array
+    time: float
+    covariance: Array
+    inputs: Inputs
+    surprise: float = 0.0
+
+
+def with_covariance(
+    path: Path,
+    ball: Array,
+    attitude: Array,
+    club: Club,
+    radius: float,
+    *,
+    ball_covariance: Array,
+    club_covariance: Array,
+    evidence: Evidence | None = None,
+) -> Reduced:
+    """Return the delivery with its covariance, to first order.
+
+    Markers before impact, the ball's rest and the club on its markers are independent of each other; the derivatives
+    are central differences of :func:`deliver`. Evidence corrects path, ball and club together, each by as much as it is
+    uncertain (a Kalman filter's update, with the derivatives taken anew where it leads).
+    """
+    base = Inputs(path.position, path.rate, ball, np.zeros(6))
+    start = np.concatenate([np.ravel(each) for each in base])
+    spread = np.zeros((start.size, start.size))
+    at = 0
+    for block in (path.covariance, ball_covariance, club_covariance):
+        spread[at : at + len(block), at : at + len(block)] = block
+        at += len(block)
+    sizes = np.cumsum([each.size for each in base])[:-1]
+
+    def inputs(flat: Array) -> Inputs:
+        parts = np.split(flat, sizes, axis=-1)
+        return Inputs(*(part.reshape(*flat.shape[:-1], *each.shape) for part, each in zip(parts, base, strict=True)))
+
+    def outcome(flat: Array) -> Array:
+        """Return the delivery and the time of first touch, shape (..., 12)."""
+        values, time = deliver(inputs(flat), attitude, club, radius)
+        return np.concatenate([values, time[..., None]], -1)
+
+    def derivatives(flat: Array) -> Array:
+        varied = outcome(flat + STEP * np.concatenate([np.eye(flat.size), -np.eye(flat.size)]))
+        return (varied[: flat.size] - varied[flat.size :]).T / (2.0 * STEP)
+
+    flat, jacobian, surprise = start, derivatives(start), 0.0
+    if evidence is not None:
+        noise = np.diag(evidence.deviations**2)
+        for turn in range(UPDATES):
+            rows = jacobian[SEEN]
+            crossed = spread @ rows.T
+            expected = outcome(flat)[SEEN] + rows @ (start - flat)
+            total = rows @ crossed + noise
+            gain = np.linalg.solve(total, crossed.T).T
+            off = evidence.values - expected
+            if turn == 0:
+                surprise = float(np.sqrt(off @ np.linalg.solve(total, off) / len(off)))
+            flat = start + gain @ off
+            jacobian = derivatives(flat)
+        rows = jacobian[SEEN]
+        crossed = spread @ rows.T
+        spread = spread - crossed @ np.linalg.solve(rows @ crossed + noise, crossed.T)
+    found = outcome(flat)
+    covariance = jacobian[:-1] @ spread @ jacobian[:-1].T
+    return Reduced(found[:-1], float(found[-1]), 0.5 * (covariance + covariance.T), inputs(flat), surprise)
+
+
+def gap(position: Array, rotation: Array, ball: Array, club: Club, radius: float) -> tuple[Array, Array]:
+    """Return how far the ball is in front of the face [m], and its centre in face axes [m], frame by frame."""
+    face = rotation @ face_axes(club.loft)
+    centre = position + np.einsum("...ij,j->...i", rotation, np.array(club.cg))
+    local = np.einsum("...ji,...j->...i", face, ball - centre)
+    return nearest(local, club.bulge, club.roll)[0] - radius, local
+
+
+def _pose(given: Inputs, attitude: Array, club: Club, turned: Array, time: Array) -> tuple[Array, ...]:
+    """Return position, velocity, rotation, angular velocity, face centre and CG of the club at ``time``."""
+    place = series(given.position, time)
+    rate = series(given.rate, time) / TIME
+    rotation = exponential(place[..., 3:]) @ attitude
+    spin = np.einsum("...ij,...j->...i", left_jacobian(place[..., 3:]), rate[..., 3:])
+    arm = np.einsum("...ij,...j->...i", rotation, given.club[..., :3])
+    cg = place[..., :3] + arm
+    velocity = rate[..., :3] + np.cross(spin, arm)
+    rotation = rotation @ turned
+    return place[..., :3], velocity, rotation, spin, cg + np.einsum("...ij,j->...i", rotation, np.array(club.cg)), cg
+
+
+def series(coefficients: Array, time: Array) -> Array:
+    """Return what coefficients as of :class:`Path`, shape (..., n, 6), give at ``time`` [s], shape (..., 6)."""
+    powers = [(time / TIME) ** j / math.factorial(j) for j in range(coefficients.shape[-2])]
+    return np.einsum("...j,...ji->...i", np.stack(powers, -1), coefficients)

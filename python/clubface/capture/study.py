@@ -1,0 +1,299 @@
+"""How well the estimators read deliveries: bias, spread and coverage on swings whose truth is known."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from contextlib import nullcontext
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.capture.estimators import ESTIMATORS, ROUGHNESS, estimator
+from clubface.capture.reduction import QUANTITIES
+from clubface.capture.rotations import Array
+from clubface.capture.setup import Setup, prepare
+from clubface.capture.swing import capture
+from clubface.capture.synthetic.laboratory import (
+    BARE_RATE,
+    Cameras,
+    asked_at_random,
+    bare_map,
+    check_swings,
+    positions_map,
+    record_bare,
+)
+from clubface.capture.synthetic.synthetic_swing import LAUNCH, random_swing
+from clubface.equipment.clubs import Club, club as club_of
+from clubface.equipment.models import DEFAULT_MODEL, models
+from clubface.errors import FileError
+from clubface.jobs.resuming import Store
+from clubface.simulation.impact import impact
+from clubface.simulation.inputs import OF_CLUB
+from clubface.support.checks import without_warnings
+
+UNITS = {
+    name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
+    for name, dimension in OF_CLUB.items()
+}
+"""In which errors are told: m/s, deg, mm, deg/s."""
+OTHERWISE = "finish that study, or name another folder"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Study:
+    """Errors of the estimators on the same swings, in SI units.
+
+    Attributes
+    ----------
+    club
+        The club of the swings.
+    cameras
+        The laboratory.
+    errors
+        Captured minus true deliveries by estimator, shape (swings, 11), in the order of ``QUANTITIES``.
+    deviations
+        The standard deviations that the estimators state.
+    touches
+        Errors of the instant of first touch [s], shape (swings,).
+    truth
+        The true deliveries, shape (swings, 11).
+    """
+
+    club: Club
+    cameras: Cameras
+    errors: dict[str, Array]
+    deviations: dict[str, Array]
+    touches: dict[str, Array]
+    truth: Array
+
+    def __len__(self) -> int:
+        return len(next(iter(self.errors.values())))
+
+    def bias(self, name: str) -> dict[str, float]:
+        """Return the mean errors of an estimator by quantity [UNITS]."""
+        return _told(self.errors[name].mean(0))
+
+    def spread(self, name: str) -> dict[str, float]:
+        """Return the standard deviations of the errors of an estimator [UNITS]."""
+        return _told(self.errors[name].std(0, ddof=1))
+
+    def worst(self, name: str) -> dict[str, float]:
+        """Return the largest errors of an estimator [UNITS]."""
+        return _told(np.abs(self.errors[name]).max(0))
+
+    def stated(self, name: str) -> dict[str, float]:
+        """Return the root mean square of the standard deviations that an estimator states [UNITS]."""
+        return _told(np.sqrt((self.deviations[name] ** 2).mean(0)))
+
+    def coverage(self, name: str, level: float = 0.95) -> dict[str, float]:
+        """Return how often intervals of an estimator hold the truth, by quantity; refused swings do not count."""
+        half = NormalDist().inv_cdf(0.5 + 0.5 * level)
+        inside = np.abs(self.errors[name]) < half * self.deviations[name]
+        read = np.isfinite(self.errors[name][:, 0])
+        return dict(zip(QUANTITIES, inside[read].mean(0).tolist(), strict=True))
+
+    def launch_errors(self, name: str, model: str = DEFAULT_MODEL) -> dict[str, Array]:
+        """Return the error of a launch that is computed from the captured instead of the true deliveries.
+
+        Parameters
+        ----------
+        name
+            The estimator.
+        model
+            The model of the impact, with its published parameters.
+
+        Returns
+        -------
+        dict
+            ``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin`` [SI], shape (swings,).
+        """
+        true, seen = (
+            impact(self.club, dict(zip(QUANTITIES, values.T, strict=True)), model=model)
+            for values in (self.truth, self.truth + self.errors[name])
+        )
+        return {each: getattr(seen, each) - getattr(true, each) for each in LAUNCH}
+
+    def document(self) -> dict[str, Any]:
+        """Return all of it as plain values, in ``UNITS``."""
+        figures = ("bias", "spread", "worst", "stated", "coverage")
+        return {
+            "club": self.club.name,
+            "swings": len(self),
+            "rate_hz": self.cameras.rate,
+            "noise_mm": units.from_si(self.cameras.noise, "mm"),
+            "gaps": self.cameras.gaps,
+            "units": UNITS,
+            "estimators": {name: {key: getattr(self, key)(name) for key in figures} for name in self.errors},
+        }
+
+
+def study(
+    count: int = 200,
+    *,
+    club: str | Club = "driver",
+    hand: str | None = None,
+    cameras: Cameras | None = None,
+    estimators: Iterable[str] = tuple(ESTIMATORS),
+    roughness: float = ROUGHNESS,
+    seed: int = 1,
+    checkpoint: str | os.PathLike[str] | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Study:
+    """Read ``count`` synthetic swings with each estimator and compare the deliveries with the truth.
+
+    Parameters
+    ----------
+    count
+        Number of swings.
+    club, hand
+        The club, and the hand of the player.
+    cameras
+        The laboratory; 720 Hz and no noise if left out.
+    estimators
+        Names of the estimators.
+    roughness
+        Roughness for the smoother.
+    seed
+        The same seed gives the same swings and noise.
+    checkpoint
+        A folder that keeps the swings that are read, for the same study to go on after an interruption. It is removed
+        when all are.
+    progress
+        Called with the number of swings read and the number of swings.
+
+    Raises
+    ------
+    FileError
+        The checkpoint belongs to another study, or to a process that is running.
+    """
+    check_swings(count, seed)
+    seen = cameras or Cameras()
+    names = tuple(estimators)
+    for name in names:
+        estimator(name)
+    made = random_swing(0, club=club, hand=hand)
+    ready = {
+        name: prepare(positions_map(made.club, seen), made.club, estimator=name, roughness=roughness) for name in names
+    }
+    content = {"club": made.club.inputs(), "laboratory": seen, "estimator": [names, roughness], "seed": seed}
+
+    read = partial(read_swing, seed=seed, club=made.club, cameras=seen, ready=tuple(ready.values()))
+    rows = []
+    with nullcontext() if checkpoint is None else Store(Path(checkpoint), content, otherwise=OTHERWISE) as store:
+        try:
+            for number in range(count):
+                rows.append(read(number) if store is None else store.once(str(number), partial(read, number)))
+                if progress is not None:
+                    progress(number + 1, count)
+        except KeyboardInterrupt:
+            kept = "" if checkpoint is None else f"; they are in {checkpoint}, and the same command goes on after them"
+            raise KeyboardInterrupt(f"{len(rows)} of {count} swings are read{kept}") from None
+        if store is not None:
+            store.remove()
+    truths, errors, deviations, touches = (np.array(each) for each in zip(*rows, strict=True))
+    return Study(
+        club=made.club,
+        cameras=seen,
+        errors=dict(zip(names, errors.swapaxes(0, 1), strict=True)),
+        deviations=dict(zip(names, deviations.swapaxes(0, 1), strict=True)),
+        touches=dict(zip(names, touches.T, strict=True)),
+        truth=truths,
+    )
+
+
+def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: Iterable[Setup]) -> list[Any]:
+    """Return what readings of one synthetic swing give, a function of seed and number alone.
+
+    Parameters
+    ----------
+    number, seed
+        Which swing.
+    club, cameras
+        The club, and the laboratory.
+    ready
+        How it is read.
+
+    Returns
+    -------
+    list
+        The true delivery, shape (11,); then of the readings errors and stated deviations, shape (readings, 11), and
+        errors of the instant of first touch, all SI.
+    """
+    swing = random_swing(np.random.default_rng([seed, number, 0]), club=club)
+    truth = np.array([swing.truth[name] for name in QUANTITIES])
+    recording, first = cameras.record_from(swing, np.random.default_rng([seed, number, 1]))
+    found = [capture(recording, each) for each in ready]
+    errors = [[getattr(each.delivery, name) for name in QUANTITIES] - truth for each in found]
+    deviations = [[each.uncertainty[name] for name in QUANTITIES] for each in found]
+    return [truth.tolist(), np.array(errors).tolist(), deviations, [float(each.time + first) for each in found]]
+
+
+WAYS = ("address", "swing", "address, markers measured")
+"""How :func:`bare_study` reads a swing; the last with positions of the markers that are off by ``RULER``."""
+RULER = 5e-3
+"""Metres; standard deviation of positions taken with a ruler."""
+
+
+def bare_study(
+    count: int = 100,
+    *,
+    club: str | Club = "driver",
+    hand: str | None = None,
+    cameras: Cameras | None = None,
+    ways: Iterable[str] = WAYS,
+    seed: int = 1,
+) -> Study:
+    """Read synthetic swings that show three markers on the head and no ball, and compare with the truth.
+
+    What the reader assumes is drawn for every swing as widely as it is said to scatter: angles at address, the place of
+    the markers, lie and impact point. The blow is that of another published model from swing to swing, so that the
+    reader's own model is not the truth. The parameters are those of :func:`study`; errors are by the way of calibration
+    instead of the estimator, and a swing that is refused has NaN.
+    """
+    check_swings(count, seed)
+    seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)
+    head = club_of(club) if hand is None else club_of(club).replace(hand=hand)
+    names, blows = tuple(ways), tuple(models())
+    errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
+    touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)
+    for number in range(count):
+        asked = asked_at_random(np.random.default_rng([seed, number, 2]))
+        blow = blows[number % len(blows)]
+        with without_warnings():
+            swing = random_swing(np.random.default_rng([seed, number, 0]), club=head, hand=None, model=blow, **asked)
+        truths[number] = [swing.truth[name] for name in QUANTITIES]
+        bare = record_bare(swing, seen, np.random.default_rng([seed, number, 1]))
+        for place, name in enumerate(names):
+            by, _, measured = name.partition(", ")
+            off = RULER * np.random.default_rng([seed, number, 3]).normal(size=(len(bare.cluster), 3))
+            positions = np.array(list(bare.cluster.values())) + off
+            cluster = dict(zip(bare.cluster, map(tuple, positions.tolist()), strict=True)) if measured else None
+            mapping = bare_map(head, seen, by, cluster)
+            mapping = replace(mapping, accuracy=RULER) if measured else mapping
+            try:
+                found = capture(bare.recording, prepare(mapping, head))
+            except FileError:
+                continue
+            errors[place, number] = np.array([getattr(found.delivery, each) for each in QUANTITIES]) - truths[number]
+            deviations[place, number] = [found.uncertainty[each] for each in QUANTITIES]
+            touches[place, number] = found.time + bare.first
+    return Study(
+        club=head,
+        cameras=seen,
+        errors=dict(zip(names, errors, strict=True)),
+        deviations=dict(zip(names, deviations, strict=True)),
+        touches=dict(zip(names, touches, strict=True)),
+        truth=truths,
+    )
+
+
+def _told(values: Array) -> dict[str, float]:
+    return {
+        name: float(units.from_si(value, UNITS[name])) for name, value in zip(QUANTITIES, values.tolist(), strict=True)
+    }

@@ -1,0 +1,448 @@
+"""From recordings of swings to deliveries and tables of shots, joined with the launches of a monitor.
+
+From the recording of a swing to its delivery.
+
+Many recordings to one table of shots.
+
+Deliveries from motion capture and launches from a launch monitor, of the same shots, joined into one table.
+
+Each instrument misses shots of its own, so rows cannot be paired by counting. Both keep the order in which the shots
+were hit, and both see a part of each shot: ball speed and launch angle, and the speed of the clubhead. The pairs are
+the alignment of the two series with the least deviation, found by dynamic programming (S. B. Needleman and C. D.
+Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.capture import captured
+from clubface.capture.ball_flight import Launched, flight
+from clubface.capture.captured import NOT_PLAUSIBLE, CapturedDelivery, Trace
+from clubface.capture.filled import without_filled
+from clubface.capture.markers import AXES, MarkerMap
+from clubface.capture.meeting import meet
+from clubface.capture.recording import Recording, read_c3d
+from clubface.capture.reduction import QUANTITIES, Inputs, with_covariance
+from clubface.capture.rotations import angles, degrees_of_freedom, exponential
+from clubface.capture.setup import Options, Setup, prepare
+from clubface.capture.tracking import LEAST_MISFIT, Track, look_alikes, track
+from clubface.equipment.clubs import Club
+from clubface.errors import CaptureWarning, FileError, InputError
+from clubface.shots.recorded import RecordedShots, RejectedRow
+from clubface.simulation.inputs import Delivery
+from clubface.support.arrays import Floats
+
+ADVICE = (
+    "Do not use these figures: see which markers hide or stray in which frames (capture markers, --plot), cut the"
+    " recording to the frames of the swing, and check frames under [calibration], target and up under [laboratory], and"
+    " the club"
+)
+MIRROR = np.array([1.0, 1.0, -1.0])
+
+
+def read_swing(
+    path: str | os.PathLike[str],
+    mapping: str | os.PathLike[str] | MarkerMap,
+    club: str | os.PathLike[str] | Club,
+    **options: Unpack[Options],
+) -> CapturedDelivery:
+    """Read the delivery of one swing from a C3D file.
+
+    Parameters
+    ----------
+    path
+        The file.
+    mapping
+        Which marker is what: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
+    club
+        A built-in name, the path of a TOML file, or a :class:`Club`.
+    **options
+        ``estimator``: "smoother", "polynomial", or "linear", the straight lines of Caldwell and McPhee (2023).
+        ``roughness``: for the smoother, how much the path may depart from a quartic. ``ball``: its radius is used.
+        ``hand``: "right" or "left"; that of the club if left out. ``target`` and ``up``: axes of the laboratory such as
+        "+y", instead of those of the mapping. ``unit``: the unit of length, instead of the one the file names.
+        ``noise``: the standard deviation of a marker along an axis, such as "0.3 mm"; if left out, that of the mapping,
+        or an estimate from the residuals.
+
+    Raises
+    ------
+    FileError
+        The file cannot be read, markers are missing or do not fit, or the swing has no impact.
+    InputError
+        An option cannot be used, or the club is not that of the mapping.
+
+    Warns
+    -----
+    CaptureWarning
+        For each thing that was corrected or is doubtful; ``notes`` of the result holds them as well.
+    """
+    prepared = prepare(mapping, club, **options)
+    found = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
+    for note in found.notes:
+        warnings.warn(f"{found.source}: {note}", CaptureWarning, stacklevel=2)
+    return found
+
+
+def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
+    """Return the delivery of one recording; the errors are those of :func:`read_swing`."""
+    found = _captured(recording, setup)
+    if abs(found.delivery.path) > 0.5 * math.pi:
+        raise FileError(recording.path, None, _away(found, recording, setup))
+    return found
+
+
+def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
+    """Return the delivery of one recording, wherever the head goes."""
+    where, head, radius = recording.path, setup.club, setup.ball.radius
+    recording, left_out = without_filled(recording, setup.mapping.cluster)
+    turn, cluster = setup.turn(recording), setup.cluster(recording)
+    followed = track(cluster.shape, recording.markers(cluster.names) @ turn.T, cluster.names, where)
+    met = meet(recording, followed, cluster, setup, turn)
+    approach, noise, freedom = met.approach, met.noise, met.noise_freedom
+    reduced = with_covariance(
+        approach.path, met.ball.centre, approach.attitude, head, radius,
+        ball_covariance=met.ball_covariance, club_covariance=cluster.covariance, evidence=met.evidence,
+    )  # fmt: skip
+    covariance, touch = reduced.covariance, approach.touch + (reduced.time if met.evidence is not None else 0.0)
+    values = dict(zip(QUANTITIES, reduced.values.tolist(), strict=True))
+    if not (np.isfinite(reduced.values).all() and np.isfinite(covariance).all() and math.isfinite(touch)):
+        raise FileError(where, None, "the path of the clubhead does not lead to the ball")
+    deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
+    before = math.floor(touch * recording.rate)
+    bad = captured.implausible(values, deviations, head)
+    flown = flight(met.seen_ball, recording.times, met.ball, touch)
+    notes = [
+        *([f"{NOT_PLAUSIBLE}: {', '.join(bad)}. {ADVICE}"] if bad else []),
+        *left_out,
+        *captured.of_track(followed, cluster, recording.first_frame),
+        *captured.of_delivery(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
+        *captured.of_launch(values, head.replace(hand="right"), setup.ball, flown, touch),
+        *captured.of_fit(approach.path.misfit, before - int(approach.frames[-1]), freedom),
+        *met.notes(reduced.surprise),
+        *cluster.notes,
+        *(
+            f"the cluster looks the same with {words}: that could not be noticed"
+            for words in look_alikes(cluster.shape, cluster.names, LEAST_MISFIT)
+        ),
+    ]
+    flip = np.array([head.hand if name in ("path", "face") else 1.0 for name in QUANTITIES])
+    launch, launch_uncertainty = _launch(flown, head.hand)
+    return CapturedDelivery(
+        delivery=Delivery(
+            **{name: value * sign for (name, value), sign in zip(values.items(), flip.tolist(), strict=True)}
+        ),
+        uncertainty=deviations,
+        covariance=covariance * np.outer(flip, flip),
+        launch=launch,
+        launch_uncertainty=launch_uncertainty,
+        club=head,
+        estimator=setup.estimator,
+        time=touch,
+        frames=(before + recording.first_frame, before + recording.first_frame + 1),
+        used=len(approach.frames),
+        marker_noise=noise,
+        marker_noise_freedom=freedom,
+        misfit=approach.path.misfit,
+        notes=tuple(notes),
+        geometry=(*cluster.geometry, *met.geometry),
+        trace=_trace(recording, followed, reduced.inputs, setup),
+        source=where,
+    )
+
+
+def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
+    """Say what to do about a head that moves away from the target: turn the axis if that helps, and else not."""
+    away = "the clubhead moves away from the target"
+    mapping, given = setup.mapping, setup.mapping.target
+    if isinstance(given, str) and (setup.registration is None or mapping.way in ("positions", "face")):
+        for axis in (each for each in AXES if each[1] != mapping.up[1] and each != given):
+            try:
+                plausible = _captured(recording, replace(setup, mapping=replace(mapping, target=axis))).plausible
+            except FileError:
+                continue
+            if plausible:
+                return (
+                    f"{away}: turn the axis that points to it; {axis} gives a plausible delivery (target under"
+                    f" [laboratory], or --target={axis})"
+                )
+    address = "".join(f" ({note})" for note in result.notes if note.startswith("address taken"))
+    return f"{away} in frame {result.frames[0]}, where the impact seems to be. {result.notes[0]}{address}"
+
+
+def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) -> Trace:
+    """Return the head through the recording, the club where it was found to stand on its markers."""
+    head, rotation = setup.club, followed.poses.rotation
+    arm, turned = inputs.club[:3], rotation @ exponential(inputs.club[3:])
+    centre = followed.poses.position + rotation @ arm + turned @ np.array(head.cg)
+    loft, face, _ = angles(turned, head.loft)
+    squares = followed.poses.residuals**2
+    freedom = np.maximum(degrees_of_freedom(followed.poses.residuals), 1)
+    residual = np.where(followed.known, np.sqrt(np.nansum(squares, axis=(-1, -2)) / freedom), np.nan)
+    mirror = MIRROR if head.hand < 0 else np.ones(3)
+    return Trace(
+        recording.times, centre * mirror, loft, face * head.hand, residual, inputs.ball * mirror, setup.ball.radius
+    )
+
+
+def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[str, float]]:
+    """Return speed, launch angle and azimuth of the ball, and their standard deviations."""
+    if flown is None:
+        return {}, {}
+    speed, launch, azimuth = captured.directions(flown.velocity)
+    deviation = math.sqrt(float(flown.covariance[0, 0]))
+    return (
+        {"ball_speed": speed, "launch": launch, "azimuth": azimuth * hand},
+        {"ball_speed": deviation, "launch": deviation / speed, "azimuth": deviation / (speed * math.cos(launch))},
+    )
+
+
+LAUNCHES = ("ball_speed", "launch", "azimuth")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CapturedSwings:
+    """The deliveries of many recordings.
+
+    Attributes
+    ----------
+    captured
+        The deliveries that could be read, in the order of the files.
+    places
+        The place of each of them among the files, from 1.
+    rejected
+        The files that gave no delivery: their places and the reasons.
+    interrupted
+        Whether Ctrl-C ended the reading before the last file.
+    """
+
+    captured: tuple[CapturedDelivery, ...]
+    places: tuple[int, ...]
+    rejected: tuple[RejectedRow, ...]
+    interrupted: bool = False
+
+    def __len__(self) -> int:
+        return len(self.captured)
+
+    @property
+    def shots(self) -> RecordedShots:
+        """The table of deliveries and launches."""
+        return self._table("c3d", [_values(each) for each in self.captured], [each.launch for each in self.captured])
+
+    @property
+    def uncertainty(self) -> RecordedShots:
+        """A table like ``shots`` that holds the standard deviations."""
+        deviations = [each.uncertainty for each in self.captured]
+        return self._table("c3d standard deviations", deviations, [each.launch_uncertainty for each in self.captured])
+
+    def write(self, path: str | os.PathLike[str]) -> list[Path]:
+        """Write the shots to a CSV or Parquet file, and their standard deviations beside it: ``shots.sd.csv``."""
+        target = Path(path)
+        beside = target.with_name(f"{target.stem}.sd{target.suffix}")
+        self.shots.write(target)
+        self.uncertainty.write(beside)
+        return [target, beside]
+
+    def _table(self, kind: str, deliveries: list[dict[str, float]], launches: list[dict[str, float]]) -> RecordedShots:
+        if not self.captured:
+            raise InputError("swings", "none", "at least one swing that could be read")
+        seen = [name for name in LAUNCHES if any(name in each for each in launches)]
+        return RecordedShots(
+            deliveries={name: np.array([each[name] for each in deliveries]) for name in QUANTITIES},
+            launches={name: np.array([each.get(name, np.nan) for each in launches]) for name in seen},
+            clubs=np.array([each.club.name for each in self.captured], dtype=object),
+            hand=np.array(["left" if each.club.hand < 0 else "right" for each in self.captured], dtype=object),
+            rows=np.array(self.places, dtype=np.int64),
+            source=os.path.commonpath([Path(each.source).parent for each in self.captured]) or ".",
+            format=kind,
+            speed_at="cg",
+            face_at="face",
+            rejected=self.rejected,
+            notes=tuple(f"{Path(each.source).name}: {note}" for each in self.captured for note in each.notes),
+        )
+
+
+def read_swings(
+    paths: Iterable[str | os.PathLike[str]],
+    mapping: str | os.PathLike[str] | MarkerMap,
+    club: str | os.PathLike[str] | Club,
+    *,
+    progress: Callable[[int, int], object] | None = None,
+    **options: Unpack[Options],
+) -> CapturedSwings:
+    """Read the deliveries of many C3D files of one session: same club, markers and calibration.
+
+    A file that cannot be used is listed with its reason and does not stop the others. Ctrl-C ends the reading and keeps
+    what was read until then.
+
+    Parameters
+    ----------
+    paths
+        The files.
+    mapping, club, **options
+        As for :func:`read_swing`.
+    progress
+        Called with the number of files done and the number of files.
+    """
+    files = [os.fspath(path) for path in paths]
+    setup = prepare(mapping, club, **options)
+    captured: list[CapturedDelivery] = []
+    places: list[int] = []
+    rejected: list[RejectedRow] = []
+    interrupted = False
+    try:
+        for place, path in enumerate(files, 1):
+            try:
+                captured.append(capture(read_c3d(path, unit=setup.mapping.unit), setup))
+                places.append(place)
+            except FileError as error:
+                rejected.append(RejectedRow(place, str(error)))
+            if progress is not None:
+                progress(place, len(files))
+    except KeyboardInterrupt:
+        interrupted = True
+    return CapturedSwings(
+        captured=tuple(captured[: len(places)]), places=tuple(places), rejected=tuple(rejected), interrupted=interrupted
+    )
+
+
+def _values(found: CapturedDelivery) -> dict[str, float]:
+    return {name: getattr(found.delivery, name) for name in QUANTITIES}
+
+
+SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
+"""Differences [SI] beyond which two measurements are not of the same shot.
+
+Azimuth is not looked at: lines to the target may differ.
+"""
+ALONE = 0.25
+"""What a row without a partner costs: two of them as much as a pair that differs by 0.7 of what it may."""
+
+
+def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
+    """Return shots with the deliveries of one table and the launches of another.
+
+    Parameters
+    ----------
+    captured
+        The table whose deliveries are taken.
+    measured
+        The table whose launches and names of clubs are taken. Both tables are in the order in which the shots were hit.
+
+    Returns
+    -------
+    RecordedShots
+        The shots that both tables hold, with the rows of ``captured``. Rows without a partner are in ``rejected``.
+
+    Raises
+    ------
+    InputError
+        No quantity tells which shots are the same and the tables differ in length, or no pair was found.
+    """
+    for what, shots, values in (("captured", captured, captured.deliveries), ("measured", measured, measured.launches)):
+        if not len(shots) or not values:
+            kind = "deliveries" if shots is captured else "launches"
+            raise InputError(what, shots.source, f"shots with {kind}")
+    differences = _differences(captured, measured)
+    if differences:
+        pairs = _aligned(_costs(differences))
+        told = f"paired in their order by {', '.join(differences)}"
+    elif len(captured) == len(measured):
+        pairs = np.repeat(np.arange(len(captured))[:, None], 2, axis=1)
+        told = "paired by their order alone: both tables have nothing in common to tell shots by"
+    else:
+        raise InputError(
+            "measured", f"{len(measured)} shots", f"as many as captured, {len(captured)}, since the tables have none of"
+            f" {', '.join(SAME)} in common to tell which are the same",
+        )  # fmt: skip
+    if not len(pairs):
+        raise InputError("measured", measured.source, f"of the same shots as {captured.source}; not one pair is alike")
+    one, other = captured.select(pairs[:, 0]), measured.select(pairs[:, 1])
+    left = [*_rejected(captured, pairs[:, 0], measured), *_rejected(measured, pairs[:, 1], captured)]
+    return RecordedShots(
+        deliveries=one.deliveries, launches=other.launches, rows=one.rows,
+        clubs=one.clubs if other.clubs is None else other.clubs, hand=other.hand if one.hand is None else one.hand,
+        source=f"{captured.source} and {measured.source}", format="joined",
+        rejected=tuple(left),
+        notes=(*captured.notes, *measured.notes, told, *_turned(one, other)),
+        speed_at=captured.speed_at, face_at=captured.face_at,
+    )  # fmt: skip
+
+
+def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, Floats]:
+    """Return how much each shot of one table differs from each of the other, in parts of what is allowed."""
+    first, second = ({**each.deliveries, **each.launches} for each in (captured, measured))
+    found = {}
+    for name, allowed in SAME.items():
+        if name in first and name in second:
+            difference = (first[name][:, None] - second[name][None, :]) / allowed
+            if np.isfinite(difference).any():
+                found[name] = difference
+    return found
+
+
+def _costs(differences: dict[str, Floats]) -> Floats:
+    """Return what each pair costs, 0 to 1: the mean square of its differences, infinite where one is too large."""
+    every = np.array(list(differences.values()))
+    there = np.isfinite(every)
+    squares = np.where(there, every, 0.0) ** 2
+    count = there.sum(axis=0)
+    # A pair of which nothing can be compared is taken rather than left alone, and no other for it.
+    costs = np.where(count > 0, squares.sum(axis=0) / np.maximum(count, 1), ALONE)
+    return np.where((squares > 1.0).any(axis=0), np.inf, costs)
+
+
+def _aligned(costs: Floats) -> NDArray[np.int64]:
+    """Return the pairs, in order, whose costs and those of the rows left alone are least; shape (pairs, 2)."""
+    rows, columns = costs.shape
+    total = np.empty((rows + 1, columns + 1))
+    total[0], total[:, 0] = ALONE * np.arange(columns + 1), ALONE * np.arange(rows + 1)
+    for row in range(rows):
+        # A column left alone adds one to the place before: a running minimum, less the places passed.
+        best = np.minimum(total[row, 1:] + ALONE, total[row, :-1] + costs[row])
+        passed = ALONE * np.arange(columns + 1)
+        total[row + 1] = np.minimum.accumulate(np.concatenate([[total[row + 1, 0]], best]) - passed) + passed
+    pairs = []
+    row, column = rows, columns
+    while row and column:
+        if np.isclose(total[row, column], total[row - 1, column - 1] + costs[row - 1, column - 1], rtol=0, atol=1e-9):
+            row, column = row - 1, column - 1
+            pairs.append((row, column))
+        elif np.isclose(total[row, column], total[row - 1, column] + ALONE, rtol=0, atol=1e-9):
+            row -= 1
+        else:
+            column -= 1
+    return np.array(pairs[::-1], dtype=np.int64).reshape(-1, 2)
+
+
+def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedShots) -> list[RejectedRow]:
+    """Return the rows of a table that gave no shot, or one that the other does not have."""
+    alone = np.setdiff1d(np.arange(len(shots)), paired)
+    found = [*shots.rejected, *(RejectedRow(int(shots.rows[each]), f"not in {other.source}") for each in alone)]
+    found.sort(key=lambda each: each.line or 0)
+    return [each._replace(reason=f"{shots.source}: {each.reason}") for each in found]
+
+
+def _turned(one: RecordedShots, other: RecordedShots) -> list[str]:
+    """Return by how much the two lines to the target differ, where both saw the ball's direction."""
+    if not ("azimuth" in one.launches and "azimuth" in other.launches):
+        return []
+    difference = other.launches["azimuth"] - one.launches["azimuth"]
+    if not np.isfinite(difference).any():
+        return []
+    median = float(np.nanmedian(difference))
+    side = "right" if median > 0.0 else "left"
+    return [
+        f"the azimuth of {other.source} is further {side} by {units.show(abs(median), 'deg', 2)} (median) than that of"
+        f" {one.source}: if that is more than noise, the lines to the target differ"
+    ]

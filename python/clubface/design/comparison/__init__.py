@@ -1,1 +1,0 @@
-"""Shots side by side, their differences, and what makes them."""

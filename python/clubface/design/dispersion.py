@@ -1,0 +1,545 @@
+"""Where a golfer's shots go: deliveries carried through impact and flight, tallied, and written to files.
+
+Where a golfer's shots go: the distribution of deliveries carried through impact and flight by sampling.
+
+How a golfer's shots are hit: club, model, ball and conditions, and what comes of deliveries with them.
+
+Every shot of a dispersion as a row of a CSV or Parquet file, a chunk at a time.
+
+What any number of shots comes to in memory that does not grow: moments, fine histograms, a map of the landings.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.design.golfer import Golfer, club_of, golfer as golfer_named
+from clubface.design.strokes import AT_REST, Hole
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club, club as club_named
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import InputError, RangeWarning, ShotError, Told
+from clubface.shots.tables.headings import heading_of, shot_words
+from clubface.shots.tables.parquet import pyarrow_for
+from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
+from clubface.simulation.flight import Flight, fly
+from clubface.simulation.impact import Parameters, Tally as OutsideTally, Tally as RangeTally, impact
+from clubface.simulation.launch import Launch
+from clubface.simulation.results import SHOWN
+from clubface.support.arrays import Floats
+from clubface.support.checks import MOST_SEED, check_choice, check_count, check_share, warn_once, without_warnings
+from clubface.support.files import whole_file
+from clubface.units import SI_UNITS, from_si
+
+Sink = Callable[[Mapping[str, Floats], Mapping[str, Floats]], None]
+"""Takes the deliveries of a chunk and what came of them."""
+Write = Callable[[dict[str, Floats]], None]
+"""Takes the columns of a chunk by heading."""
+
+
+@contextmanager
+def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]:
+    """Open a file for shots; it has its name once the block is left, whole or not at all.
+
+    Columns carry their units. A shot without a result has empty cells (in Parquet nulls). Shots come in quasi-random
+    order, in which those that follow each other are more different than by chance. Rows are therefore shuffled within
+    each chunk, as ``seed`` has it: what is taken from their order, such as a drift, is then that of a session.
+    """
+    target = Path(path)
+    opened = _parquet if is_parquet(target) else _csv
+    random = np.random.default_rng(seed)
+    with whole_file(target) as file, opened(file, target) as write:
+
+        def take(deliveries: Mapping[str, Floats], values: Mapping[str, Floats]) -> None:
+            columns = _columns({**deliveries, **values})
+            order = random.permutation(len(next(iter(columns.values()))))
+            write({name: each[order] for name, each in columns.items()})
+
+        yield take
+
+
+def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:
+    dimensions = shot_words().dimensions
+    found = {}
+    for name, numbers in values.items():
+        heading, unit = heading_of(name, SI_UNITS[dimensions[name]])
+        found[heading] = from_si(np.asarray(numbers), unit)
+    return found
+
+
+@contextmanager
+def _csv(file: BinaryIO, target: Path) -> Iterator[Write]:
+    delimiter, begun = delimiter_of(target), False
+
+    def write(columns: dict[str, Floats]) -> None:
+        nonlocal begun
+        if not begun:
+            file.write(csv_lines([list(columns)], delimiter))
+            begun = True
+        file.write(csv_lines(zip(*map(number_cells, columns.values()), strict=True), delimiter))
+
+    yield write
+
+
+@contextmanager
+def _parquet(file: BinaryIO, target: Path) -> Iterator[Write]:
+    arrow = pyarrow_for(target)
+    writer: Any = None
+
+    def write(columns: dict[str, Floats]) -> None:
+        nonlocal writer
+        table = arrow.table({name: arrow.array(each, from_pandas=True) for name, each in columns.items()})
+        if writer is None:
+            writer = arrow.parquet.ParquetWriter(file, table.schema)
+        writer.write_table(table)
+
+    yield write
+    if writer is not None:
+        writer.close()
+
+
+Counts = NDArray[np.int64]
+
+
+class Scale(NamedTuple):
+    """How a quantity is counted: from where to where [SI], in how many bins. What lies beyond is in the end bins."""
+
+    least: float
+    most: float
+    bins: int
+
+
+LAUNCHED = {
+    "ball_speed": Scale(0.0, 125.0, 25_000),
+    "launch": Scale(-np.pi / 2, np.pi / 2, 36_000),
+    "azimuth": Scale(-np.pi / 2, np.pi / 2, 36_000),
+    "backspin": Scale(-1500.0, 1500.0, 30_000),
+    "sidespin": Scale(-1500.0, 1500.0, 30_000),
+}
+"""What is counted of launches: to 0.005 m/s, 0.005 degrees and 0.1 rad/s (1 rpm)."""
+FLOWN = {
+    "carry": Scale(0.0, 500.0, 25_000),
+    "side": Scale(-250.0, 250.0, 25_000),
+    "total": Scale(0.0, 500.0, 25_000),
+    "total_side": Scale(-250.0, 250.0, 25_000),
+}
+"""What is counted of flights: to 2 cm."""
+CELL = 0.5
+"""Side of a square of the map of landings [m]."""
+AHEAD, ASIDE = 1000, 800
+"""Squares of the map, to the target from the tee on, and across, half of them on either side."""
+
+
+@dataclass
+class Tally:
+    """Counts of shots; a shot with NaN is lost and counted as such.
+
+    Attributes
+    ----------
+    scales
+        How each quantity is counted.
+    centre
+        A value of each quantity near its mean, about which moments are summed.
+    """
+
+    scales: Mapping[str, Scale]
+    centre: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        self.shots = 0
+        self.lost = 0
+        self._bins: dict[str, Counts] = {name: np.zeros(of.bins, dtype=np.int64) for name, of in self.scales.items()}
+        self._sums = {name: np.zeros(2) for name in self.scales}
+        self._map: Counts = np.zeros(AHEAD * ASIDE if "carry" in self.scales else 0, dtype=np.int64)
+        self._landing = np.zeros(5)
+
+    @property
+    def counted(self) -> int:
+        """The number of shots with a result."""
+        return self.shots - self.lost
+
+    def add(self, values: Mapping[str, Floats]) -> None:
+        """Count shots, each quantity of shape (n,)."""
+        first = next(iter(self.scales))
+        last = "carry" if "carry" in self.scales else first
+        found = np.isfinite(values[last])
+        self.shots += len(found)
+        self.lost += len(found) - int(found.sum())
+        kept = {name: values[name] if found.all() else values[name][found] for name in self.scales}
+        for name, of in self.scales.items():
+            self._bins[name] += _counted(kept[name], of)
+            away = kept[name] - self.centre[name]
+            # No dot product: its sum may run in an order that threads decide.
+            self._sums[name] += away.sum(), (away * away).sum()
+        if "carry" in self.scales:
+            ahead, aside = forward(kept["carry"], kept["side"]), kept["side"]
+            row = np.clip(ahead / CELL, 0, AHEAD - 1).astype(np.int64)
+            column = np.clip(aside / CELL + ASIDE // 2, 0, ASIDE - 1).astype(np.int64)
+            self._map += np.bincount(row * ASIDE + column, minlength=AHEAD * ASIDE)
+            x, y = ahead - self.centre["carry"], aside
+            self._landing += x.sum(), y.sum(), (x * x).sum(), (x * y).sum(), (y * y).sum()
+
+    def mean(self, name: str) -> float:
+        """Return the mean of a quantity."""
+        check_choice("quantity", name, self.scales)
+        return self.centre[name] + float(self._sums[name][0]) / max(self.counted, 1)
+
+    def spread(self, name: str) -> float:
+        """Return the standard deviation of a quantity."""
+        check_choice("quantity", name, self.scales)
+        first, second = self._sums[name] / max(self.counted, 1)
+        return float(np.sqrt(max(second - first**2, 0.0)))
+
+    def quantile(self, name: str, share: float) -> float:
+        """Return the value below which the ``share`` of the shots lies, to a part of a bin."""
+        check_choice("quantity", name, self.scales)
+        check_share(share)
+        of = self.scales[name]
+        return of.least + _crossing(self._bins[name], share) * (of.most - of.least) / of.bins
+
+    def landing(self) -> tuple[Floats, Floats]:
+        """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings: ahead and to the right."""
+        ahead, aside, xx, xy, yy = self._landing / max(self.counted, 1)
+        covariance = np.array([[xx - ahead**2, xy - ahead * aside], [xy - ahead * aside, yy - aside**2]])
+        return np.array([self.centre["carry"] + ahead, aside]), covariance
+
+    def cells(self) -> tuple[Floats, Counts]:
+        """Return the middles of the squares with landings [m], shape (n, 2), and how many lie in each, shape (n,)."""
+        places = np.flatnonzero(self._map)
+        middles = np.stack([places // ASIDE + 0.5, places % ASIDE - ASIDE // 2 + 0.5], axis=1)
+        return np.multiply(CELL, middles, dtype=np.float64), self._map[places]
+
+    def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:
+        """Return edges [SI] and counts of bins about ``width`` wide, from the least shot to the greatest."""
+        of, counts = self.scales[name], self._bins[name]
+        step = (of.most - of.least) / of.bins
+        together = max(1, round(width / step))
+        filled = np.flatnonzero(counts)
+        first, last = (filled[0], filled[-1]) if len(filled) else (0, 0)
+        starts = np.arange(first, last + 1, together)
+        edges = np.append(starts, starts[-1] + together).astype(np.float64)
+        return of.least + step * edges, np.add.reduceat(counts, starts).astype(np.int64)
+
+
+def forward(distance: Floats, side: Floats) -> Floats:
+    """Return how far to the target a ball is [m] that is so far from the tee and from the target line."""
+    return np.sqrt(np.maximum(distance**2 - side**2, 0.0))
+
+
+def _counted(values: Floats, of: Scale) -> Counts:
+    place = np.clip((values - of.least) * (of.bins / (of.most - of.least)), 0, of.bins - 1).astype(np.int64)
+    return np.bincount(place, minlength=of.bins)
+
+
+def _crossing(counts: Counts, share: float) -> float:
+    """Return where, in bins from the first, the sum of the counts reaches the share, evenly within a bin."""
+    reached = np.cumsum(counts)
+    wanted = share * reached[-1]
+    place = int(np.searchsorted(reached, wanted))
+    place = min(place, len(counts) - 1)
+    before = reached[place] - counts[place]
+    return place + (float((wanted - before) / counts[place]) if counts[place] else 0.5)
+
+
+class Hitting(NamedTuple):
+    """How shots are hit; called with deliveries it gives the quantities by name, shape (n,), NaN for a lost shot."""
+
+    club: Club
+    model: str
+    parameters: Any = None
+    ball: Any = None
+    air: Any = None
+    wind: Any = None
+    ground: Any = None
+    flight: bool = True
+    threads: int | None = None
+    accuracy: float | None = None
+
+    def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
+        """Return what the mean delivery gives; if nothing, it is an error that says why."""
+        try:
+            launch, flight = self._hit(of.delivery(), "raise")
+        except ShotError as error:
+            if error.parameter not in of.variables:
+                raise
+            # By itself it would be taken for an option of the same name, such as the lie that a shot is played from.
+            raise InputError("golfer", of.name, f"one whose mean shot has a result: {error}") from None
+        found = {name: float(getattr(launch, name)) for name in LAUNCHED}
+        if flight is not None:
+            found |= {name: float(getattr(flight, name)) for name in FLOWN}
+        return launch, found
+
+    def __call__(
+        self,
+        deliveries: Mapping[str, Floats],
+        reasons: dict[str, str] | None = None,
+        outside: OutsideTally | None = None,
+    ) -> dict[str, Floats]:
+        """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
+        launch, flight = self._hit(deliveries, "nan")
+        if outside is not None:
+            outside.add(launch)
+        found = {name: getattr(launch, name) for name in LAUNCHED}
+        if flight is not None:
+            found |= {name: getattr(flight, name) for name in FLOWN}
+        if reasons is not None and not reasons:
+            for problem in (launch if flight is None else flight).problems:
+                reasons.setdefault(problem.parameter, problem.reason)
+        return found
+
+    def _hit(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
+        """Return launches and, if the balls fly, flights."""
+        with without_warnings(RangeWarning):  # it is told of all shots together
+            launch = impact(
+                self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
+                threads=self.threads, accuracy=self.accuracy, on_error=on_error,
+            )  # fmt: skip
+        if not self.flight:
+            return launch, None
+        flight = fly(
+            launch, air=self.air, wind=self.wind, ground=self.ground, threads=self.threads, on_error=on_error
+        )  # fmt: skip
+        return launch, flight
+
+
+CHUNK = 2**16
+"""Shots in memory at a time."""
+DRAWN = 2**11
+"""Shots whose landings are kept for pictures: the first."""
+MOST = 2**32
+COUNT = 2**14
+SHARES = (0.5, 0.9)
+"""What the landing ellipses hold of the shots unless told otherwise."""
+
+
+class Ellipse(NamedTuple):
+    """The ellipse, of the shape of the covariance of the landings, that holds a share of them.
+
+    Attributes
+    ----------
+    share
+        The share of the landings inside.
+    centre
+        Mean landing [m], ahead and to the right, shape (2,).
+    half_axes
+        Half the long and the short axis [m], shape (2,).
+    angle
+        From the target line to the long axis, to the right [rad].
+    """
+
+    share: float
+    centre: Floats
+    half_axes: Floats
+    angle: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Dispersion:
+    """Where the shots of a golfer go, SI and radians.
+
+    Attributes
+    ----------
+    golfer, club, ball, model
+        Who hits what, and what computed it.
+    seed
+        Of the quasi-random numbers.
+    tally
+        Means, spreads and quantiles of what launches and flights give, over the shots with a result.
+    mean_shot
+        What the mean delivery gives, by quantity [SI].
+    hole
+        The hole that strokes are counted on, or None.
+    strokes
+        Strokes expected after the shot, on average over the shots; NaN without a hole.
+    lies
+        Share of the shots that come to rest on green, fairway, rough and as recovery; empty without a hole.
+    points
+        The first landings [m], ahead and to the right, shape (n, 2), for pictures.
+    reasons
+        Why shots have no result, by the input at fault: one reason each, from the first shots that have none.
+    """
+
+    golfer: Golfer
+    club: Club
+    ball: Ball
+    model: str
+    seed: int
+    tally: Tally
+    mean_shot: Mapping[str, float]
+    hole: Hole | None
+    strokes: float
+    lies: Mapping[str, float]
+    points: Floats
+    reasons: Mapping[str, str]
+
+    def __repr__(self) -> str:
+        lost = f", {self.lost} without a result" * bool(self.lost)
+        lines = [f"{self.count} shots of {self.golfer.name} with {self.club.name} by {self.model}{lost}"]
+        for name in self.quantities:
+            unit, digits = SHOWN[name]
+            values = (f"{from_si(each, unit):.{digits}f}" for each in (self.mean(name), self.spread(name)))
+            lines.append(f"  {name:<12} {' ± '.join(values)} {unit}")
+        if self.hole is not None:
+            lines.append(f"  {'strokes':<12} {self.strokes:.3f} after the shot")
+        return "\n".join(lines)
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """The quantities counted."""
+        return tuple(self.tally.scales)
+
+    @property
+    def count(self) -> int:
+        """The number of shots, those without a result among them."""
+        return self.tally.shots
+
+    @property
+    def lost(self) -> int:
+        """The number of shots without a result, such as those that miss the face."""
+        return self.tally.lost
+
+    def mean(self, name: str) -> float:
+        """Return the mean of a quantity."""
+        return self.tally.mean(name)
+
+    def spread(self, name: str) -> float:
+        """Return the standard deviation of a quantity."""
+        return self.tally.spread(name)
+
+    def quantile(self, name: str, share: float) -> float:
+        """Return the value below which a share of the shots lies."""
+        return self.tally.quantile(name, share)
+
+    @property
+    def gained(self) -> float:
+        """Strokes gained by the shot on the PGA Tour's average: expected before, less expected after and the shot."""
+        return self.hole.before() - self.strokes - 1.0 if self.hole is not None else float("nan")
+
+    def ellipse(self, share: float) -> Ellipse:
+        """Return the ellipse of the landings that holds a share of them."""
+        check_share(share)
+        if not self.points.size:
+            raise InputError("share", share, "asked of shots that fly and come down")
+        centre, covariance = self.tally.landing()
+        # The squares of the map spread evenly within themselves.
+        covariance = covariance + 1e-12 * np.eye(2)
+        middles, counts = self.tally.cells()
+        away = middles - centre
+        distance = np.sqrt(np.einsum("ni,ij,nj->n", away, np.linalg.inv(covariance), away))
+        order = np.argsort(distance, kind="stable")
+        reached = np.cumsum(counts[order]) - 0.5 * counts[order]
+        size = float(np.interp(share * counts.sum(), reached, distance[order]))
+        values, vectors = np.linalg.eigh(covariance)
+        long = vectors[:, 1] * (1.0 if vectors[0, 1] >= 0.0 else -1.0)
+        return Ellipse(share, centre, size * np.sqrt(values[::-1]), float(np.arctan2(long[1], long[0])))
+
+
+def dispersion(
+    golfer: str | os.PathLike[str] | Golfer,
+    club: str | os.PathLike[str] | Club | None = None,
+    *,
+    count: int = COUNT,
+    seed: int = 0,
+    model: str = DEFAULT_MODEL,
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    flight: bool = True,
+    hole: Hole | None = None,
+    threads: int | None = None,
+    accuracy: float | None = None,
+    each: Callable[[Mapping[str, Floats], Mapping[str, Floats]], object] | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Dispersion:
+    """Hit a golfer's shots and sum up where they go.
+
+    Memory does not grow with the number of shots, and the same seed gives the same shots whatever their number.
+
+    Parameters
+    ----------
+    golfer
+        A shipped golfer's name, the path of a TOML file, or a :class:`Golfer`. For a club of the other hand the golfer
+        is mirrored.
+    club
+        As for :func:`impact`; left out, that of the golfer, of the golfer's hand.
+    count
+        How many shots; powers of two cover the distribution most evenly.
+    seed
+        Another seed gives other shots.
+    model, parameters, ball, accuracy, threads
+        As for :func:`impact`.
+    air, wind, ground
+        As for :func:`fly`.
+    flight
+        Whether the balls fly; without, launches alone are counted.
+    hole
+        A :class:`Hole` on which strokes are counted, or None.
+    each
+        Called with the deliveries of some shots and what came of them, by name in SI units, chunk after chunk.
+    progress
+        Called with the number of shots done and that of all.
+    """
+    count, seed = check_count("count", count, 1, MOST), check_count("seed", seed, 0, MOST_SEED)
+    of_golfer = golfer_named(golfer)
+    of_club = club_named(club_of(of_golfer)).replace(hand=of_golfer.hand) if club is None else club_named(club)
+    of_golfer = of_golfer.for_hand(of_club.hand)
+    if hole is not None and not isinstance(hole, Hole):
+        raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')
+    for name, value in (("hole", hole), ("air", air), ("wind", wind), ("ground", ground)):
+        if not flight and value is not None and not (isinstance(value, Mapping) and not value):
+            raise InputError(name, Told("given"), "left out where the balls do not fly")
+    hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
+    launch, mean_shot = hit.mean(of_golfer)
+    tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
+    strokes, points, reasons = 0.0, [], {}
+    lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
+    outside = RangeTally()
+    for start in range(0, count, CHUNK):
+        some = min(CHUNK, count - start)
+        deliveries = of_golfer.sample(some, seed=seed, start=start)
+        values = hit(deliveries, reasons, outside)
+        tally.add(values)
+        if each is not None:
+            each(deliveries, values)
+        if flight:
+            if start < DRAWN:
+                points.append(_landings(values["carry"][: DRAWN - start], values["side"][: DRAWN - start]))
+            if hole is not None:
+                strokes += _count_strokes(hole, values, lies)
+        if progress is not None:
+            progress(start + some, count)
+    if tally.counted == 0:
+        raise InputError("golfer", of_golfer.name, f"one whose shots have a result: {next(iter(reasons.values()))}")
+    if remark := outside.remark():
+        warn_once(remark, RangeWarning)
+    return Dispersion(
+        golfer=of_golfer, club=of_club, ball=launch.ball, model=model, seed=seed, tally=tally, mean_shot=mean_shot,
+        hole=hole, strokes=strokes / tally.counted if hole is not None else float("nan"),
+        lies={name: number / tally.counted for name, number in lies.items()} if hole is not None else {},
+        points=np.concatenate(points) if points else np.empty((0, 2)), reasons=reasons,
+    )  # fmt: skip
+
+
+def _landings(carry: Floats, side: Floats) -> Floats:
+    found = np.stack([forward(carry, side), side], axis=1)
+    return found[np.isfinite(found).all(axis=1)]
+
+
+def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int]) -> float:
+    """Return the sum of the strokes expected after the shots with a result, and count their lies."""
+    kept = np.isfinite(values["carry"])
+    ahead, aside = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
+    names, counts = np.unique(hole.lies(ahead, aside), return_counts=True)
+    for name, number in zip(names, counts, strict=True):
+        lies[str(name)] += int(number)
+    return float(hole.after(ahead, aside).sum())

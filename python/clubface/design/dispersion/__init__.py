@@ -1,1 +1,0 @@
-"""Where the shots of a golfer go: by sampling, by derivatives, and what spreads them."""

@@ -1,0 +1,429 @@
+"""A face struck everywhere: maps, their differences, the best point and forgiveness.
+
+A face struck everywhere: launch and flight over it, its best point, and what a spread of impacts costs.
+
+One face less another: what a change of the club does at each point.
+
+What impacts that scatter over a face cost: the mean and the spread of their launches and flights.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.design.contributions import QUANTITIES, quantities, symbol
+from clubface.design.face_surface import Outline, Struck, Surface, outline_of, run_points, surface_of
+from clubface.equipment.backends import MODULES
+from clubface.equipment.clubs import Club, club as club_of
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import InputError, RangeWarning, RunError, Told
+from clubface.simulation.flight import check_conditions
+from clubface.simulation.impact import impact
+from clubface.simulation.inputs import as_values
+from clubface.simulation.launch import Launch
+from clubface.simulation.results import attributes, flattened, outputs
+from clubface.support.checks import check_choice, check_share, check_text, is_count, is_number, without_warnings
+
+if TYPE_CHECKING:
+    import xarray
+
+
+NODES = 40
+"""Of Gauss's rule across the face and up it."""
+REACH = 6.0
+"""Standard deviations to each side that are counted."""
+
+
+class Forgiveness(NamedTuple):
+    """What impacts around a point cost.
+
+    Attributes
+    ----------
+    toe, high
+        The point they scatter about [m].
+    toe_deviation, high_deviation
+        Their standard deviations [m].
+    missed
+        The share of swings that miss the face, of which nothing else is counted.
+    mean, deviation
+        Mean and standard deviation of every quantity of a map [SI], by name.
+    loss
+        By how much the mean is below the value at the point they scatter about [SI], by name.
+    """
+
+    toe: float
+    high: float
+    toe_deviation: float
+    high_deviation: float
+    missed: float
+    mean: dict[str, float]
+    deviation: dict[str, float]
+    loss: dict[str, float]
+
+
+def forgiveness(surface: Surface, outline: Outline, spread: tuple[Any, Any], toe: Any, high: Any) -> Forgiveness:
+    """Return what impacts cost that scatter over a face; see :meth:`clubface.FaceMap.forgiveness`.
+
+    Expectations are integrals over the face by Gauss's rule: across it, and at each place from its lower to its upper
+    edge.
+    """
+    if not isinstance(spread, (tuple, list)) or len(spread) != 2:
+        raise InputError("spread", spread, "two standard deviations, towards the toe and upwards")
+    deviations = [units.parse(each, "length", name="spread") for each in spread]
+    about = [units.parse(each, "length", name=name) for each, name in ((toe, "toe"), (high, "high"))]
+    size = outline.greatest - outline.least
+    for each, most in zip(deviations, size, strict=True):
+        if not 0.0 < each <= most:
+            raise InputError("spread", units.show(each, "mm"), f"above 0 and at most {units.show(most, 'mm', 3)}")
+    if not outline.holds(*about):
+        raise InputError("the point", ", ".join(units.show(each, "mm") for each in about), "on the face")
+    across, up, weights = _rule(outline, about, deviations)
+    table = surface.at(across, up)
+    good = np.isfinite(table).all(axis=0)
+    weights = np.where(good, weights, 0.0)
+    hit = float(weights.sum())
+    table = np.where(good, table, 0.0)
+    mean = table @ weights / hit
+    deviation = np.sqrt(np.maximum((table - mean[:, None]) ** 2 @ weights / hit, 0.0))
+    middle = surface.at(np.array([about[0]]), np.array([about[1]]))[:, 0]
+    named = [dict(zip(QUANTITIES, map(float, each), strict=True)) for each in (mean, deviation, middle - mean)]
+    return Forgiveness(about[0], about[1], deviations[0], deviations[1], max(0.0, 1.0 - hit), *named)
+
+
+def _rule(
+    outline: Outline, about: list[float], deviations: list[float]
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Return points of the face and their weights, which add up to the share of swings that hit it."""
+    places, weights = np.polynomial.legendre.leggauss(NODES)
+    left = max(float(outline.least[0]), about[0] - REACH * deviations[0])
+    right = min(float(outline.greatest[0]), about[0] + REACH * deviations[0])
+    across = left + (right - left) * (0.5 + 0.5 * places)
+    by_toe = weights * 0.5 * (right - left) * _density(across, about[0], deviations[0])
+    low, top = outline.extent(across)
+    low = np.maximum(low, about[1] - REACH * deviations[1])
+    top = np.maximum(np.minimum(top, about[1] + REACH * deviations[1]), low)
+    up = low[:, None] + (top - low)[:, None] * (0.5 + 0.5 * places)
+    by_high = weights * 0.5 * (top - low)[:, None] * _density(up, about[1], deviations[1])
+    return np.repeat(across, NODES), up.reshape(-1), (by_toe[:, None] * by_high).reshape(-1)
+
+
+def _density(values: NDArray[Any], middle: float, deviation: float) -> NDArray[Any]:
+    return np.exp(-0.5 * ((values - middle) / deviation) ** 2) / (deviation * math.sqrt(2.0 * math.pi))
+
+
+GRID = (101, 101)
+COARSE = (9, 7)
+"""Points towards the toe and upwards, unless given: of a model that computes at once, and of one that takes long."""
+LEAST, MOST = 3, 2001
+"""Points along a side of a grid."""
+MOST_LONG = 1000
+"""Points of a model that takes long."""
+SHARE = 0.98
+"""Of the best ball speed: what is within counts as the effective face."""
+
+
+class Best(NamedTuple):
+    """Where a quantity is greatest.
+
+    Attributes
+    ----------
+    toe, high
+        The point [m].
+    value
+        The quantity there [SI].
+    """
+
+    toe: float
+    high: float
+    value: float
+
+
+class FaceMap:
+    """Launch and flight over a face, SI; arrays have the shape (high, toe), NaN beside the face.
+
+    Attributes
+    ----------
+    toe, high
+        The points of the grid [m], from the face centre towards the toe and upwards.
+    outline
+        The outline of the face.
+    centre
+        A launch at the face centre, which tells model, parameters, club, ball and delivery.
+    interpolated
+        Whether values between the points, the best point, areas and forgiveness are interpolated. They are for a model
+        that takes long; any other computes them.
+    """
+
+    def __init__(
+        self, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any], outline: Outline, surface: Surface,
+        centre: Launch,
+    ) -> None:  # fmt: skip
+        self.toe, self.high, self.outline, self.centre = toe, high, outline, centre
+        self.surface = surface
+        self._table = table
+        self.interpolated = surface.interpolated
+
+    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+        """Return a quantity over the grid, in SI or in ``unit``."""
+        check_choice("quantity", name, QUANTITIES)
+        values = self._table[QUANTITIES.index(name)]
+        return values if unit is None else units.from_si(values, symbol(name, unit))
+
+    def at(self, toe: Any, high: Any) -> dict[str, NDArray[Any]]:
+        """Return all quantities [SI] at points [m] of the face, by name."""
+        toe, high = np.broadcast_arrays(
+            units.parse_values(toe, "length", name="toe"), units.parse_values(high, "length", name="high")
+        )
+        found = self.surface.at(toe.reshape(-1), high.reshape(-1))
+        return {name: row.reshape(toe.shape) for name, row in zip(QUANTITIES, found, strict=True)}
+
+    def best(self, name: str = "ball_speed") -> Best:
+        """Return where a quantity is greatest; for ball speed that is the sweet spot."""
+        check_choice("quantity", name, QUANTITIES)
+        return Best(*self.surface.greatest(QUANTITIES.index(name)))
+
+    def area(self, share: float = SHARE) -> float:
+        """Return the area [m2] of the face on which the ball speed is at least a ``share`` of the best."""
+        check_share(share)
+        return self.surface.area(QUANTITIES.index("ball_speed"), share * self.best().value)
+
+    def forgiveness(self, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
+        """Return what impacts cost that scatter about a point, normally and towards the toe and upwards independently.
+
+        Parameters
+        ----------
+        spread
+            Standard deviations towards the toe and upwards [m], or text with a unit.
+        toe, high
+            The point they scatter about [m], or text with a unit; the face centre unless given.
+
+        Raises
+        ------
+        InputError
+            A standard deviation is not above 0 or larger than the face, or the point is not on the face.
+        """
+        return forgiveness(self.surface, self.outline, spread, toe, high)
+
+    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face.
+
+        It reaches beyond the outline, so that a picture can be cut along it, and is fine where the grid is coarse.
+        """
+        check_choice("quantity", name, QUANTITIES)
+        toe, high, table = self.surface.box()
+        return toe, high, table[QUANTITIES.index(name)]
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
+        return on_face(self)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset over ``high`` and ``toe`` [SI], with units, meanings and what it was computed with."""
+        import xarray
+
+        variables = {
+            name: (("high", "toe"), self.get(name), attributes(each.unit, each.meaning))
+            for name, each in quantities().items()
+        }
+        attrs = {**flattened(self.centre.provenance), "outline": self.outline.told}
+        return xarray.Dataset(variables, {"toe": self.toe, "high": self.high}, attrs=attrs)
+
+    def __repr__(self) -> str:
+        speeds = self.get("ball_speed")
+        up, across = np.unravel_index(np.nanargmax(speeds), speeds.shape)
+        place = ", ".join(units.fixed(float(each), "mm", 1) for each in (self.toe[across], self.high[up]))
+        return (
+            f"map of the face of {self.centre.club.name} by {self.centre.model}, {len(self.toe)} by {len(self.high)}:"
+            f" greatest ball speed of its points {units.fixed(float(speeds[up, across]), 'mph', 1)} at {place}"
+        )
+
+
+def on_face(of: Any) -> dict[str, NDArray[Any]]:
+    """Return ``toe``, ``high`` and every quantity [SI] of a map, or of a difference, at the points of the face."""
+    toe, high = np.meshgrid(of.toe, of.high)
+    inside = of.outline.holds(toe, high)
+    return {"toe": toe[inside], "high": high[inside], **{name: of.get(name)[inside] for name in QUANTITIES}}
+
+
+def map_face(
+    club: str | os.PathLike[str] | Club,
+    delivery: Any = None,
+    *,
+    model: str = DEFAULT_MODEL,
+    parameters: Any = None,
+    ball: Any = None,
+    accuracy: float | None = None,
+    grid: tuple[int, int] | None = None,
+    points: tuple[Any, Any] | None = None,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    output: str | os.PathLike[str] | None = None,
+    workers: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+    **values: Any,
+) -> FaceMap:
+    """Strike a face everywhere.
+
+    The clubhead is delivered in the same way at every point; dynamic loft and face angle are those at the face centre,
+    to which bulge and roll add what they do. Each point is the shot that :func:`clubface.impact` and
+    :func:`clubface.fly` give, bit for bit.
+
+    Parameters
+    ----------
+    club, delivery, model, parameters, ball, accuracy, **values
+        As for :func:`clubface.impact`, for a single shot without ``toe`` and ``high``.
+    grid
+        Numbers of points towards the toe and upwards, over the box around the face; left out, 101 by 101, or 9 by 7 for
+        a model that takes long.
+    points
+        Instead of a grid: the places towards the toe and upwards [m], each rising.
+    air, wind, ground
+        Of the flights, as for :func:`clubface.fly`.
+    output
+        For a model that takes long: a file. What is finished is kept in a folder beside it until the file is written,
+        and the same call goes on after it.
+    workers
+        For a model that takes long: points at a time; left out, one for each core.
+    progress
+        Called with the number of points done and the number of points.
+
+    Raises
+    ------
+    InputError
+        The delivery is no single shot or says where the ball is struck, the grid is too coarse or too fine, or an
+        option has no effect on this model.
+    RunError
+        No point of the face has a shot.
+    """
+    chosen = club_of(club)
+    check_conditions(air, wind, ground)
+    check_text("model", model)
+    if workers is not None and model not in MODULES:
+        raise InputError("workers", workers, f"leave it out: {model} computes all points at once")
+    given = dict(as_values(delivery, values))
+    for name in ("toe", "high"):
+        struck = given.pop(name, None)  # a Delivery has zeros there
+        if struck is not None and not (is_number(struck) and struck == 0.0):
+            raise InputError(name, struck, "left out or zero: a map strikes the whole face")
+    if model in MODULES:
+        from clubface.simulation.impact import backend_of
+        from clubface.simulation.inputs import equipped, shots
+
+        described = backend_of(model).balls(ball, accuracy).described
+        with_, found = equipped(model, chosen, described, parameters)
+        with without_warnings(RangeWarning):
+            impact(chosen, given, ball=described)  # refuses a delivery that no model takes
+        hit = shots(with_, given)
+        centre = Launch(np.full((len(outputs()), 1), np.nan), hit, model, found, accuracy)
+    else:
+        with without_warnings(RangeWarning):
+            centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
+    conditions = {"air": air, "wind": wind, "ground": ground}
+    settled = Struck(chosen, model, centre.parameters, ball, accuracy, given, conditions)
+    if centre.shape:
+        raise InputError("delivery", Told(f"a batch of shape {centre.shape}"), "a single one")
+    outline = outline_of(chosen)
+    toe, high = _points(outline, grid, points, long=settled.takes_long)
+    across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
+    if settled.takes_long:
+        inside = outline.holds(across, up)
+        table = np.full((len(QUANTITIES), across.size), np.nan)
+        table[:, inside] = run_points(
+            settled, across[inside], up[inside], output=output, workers=workers, progress=progress
+        )
+    else:
+        told = progress and (lambda done: progress(done, across.size))
+        table = settled.at(across, up, remark=True, progress=told)
+    surface = surface_of(settled, outline, toe, high, table)
+    table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
+    if not np.isfinite(table).any():
+        raise RunError("no point of the face has a shot")
+    return FaceMap(toe, high, table, outline, surface, centre)
+
+
+def checked_grid(grid: Any) -> tuple[int, int]:
+    """Return how many points a grid has towards the toe and upwards."""
+    asked = tuple(grid) if isinstance(grid, Iterable) else ()
+    if len(asked) != 2 or not all(is_count(each, LEAST, MOST) for each in asked):
+        raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
+    return int(asked[0]), int(asked[1])
+
+
+def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return the places towards the toe and upwards [m]."""
+    if points is not None:
+        if grid is not None:
+            raise InputError("grid", grid, "leave out either points or grid")
+        if not isinstance(points, (tuple, list)) or len(points) != 2:
+            raise InputError("points", points, "the places towards the toe and upwards")
+        toe, high = (np.atleast_1d(units.parse_values(each, "length", name="points")) for each in points)
+        for each in (toe, high):
+            rising = each.ndim == 1 and np.isfinite(each).all() and (np.diff(each) > 0.0).all()
+            if not rising or not 1 <= each.size <= MOST:
+                raise InputError("points", each, f"1 to {MOST} places one after the other, each rising")
+        counts = (len(toe), len(high))
+    else:
+        counts = checked_grid((COARSE if long else GRID) if grid is None else grid)
+        ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)
+        toe, high = (np.linspace(least, greatest, count) for least, greatest, count in ends)
+    if long and counts[0] * counts[1] > MOST_LONG:
+        raise InputError(
+            "grid", f"{counts[0]} by {counts[1]}", f"at most {MOST_LONG} points for a model that takes long"
+        )
+    return toe, high
+
+
+class FaceMapDifference:
+    """The map of one face less that of another, over the points they share.
+
+    Attributes
+    ----------
+    first, second
+        The maps; the second is taken from the first.
+    toe, high
+        The points of the grid [m].
+    outline
+        That of the first face.
+    """
+
+    def __init__(self, first: FaceMap, second: FaceMap) -> None:
+        for name, each in (("first", first), ("second", second)):
+            if not isinstance(each, FaceMap):
+                raise InputError(name, each, "a map, as of clubface.map_face")
+        if not (np.array_equal(first.toe, second.toe) and np.array_equal(first.high, second.high)):
+            told = Told("maps of other points")
+            raise InputError("second", told, "a map of the points of the first: points=(first.toe, first.high)")
+        self.first, self.second = first, second
+        self.toe, self.high, self.outline = first.toe, first.high, first.outline
+
+    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+        """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either has no shot."""
+        found = self.first.get(name) - self.second.get(name)
+        return found if unit is None else found / units.size(symbol(name, unit))
+
+    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return what :meth:`FaceMap.box` does of the difference; NaN beside a second face of another outline."""
+        check_choice("quantity", name, QUANTITIES)
+        toe, high, values = self.first.box(name)
+        across, up = np.meshgrid(toe, high)
+        if self.second.interpolated:
+            other = self.second.surface.at(across.reshape(-1), up.reshape(-1))[QUANTITIES.index(name)]
+            other = other.reshape(values.shape)
+        else:
+            other = self.second.box(name)[2]
+        found = values - other
+        if not np.array_equal(self.outline.corners, self.second.outline.corners):
+            found = np.where(self.second.outline.holds(across, up), found, np.nan)
+        return toe, high, found
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Return a long table [SI]: ``toe``, ``high`` and the difference of every quantity, a row for each point."""
+        return on_face(self)

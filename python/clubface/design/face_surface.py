@@ -1,0 +1,477 @@
+"""Launch and flight anywhere on a face: its outline, impacts at points, and interpolation between them.
+
+Quantities anywhere on a face: computed there, or interpolated where a model takes too long for that.
+
+Impacts at points of a face and the flights after them, by any model.
+
+The outline of a face: that of a meshed head, or one assumed from the width and the height of the club.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.design.contributions import FLOWN, LAUNCHED, QUANTITIES
+from clubface.equipment.backends import MODULES
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import turn_to_sole
+from clubface.errors import RangeWarning, RunError, ShotError
+from clubface.jobs.resuming import Store, unfinished
+from clubface.simulation.flight import BALL, SPIN, VELOCITY, fly
+from clubface.simulation.impact import Tally, impact
+from clubface.simulation.results import outputs
+from clubface.support.checks import is_silent, without_warnings
+
+CHUNK = 2**16
+"""Points in memory at a time."""
+
+
+class Struck(NamedTuple):
+    """How a face is struck: everything but where.
+
+    Attributes
+    ----------
+    club, model, parameters, ball, accuracy
+        As for :func:`clubface.impact`.
+    delivery
+        The values [SI] but ``toe`` and ``high``.
+    conditions
+        Air, wind and ground of the flights.
+    """
+
+    club: Club
+    model: str
+    parameters: Any
+    ball: Any
+    accuracy: float | None
+    delivery: Mapping[str, Any]
+    conditions: Mapping[str, Any]
+
+    @property
+    def takes_long(self) -> bool:
+        """Whether the model takes about a second a shot, so that points of the face are few."""
+        return self.model in MODULES
+
+    def at(
+        self,
+        toe: NDArray[Any],
+        high: NDArray[Any],
+        *,
+        remark: bool = False,
+        progress: Callable[[int], object] | None = None,
+    ) -> NDArray[Any]:
+        """Return ``QUANTITIES`` [SI] at points [m], shape (quantities, points); NaN where there is no shot.
+
+        With ``remark`` it warns of shots outside the range of the model. ``progress`` is called with the number of
+        points done.
+        """
+        found, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
+        for start in range(0, toe.size, CHUNK):
+            some = slice(start, start + CHUNK)
+            with without_warnings(RangeWarning):
+                launch = impact(
+                    self.club, {**self.delivery, "toe": toe[some], "high": high[some]}, model=self.model,
+                    parameters=self.parameters, ball=self.ball, accuracy=self.accuracy, on_error="nan",
+                    progress=progress and partial(_told, progress, start),
+                )  # fmt: skip
+                flight = fly(launch, **self.conditions, on_error="nan")
+            outside.add(launch)
+            found[:, some] = [(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES]
+        if remark and not is_silent(RangeWarning):
+            outside.warn()
+        return found
+
+
+def run_points(
+    struck: Struck,
+    toe: NDArray[Any],
+    high: NDArray[Any],
+    *,
+    output: str | os.PathLike[str] | None,
+    workers: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> NDArray[Any]:
+    """Return what :meth:`Struck.at` does, point after point by finite elements, one point on each core.
+
+    Parameters
+    ----------
+    struck
+        How the face is struck, by finite elements.
+    toe, high
+        Points [m].
+    output
+        A file. What is finished is kept in a folder beside it, and the same call goes on after it.
+    workers
+        Points at a time; left out, one for each core.
+    progress
+        Called with the number of points done and the number of points.
+    """
+    from clubface.fem.run import side_by_side, strike, workers_of
+    from clubface.fem.settings import Settings
+
+    workers_of(workers)
+    places = list(zip(toe.tolist(), high.tolist(), strict=True))
+    friction = struck.parameters.values["friction"]
+    found: dict[tuple[float, float], list[float | None]] = {}
+
+    def run(
+        place: tuple[float, float], keep_going: Callable[[float, float], object], threads: int
+    ) -> list[float | None]:
+        try:
+            result = strike(
+                struck.club, {**struck.delivery, "toe": place[0], "high": place[1]}, which=struck.ball,
+                friction=friction, settings=Settings(until_separation=True, threads=threads), progress=keep_going,
+            )  # fmt: skip
+        except ShotError:
+            return [None] * len(outputs())
+        launch = result.launch
+        if launch is None or result.stopped is not None:
+            return [None] * len(outputs())
+        return [_or_none(float(launch.get(name))) for name in outputs()]
+
+    with _store(output, struck, places) as store:
+        if store is not None:
+            found = {place: store[_name(place)] for place in places if _name(place) in store}
+
+        def ended(place: tuple[float, float], row: list[float | None]) -> None:
+            found[place] = row
+            if store is not None:
+                store.keep(_name(place), row)
+            if progress is not None:
+                progress(len(found), len(places))
+
+        try:
+            side_by_side([place for place in places if place not in found], run, ended, workers=workers)
+        except KeyboardInterrupt:
+            kept = f"; they are in {store.folder}, and the same command goes on after them" if store else ""
+            raise KeyboardInterrupt(f"{len(found)} of {len(places)} points are done{kept}") from None
+    table = np.array([[np.nan if each is None else each for each in found[place]] for place in places]).T
+    return _with_flights(struck, table)
+
+
+def _told(progress: Callable[[int], object], before: int, done: int) -> None:
+    progress(before + done)
+
+
+def finished(output: str | os.PathLike[str] | None) -> None:
+    """Remove what was kept of the points of a file that is written."""
+    if output is not None and (folder := unfinished(Path(output))).exists():
+        import shutil
+
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _with_flights(struck: Struck, table: NDArray[Any]) -> NDArray[Any]:
+    """Return ``QUANTITIES`` for outputs of launches, shape (outputs, points)."""
+    from clubface.fem.balls import ball
+
+    by_name = dict(zip(outputs(), table, strict=True))
+    good = np.isfinite(by_name["velocity_x"])
+    found = np.full((len(QUANTITIES), table.shape[1]), np.nan)
+    found[: len(LAUNCHED)] = [by_name[name] for name in LAUNCHED]
+    if good.any():
+        given: dict[str, Any] = {name: by_name[name][good] for name in (*VELOCITY, *SPIN)}
+        rigid = ball(struck.ball).rigid.inputs()
+        flight = fly({**given, **{name: rigid[name] for name in BALL}}, **struck.conditions, on_error="nan")
+        found[len(LAUNCHED) :, good] = [flight.get(name) for name in FLOWN]
+    return found
+
+
+def _store(
+    output: str | os.PathLike[str] | None, struck: Struck, places: list[tuple[float, float]]
+) -> AbstractContextManager[Store | None]:
+    """Return what keeps the points that are done, or nothing where no file is written."""
+    if output is None:
+        return nullcontext()
+    from clubface.fem.balls import ball
+    from clubface.fem.heads.meshed import mesh_of
+
+    folder = unfinished(Path(output))
+    head = mesh_of(struck.club)
+    content = {
+        "club": [struck.club.inputs(), None if head is None else head.values()],
+        "ball": ball(struck.ball).values(),
+        "delivery": dict(struck.delivery),
+        "parameters": dict(struck.parameters.values),
+        "grid": places,
+    }
+    return Store(folder, content, of=Path(output), otherwise=f"finish that with the same command, or remove {folder}")
+
+
+def _name(place: tuple[float, float]) -> str:
+    return f"{place[0]!r},{place[1]!r}"
+
+
+def _or_none(value: float) -> float | None:
+    return value if value == value else None
+
+
+HEEL_HEIGHT = 30.0 / 54.0
+"""Height of an iron's face at the heel over that at the toe: of the blade ``7-iron`` among the meshed heads."""
+CORNERS = 96
+"""Of an ellipse."""
+BETWEEN = 20
+"""Points along each straight side of a mesh, so that it can be cut off anywhere."""
+
+
+class Outline(NamedTuple):
+    """The outline of a face, seen along its normal; it bulges outwards everywhere.
+
+    Attributes
+    ----------
+    corners
+        Towards the toe and up the face [m], shape (corners, 2), all the way round.
+    told
+        Where it comes from, in words.
+    """
+
+    corners: NDArray[Any]
+    told: str
+
+    @property
+    def least(self) -> NDArray[Any]:
+        """The lower and heel-side corner of the box around it [m]."""
+        return self.corners.min(axis=0)
+
+    @property
+    def greatest(self) -> NDArray[Any]:
+        """The upper and toe-side corner of the box around it [m]."""
+        return self.corners.max(axis=0)
+
+    def holds(self, toe: Any, high: Any, slack: float = 1e-9) -> NDArray[Any]:
+        """Tell which points [m] are inside or on it."""
+        toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
+        low, top = self.extent(toe)
+        return (
+            (toe >= self.least[0] - slack)
+            & (toe <= self.greatest[0] + slack)
+            & (high >= low - slack)
+            & (high <= top + slack)
+        )
+
+    def extent(self, toe: Any) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Return the least and the greatest height of the face [m] at places towards the toe [m]."""
+        turned = np.roll(self.corners, -int(self.corners[:, 0].argmin()), axis=0)
+        last = int(turned[:, 0].argmax())
+        one, other = turned[: last + 1], np.concatenate([turned[last:], turned[:1]])[::-1]
+        sides = [np.interp(toe, each[:, 0], each[:, 1]) for each in (one, other)]
+        low, top = np.minimum(*sides), np.maximum(*sides)
+        for end in (self.least[0], self.greatest[0]):  # where a side may be upright
+            upright = self.corners[self.corners[:, 0] == end, 1]
+            low, top = np.where(toe == end, upright.min(), low), np.where(toe == end, upright.max(), top)
+        return low, top
+
+    def area(self) -> float:
+        """Return its area [m2]."""
+        x, y = self.corners.T
+        return float(abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2.0)
+
+
+def outline_of(club: Club) -> Outline:
+    """Return the outline of a club's face."""
+    size = f"{units.show(club.face_width, 'mm', 4)} by {units.show(club.face_height, 'mm', 4)}"
+    if hasattr(club, "head"):
+        return _of_mesh(club)
+    width, height = club.face_width / 2.0, club.face_height / 2.0
+    if club.kind == "iron":
+        heel = -height + 2.0 * height * HEEL_HEIGHT
+        # The top line rises from the heel and levels off at the toe, whose upper corner is cut.
+        corners = [(-width, -height), (0.9 * width, -height), (width, -0.6 * height), (width, 0.5 * height),
+                   (0.7 * width, height), (-width, heel)]  # fmt: skip
+        return Outline(np.array(corners), f"assumed: an iron's, {size}")
+    angle = np.linspace(0.0, 2.0 * np.pi, CORNERS, endpoint=False)
+    corners = np.stack([width * np.cos(angle), height * np.sin(angle)], axis=1)
+    return Outline(corners, f"assumed: an ellipse of {size}")
+
+
+def _of_mesh(club: Any) -> Outline:
+    """Return what holds all nodes of the face of a club that has a mesh."""
+    from scipy.spatial import ConvexHull
+
+    places = club.head.face_places() @ turn_to_sole(club.loft)
+    flat = np.stack([places[:, 2], places[:, 1]], axis=1)
+    corners = flat[ConvexHull(flat).vertices]
+    # The club says how far from the centre its face can be struck, which is less where the centre is not in the middle.
+    limit = np.array([club.face_width, club.face_height]) / 2.0
+    share = np.linspace(0.0, 1.0, BETWEEN, endpoint=False)[None, :, None]
+    between = corners[:, None] * (1.0 - share) + np.roll(corners, -1, axis=0)[:, None] * share
+    return Outline(np.clip(between.reshape(-1, 2), -limit, limit), "of its mesh")
+
+
+ZOOMS = 4
+"""Times that the neighbourhood of the greatest value is looked at more closely, each time by ``CLOSER``."""
+CLOSER = 5.0
+AROUND = 11
+"""Points along a side of such a neighbourhood."""
+PARTS = 8
+"""Into which each side of a cell is cut to measure an area, of a grid of ``FINE`` points or fewer."""
+FINE = 101
+"""Points along a side of the grid on which an area is measured, at least."""
+
+
+class Surface(Protocol):
+    """What is known of a face beyond the points of a grid.
+
+    Attributes
+    ----------
+    interpolated
+        Whether it is interpolated between the points of the grid.
+    outline
+        The outline of the face.
+    """
+
+    interpolated: bool
+    outline: Outline
+
+    def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
+        """Return the quantities [SI] at points of the face [m], shape (quantities, points)."""
+        ...
+
+    def greatest(self, quantity: int) -> tuple[float, float, float]:
+        """Return the point [m] where a quantity is greatest, and its value there [SI].
+
+        The neighbourhood of the greatest value of the box is looked at more and more closely.
+        """
+        toe, high, table = self.box()
+        values = np.where(self.outline.holds(*np.meshgrid(toe, high)), table[quantity], np.nan)
+        return _greatest(self, quantity, self.outline, toe, high, values)
+
+    def area(self, quantity: int, least: float) -> float:
+        """Return the area [m2] of the face on which a quantity is at least so great."""
+        ...
+
+    def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return places towards the toe and upwards [m], and the quantities over the whole box around the face.
+
+        The last have the shape (quantities, high, toe) and reach beyond the outline, so that it can be cut sharply.
+        """
+        ...
+
+
+class Computed(Surface):
+    """A face on which every point can be computed at once."""
+
+    interpolated = False
+
+    def __init__(
+        self, struck: Struck, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]
+    ) -> None:
+        self._struck, self.outline, self._toe, self._high = struck, outline, toe, high
+        self._table = table.reshape(len(QUANTITIES), len(high), len(toe))
+
+    def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
+        """Return the quantities at points of the face."""
+        return self._struck.at(toe, high)
+
+    def area(self, quantity: int, least: float) -> float:
+        """Measure it between the points of the grid, or of a finer one where that is coarse."""
+        if min(len(self._toe), len(self._high)) >= FINE:
+            return _area(self.outline, self._toe, self._high, self._table[quantity], least)
+        toe, high = _fine(self.outline)
+        values = self.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))[quantity]
+        return _area(self.outline, toe, high, values.reshape(len(high), len(toe)), least)
+
+    def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return the grid."""
+        return self._toe, self._high, self._table
+
+
+class Interpolated(Surface):
+    """A face of which some points are known: radial basis functions through them (cubic, about a parabola)."""
+
+    interpolated = True
+
+    def __init__(self, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]) -> None:
+        from scipy.interpolate import RBFInterpolator
+
+        self.outline = outline
+        across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
+        known = np.isfinite(table).all(axis=0)
+        self._scale = (outline.greatest - outline.least) / 2.0
+        places = np.stack([across[known], up[known]], axis=1) / self._scale
+        try:
+            self._through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
+        except (ValueError, np.linalg.LinAlgError):
+            told = f"{known.sum()} points of the face with a shot are too few to draw a map through them"
+            raise RunError(f"{told}; give a finer grid") from None
+        self._toe, self._high = _fine(outline)
+        fine = [each.reshape(-1) for each in np.meshgrid(self._toe, self._high)]
+        self._fine = self.at(*fine).reshape(len(QUANTITIES), FINE, FINE)
+
+    def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
+        """Return the quantities at points of the face."""
+        return self._through(np.stack([toe, high], axis=1) / self._scale).T
+
+    def area(self, quantity: int, least: float) -> float:
+        """Measure it on a fine grid."""
+        toe, high, table = self.box()
+        return _area(self.outline, toe, high, table[quantity], least)
+
+    def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return a fine grid."""
+        return self._toe, self._high, self._fine
+
+
+def surface_of(
+    struck: Struck, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]
+) -> Computed | Interpolated:
+    """Return the surface of which ``table``, shape (quantities, points of the grid), is known."""
+    if struck.takes_long:
+        return Interpolated(outline, toe, high, table)
+    return Computed(struck, outline, toe, high, table)
+
+
+def _fine(outline: Outline) -> list[NDArray[Any]]:
+    """Return places towards the toe and upwards [m] over the box around a face."""
+    return [np.linspace(*ends, FINE) for ends in zip(outline.least, outline.greatest, strict=True)]
+
+
+def _greatest(
+    surface: Surface, quantity: int, outline: Outline, toe: NDArray[Any], high: NDArray[Any], values: NDArray[Any]
+) -> tuple[float, float, float]:
+    if not np.isfinite(values).any():
+        raise RunError("no point of the face has a shot")
+    up, across = np.unravel_index(np.nanargmax(values), values.shape)
+    point, best = (float(toe[across]), float(high[up])), float(values[up, across])
+    reach = (
+        np.array([np.ptp(toe) / (len(toe) - 1), np.ptp(high) / (len(high) - 1)])
+        if len(toe) > 1 < len(high)
+        else np.zeros(2)
+    )
+    for _ in range(ZOOMS):
+        near = [np.linspace(middle - width, middle + width, AROUND) for middle, width in zip(point, reach, strict=True)]
+        across, up = (each.reshape(-1) for each in np.meshgrid(*near))
+        inside = outline.holds(across, up)
+        found = np.where(inside, surface.at(across, up)[quantity], np.nan) if inside.any() else np.array([np.nan])
+        if np.isfinite(found).any() and np.nanmax(found) > best:
+            place = int(np.nanargmax(found))
+            point, best = (float(across[place]), float(up[place])), float(found[place])
+        reach = reach / CLOSER
+    return (*point, best)
+
+
+def _area(outline: Outline, toe: NDArray[Any], high: NDArray[Any], values: NDArray[Any], least: float) -> float:
+    """Return the area on which values over a grid, linear in between, are at least so great."""
+    if len(toe) < 2 or len(high) < 2:
+        return 0.0
+    # Of a fine grid the cells are small enough, and their parts would take a lot of memory.
+    parts = max(1, PARTS * FINE // max(values.shape))
+    share = (np.arange(parts) + 0.5) / parts
+    fine_toe = (toe[:-1, None] + share * np.diff(toe)[:, None]).reshape(-1)
+    fine_high = (high[:-1, None] + share * np.diff(high)[:, None]).reshape(-1)
+    between = values[:, :-1, None] * (1.0 - share) + values[:, 1:, None] * share
+    between = between.reshape(len(high), -1)
+    whole = between[:-1, None] * (1.0 - share[:, None]) + between[1:, None] * share[:, None]
+    whole = whole.reshape(-1, between.shape[1])
+    cells = np.outer(np.repeat(np.diff(high), parts), np.repeat(np.diff(toe), parts)) / parts**2
+    inside = outline.holds(fine_toe[None, :], fine_high[:, None])
+    return float(cells[inside & (whole >= least)].sum())

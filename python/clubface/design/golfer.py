@@ -1,0 +1,521 @@
+"""Golfers: the distribution of their deliveries, built in, from files or from code.
+
+A golfer: the distribution of the deliveries with which the club arrives at the ball, shot by shot.
+
+The golfers that come with the package, and any golfer by name or by file.
+
+Golfers as TOML files: means and spreads of the delivery, correlations, mishits, and where each figure comes from.
+
+::
+
+    title = "Member of our club, driver"
+    club = "driver"
+    hand = "right"
+
+    [mean]
+    speed = "95 mph"
+    loft = "14 deg"
+
+    [spread]                       # standard deviation from shot to shot
+    speed = "1.2 mph"
+    face = "1.8 deg"
+
+    [[correlation]]
+    of = ["face", "path"]
+    value = 0.4
+
+    [mishit]
+    share = 0.1                    # of the shots,
+    scale = 2                      # whose deviations are so many times as wide
+
+    [sources]
+    mean.speed = "measured"
+
+Quasi-random numbers, of which each is a function of its index.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+
+from clubface import units
+from clubface.equipment.clubs import CLUB_NAMES
+from clubface.equipment.described import HANDS
+from clubface.errors import ClubfaceError, InputError, Told
+from clubface.shots.plausibility import can_be
+from clubface.simulation.inputs import OF_CLUB, Delivery
+from clubface.support.arrays import Floats
+from clubface.support.checks import MOST_SEED, Frozen, check_choice, check_count, check_name, check_text, is_number
+from clubface.support.files import beside, builtin_names, is_path, path_of
+from clubface.support.processes import check_request
+from clubface.support.strict_toml import Document, quoted
+from clubface.units import SI_UNITS
+
+MOST_SHOTS = 2**32
+BITS = 32
+"""Binary digits of the quasi-random numbers: as many as scipy can skip."""
+
+
+def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Floats:
+    """Return points ``start`` to ``start + count`` of a scrambled Sobol sequence, shape (count, dimensions).
+
+    Numbers lie strictly between 0 and 1. Point i depends on seed, number of dimensions and i alone.
+    """
+    from scipy.stats import qmc
+
+    count = check_count("count", count, 1, MOST_SHOTS)
+    start = check_count("start", start, 0, MOST_SHOTS - count)
+    seed = check_count("seed", seed, 0, MOST_SEED)
+    check_request(count, 4 * 8 * dimensions)  # the points, and what is made of them
+    engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
+    if start:
+        engine.fast_forward(start)
+    # The middle of the cell that a point names, since its corner may be 0, whose normal deviate is infinite.
+    return _points(engine, count) + 0.5 ** (BITS + 1)
+
+
+def _points(engine: Any, count: int) -> Floats:
+    import warnings
+
+    with warnings.catch_warnings():
+        # Its balance is that of a power of two; what is asked for here is any part of the sequence.
+        warnings.simplefilter("ignore", UserWarning)
+        return engine.random(count)
+
+
+UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
+"""The unit in which each dimension of a delivery is read and written."""
+ASSUMED = "assumed"
+"""The source of a figure that has none."""
+MIRRORED = ("path", "face")
+"""The variables whose sign a left-handed golfer changes."""
+WIDEST = 20.0
+"""The widest scale of mishits."""
+WORDS = {
+    "attack": "attack angle", "path": "club path", "loft": "dynamic loft", "face": "face angle",
+    "toe": "strike, heel to toe", "high": "strike, low to high",
+}  # fmt: skip
+"""What people call variables of a delivery."""
+
+
+def told(variable: str) -> str:
+    """Return what people call a variable of a delivery."""
+    return WORDS.get(variable, variable.replace("_", " "))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Golfer:
+    """The joint distribution of deliveries at the moment of impact, in SI units.
+
+    Shots are normally distributed. With the probability ``mishit_share`` a shot is a mishit, whose deviations from the
+    mean are ``mishit_scale`` times as wide. The impact point belongs to the delivery. ``loft`` and ``face`` are those
+    at the face centre, so that what the curved face adds at the impact point is not counted twice.
+
+    Attributes
+    ----------
+    name
+        Its name in reports.
+    title
+        Whom it describes, in a line.
+    club
+        The club the deliveries are of: a built-in name, or what its owner calls it.
+    hand
+        +1 for a right-handed golfer, -1 for a left-handed one; path and face angle are in world terms.
+    variables
+        The values of a delivery that vary, as :class:`clubface.Delivery` names them, shape (k,). What is not among them
+        keeps its default; the loft is then the static loft of the club.
+    mean
+        Their means [SI], shape (k,).
+    covariance
+        Covariance of shots that are no mishits [SI], shape (k, k).
+    mishit_share
+        Share of the shots that are mishits, from 0 to below 1.
+    mishit_scale
+        How many times as wide mishits spread, 1 to 20.
+    sources
+        Where a figure comes from, by its name: ``mean of speed``, ``spread of face``, ``correlation of face and path``,
+        ``mishits``. A figure that is not listed is assumed.
+    """
+
+    name: str
+    title: str = ""
+    club: str = "driver"
+    hand: int = 1
+    variables: tuple[str, ...]
+    mean: Floats
+    covariance: Floats
+    mishit_share: float = 0.0
+    mishit_scale: float = 1.0
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        lines = [f"{self.name}: {self.title or 'golfer'}, with {self.club}{', left-handed' * (self.hand < 0)}"]
+        for name, mean, spread in zip(self.variables, self.mean, self.spread, strict=True):
+            unit = UNIT[OF_CLUB[name]]
+            numbers = (f"{units.from_si(float(each), unit):.4g}" for each in (mean, spread))
+            lines.append(f"  {name:<12} {' ± '.join(numbers)} {unit}")
+        if self.mishit_share > 0.0:
+            lines.append(f"  {self.mishit_share:.0%} mishits, {self.mishit_scale:.3g} times as far off")
+        return "\n".join(lines)
+
+    def __post_init__(self) -> None:
+        check_name(self.name)
+        check_text("title", self.title)
+        if not self.title.isprintable():
+            raise InputError("title", self.title, "printable text on one line")
+        check_text("club", self.club)
+        if self.hand not in (-1, 1):
+            raise InputError("hand", self.hand, "1 for a right-handed golfer or -1 for a left-handed one")
+        if not isinstance(self.variables, (tuple, list)):
+            raise InputError("variables", self.variables, "names of values of a delivery")
+        variables = tuple(self.variables)
+        for place, variable in enumerate(variables):
+            check_choice("variable of a golfer", variable, OF_CLUB)
+            if variable in variables[:place]:
+                raise InputError("variables", variables, "each once")
+        if "speed" not in variables:
+            raise InputError("variables", variables, "the speed among them")
+        object.__setattr__(self, "variables", variables)
+        object.__setattr__(self, "mean", _array("mean", self.mean, (len(variables),)))
+        if (speed := float(self.mean[variables.index("speed")])) <= 0.0:
+            raise InputError("mean of speed", speed, "above 0 m/s")
+        object.__setattr__(self, "covariance", _array("covariance", self.covariance, (len(variables),) * 2))
+        _root(self.covariance)
+        if not (is_number(self.mishit_share) and 0.0 <= self.mishit_share < 1.0):
+            raise InputError("mishit_share", self.mishit_share, "from 0 to below 1")
+        if not (is_number(self.mishit_scale) and 1.0 <= self.mishit_scale <= WIDEST):
+            raise InputError("mishit_scale", self.mishit_scale, f"from 1 to {WIDEST:g}")
+        if not isinstance(self.sources, Mapping):
+            raise InputError("sources", self.sources, "a mapping of figures to texts")
+        object.__setattr__(self, "sources", Frozen(self.sources))
+
+    @property
+    def dimensions(self) -> int:
+        """The number of independent random numbers behind a shot."""
+        return len(self.variables) + (self.mishit_share > 0.0)
+
+    @cached_property
+    def spread(self) -> Floats:
+        """Standard deviation of each variable [SI], mishits left out, shape (k,)."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @cached_property
+    def total_covariance(self) -> Floats:
+        """Covariance of all shots, mishits among them [SI], shape (k, k)."""
+        return self.covariance * (1.0 + self.mishit_share * (self.mishit_scale**2 - 1.0))
+
+    @cached_property
+    def correlation(self) -> Floats:
+        """Correlations of shots that are no mishits, shape (k, k); 0 with a variable that does not vary."""
+        scale = np.where(self.spread > 0.0, self.spread, 1.0)
+        return self.covariance / np.outer(scale, scale)
+
+    def source(self, figure: str) -> str:
+        """Return the source of a figure, such as "spread of face"; "assumed" if it has none."""
+        return self.sources.get(figure, ASSUMED)
+
+    def delivery(self) -> Delivery:
+        """Return the mean delivery."""
+        return Delivery(**dict(zip(self.variables, map(float, self.mean), strict=True)))
+
+    def sample(self, count: int, *, seed: int = 0, start: int = 0) -> dict[str, Floats]:
+        """Return deliveries that are spread evenly over the distribution.
+
+        Shot ``i`` is a function of the seed and of ``i`` alone, whatever ``start`` and ``count``: chunks joined are bit
+        for bit the shots made at once. They come from a scrambled Sobol sequence, so that powers of two are best.
+
+        Parameters
+        ----------
+        count
+            How many.
+        seed
+            Which of the random scramblings; two seeds give independent shots.
+        start
+            The index of the first.
+
+        Returns
+        -------
+        dict
+            Values [SI] by variable, each of shape (count,).
+        """
+        return self.deliveries(uniform(self.dimensions, count, seed=seed, start=start))
+
+    def deliveries(self, uniform: Floats) -> dict[str, Floats]:
+        """Return the deliveries that belong to numbers evenly distributed between 0 and 1.
+
+        Parameters
+        ----------
+        uniform
+            Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one. A left-handed
+            golfer makes of them the mirror images of the shots of the same golfer with the other hand.
+        """
+        from scipy.special import ndtri
+
+        given = units.numbers(uniform, name="uniform")
+        if given.ndim != 2 or given.shape[1] != self.dimensions:
+            raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
+        if not ((given > 0.0) & (given < 1.0)).all():
+            raise InputError("uniform", Told("numbers beyond them"), "between 0 and 1")
+        standard = [ndtri(given[:, place]) for place in range(len(self.variables))]
+        for name, each in zip(self.variables, standard, strict=True):
+            if self.hand < 0 and name in MIRRORED:
+                np.negative(each, out=each)
+        if self.mishit_share > 0.0:
+            wider = np.where(given[:, -1] < self.mishit_share, self.mishit_scale, 1.0)
+            for each in standard:
+                each *= wider
+        found = _mixed(_root(self.covariance), standard)
+        for mean, values in zip(self.mean, found, strict=True):
+            values += mean
+        return dict(zip(self.variables, found, strict=True))
+
+    def for_hand(self, hand: float) -> Self:
+        """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
+        if hand not in (-1, 1):
+            raise InputError("hand", hand, "1 or -1")
+        if (hand > 0) == (self.hand > 0):
+            return self
+        sign = np.array([-1.0 if name in MIRRORED else 1.0 for name in self.variables])
+        both = np.outer(sign, sign)
+        return replace(self, hand=-self.hand, mean=self.mean * sign, covariance=self.covariance * both)
+
+    def content(self) -> list[Any]:
+        """Return all that shots depend on, for a fingerprint."""
+        return [
+            self.name, self.variables, self.mean, self.covariance, self.mishit_share, self.mishit_scale, self.hand
+        ]  # fmt: skip
+
+    def replace(self, **changes: Any) -> Self:
+        """Return the golfer with some attributes changed."""
+        return replace(self, **changes)
+
+
+def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
+    try:
+        found = units.numbers(given, name=name).copy()
+    except InputError:
+        raise InputError(name, given, f"numbers of shape {shape}") from None
+    if found.shape != shape:
+        raise InputError(name, Told(f"numbers of shape {found.shape}"), f"numbers of shape {shape}")
+    if not np.isfinite(found).all():
+        raise InputError(name, Told("not all finite"), "finite numbers")
+    found.setflags(write=False)
+    return found
+
+
+def _root(covariance: Floats) -> Floats:
+    """Return the lower triangle whose square the covariance is; a variable may not vary at all."""
+    spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    varies = spread > 0.0
+    scale = np.where(varies, spread, 1.0)
+    correlation = covariance / np.outer(scale, scale)
+    found = np.zeros_like(covariance)
+    inner = np.ix_(varies, varies)
+    try:
+        if not np.allclose(correlation, correlation.T, atol=1e-12) or (np.diag(covariance) < 0.0).any():
+            raise np.linalg.LinAlgError
+        if np.any(covariance[~varies]) or np.any(covariance[:, ~varies]):
+            raise np.linalg.LinAlgError
+        found[inner] = np.linalg.cholesky(correlation[inner]) if varies.any() else 0.0
+    except np.linalg.LinAlgError:
+        raise InputError(
+            "covariance", Told("the matrix given"), "symmetric, of correlations that are possible together"
+        ) from None
+    return found * scale[:, None]
+
+
+def _mixed(root: Floats, standard: list[Floats]) -> list[Floats]:
+    """Return correlated deviates, summed in a fixed order, so that they do not depend on how many are made at once."""
+    found = []
+    for row in range(len(root)):
+        total = root[row, row] * standard[row]
+        for column in range(row):
+            if root[row, column] != 0.0:
+                total += root[row, column] * standard[column]
+        found.append(total)
+    return found
+
+
+KEYS = ("title", "club", "hand", "mean", "spread", "correlation", "mishit", "sources")
+PARTS = ("mean", "spread", "correlation", "mishits")
+"""What sources may be told of."""
+
+
+def read(which: str | os.PathLike[str]) -> Golfer:
+    """Read a golfer: a shipped one by its name, or the TOML file at a path."""
+    path = path_of("golfer", which, "golfers")
+    return from_document(Document.read(path), Path(path).stem)
+
+
+def from_document(document: Document, name: str) -> Golfer:
+    """Return the golfer a document describes; ``name`` is what it is called."""
+    data = document.data
+    document.check_keys(data, KEYS, ("title", "mean", "spread"))
+    document.check_text(data, ("title", "club", "hand"))
+    for table in ("mean", "spread", "mishit", "sources"):
+        if not isinstance(data.get(table, {}), dict):
+            raise document.error(f"[{table}] must be a table", table)
+    document.check_keys(data["mean"], OF_CLUB, ("speed",), "mean")
+    document.check_keys(data["spread"], OF_CLUB, (), "spread")
+    mishit = data.get("mishit", {})
+    document.check_keys(mishit, ("share", "scale"), ("share", "scale") if mishit else (), "mishit")
+    for key, value in mishit.items():
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise document.error(f"{key} must be a number, not {value!r:.60}", key, "mishit")
+    variables = tuple(each for each in OF_CLUB if each in data["mean"] or each in data["spread"])
+    mean, spread = (np.array(_values(document, part, variables)) for part in ("mean", "spread"))
+    if not (spread >= 0.0).all():
+        at = variables[int(np.argmin(spread))]
+        raise document.error(f"{at} is a standard deviation: it must not be negative", at, "spread")
+    if "loft" in variables and "loft" not in data["mean"]:
+        raise document.error("loft has a spread but no mean; give it under [mean]", "loft", "spread")
+    correlation = _correlations(document, variables, spread)
+    with np.errstate(over="ignore"):  # what is too large is refused
+        covariance = correlation * np.outer(spread, spread)
+    try:
+        check_choice("hand", data.get("hand", "right"), HANDS)
+        return Golfer(
+            name=name,
+            title=data["title"],
+            club=os.fspath(beside(data.get("club", "driver"), Path(document.path).parent)),
+            hand=HANDS[data.get("hand", "right")],
+            variables=variables,
+            mean=mean,
+            covariance=covariance,
+            mishit_share=float(mishit.get("share", 0.0)),
+            mishit_scale=float(mishit.get("scale", 1.0)),
+            sources=_sources(document),
+        )
+    except InputError as error:
+        raise document.wrap(_as_written(error)) from error
+
+
+def _as_written(error: InputError) -> InputError:
+    """Return the error with the name of the key as it stands in a file."""
+    return InputError(error.parameter.replace("mishit_", "mishit."), error.value, error.allowed)
+
+
+def _values(document: Document, part: str, variables: tuple[str, ...]) -> list[float]:
+    found = []
+    for name in variables:
+        try:
+            value = units.parse(given := document.data[part].get(name, 0.0), OF_CLUB[name], name=name)
+            # A spread so wide that two of them are no shot, such as 0.9 rad, was meant in another unit, too.
+            if value and not can_be(name, value if part == "mean" else 2.0 * abs(value)):
+                raise InputError(
+                    name, given, f"what shots can have, as text with its unit, such as {UNIT[OF_CLUB[name]]}"
+                )
+            found.append(value)
+        except ClubfaceError as error:
+            raise document.wrap(error, part) from error
+    return found
+
+
+def _correlations(document: Document, variables: tuple[str, ...], spread: Any) -> Any:
+    entries = document.data.get("correlation", [])
+    if not (isinstance(entries, list) and all(isinstance(each, dict) for each in entries)):
+        raise document.error("correlation must be tables, each under [[correlation]]", "correlation")
+    found = np.eye(len(variables))
+    told: set[frozenset[str]] = set()
+    for index, entry in enumerate(entries):
+        document.check_keys(entry, ("of", "value"), ("of", "value"), "correlation", index)
+        pair, value = entry["of"], entry["value"]
+        names = isinstance(pair, list) and len(pair) == 2 and all(each in variables for each in pair)
+        if not names or pair[0] == pair[1]:
+            raise document.error(
+                f"of must name two variables of this golfer: {', '.join(variables)}", "of", "correlation", index
+            )
+        if isinstance(value, bool) or not isinstance(value, int | float) or not -1.0 < value < 1.0:
+            raise document.error("value must be a number between -1 and 1", "value", "correlation", index)
+        still = [each for each in pair if spread[variables.index(each)] == 0.0]
+        if still and value:
+            raise document.error(f"{still[0]} does not vary; give it a spread", "of", "correlation", index)
+        if frozenset(pair) in told:
+            raise document.error(f"{' and '.join(pair)} have a correlation already", "of", "correlation", index)
+        told.add(frozenset(pair))
+        one, other = (variables.index(each) for each in pair)
+        found[one, other] = found[other, one] = value
+    return found
+
+
+def _sources(document: Document) -> dict[str, str]:
+    given = document.data.get("sources", {})
+    document.check_keys(given, PARTS, (), "sources")
+    found = {}
+    for part, told in given.items():
+        if part in ("mean", "spread"):
+            if not isinstance(told, dict):
+                raise document.error(f"sources of the {part} are a table of texts", part, "sources")
+            document.check_keys(told, OF_CLUB, (), f"sources.{part}")
+            document.check_text(told, told, f"sources.{part}")
+            found |= {f"{part} of {name}": text for name, text in told.items()}
+        else:
+            document.check_text(given, (part,), "sources")
+            found[part] = told
+    return found
+
+
+def to_toml(of: Golfer) -> str:
+    """Write a golfer as TOML text, which reads back as the same to 12 digits."""
+    hand = "right" if of.hand > 0 else "left"
+    lines = [f"{key} = {quoted(text)}" for key, text in {"title": of.title, "club": of.club, "hand": hand}.items()]
+    for part, values in (("mean", of.mean), ("spread", of.spread)):
+        lines += ["", f"[{part}]"]
+        lines += [
+            f"{name} = {quoted(written(value, name))}"
+            for name, value in zip(of.variables, map(float, values), strict=True)
+        ]
+    for one, name in enumerate(of.variables):
+        for other in range(one):
+            if value := float(of.correlation[one, other]):
+                lines += ["", "[[correlation]]", f'of = ["{name}", "{of.variables[other]}"]', f"value = {value:.12g}"]
+    if of.mishit_share > 0.0:
+        lines += ["", "[mishit]", f"share = {of.mishit_share:.12g}", f"scale = {of.mishit_scale:.12g}"]
+    return "\n".join([*lines, *_source_lines(of.sources)]) + "\n"
+
+
+def written(value: float, name: str) -> str:
+    """Write a value of a delivery [SI] with the unit that people use for it."""
+    dimension = OF_CLUB[name]
+    unit = UNIT.get(dimension, SI_UNITS[dimension])
+    number = units.from_si(value, unit)
+    return f"{0.0 if math.isclose(number, 0.0, abs_tol=1e-14) else number:.12g} {unit}"
+
+
+def _source_lines(sources: Mapping[str, str]) -> list[str]:
+    if not sources:
+        return []
+    lines = ["", "[sources]"]
+    lines += [f"{part} = {quoted(sources[part])}" for part in ("correlation", "mishits") if part in sources]
+    for part in ("mean", "spread"):
+        told = {name: sources[f"{part} of {name}"] for name in OF_CLUB if f"{part} of {name}" in sources}
+        if told:
+            lines += ["", f"[sources.{part}]", *(f"{name} = {quoted(text)}" for name, text in told.items())]
+    return lines
+
+
+def golfers() -> tuple[str, ...]:
+    """Return the names of the golfers that come with the package."""
+    return builtin_names("golfers")
+
+
+def club_of(which: Golfer) -> str:
+    """Return the club of a golfer: a built-in one, or the path of a file; of any other the name alone is known."""
+    if which.club in CLUB_NAMES or is_path(which.club):
+        return which.club
+    raise InputError(
+        "club", None, f"give the file of {which.club!r}, with which the deliveries of {which.name} were made"
+    )
+
+
+def golfer(which: str | os.PathLike[str] | Golfer) -> Golfer:
+    """Return a golfer by the name of a shipped one or the path of a TOML file; a :class:`Golfer` is returned as is."""
+    return which if isinstance(which, Golfer) else read(which)

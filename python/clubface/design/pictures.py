@@ -1,0 +1,607 @@
+"""Pictures of designs: comparisons, dispersions, faces, golfers, best lofts, optima, fittings and searches.
+
+The picture of best lofts: by club speed, a line an attack angle, or beside a published chart.
+
+The picture of a comparison: the flights, and what makes the differences.
+
+The picture of a dispersion: where the balls come down, how far and how wide, and what spreads them.
+
+Pictures of a face: contours of launch and flight on its outline.
+
+The picture of a golfer: how much more or less the landings spread if a figure of his delivery is off.
+
+The picture of an optimum: where the shots land before and after, and the front or the place within the bounds.
+
+The picture of a fitting: where the shots of the best combinations land, and how far the others are behind.
+
+The picture of a search: objective and limits of every design that the engine judged.
+"""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Ellipse as Outline, PathPatch
+from matplotlib.path import Path
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from clubface import units, units as units_of
+from clubface.design.best_loft import Beside, BestLoft
+from clubface.design.comparison import Compared
+from clubface.design.contributions import QUANTITIES
+from clubface.design.dispersion import SHARES, Dispersion
+from clubface.design.face_map import FaceMap, FaceMapDifference
+from clubface.design.golfer import told
+from clubface.design.golfer_estimate import QUANTITIES as GOLFER_QUANTITIES, Doubts
+from clubface.design.optimisation.fitting import Combination, Fitting, told as combination_name
+from clubface.design.optimisation.fitting_run import landings
+from clubface.design.optimisation.landings import SHARE, own_value
+from clubface.design.optimisation.study import UNITS
+from clubface.design.shells.report import SHORT
+from clubface.design.shells.study import QUANTITIES as SHELL_QUANTITIES
+from clubface.design.variance import Indices
+from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
+from clubface.simulation.flight import trajectory
+from clubface.units import from_si, size
+
+if TYPE_CHECKING:
+    from clubface.design.optimisation.result import Optimum
+    from clubface.design.shells.run import Improved
+
+
+@styled
+def best_loft_figure(of: BestLoft) -> Figure:
+    """Draw loft and carry over the club speed; bars reach as far as a yard of carry is lost."""
+    figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
+    lofts, carries = figure.subplots(1, 2)
+    for place, attack in enumerate(np.unique(of.attack)):
+        rows = of.attack == attack
+        order = np.argsort(of.speed[rows], kind="stable")
+        speed, loft, carry = (from_si(each[rows][order], unit) for each, unit in
+                              ((of.speed, "mph"), (of.loft, "deg"), (of.carry, "yd")))  # fmt: skip
+        look = {
+            "color": COLOURS[place % len(COLOURS)], "linestyle": DASHES[place % len(DASHES)],
+            "marker": MARKERS[place % len(MARKERS)], "label": f"attack {from_si(attack, 'deg') + 0.0:.3g}°",
+        }  # fmt: skip
+        lofts.errorbar(speed, loft, yerr=from_si(of.within[rows][order], "deg").T, capsize=2.0, elinewidth=0.7, **look)
+        carries.plot(speed, carry, **look)
+    lofts.set_ylabel("best dynamic loft (deg)")
+    lofts.set_title("Bars: within them less than a yard is lost")
+    carries.set_ylabel("carry (yd)")
+    carries.set_title("How far the ball carries with it")
+    for axes in (lofts, carries):
+        axes.set_xlabel("club speed (mph)")
+    lofts.legend()
+    return figure
+
+
+@styled
+def chart_figure(of: Beside, shown: Mapping[str, tuple[str, str, str]], chart: str) -> Figure:
+    """Draw what was found over what a chart has.
+
+    ``shown`` gives name in the chart, name of what was found and unit, by title.
+    """
+    panels: Sequence[tuple[str, tuple[str, str, str]]] = list(shown.items())
+    figure = Figure(figsize=(WIDTH, 2.4 * ((len(panels) + 1) // 2)), layout="constrained")
+    for axes, (title, (published, own, unit)) in zip(
+        figure.subplots((len(panels) + 1) // 2, 2).ravel(), panels, strict=False
+    ):
+        theirs, ours = from_si(of.published[published], unit), from_si(getattr(of.found, own), unit)
+        ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
+        axes.plot(ends, ends, color="0.6", linewidth=0.8)
+        axes.plot(theirs, ours, "o", color=COLOURS[0], alpha=0.8)
+        axes.set_xlabel(f"{chart} ({unit})")
+        axes.set_ylabel(f"found here ({unit})")
+        axes.set_title(title)
+    return figure
+
+
+SPLIT = {"ball_speed": "mph", "backspin": "rpm", "carry": "yd", "side": "yd"}
+"""Quantities whose differences are drawn, and their units unless others are asked for."""
+COMPARISON_BARS = 9
+"""Contributions that are drawn one by one, the largest; the others are one bar."""
+
+
+@styled
+def comparison_figure(
+    found: Compared,
+    *,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    units: Mapping[str, str] | None = None,
+) -> Figure:
+    """Draw the flights from the side and from above, and under them the contributions to each difference.
+
+    Parameters
+    ----------
+    found
+        What was compared.
+    air, wind, ground
+        Those of the flights, as for :func:`clubface.fly`.
+    units
+        The unit of a quantity, by name; left out, mph, rpm and yd.
+    """
+    shown = {name: (units or {}).get(name, unit) for name, unit in SPLIT.items()}
+    split = {name: each for name, each in found.contributions.items() if not each.left_out and each.changes}
+    counts = [min(len(each.changes), COMPARISON_BARS + 1) + 1 for each in split.values()]
+    heights = [2.5, *(0.75 + 0.19 * count for count in counts)]
+    figure = Figure(figsize=(WIDTH, sum(heights) + 0.3 * len(heights)), layout="constrained")
+    parts: Any = figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
+    _flights(parts[0], found, {"air": air, "wind": wind, "ground": ground}, shown["carry"])
+    for part, name in zip(parts[1:], split, strict=True):
+        _contribution_bars(part, found, name, shown)
+    return figure
+
+
+def _look(place: int) -> dict[str, Any]:
+    return {"color": COLOURS[place % len(COLOURS)], "linestyle": DASHES[place % len(DASHES)]}
+
+
+def _flights(figure: Any, found: Compared, conditions: Mapping[str, Any], unit: str) -> None:
+    side, above = figure.subplots(1, 2, width_ratios=[1.6, 1.0])
+    for place, (name, launch) in enumerate(found.launches.items()):
+        path = units_of.from_si(trajectory(launch, **conditions).position, unit)
+        side.plot(path[:, 0], path[:, 1], label=name, **_look(place))
+        above.plot(path[:, 2], path[:, 0], **_look(place))
+    side.set(xlabel=f"distance along the target line ({unit})", ylabel=f"height ({unit})", title="from the side")
+    side.set_ylim(bottom=0.0)
+    side.set_xlim(left=0.0)
+    above.set(xlabel=f"right ({unit})", ylabel=f"distance ({unit})", title="from above, stretched sideways")
+    above.axvline(0.0, color="0.5", linewidth=0.6, zorder=1)
+    above.set_ylim(bottom=0.0)
+    reach = max(abs(each) for each in above.get_xlim())
+    above.set_xlim(-reach, reach)
+    legend_above(figure, [Line2D([], [], label=name, **_look(place)) for place, name in enumerate(found.names)])
+
+
+def _contribution_bars(figure: Any, found: Compared, name: str, shown: Mapping[str, str]) -> None:
+    made = found.contributions[name]
+    places = [QUANTITIES.index(each) for each in shown]
+    sizes = np.array([units_of.size(unit) for unit in shown.values()])
+    values = made.si[:, places] / sizes
+    rest = made.remainder[places] / sizes
+    # The share of a contribution in all of a quantity, so that mph, rpm and yd count alike.
+    weight = (np.abs(values) / np.maximum(np.abs(values).sum(axis=0), 1e-300)).max(axis=1)
+    order = np.argsort(-weight, kind="stable")
+    labels = [made.changes[index].name.replace("_", " ") for index in order[:COMPARISON_BARS]]
+    bars = [values[index] for index in order[:COMPARISON_BARS]]
+    if others := order[COMPARISON_BARS:].tolist():
+        labels.append(f"{len(others)} others")
+        bars.append(values[others].sum(axis=0))
+    labels.append("remainder")
+    bars.append(rest)
+    table = np.array(bars)
+    panels = figure.subplots(1, len(shown), sharey=True)
+    for column, (panel, (quantity, unit)) in enumerate(zip(panels, shown.items(), strict=True)):
+        panel.barh(range(len(table)), table[:, column], color="0.5", height=0.7)
+        panel.axvline(0.0, color="0.3", linewidth=0.6)
+        panel.grid(visible=False, axis="y")
+        total = found.difference(name, quantity, unit)
+        digits = 0 if unit == "rpm" else 1
+        panel.set_title(f"{quantity.replace('_', ' ')} {total:+.{digits}f} {unit}")
+        panel.set_xlabel(unit)
+    panels[0].invert_yaxis()
+    panels[0].set_yticks(range(len(labels)), labels)
+    figure.suptitle(f"what makes {name} differ from {found.names[0]}", fontsize=8.5, x=0.01, ha="left")
+
+
+MARKED = (0.1, 0.5, 0.9)
+"""Shares of the shots that fall short of the dashed lines."""
+DISPERSION_BARS = 6
+"""Variables of which a bar is drawn: those with the greatest shares."""
+LAUNCHES = (("ball_speed", "mph", "ball speed (mph)", 0.5), ("launch", "deg", "launch angle (deg)", 0.25))
+FLIGHTS = (("carry", "yd", "carry (yd)", 2.0), ("side", "yd", "side (yd), right is positive", 2.0))
+
+
+@styled
+def dispersion_figure(of: Dispersion, shares: Indices | None = None, ellipses: tuple[float, ...] = SHARES) -> Figure:
+    """Draw landings with ellipses that hold 50 and 90 % of them, histograms, and shares of the variance.
+
+    Parameters
+    ----------
+    of
+        The dispersion; of one without flight, launches alone are drawn.
+    shares
+        Which variables spread the outcomes; left out, no bars are drawn.
+    ellipses
+        Shares of the landings that the ellipses hold.
+    """
+    flies = bool(of.points.size)
+    figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
+    columns = 2 if flies else 1
+    every = columns + (shares is not None)
+    grid = figure.add_gridspec(2, every, width_ratios=[1.25, 1.0, 1.0][:every])
+    lines: list[Any] = []
+    if flies:
+        lines = _landings(figure.add_subplot(grid[:, 0]), of, ellipses)
+    for row, (name, unit, label, width) in enumerate(FLIGHTS if flies else LAUNCHES):
+        panel = figure.add_subplot(grid[row, columns - 1])
+        _histogram(panel, of, name, unit, label, width)
+        if row == 0:
+            panel.set_title(f"lines: {', '.join(f'{100 * each:.0f}' for each in MARKED)}% below")
+    if shares is not None:
+        for row, name in enumerate(shares.share):
+            _variance_bars(figure.add_subplot(grid[row, columns]), shares, name)
+    legend_above(figure, lines, title=f"{of.golfer.title or of.golfer.name}: {of.count} shots by {of.model}")
+    return figure
+
+
+def _landings(panel: Any, of: Dispersion, ellipses: tuple[float, ...]) -> list[Any]:
+    ahead, aside = from_si(of.points[:, 0], "yd"), from_si(of.points[:, 1], "yd")
+    dots = panel.plot(aside, ahead, ".", color=COLOURS[0], markersize=1.5, alpha=0.5, label="landings")
+    lines = [dots[0]]
+    for place, share in enumerate(ellipses):
+        found = of.ellipse(share)
+        centre, axes = from_si(found.centre, "yd"), from_si(found.half_axes, "yd")
+        # Across is to the right and ahead is up, so that the angle from ahead becomes one from the right.
+        line = Outline(
+            (centre[1], centre[0]), 2.0 * axes[0], 2.0 * axes[1], angle=90.0 - np.degrees(found.angle), fill=False,
+            color=COLOURS[1], linestyle=("-", "--", ":")[place % 3], linewidth=1.3, zorder=3,
+            label=f"{share:.0%} of the landings",
+        )  # fmt: skip
+        panel.add_patch(line)
+        lines.append(line)
+    panel.axvline(0.0, color="0.4", linewidth=0.8)
+    panel.set_aspect("equal")
+    # The few that are topped would make everything small.
+    least, most = (from_si(of.quantile("carry", share), "yd") for share in (0.002, 0.999))
+    panel.set_ylim(least - 0.2 * (most - least), most + 0.2 * (most - least))
+    panel.set_xlabel("side (yd), right is positive")
+    panel.set_ylabel("ahead (yd)")
+    return lines
+
+
+def _histogram(panel: Any, of: Dispersion, name: str, unit: str, label: str, width: float) -> None:
+    edges, counts = of.tally.histogram(name, width * size(unit))
+    shown = from_si(edges, unit)
+    panel.stairs(counts / max(of.tally.counted, 1), shown, fill=True, color=COLOURS[0], alpha=0.6)
+    for share in MARKED:
+        panel.axvline(from_si(of.quantile(name, share), unit), color="0.3", linewidth=0.8, linestyle="--")
+    least, most = (from_si(of.quantile(name, share), unit) for share in (0.001, 0.999))
+    room = 0.15 * (most - least)
+    panel.set_xlim(least - room, most + room)
+    panel.set_xlabel(label)
+    panel.set_ylabel("share of the shots")
+
+
+def _variance_bars(panel: Any, shares: Indices, name: str) -> None:
+    order = np.argsort(shares.share[name])[-DISPERSION_BARS:]
+    panel.barh(np.arange(len(order)), 100.0 * shares.share[name][order], color=COLOURS[2])
+    panel.set_yticks(np.arange(len(order)), [told(shares.variables[place]) for place in order])
+    panel.set_xlabel(f"variance of {name} (%)")
+    panel.grid(visible=False, axis="y")
+
+
+MAPPED_QUANTITIES = {
+    "ball_speed": "mph", "launch": "deg", "backspin": "rpm", "sidespin": "rpm", "azimuth": "deg", "carry": "yd",
+    "side": "yd", "total": "yd",
+}  # fmt: skip
+"""What is drawn unless something else is asked for."""
+SIDED = ("azimuth", "sidespin", "spin_axis", "side", "total_side")
+"""Quantities of which positive means to the right: their colours turn at zero."""
+LEVELS = 11
+WORDS = {"azimuth": "start line"}
+
+
+@styled
+def face_map_figure(found: FaceMap | FaceMapDifference, *, units: Mapping[str, str] | None = None) -> Figure:
+    """Draw quantities over a face, the toe on the right: a right-hander's face as seen through the head from behind.
+
+    A cross marks the face centre, and a ring the point of the greatest ball speed.
+
+    Parameters
+    ----------
+    found
+        A map, or the difference of two.
+    units
+        What is drawn, and in which unit; left out, ``SHOWN``.
+    """
+    shown = dict(units or MAPPED_QUANTITIES)
+    columns = min(2, len(shown))
+    rows = -(-len(shown) // columns)
+    wide, tall = found.outline.greatest - found.outline.least
+    panel = (WIDTH / columns - 0.9) * float(tall / wide) + 0.42
+    figure = Figure(figsize=(WIDTH, rows * panel + 0.7), layout="constrained")
+    panels = np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)).reshape(-1)
+    for axes, (name, unit) in zip(panels, shown.items(), strict=False):
+        _panel(figure, axes, found, name, unit)
+    for axes in panels[len(shown) :]:
+        axes.set_axis_off()
+    for axes in panels[len(panels) - columns :]:
+        axes.set_xlabel("← heel   from the centre (mm)   toe →")
+    for axes in panels[::columns]:
+        axes.set_ylabel("up the face (mm)")
+    figure.suptitle(_title(found), fontsize=8.5, x=0.01, ha="left")
+    return figure
+
+
+def _title(found: FaceMap | FaceMapDifference) -> str:
+    first = found.first if isinstance(found, FaceMapDifference) else found
+    told = f"{first.centre.club.name}, ball {first.centre.ball.name}, by {first.centre.model}"
+    if isinstance(found, FaceMapDifference):
+        told = f"{first.centre.club.name} less {found.second.centre.club.name}, by {first.centre.model}"
+    told = f"{told}; outline {first.outline.told}" + ("; interpolated" if first.interpolated else "")
+    spot = f" of {first.centre.club.name}" if isinstance(found, FaceMapDifference) else ""
+    return f"{told}\n+ centre of the face    ○ greatest ball speed{spot}"
+
+
+def _panel(figure: Figure, axes: Axes, found: FaceMap | FaceMapDifference, name: str, unit: str) -> None:
+    toe, high, values = found.box(name)
+    toe, high, values = toe * 1e3, high * 1e3, values / units_of.size(unit)
+    shown = np.where(found.outline.holds(*np.meshgrid(toe / 1e3, high / 1e3)), values, np.nan)
+    least, most = float(np.nanmin(shown)), float(np.nanmax(shown))
+    levels = _levels(least, most)
+    values = np.clip(values, levels[0], levels[-1])  # beside the face there is more, which is cut away
+    signed = name in SIDED or isinstance(found, FaceMapDifference)
+    reach = max(abs(levels[0]), abs(levels[-1]))
+    norm = Normalize(-reach, reach) if signed else None  # the same strength of colour to both sides
+    filled = axes.contourf(
+        toe, high, np.ma.masked_invalid(values), levels=levels, cmap="RdBu_r" if signed else "viridis", norm=norm,
+    )  # fmt: skip
+    lines = axes.contour(toe, high, np.ma.masked_invalid(values), levels=levels[1:-1], colors="0.15", linewidths=0.4)
+    patch = PathPatch(
+        Path(np.concatenate([found.outline.corners, found.outline.corners[:1]]) * 1e3, closed=True), facecolor="none",
+        edgecolor="black", linewidth=1.0, transform=axes.transData,
+    )  # fmt: skip
+    axes.add_patch(patch)
+    for each in (filled, lines):
+        each.set_clip_path(patch)
+    axes.plot(0.0, 0.0, "+", color="black", markersize=6.0)
+    first = found.first if isinstance(found, FaceMapDifference) else found
+    best = first.best()
+    axes.plot(best.toe * 1e3, best.high * 1e3, "o", markersize=5.0, markerfacecolor="none", markeredgecolor="black")
+    axes.set_aspect("equal")
+    axes.grid(visible=False)
+    label = WORDS.get(name, name.replace("_", " "))
+    side = ", right is positive" if name in SIDED else ""
+    axes.set_title(f"{label} ({unit}){side}" if unit != "1" else label)
+    figure.colorbar(filled, ax=axes, shrink=0.85, pad=0.02)
+
+
+def _levels(least: float, most: float) -> Any:
+    """Return round levels; a map without differences has a few about its value."""
+    from matplotlib.ticker import MaxNLocator
+
+    if not most - least > 1e-9 * max(abs(least), abs(most), 1e-9):
+        least, most = least - 0.5, most + 0.5
+    return MaxNLocator(LEVELS).tick_values(least, most)
+
+
+GOLFER_BARS = 8
+"""Figures that are drawn: those that change the landings most."""
+
+
+@styled
+def golfer_figure(of: Doubts) -> Figure:
+    """Draw the change of the spread of carry and side, a bar a figure, hatched where it is assumed."""
+    figures = of.figures[:GOLFER_BARS]
+    figure = Figure(figsize=(WIDTH, 0.9 + 0.27 * len(figures)), layout="constrained")
+    for axes, name in zip(figure.subplots(1, 2, sharey=True), GOLFER_QUANTITIES, strict=True):
+        for row, each in enumerate(figures):
+            less, more = (100.0 * change for change in of.changes(each, name))
+            hatch = "////" if each.assumed else None
+            for value, colour in ((less, COLOURS[6]), (more, COLOURS[1])):
+                axes.barh(row, value, color=colour, hatch=hatch, edgecolor="white", linewidth=0.0)
+        axes.axvline(0.0, color="0.3", linewidth=0.8)
+        axes.set_yticks(range(len(figures)), [each.figure.replace("_", " ") for each in figures])
+        axes.set_ylim(len(figures) - 0.5, -0.5)
+        axes.set_xlabel(f"change of the spread of {name} (%)")
+        axes.set_title({"carry": "Short and long", "side": "Left and right"}[name])
+    handles = [
+        figure.axes[0].barh(-5, 0, color=colour, label=label)
+        for colour, label in ((COLOURS[6], f"{of.off:.0%} smaller"), (COLOURS[1], f"{of.off:.0%} larger"))
+    ]
+    handles.append(figure.axes[0].barh(-5, 0, color="0.7", hatch="////", edgecolor="white", label="assumed"))
+    figure.legend(handles=handles, loc="outside lower right", ncols=3)
+    return figure
+
+
+POINTS = 400
+"""Shots of a golfer that are drawn."""
+UNIT = "yd"
+
+
+@styled
+def optimum_figure(of: Optimum) -> Figure:
+    """Draw the landings with the start and with the optimum; beside them the front, or every field in its bounds."""
+    figure = Figure(figsize=(WIDTH, 3.4), layout="constrained")
+    if not (of.front or any(name in of.study.bounds for name in of.club)):  # nothing has a place between bounds
+        _draw_landings(figure.subplots(), of)
+        return figure
+    left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.2))
+    _draw_landings(left, of)
+    if of.front:
+        _draw_front(right, of)
+    else:
+        _draw_bounds(right, of)
+    return figure
+
+
+def _draw_landings(axes: Axes, of: Optimum) -> None:
+    golfers = of.study.landings(of.study.shots, seed=of.study.seed + 1)
+    clubs: dict[str, Any] = {"start": {}, "optimum": of.club}
+    landed = {name: np.concatenate([each.of(club) for each, _ in golfers], axis=1) for name, club in clubs.items()}
+    draw_landings(axes, landed, ("--", "-"))
+
+
+def draw_landings(axes: Axes, landed: Mapping[str, NDArray[Any]], lines: Sequence[Any]) -> None:
+    """Draw where shots come down and the ellipses that hold ``SHARE`` of them.
+
+    Parameters
+    ----------
+    landed
+        Carry and side [m] by what made them, each of shape (landings, shots).
+    lines
+        The line style of each ellipse.
+    """
+    ellipses: list[NDArray[Any]] = []
+    for (name, values), line, colour in zip(landed.items(), lines, COLOURS, strict=False):
+        side = units.from_si(values[1], UNIT)
+        down = units.from_si(np.sqrt(np.maximum(values[0] ** 2 - values[1] ** 2, 0.0)), UNIT)
+        axes.plot(
+            side[:POINTS], down[:POINTS], ".", color=colour, markersize=2.0, alpha=0.35, markeredgewidth=0.0
+        )  # fmt: skip
+        ellipses.append(_ellipse(side, down))
+        axes.plot(*ellipses[-1], color=colour, label=name, linestyle=line)
+    # The ellipses set the frame: a topped ball far behind would make all others small.
+    drawn = np.hstack(ellipses)
+    middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
+    axes.set_xlim(middle[0] - half, middle[0] + half)
+    axes.set_ylim(middle[1] - half, middle[1] + half)
+    axes.set_aspect("equal", adjustable="box")
+    axes.set_xlabel(f"side ({UNIT}), right is positive")
+    axes.set_ylabel(f"distance down the line ({UNIT})")
+    axes.set_title(f"Landings, with the ellipses of {SHARE:.0%}")
+    axes.legend(loc="upper left", ncols=len(ellipses))
+
+
+def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
+    """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
+    values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
+    angle = np.linspace(0.0, 2.0 * math.pi, 200)
+    circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
+    around = vectors @ (np.sqrt(np.maximum(values, 0.0))[:, None] * circle)
+    return np.array([[side.mean()], [down.mean()]]) + around
+
+
+def _draw_front(axes: Axes, of: Optimum) -> None:
+    one, other = (of.study.objective(name) for name in of.study.objectives)
+    values = [[units.from_si(point.values[each.name], each.unit) for point in of.front] for each in (one, other)]
+    axes.plot(*values, "o-", color=COLOURS[1], label="front")
+    # The start is judged on the same shots as the front only nearly: on fresh ones.
+    start = [units.from_si(of.fresh.value("start", each.name), each.unit) for each in (one, other)]
+    axes.plot(*start, "s", color=COLOURS[0], label="start, on fresh shots")
+    for each, setter in ((one, axes.set_xlabel), (other, axes.set_ylabel)):
+        setter(each.meaning if each.unit == "1" else f"{each.meaning} ({each.unit})")
+    axes.set_title("Clubs than which none is better in both")
+    axes.legend()
+
+
+def _draw_bounds(axes: Axes, of: Optimum) -> None:
+    bounds = of.study.bounds
+    names = [name for name in of.club if name in bounds]
+    for row, name in enumerate(names):
+        low, high = bounds[name]
+        start = own_value(of.study.club, name)
+        place = [(value - low) / (high - low) for value in (start, of.club[name])]
+        axes.plot([0.0, 1.0], [row, row], color="0.8", linewidth=3.0, solid_capstyle="round")
+        for colour, value, where, below in zip(COLOURS, (start, of.club[name]), place, (True, False), strict=False):
+            text = f"{units.from_si(value, UNITS[name]):.4g}"
+            axes.annotate(
+                text, (where, row), (0.0, -6.0 if below else 6.0), textcoords="offset points", ha="center",
+                va="top" if below else "bottom", color=colour,
+            )  # fmt: skip
+        axes.plot(place[0], row, "s", color=COLOURS[0], label="start" if row == 0 else None)
+        axes.plot(place[1], row, "o", color=COLOURS[1], label="optimum" if row == 0 else None)
+    told = [f"{name}\n{units.show_range(*bounds[name], UNITS[name])}" for name in names]
+    axes.set_yticks(range(len(names)), told)
+    axes.set_xticks([])
+    axes.set_ylim(len(names) - 0.5, -0.8)
+    axes.grid(visible=False)
+    axes.set_title("Place between the least and the most that is allowed")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2)
+
+
+LANDINGS, FITTING_BARS = 3, 10
+"""The best combinations whose landings are drawn, and that are compared."""
+LETTERS = 36
+"""Of a line of the name of a combination."""
+ERRORS = 2.0
+"""Standard errors that a bar of uncertainty reaches: about 19 of 20 differences lie within."""
+
+
+@styled
+def fit_figure(of: Fitting, found: Sequence[Combination]) -> Figure:
+    """Draw landings and ellipses of the best combinations, and how far behind the best the others are."""
+    figure = Figure(figsize=(WIDTH, max(3.2, 0.8 + 0.42 * min(len(found), FITTING_BARS))), layout="constrained")
+    left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.1))
+    best = enumerate(found[:LANDINGS], 1)
+    draw_landings(left, {f"{rank}": np.concatenate(landings(of, each), axis=1) for rank, each in best}, DASHES)
+    _draw_bars(right, of, found[:FITTING_BARS])
+    return figure
+
+
+def _draw_bars(axes: Axes, of: Fitting, found: Sequence[Combination]) -> None:
+    judge = of.judge(of.objective)
+    behind = [units.from_si(judge.sign * (each.value - found[0].value), judge.unit) for each in found]
+    errors = [ERRORS * units.from_si(each.error, judge.unit) for each in found]
+    colours = [COLOURS[place] if place < LANDINGS else "0.6" for place in range(len(found))]
+    axes.barh(range(len(found)), behind, xerr=errors, color=colours, height=0.6, capsize=2.5,
+              error_kw={"elinewidth": 0.9, "ecolor": "0.2"})  # fmt: skip
+    axes.set_yticks(range(len(found)), [_label(place + 1, each) for place, each in enumerate(found)], fontsize=6.5)
+    axes.set_ylim(len(found) - 0.4, -0.6)
+    axes.set_xlim(left=1.05 * min(0.0, float(np.nanmin(np.subtract(behind, errors)))))
+    axes.set_xlabel(f"behind the best{'' if judge.unit == '1' else f' ({judge.unit})'}")
+    axes.set_title(textwrap.fill(f"By the {judge.meaning}", LETTERS))
+
+
+def _label(number: int, of: Combination) -> str:
+    parts = textwrap.wrap(", ".join(each for each in (of.club, of.ball, of.setting) if each), LETTERS)
+    changes = textwrap.wrap(combination_name(of.changes), LETTERS)
+    return "\n".join([f"{number}: {parts[0]}", *parts[1:], *changes])
+
+
+MARKS = {"start": "s", "neighbour": "^", "proposal": "o"}
+
+
+@styled
+def search_figure(found: Improved) -> Figure:
+    """Draw the objective of every design, promised and found, and above or below the limits what it has of each."""
+    figure = Figure(figsize=(WIDTH, 4.2), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    _draw_objective(left, found)
+    _draw_limits(right, found)
+    return figure
+
+
+def _draw_objective(axes: Axes, found: Improved) -> None:
+    words, _, unit = SHELL_QUANTITIES[found.study.objective]
+    steps = found.chosen.found.steps
+    values = [units.from_si(step.values[found.study.objective], unit) for step in steps]
+    best, line = 0, []
+    for number, step in enumerate(steps):
+        best = number if step.accepted else best
+        line.append(values[best])
+    axes.step(range(1, len(steps) + 1), line, where="post", color=COLOURS[0], label="best so far")
+    within = [found.chosen.goal.violation(step.values) == 0.0 for step in steps]
+    for kind, mark in MARKS.items():
+        for kept in (True, False):
+            at = [n for n, step in enumerate(steps) if step.kind == kind and within[n] == kept]
+            if at:
+                axes.plot([n + 1 for n in at], [values[n] for n in at], mark, color=COLOURS[0], linestyle="none",
+                          fillstyle="full" if kept else "none",
+                          label=f"{kind}{'' if kept else ', beyond limits'}")  # fmt: skip
+    told = [(n + 1, step.promised) for n, step in enumerate(steps) if step.promised is not None]
+    if told:
+        promised = [units.from_si(each[found.study.objective], unit) for _, each in told]
+        axes.plot([n for n, _ in told], promised, "x", color=COLOURS[1], label="promised by the fast model")
+    axes.set_xlabel("design")
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_ylabel(f"{words} ({SHORT.get(unit, unit)})")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)
+
+
+def _draw_limits(axes: Axes, found: Improved) -> None:
+    steps = found.chosen.found.steps
+    for place, (name, (least, most)) in enumerate(found.chosen.goal.limits.items()):
+        limit = most if most < math.inf else least
+        shares = [100.0 * step.values[name] / limit for step in steps]
+        axes.plot(
+            range(1, len(steps) + 1), shares, ".-", color=COLOURS[place % len(COLOURS)], label=SHELL_QUANTITIES[name][0]
+        )
+    axes.axhline(100.0, color="0.3", linewidth=1.0)
+    axes.set_xlabel("design")
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_ylabel("share of the limit (%)")
+    if found.chosen.goal.limits:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2)

@@ -1,0 +1,359 @@
+"""What spreads the shots of a golfer: shares of the variance, by sampling and by derivatives.
+
+Which part of the variance of an outcome comes from which part of the delivery.
+
+Where the variables are independent these are Sobol's indices: the share of the variance that goes with a variable alone
+(first order), and the share that would be left if all others were held (total). Where variables are correlated such
+shares overlap, and do not add up. Then each variable has its Shapley effect instead (Owen, 2014; Song, Nelson and
+Staum, 2016): the variance it adds to what others tell already, averaged over all orders in which they can be told.
+These effects add up to 1.
+
+All are of shots that are no mishits: a mishit is further off in all variables at once.
+
+The spread of a golfer's shots by derivatives: what the first two terms of Taylor's series make of the distribution.
+
+With the gradient g and the matrix H of second derivatives at the mean delivery, and the covariance C of shots that are
+no mishits, a quantity f of normally distributed deliveries has
+
+    mean = f + tr(H C) / 2,    variance = g' C g + tr(H C H C) / 2,
+
+exactly where it has no derivatives beyond the second, and otherwise to the second order of the spreads. A mishit with
+the probability s is c times as far off, so that the second moments of the shots are m2 = 1 - s + s c^2 times, and their
+fourth ones m4 = 1 - s + s c^4 times as large:
+
+    mean = f + m2 tr(H C) / 2,    variance = m2 g' C g + m4 tr(H C H C) / 2 + (m4 - m2^2) tr(H C)^2 / 4.
+
+The gradients are exact; the second derivatives are differences of gradients on both sides of the mean.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import permutations
+from math import factorial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.design.dispersion import FLOWN, LAUNCHED, Hitting
+from clubface.design.golfer import Golfer, uniform
+from clubface.errors import InputError, RangeWarning
+from clubface.simulation.flight import SPIN, VELOCITY
+from clubface.simulation.results import flight_inputs, flight_outputs
+from clubface.simulation.sensitivity import flight_derivatives, sensitivity
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names, without_warnings
+
+FLIGHT_OUTCOMES = ("carry", "side", "total", "total_side")
+"""What is differentiated of flights."""
+STEP = 0.1
+"""Distance from the mean at which gradients are taken for second derivatives, in standard deviations."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ByDerivatives:
+    """Spread by derivatives, in SI units.
+
+    Attributes
+    ----------
+    golfer
+        Whose shots.
+    value
+        What the mean delivery gives, by quantity.
+    gradient
+        Derivatives of each quantity by the golfer's variables, shape (k,).
+    second
+        Second derivatives of each quantity, shape (k, k).
+    """
+
+    golfer: Golfer
+    value: Mapping[str, float]
+    gradient: Mapping[str, Floats]
+    second: Mapping[str, Floats]
+
+    def mean(self, name: str) -> float:
+        """Return the mean of a quantity, to the second order."""
+        check_choice("quantity", name, self.value)
+        m2, _ = moments(self.golfer)
+        return self.value[name] + 0.5 * m2 * float(np.trace(self.second[name] @ self.golfer.covariance))
+
+    def variance(self, name: str, *, order: int = 2) -> float:
+        """Return the variance of a quantity: of the gradient alone (``order`` 1), or of gradient and curvature."""
+        check_choice("quantity", name, self.value)
+        if order not in (1, 2):
+            raise InputError("order", order, "1 or 2")
+        m2, m4 = moments(self.golfer)
+        slope, covariance = self.gradient[name], self.golfer.covariance
+        first = m2 * float(slope @ covariance @ slope)
+        if order == 1:
+            return first
+        curved = self.second[name] @ covariance
+        return first + 0.5 * m4 * float(np.trace(curved @ curved)) + 0.25 * (m4 - m2**2) * float(np.trace(curved)) ** 2
+
+    def spread(self, name: str, *, order: int = 2) -> float:
+        """Return the standard deviation of a quantity."""
+        return float(np.sqrt(self.variance(name, order=order)))
+
+
+def moments(of: Golfer) -> tuple[float, float]:
+    """Return the mean square and the mean fourth power of the factor by which shots are further off than no mishits."""
+    share, scale = of.mishit_share, of.mishit_scale
+    return 1.0 - share + share * scale**2, 1.0 - share + share * scale**4
+
+
+def by_derivatives(of: Golfer, hit: Hitting) -> ByDerivatives:
+    """Differentiate what a golfer's mean shot gives.
+
+    Parameters
+    ----------
+    of
+        The golfer, of the club's hand.
+    hit
+        How shots are hit. Its model must be one with derivatives; another is an :class:`InputError`.
+    """
+    value, gradient = _gradients(of.mean, of, hit)
+    second = {name: np.zeros((len(of.mean),) * 2) for name in gradient}
+    for place, spread in enumerate(of.spread):
+        if spread == 0.0:
+            continue  # what does not vary needs no curvature
+        step = np.zeros_like(of.mean)
+        step[place] = STEP * spread
+        above, below = (_gradients(of.mean + side * step, of, hit)[1] for side in (1.0, -1.0))
+        for name in gradient:
+            second[name][place] = (above[name] - below[name]) / (2.0 * step[place])
+    second = {name: 0.5 * (matrix + matrix.T) for name, matrix in second.items()}
+    return ByDerivatives(golfer=of, value=value, gradient=gradient, second=second)
+
+
+def _gradients(at: Floats, of: Golfer, hit: Hitting) -> tuple[dict[str, float], dict[str, Floats]]:
+    """Return quantities at a delivery and their derivatives by the variables."""
+    values = dict(zip(of.variables, map(float, at), strict=True))
+    launched = (*VELOCITY, *SPIN)
+    with without_warnings(RangeWarning):  # it is told of the shots
+        found = sensitivity(
+            hit.club, values, model=hit.model, parameters=hit.parameters, ball=getattr(hit.ball, "rigid", hit.ball),
+            accuracy=hit.accuracy, outputs=(*LAUNCHED, *launched), variables=of.variables,
+        )  # fmt: skip
+    rows: dict[str, Floats] = dict(zip(found.outputs, found.si, strict=True))
+    value = {name: float(getattr(found.launch, name)) for name in LAUNCHED}
+    slope = {name: rows[name] for name in LAUNCHED}
+    if hit.flight:
+        flown = flight_derivatives(found.launch, air=hit.air, wind=hit.wind, ground=hit.ground)
+        order = list(flight_outputs())
+        columns = [list(flight_inputs()).index(name) for name in launched]
+        chain = flown.jacobian[:, columns] @ np.array([rows[name] for name in launched])
+        slope |= {name: chain[order.index(name)] for name in FLIGHT_OUTCOMES}
+        value |= {name: flown.values[name] for name in FLIGHT_OUTCOMES}
+    return value, slope
+
+
+COUNT = 2**10
+"""Shots for each set of variables, unless told otherwise."""
+ORDERS = 32
+"""Orders in which variables are told, half of them the others reversed; all orders where they are as few."""
+CORRELATED = 1e-9
+Places = NDArray[np.intp]
+Function = Callable[[Floats], Floats]
+"""Outcomes, shape (outcomes, n), of values of the variables, shape (k, n)."""
+Progress = Callable[[int, int], object]
+
+
+class Indices(NamedTuple):
+    """Shares of the variance.
+
+    Attributes
+    ----------
+    kind
+        "sobol" or "shapley".
+    variables
+        The variables, those that do not vary left out.
+    share
+        By outcome: first-order indices or Shapley effects, shape (k,).
+    total
+        By outcome: total indices, shape (k,); for Shapley effects the same as ``share``.
+    """
+
+    kind: str
+    variables: tuple[str, ...]
+    share: Mapping[str, Floats]
+    total: Mapping[str, Floats]
+
+
+def indices(
+    of: Golfer,
+    hit: Hitting,
+    outcomes: Sequence[str] = ("carry", "side"),
+    *,
+    count: int = COUNT,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> Indices:
+    """Return the shares of the variables by sampling.
+
+    Parameters
+    ----------
+    of
+        The golfer, of the club's hand.
+    hit
+        How shots are hit.
+    outcomes
+        Quantities of launch or flight. One that does not vary has shares of NaN.
+    count
+        Shots for each variable or set of variables, a power of two.
+    seed
+        Of the quasi-random numbers.
+    progress
+        For Shapley effects: called with the number of orders of the variables done and that of all.
+    """
+    if not hit.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
+        raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
+    check_names("outcome", outcomes, (*LAUNCHED, *FLOWN))
+    varies = of.spread > 0.0
+    if not varies.any():
+        raise InputError("golfer", of.name, "one whose deliveries vary: nothing spreads the shots")
+    names = tuple(name for name, does in zip(of.variables, varies, strict=True) if does)
+    held = {name: np.asarray(mean) for name, mean in zip(of.variables, of.mean, strict=True) if name not in names}
+
+    def outcome(values: Floats) -> Floats:
+        found = hit({**held, **dict(zip(names, values, strict=True))})
+        # A shot without a result tells nothing: it counts as the mean of the others.
+        rows = [found[name] for name in outcomes]
+        return np.stack([np.where(np.isfinite(row), row, np.nanmean(row)) for row in rows])
+
+    mean, covariance = of.mean[varies], of.covariance[np.ix_(varies, varies)]
+    spread = of.spread[varies]
+    if np.abs(of.correlation[np.ix_(varies, varies)] - np.eye(len(names))).max(initial=0.0) < CORRELATED:
+        first, total = sobol(outcome, mean, spread, count=count, seed=seed)
+        return Indices("sobol", names, dict(zip(outcomes, first, strict=True)), dict(zip(outcomes, total, strict=True)))
+    found = shapley(outcome, mean, covariance, count=count, seed=seed, progress=progress)
+    effects = dict(zip(outcomes, found, strict=True))
+    return Indices("shapley", names, effects, effects)
+
+
+def indices_by_derivatives(of: ByDerivatives, outcomes: Sequence[str] = ("carry", "side")) -> Indices:
+    """Return the Shapley effects of the outcome that gradient and curvature at the mean describe, in closed form.
+
+    What the variables u tell of a normal distribution has the covariance C_u = C[:, u] C[u, u]^-1 C[u, :], and the
+    expectation of the outcome given them the variance g' C_u g + tr(H C_u H C_u) / 2.
+    """
+    golfer = of.golfer
+    varies = np.flatnonzero(golfer.spread > 0.0)
+    covariance = golfer.covariance[np.ix_(varies, varies)]
+    effects = {}
+    for name in outcomes:
+        slope, second = of.gradient[name][varies], of.second[name][np.ix_(varies, varies)]
+
+        def variance(told: int, slope: Floats = slope, second: Floats = second) -> Floats:
+            known = _told(covariance, _members(told, len(varies)))
+            curved = second @ known
+            return np.array([slope @ known @ slope + 0.5 * np.trace(curved @ curved)])
+
+        effects[name] = _effects_of_all(variance, len(varies))[0]
+    names = tuple(golfer.variables[place] for place in varies)
+    return Indices("shapley", names, effects, effects)
+
+
+def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed: int) -> tuple[Floats, Floats]:
+    """Return first-order and total indices, each of shape (outcomes, k), of independent, normal variables.
+
+    They are those of ``scipy.stats.sobol_indices`` (Saltelli and others, 2010), from (k + 2) ``count`` evaluations.
+    """
+    from scipy.stats import norm, sobol_indices
+
+    _check_power(count)
+    normal = [norm(loc=at, scale=size) for at, size in zip(mean, spread, strict=True)]
+    found = sobol_indices(func=function, n=count, dists=normal, rng=np.random.default_rng(seed))
+    # scipy drops an axis of one variable.
+    first, total = (np.reshape(each, (-1, len(mean))) for each in (found.first_order, found.total_order))
+    return first, total
+
+
+def shapley(
+    function: Function, mean: Floats, covariance: Floats, *, count: int, seed: int, progress: Progress | None = None
+) -> Floats:
+    """Return the Shapley effects, shape (outcomes, k), of jointly normally distributed variables.
+
+    The variance of the expectation given some variables is the covariance of the outcome with that of a second shot,
+    which shares them and has the others drawn anew as they go with those.
+    """
+    from scipy.special import ndtri
+
+    _check_power(count)
+    size = len(mean)
+    standard = ndtri(uniform(2 * size, count, seed=seed)).T
+    root = np.linalg.cholesky(covariance)
+    away, fresh = root @ standard[:size], standard[size:]
+    base = function(mean[:, None] + away)
+    total = base.var(axis=1)
+    known: dict[int, Floats] = {0: np.zeros(len(base)), 2**size - 1: total}
+
+    def variance(told: int) -> Floats:
+        if told not in known:
+            inside = _members(told, size)
+            second = function(mean[:, None] + _redrawn(away, fresh, covariance, inside))
+            middle = 0.5 * (base.mean(axis=1) + second.mean(axis=1))
+            known[told] = (base * second).mean(axis=1) - middle**2
+        return known[told]
+
+    if factorial(size) <= ORDERS:
+        return _effects(variance, size, list(permutations(range(size))), progress)
+    drawn = np.random.default_rng(seed)
+    some = [tuple(drawn.permutation(size).tolist()) for _ in range(ORDERS // 2)]
+    return _effects(variance, size, [each for order in some for each in (order, order[::-1])], progress)
+
+
+def _effects(
+    variance: Callable[[int], Floats], size: int, orders: Sequence[Sequence[int]], progress: Progress | None
+) -> Floats:
+    """Return the effects as the mean over orders of what each variable adds; ``variance`` takes a set as bits."""
+    found = []
+    for number, order in enumerate(orders, start=1):
+        told, before, added = 0, variance(0), np.empty((size, len(variance(0))))
+        for place in order:
+            told |= 1 << place
+            after = variance(told)
+            added[place] = after - before
+            before = after
+        found.append(added.T)
+        if progress is not None:
+            progress(number, len(orders))
+    return np.mean(found, axis=0) / variance(2**size - 1)[:, None]
+
+
+def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
+    """Return the effects over all orders, from the variance of every set of variables."""
+    every = np.array([variance(told) if told else np.zeros_like(variance(1)) for told in range(2**size)])
+    members = np.array([told.bit_count() for told in range(2**size)])
+    weight = np.array([factorial(n) * factorial(size - n - 1) / factorial(size) for n in range(size)])
+    found = []
+    for place in range(size):
+        without = np.flatnonzero(~np.arange(2**size) >> place & 1)
+        found.append(weight[members[without]] @ (every[without | 1 << place] - every[without]))
+    return np.array(found).T / every[-1][:, None]
+
+
+def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) -> Floats:
+    """Return deviations that share the variables ``inside`` with ``away`` and are drawn anew in the others."""
+    outside = np.setdiff1d(np.arange(len(away)), inside)
+    found = away.copy()
+    across = covariance[np.ix_(outside, inside)] @ np.linalg.inv(covariance[np.ix_(inside, inside)])
+    left = covariance[np.ix_(outside, outside)] - across @ covariance[np.ix_(inside, outside)]
+    found[outside] = across @ away[inside] + np.linalg.cholesky(left) @ fresh[outside]
+    return found
+
+
+def _told(covariance: Floats, inside: Places) -> Floats:
+    """Return the covariance of what the variables ``inside`` tell of all."""
+    across = covariance[:, inside]
+    return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
+
+
+def _members(told: int, size: int) -> Places:
+    return np.array([place for place in range(size) if told >> place & 1], dtype=np.intp)
+
+
+def _check_power(count: int) -> None:
+    if not isinstance(count, int) or count < 2 or count & (count - 1):
+        raise InputError("count", count, "a power of two, such as 1024")

@@ -1,1 +1,0 @@
-"""Figures of the finite elements: impacts, sections, faces, sweeps."""

@@ -1,8 +1,0 @@
-"""Model parameters from measured shots, and how well the shots determine them.
-
-:func:`clubface.identify` does the whole identification. The documentation page "Parameters from measured shots"
-describes the method.
-"""
-
-from clubface.identification.result import Identification as Identification
-from clubface.identification.run import identify as identify

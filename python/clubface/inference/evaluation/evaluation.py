@@ -1,0 +1,291 @@
+"""Models beside measured shots, and whether published parameters can have the published accuracy.
+
+Comparison of models with measured shots: one call from a file to everything that the report shows.
+
+Whether published parameters can have the published accuracy, told by pairs of models.
+
+Every model was compared with the same measured launches. So on these shots the mean launches of two models differ by at
+most the sum of their mean absolute errors, whatever was measured. Where the published parameters of two models are
+further apart on such shots, at least one of the two sets, or of the published errors, is not what was computed with.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import combinations
+from time import process_time
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.equipment.balls import published_ball
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import InputError, RangeWarning, Told
+from clubface.inference.evaluation import noise as noises
+from clubface.inference.evaluation.model_errors import ModelErrors, published
+from clubface.inference.evaluation.report import write
+from clubface.inference.evaluation.statistics import Resamples, error_sizes, fewest_resamples, trends
+from clubface.shots.measured import DELIVERY, QUANTITIES, MeasuredShots, measured_shots
+from clubface.shots.reading import read
+from clubface.shots.recorded import RecordedShots, RejectedRow
+from clubface.simulation.impact import impact, model_names, warn_if_outside
+from clubface.simulation.inputs import parameter_set
+from clubface.simulation.launch import Launch
+from clubface.simulation.launch_conditioned import impact_at_launch
+from clubface.support.arrays import Floats
+from clubface.support.checks import MOST_SEED, check_count, is_count, without_warnings
+from clubface.validation import benchmark_data
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from clubface.equipment.balls import Ball
+    from clubface.equipment.clubs import Club
+
+
+FEWEST_RESAMPLES = 100
+"""Resamples below which no interval is worth showing; several models take more, see ``fewest_resamples``."""
+SHORTEST = 0.02
+"""Seconds; a computation shorter than this is timed over several runs."""
+
+
+class Evaluation(ModelErrors):
+    """Models compared with measured shots, in SI units; its attributes are those of :class:`ModelErrors`."""
+
+    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write the report (Markdown, HTML, JSON, CSV) and pictures into ``folder``; return the files."""
+        return write(self, folder)
+
+
+def evaluate(
+    shots: RecordedShots | str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club | None = None,
+    only: str | None = None,
+    mismatch: str = "refuse",
+    models: str | Iterable[str] = "all",
+    parameters: Mapping[str, Any] | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    noise: Mapping[str, Any] | None = None,
+    delivery_noise: Mapping[str, Any] | None = None,
+    compared_at: str = DELIVERY,
+    groups: Sequence[object] | NDArray[Any] | None = None,
+    resamples: int = 2000,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Callable[[str], object] | None = None,
+) -> Evaluation:
+    """Compare models with measured shots: how large their errors are, what these depend on, and which model is best.
+
+    Parameters
+    ----------
+    shots
+        Recorded shots, or a file that :func:`clubface.shots.read` reads.
+    club, only
+        The club with which the shots were hit, and the name of the club in a file that holds several; see
+        :func:`clubface.shots.measured.measured_shots`.
+    mismatch
+        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
+        "note".
+    models
+        A name, a list of names, or "all".
+    parameters
+        A mapping from model names to what :func:`impact` takes as ``parameters``. If left out: the published sets.
+    ball, accuracy, threads
+        As for :func:`impact`.
+    noise
+        Standard deviations of the measured launch quantities, by name. Those left out are the ones that Caldwell and
+        McPhee (2023) quote for their monitor (mean errors of 0.2 degrees and 50 rpm).
+    delivery_noise
+        Standard deviations of the measured delivery quantities, by name; they count for the least error that can be
+        reached.
+    compared_at
+        "delivery", or "launch": every model then meets the measured launch angle and, if it was measured, the start
+        direction, for which it gets a dynamic loft and a face angle of its own; ball speed and spin are compared there.
+        Lofts that a monitor computed from the ball do not count then.
+    groups
+        One label for each shot of ``shots`` that says which shots belong together, such as the player. Resamples then
+        draw whole groups. If left out: the players, if the shots name several; otherwise every shot is its own.
+    resamples
+        Number of bootstrap resamples.
+    seed
+        Seed of the random numbers; the same seed gives the same report, apart from the times.
+    progress
+        Called with the name of each model before it is computed.
+
+    Raises
+    ------
+    InputError
+        There is no usable shot, the shots are of several clubs or of another club, a speed is missing, or a name is
+        unknown.
+    """
+    names = model_names(models)
+    enough = fewest_resamples(len(names))
+    seed = check_count("seed", seed, 0, MOST_SEED)
+    if not is_count(resamples, max(enough, FEWEST_RESAMPLES), MOST_SEED):
+        why = f": with fewer, none of {len(names)} models can be called worse than another" * (
+            enough > FEWEST_RESAMPLES
+        )
+        raise InputError("resamples", resamples, f"a whole number from {max(enough, FEWEST_RESAMPLES)} on{why}")
+    monitor, disturbance = noises.monitor_noise(noise), noises.delivery_disturbance(delivery_noise)
+    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
+    if groups is not None and recorded is not shots:
+        advice = "give RecordedShots, to which groups can belong, one to each shot"
+        raise InputError("groups", Told("for a file"), advice)
+    taken = measured_shots(recorded, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
+    belonging = _groups_of(groups, recorded, taken)
+    given = parameters or {}
+    for name in given:
+        if name not in names:
+            raise InputError("parameters", name, f"for one of the models evaluated: {', '.join(names)}")
+    sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
+
+    def predict(name: str, given: Mapping[str, Floats]) -> dict[str, Floats]:
+        """Return launches of deliveries, or at the launch angles and azimuths among what is given."""
+        delivery = {each: values for each, values in given.items() if each not in taken.start}
+        start = {each: values for each, values in given.items() if each in taken.start}
+        how: dict[str, Any] = {
+            "model": name, "parameters": sets[name], "ball": ball, "accuracy": accuracy, "threads": threads,
+        }  # fmt: skip
+        with without_warnings(RangeWarning):
+            if start:
+                loft, _, found = impact_at_launch(taken.club, delivery, **start, **how)
+                for row in np.flatnonzero(np.isnan(loft)):
+                    failures.setdefault(int(row), f"{name}: no loft gives the measured launch")
+            else:
+                found = impact(taken.club, delivery, **how, on_error="nan")
+        launches[name] = found
+        for each in found.problems:
+            failures.setdefault(each.row[0], f"{name}: {each.reason}")
+        return {quantity: np.asarray(getattr(found, quantity)) for quantity in QUANTITIES}
+
+    given_of = {**taken.delivery, **taken.start}
+    failures: dict[int, str] = {}
+    launches: dict[str, Launch] = {}
+    predicted, seconds = {}, {}
+    for name in names:
+        if progress is not None:
+            progress(name)
+        predicted[name], seconds[name] = _timed(lambda model=name: predict(model, given_of), len(taken))
+    warn_if_outside(launches.values())
+    kept = np.array([row not in failures for row in range(len(taken))], dtype=bool)
+    failed = tuple(RejectedRow(int(taken.rows[row]), reason) for row, reason in sorted(failures.items()))
+    if not kept.any():
+        raise InputError("shots", taken.source, f"at least one shot that every model can compute ({failed[0].reason})")
+    taken = taken.select(kept)
+    belonging = None if belonging is None else belonging[kept]
+    predicted = {name: {key: values[kept] for key, values in each.items()} for name, each in predicted.items()}
+    sizes, best, lines = {}, {}, {}
+    for quantity, measured in taken.launch.items():
+        there = np.isfinite(measured)
+        drawn = Resamples(resamples, int(there.sum()), seed, None if belonging is None else belonging[there])
+        errors = {name: (predicted[name][quantity] - measured)[there] for name in names}
+        sizes[quantity], best[quantity] = error_sizes(errors, drawn)
+        delivery = {name: values[there] for name, values in taken.delivery.items()}
+        lines[quantity] = trends(errors, delivery, drawn)
+    standing = best[next(iter(best))].model
+    # What is met is measured with noise as well, and noise in what is solved for counts for nothing.
+    disturbed = disturbance | {name: monitor[name] for name in taken.start if name in monitor}
+    least = noises.floor(
+        lambda delivery: predict(standing, delivery), {**taken.delivery, **taken.start}, monitor, disturbed, seed
+    )
+    return Evaluation(
+        shots=taken, parameters=sets, predicted=predicted, sizes=sizes, best=best, trends=lines,
+        floor={name: least[name] for name in sizes if name in least}, monitor_noise=monitor,
+        delivery_noise=disturbance, seconds=seconds, failed=failed, resamples=resamples, seed=seed,
+        groups=None if belonging is None else len(set(belonging.tolist())),
+    )  # fmt: skip
+
+
+def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[str, Floats], float]:
+    """Return a result and the processor time a shot; what is too short to be timed is run again."""
+    began = process_time()
+    result = compute()
+    spent = process_time() - began
+    if spent < SHORTEST:
+        runs = 5
+        began = process_time()
+        for _ in range(runs):
+            compute()
+        spent = (process_time() - began) / runs
+    return result, spent / shots
+
+
+def _groups_of(
+    groups: Sequence[object] | NDArray[Any] | None, shots: RecordedShots, taken: MeasuredShots
+) -> NDArray[Any] | None:
+    """Return the groups of the shots taken, of which ``groups`` gives one for every shot of the source.
+
+    Players are told apart among the shots taken: those of one player chosen from a file of several are no group.
+    """
+    if groups is None:
+        return shots.select(taken.places).groups()
+    found = np.asarray(groups)
+    if found.shape != (len(shots),):
+        raise InputError("groups", Told(f"of shape {found.shape}"), f"one for each shot: ({len(shots)},)")
+    return found[taken.places]
+
+
+class Pair(NamedTuple):
+    """Two models with one club in one quantity, SI.
+
+    Attributes
+    ----------
+    club, quantity
+        The club, and one of the five launch quantities.
+    first, second
+        Names of the models.
+    difference
+        Mean of the first model less mean of the second, on the same shots.
+    allowed
+        The sum of their published mean absolute errors.
+    """
+
+    club: str
+    quantity: str
+    first: str
+    second: str
+    difference: float
+    allowed: float
+
+    @property
+    def contradicts(self) -> bool:
+        """Whether the means are further apart than the published errors allow."""
+        return abs(self.difference) > self.allowed
+
+
+def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
+    """Compare all models of which errors are published, with each club in each quantity.
+
+    The shots are the deliveries of the benchmark, as their motion capture shows them: those of the publication are not
+    public, and the mean launches are the same.
+
+    Parameters
+    ----------
+    parameters
+        Sets to use in place of the default ones, by model and club.
+    """
+    accuracy, found = published(), []
+    for club in benchmark_data.CLUBS:
+        shots = benchmark_data.load(club)
+        deliveries, head = shots.measured.deliveries, shots.head
+        means: dict[str, dict[str, float]] = {}
+        for model in (name for name, of in accuracy if of == club):
+            chosen = (parameters or {}).get((model, club)) or ParameterSet.builtin(model, club)
+            with without_warnings(RangeWarning):  # of their own shots, or of what stands for them
+                launch = impact(head, deliveries, model=model, parameters=chosen, ball=published_ball())
+            means[model] = {name: float(launch.get(name).mean()) for name in QUANTITIES}
+        for first, second in combinations(means, 2):
+            for name in QUANTITIES:
+                allowed = accuracy[first, club].mae[name] + accuracy[second, club].mae[name]
+                found.append(Pair(club, name, first, second, means[first][name] - means[second][name], allowed))
+    return found
+
+
+def contradictions(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
+    """Return the pairs that cannot both be right, the clearest first; ``parameters`` as for :func:`pairs`."""
+    clear = [each for each in pairs(parameters) if each.contradicts]
+    return sorted(clear, key=lambda each: -abs(each.difference) / each.allowed)

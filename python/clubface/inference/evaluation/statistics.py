@@ -1,0 +1,341 @@
+"""Statistics of the errors of models: sizes, intervals, differences, and trends.
+
+Statistics of the errors of models: sizes with confidence intervals, differences with significance.
+
+How the errors of a model depend on the delivery: on speed, place on the face, path and attack.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from statistics import NormalDist
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.support.arrays import Floats
+
+CONFIDENCE = 0.95
+SIGNIFICANCE = 0.05
+_CHUNK, _KEPT = 1_000_000, 8_000_000
+"""Numbers of resamples times shots that are drawn at a time, and that are kept instead of being drawn again."""
+
+
+class Interval(NamedTuple):
+    """The ends of a 95% confidence interval; NaN if there are fewer than two different shots."""
+
+    low: float
+    high: float
+
+
+class ErrorSize(NamedTuple):
+    """How large the errors of one model in one quantity are, in SI units.
+
+    Attributes
+    ----------
+    shots
+        Number of shots compared.
+    bias
+        Mean of model minus measured values, with ``bias_interval``.
+    mae
+        Mean absolute error, with ``mae_interval``.
+    std
+        Standard deviation of the error (n - 1); NaN for a single shot.
+    rms
+        Root mean square of the error.
+    worst
+        Largest magnitude of the error.
+    """
+
+    shots: int
+    bias: float
+    bias_interval: Interval
+    mae: float
+    mae_interval: Interval
+    std: float
+    rms: float
+    worst: float
+
+
+class Rival(NamedTuple):
+    """A model compared with the one that has the least mean absolute error.
+
+    Attributes
+    ----------
+    model
+        Name of the model.
+    difference
+        Its mean absolute error minus that of the best model, with its interval.
+    p
+        Two-sided probability that resampled shots favour the other model as clearly, corrected for the number of rivals
+        after Holm. Before the correction it is never below the least value that changes of sign of as many shots can
+        give.
+    """
+
+    model: str
+    difference: float
+    interval: Interval
+    p: float
+
+    @property
+    def is_worse(self) -> bool:
+        """Whether the difference is significant at 5%."""
+        return self.p < SIGNIFICANCE
+
+
+class Best(NamedTuple):
+    """The best model in one quantity, and how sure that is.
+
+    Attributes
+    ----------
+    model
+        The model with the least mean absolute error.
+    rivals
+        The other models, the nearest first.
+    """
+
+    model: str
+    rivals: tuple[Rival, ...]
+
+    @property
+    def equals(self) -> tuple[str, ...]:
+        """The models that are not significantly worse."""
+        return tuple(each.model for each in self.rivals if not each.is_worse)
+
+
+class Resamples:
+    """Bootstrap resamples of shots, or of groups of shots that belong together, such as those of one player.
+
+    Means over a resample are weighted means over the shots, so that every model and quantity sees the same resamples.
+
+    Parameters
+    ----------
+    count
+        Resamples.
+    shots
+        Number of shots.
+    seed
+        Of the random numbers; the same seed gives the same resamples.
+    groups
+        The group of each shot; left out, every shot is its own.
+    """
+
+    def __init__(
+        self, count: int, shots: int, seed: int, groups: Sequence[object] | NDArray[np.generic] | None
+    ) -> None:
+        self.count = count
+        self._shots = shots
+        self._seed = seed
+        self._weights: Floats | None = None
+        self._group = np.arange(shots)
+        self.groups = shots
+        """How many are drawn."""
+        if groups is not None:
+            names, self._group = np.unique(np.asarray(groups), return_inverse=True)
+            self.groups = len(names)
+
+    def means(self, values: Floats) -> Floats:
+        """Return the means of ``values``, shape [columns, shots], over each resample: [resamples, columns]."""
+        if self.count * self._shots <= _KEPT:
+            if self._weights is None:
+                self._weights = np.concatenate(list(self._drawn()))
+            return self._weights @ values.T
+        return np.concatenate([weights @ values.T for weights in self._drawn()])
+
+    def _drawn(self) -> Iterator[Floats]:
+        """Yield the weights of the shots, which add up to 1, some resamples at a time: [resamples, shots]."""
+        random = np.random.default_rng(self._seed)
+        step = max(1, _CHUNK // self._shots)
+        for first in range(0, self.count, step):
+            size = min(step, self.count - first)
+            drawn = (random.random((size, self.groups)) * self.groups).astype(np.int64)
+            offsets = self.groups * np.arange(size)[:, None]
+            counts = np.bincount((drawn + offsets).ravel(), minlength=size * self.groups)
+            weights = counts.reshape(size, self.groups)[:, self._group].astype(np.float64)
+            yield weights / weights.sum(axis=1, keepdims=True)
+
+
+def interval(resampled: Floats, groups: int) -> Interval:
+    """Return the percentile interval of resampled means if ``groups`` groups were drawn; NaN for fewer than two.
+
+    The ends are moved outwards by as much as Student's t distribution is wider than the normal distribution, because
+    plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap,
+    The American Statistician 69 (2015) 371-386.
+    """
+    if groups < 2:
+        return Interval(math.nan, math.nan)
+    normal, degrees = NormalDist(), groups - 1
+    part = normal.cdf(math.sqrt(groups / degrees) * _students_t(normal.inv_cdf(0.5 + CONFIDENCE / 2), degrees))
+    low, high = np.quantile(resampled, [1.0 - part, part])
+    return Interval(float(low), float(high))
+
+
+def _students_t(z: float, degrees: int) -> float:
+    """Return the quantile of Student's t from that of the normal distribution, by Abramowitz and Stegun 26.7.5.
+
+    For two degrees of freedom it is 3% low, but such a quantile is beyond all resamples anyway.
+    """
+    terms = (
+        z,
+        (z**3 + z) / 4.0,
+        (5.0 * z**5 + 16.0 * z**3 + 3.0 * z) / 96.0,
+        (3.0 * z**7 + 19.0 * z**5 + 17.0 * z**3 - 15.0 * z) / 384.0,
+    )
+    return sum(term / degrees**power for power, term in enumerate(terms))
+
+
+def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
+    """Return the sizes of the errors of each model in one quantity, and the best model by paired bootstrap.
+
+    Parameters
+    ----------
+    errors
+        Model less measured by the name of the model, of the same shots in the same order.
+    resamples
+        Of these shots.
+    """
+    names, table = list(errors), np.stack(list(errors.values()))
+    # Shots that are copies of each other, errors and all, tell no more than one of them.
+    different = min(resamples.groups, len(np.unique(table, axis=1).T))
+    means = resamples.means(np.concatenate([table, np.abs(table)]))
+    signed, absolute = means[:, : len(names)], means[:, len(names) :]
+    sizes = {}
+    for place, name in enumerate(names):
+        error = table[place]
+        sizes[name] = ErrorSize(
+            shots=error.size,
+            bias=float(error.mean()),
+            bias_interval=interval(signed[:, place], different),
+            mae=float(np.abs(error).mean()),
+            mae_interval=interval(absolute[:, place], different),
+            std=float(error.std(ddof=1)) if error.size > 1 else float("nan"),
+            rms=float(np.sqrt(np.mean(error**2))),
+            worst=float(np.abs(error).max()),
+        )
+    mae = {name: sizes[name].mae for name in names}
+    return sizes, best_of(mae, dict(zip(names, absolute.T, strict=True)), different)
+
+
+def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: int) -> Best:
+    """Return the model with the least mean absolute error and the significance of its lead over each other.
+
+    Parameters
+    ----------
+    mae
+        Mean absolute error by the name of the model.
+    resampled
+        The same over each resample, paired.
+    groups
+        How many shots, or groups of them, were drawn. Fewer than ``fewest_groups`` are never significant.
+    """
+    # All of them favour the same model in two of 2^groups changes of sign.
+    least = 2.0 ** (1 - groups)
+    first = min(mae, key=lambda name: mae[name])
+    rivals = []
+    for name in sorted((each for each in mae if each != first), key=lambda name: mae[name]):
+        lead = resampled[name] - resampled[first]
+        # One more resample on either side, so that none finite gives a probability of zero.
+        tails = [(1.0 + float(np.sum(side))) / (1.0 + lead.size) for side in (lead <= 0.0, lead >= 0.0)]
+        p = min(1.0, max(least, 2.0 * min(tails)))
+        rivals.append(Rival(name, mae[name] - mae[first], interval(lead, groups), p))
+    corrected = holm([each.p for each in rivals])
+    return Best(first, tuple(each._replace(p=p) for each, p in zip(rivals, corrected, strict=True)))
+
+
+def fewest_resamples(models: int) -> int:
+    """Return how many resamples are needed so that one of several models can be called worse at all.
+
+    Of B resamples the least two-sided probability is 2 / (B + 1), and Holm's correction takes it times the number of
+    rivals, which must stay below ``SIGNIFICANCE``.
+    """
+    return math.ceil(2.0 * (models - 1) / SIGNIFICANCE - 1e-9)
+
+
+def fewest_groups(models: int) -> int:
+    """Return how many shots, or groups of them, are needed so that one of several models can be called worse at all.
+
+    The least probability of G groups is 2^(1 - G), and Holm's correction takes it times the number of rivals.
+    """
+    return 2 + math.floor(math.log2(max(1, models - 1) / SIGNIFICANCE) + 1e-9)
+
+
+def holm(probabilities: Sequence[float]) -> list[float]:
+    """Return probabilities corrected for their number after Holm (1979), in the order given."""
+    order = sorted(range(len(probabilities)), key=lambda place: probabilities[place])
+    found, least = [0.0] * len(probabilities), 0.0
+    for rank, place in enumerate(order):
+        least = max(least, min(1.0, (len(probabilities) - rank) * probabilities[place]))
+        found[place] = least
+    return found
+
+
+COVARIATES = {"speed": "mph", "path": "deg", "toe": "mm", "high": "mm", "attack": "deg", "loft": "deg", "face": "deg"}
+"""The delivery quantities that errors are set against, and the unit each is read in."""
+FEWEST_SHOTS = 3
+LEAST_SPREAD = 1e-9
+"""A covariate that spreads less than this, relative to its size, is constant."""
+
+
+class Trend(NamedTuple):
+    """A straight line through the errors of one model in one quantity over one value of the delivery, in SI units.
+
+    Attributes
+    ----------
+    covariate
+        The value of the delivery over which the line is drawn.
+    slope
+        Change of the error for a unit of the covariate, with its interval.
+    explained
+        Fraction of the variance of the error that the line explains, 0 to 1.
+    """
+
+    covariate: str
+    slope: float
+    interval: Interval
+    explained: float
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether the interval excludes zero."""
+        return self.interval.low > 0.0 or self.interval.high < 0.0
+
+
+def trends(
+    errors: Mapping[str, Floats], delivery: Mapping[str, Floats], resamples: Resamples
+) -> dict[str, list[Trend]]:
+    """Return the lines of each model over the covariates that were measured and vary.
+
+    Parameters
+    ----------
+    errors
+        Model less measured in one quantity, by the name of the model.
+    delivery
+        The deliveries of the same shots.
+    resamples
+        Of these shots.
+    """
+    covariates = {
+        name: values
+        for name in COVARIATES
+        if (values := delivery.get(name)) is not None and np.ptp(values) > LEAST_SPREAD * np.abs(values).max()
+    }
+    found: dict[str, list[Trend]] = {name: [] for name in errors}
+    centred = np.stack([each - each.mean() for each in errors.values()])
+    if centred.shape[1] < FEWEST_SHOTS:
+        return found
+    mean_errors = resamples.means(centred)
+    for name, values in covariates.items():
+        deviation = float(values.std())
+        x = (values - values.mean()) / deviation
+        means = resamples.means(np.concatenate([[x, x * x], x * centred]))
+        spread = means[:, 1] - means[:, 0] ** 2
+        usable = spread > LEAST_SPREAD
+        resampled = (means[:, 2:] - means[:, :1] * mean_errors)[usable] / spread[usable, None]
+        for place, model in enumerate(errors):
+            slope, variance = float(np.mean(x * centred[place])), float(np.mean(centred[place] ** 2))
+            ends = interval(resampled[:, place] / deviation, resamples.groups)
+            explained = slope**2 / variance if variance > 0.0 else 0.0
+            found[model].append(Trend(name, slope / deviation, ends, explained))
+    return found

@@ -1,0 +1,402 @@
+"""The problem of an identification: its free parameters and its shots.
+
+The free parameters, their bounds, and the unit cube in which the search moves.
+
+The shots of an identification: the inputs as the core takes them, and the measured launches.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import Parameter, model as model_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import InputError, RangeWarning, Told, UnknownNameError
+from clubface.shots.loft_origin import LoftOrigin
+from clubface.shots.measured import DELIVERY, QUANTITIES, SOLVED, measured_shots
+from clubface.shots.reading import read
+from clubface.shots.recorded import RecordedShots, RejectedRow
+from clubface.simulation.impact import impact
+from clubface.simulation.launch_conditioned import impact_at_launch
+from clubface.simulation.results import input_columns, inputs, outputs
+from clubface.support.arrays import Floats
+from clubface.support.checks import Frozen, check_choice, check_names, without_warnings
+from clubface.support.files import DATA
+from clubface.support.strict_toml import Document
+
+ALL = "all"
+"""Asks for every parameter of the model."""
+
+DECADE = 10.0
+"""A positive parameter whose bounds are further apart than this factor is searched by its logarithm."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FreeParameters:
+    """The parameters that are identified; the others keep the value of a set.
+
+    A point of the search is an array of one coordinate a free parameter, 0 at the lower bound and 1 at the upper,
+    in between linear in the value or, where the bounds span more than a decade, in its logarithm.
+
+    Attributes
+    ----------
+    fixed
+        The set that holds every other parameter.
+    names
+        The free parameters, in the order of the registry.
+    lower, upper
+        Their bounds [SI], shape (free,).
+    logarithmic
+        Which are searched by their logarithm, shape (free,).
+    tied
+        Parameters that take the value of a free one, by name.
+    """
+
+    fixed: ParameterSet
+    names: tuple[str, ...]
+    lower: Floats
+    upper: Floats
+    logarithmic: NDArray[np.bool_]
+    tied: Mapping[str, str]
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def values(self, points: Floats) -> Floats:
+        """Return parameter values [SI] at points of the unit cube, both of shape (..., free)."""
+        linear = self.lower + points * (self.upper - self.lower)
+        if self.logarithmic.any():
+            low, high = self._logarithms()
+            linear = np.where(self.logarithmic, np.exp(low + points * (high - low)), linear)
+        return np.clip(linear, self.lower, self.upper)
+
+    def points(self, values: Floats) -> Floats:
+        """Return the points of the unit cube at parameter values [SI], both of shape (..., free)."""
+        points = (values - self.lower) / (self.upper - self.lower)
+        if self.logarithmic.any():
+            low, high = self._logarithms()
+            positive = np.where(self.logarithmic, values, 1.0)
+            points = np.where(self.logarithmic, (np.log(positive) - low) / (high - low), points)
+        return np.clip(points, 0.0, 1.0)
+
+    def slopes(self, points: Floats) -> Floats:
+        """Return the derivatives of the values by the coordinates, shape (..., free)."""
+        low, high = self._logarithms()
+        return np.where(self.logarithmic, self.values(points) * (high - low), self.upper - self.lower)
+
+    def columns(self, points: Floats, shots: int) -> list[Any]:
+        """Return the columns of the core for points of shape (n, free): each point is repeated for all shots."""
+        values = self.values(points)
+        found = []
+        for name, value in self.fixed.values.items():
+            place = self._place(name)
+            found.append(value if place is None else np.repeat(values[:, place], shots))
+        return found
+
+    def single(self, point: Floats) -> list[float]:
+        """Return the value of every parameter at one point, as the core takes them."""
+        values = self.values(point)
+        places = ((self._place(name), value) for name, value in self.fixed.values.items())
+        return [value if place is None else float(values[place]) for place, value in places]
+
+    def driven(self) -> list[list[int]]:
+        """Return, for each free parameter, the places in the registry of those that follow it, itself included."""
+        order = list(self.fixed.values)
+        return [[place for place, each in enumerate(order) if self.tied.get(each, each) == name] for name in self.names]
+
+    def parameters(self, point: Floats, **told: Any) -> ParameterSet:
+        """Return the set at one point; ``told`` are its name, source and the like."""
+        values = dict(zip(self.fixed.values, self.single(point), strict=True))
+        return ParameterSet(
+            model=self.fixed.model,
+            club=self.fixed.club,
+            values=values,
+            includes_face=self.fixed.includes_face,
+            characteristic_time=self.fixed.characteristic_time,
+            **told,
+        )
+
+    def declared(self) -> list[Parameter]:
+        """Return what the registry says of the free parameters."""
+        return [model_named(self.fixed.model).parameter(name) for name in self.names]
+
+    def _place(self, name: str) -> int | None:
+        leader = self.tied.get(name, name)
+        return self.names.index(leader) if leader in self.names else None
+
+    def _logarithms(self) -> tuple[Floats, Floats]:
+        """Return the logarithms of the bounds; 0 and 1 where they are not used."""
+        return (
+            np.log(np.where(self.logarithmic, self.lower, 1.0)),
+            np.log(np.where(self.logarithmic, self.upper, np.e)),
+        )
+
+
+def free_parameters(
+    fixed: ParameterSet,
+    names: str | Iterable[str] | None = None,
+    *,
+    bounds: Mapping[str, Any] | None = None,
+    tied: Mapping[str, str] | None = None,
+) -> FreeParameters:
+    """Choose the free parameters of the model of ``fixed``.
+
+    Parameters
+    ----------
+    fixed
+        Holds the parameters that are not free.
+    names
+        Those that are; "all" for every one; left out, those that the publication identified.
+    bounds
+        Pairs of values, text with a unit or SI, by name; left out, those of ``identification.toml``, else of the model.
+    tied
+        Parameters that follow a free one, by name; left out, as the publication had it where ``names`` is left out.
+    """
+    declared = model_named(fixed.model)
+    everything = [each.name for each in declared.parameters]
+    default = published_choice(fixed.model)
+    if names is None:
+        names = default[0] or everything
+        tied = default[1] if tied is None else tied
+    elif names == ALL:
+        names = everything
+    asked = [names] if isinstance(names, str) else list(names)
+    for name in asked:
+        declared.parameter(name)
+    if not asked:
+        raise InputError("free", asked, "at least one parameter of " + ", ".join(everything))
+    tied = dict(tied or {})
+    for follower, leader in tied.items():
+        declared.parameter(follower)
+        check_choice(f"free parameter for {follower} to follow", leader, asked)
+        if follower in asked:
+            raise InputError(f"tied {follower}", leader, "a parameter that is not free itself")
+    chosen = [each for each in declared.parameters if each.name in asked]
+    check_names("free parameter with bounds", bounds or {}, asked)
+    given = {**default[2], **(bounds or {})}
+    pairs = np.array([_bounds(each, given.get(each.name), tied, fixed.model) for each in chosen])
+    lower, upper = pairs[:, 0], pairs[:, 1]
+    return FreeParameters(
+        fixed=fixed, names=tuple(each.name for each in chosen), lower=lower, upper=upper,
+        logarithmic=(lower > 0.0) & (upper > DECADE * lower), tied=Frozen(tied),
+    )  # fmt: skip
+
+
+@cache
+def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str], Mapping[str, list[str]]]:
+    """Return the parameters of a model that its publication identified (none: all), what it tied, and bounds."""
+    document = Document.read(DATA / "identification.toml")
+    entry = document.data.get(model, {})
+    tied, bounds = (Frozen(entry.get(key, {})) for key in ("tied", "bounds"))
+    return tuple(entry.get("free", ())), tied, bounds
+
+
+def _bounds(of: Parameter, given: Any, tied: Mapping[str, str], model: str) -> tuple[float, float]:
+    """Return the bounds of one parameter: what was given within what the registry allows it and its followers."""
+    followers = [model_named(model).parameter(name) for name, leader in tied.items() if leader == of.name]
+    low = max(each.lower for each in (of, *followers))
+    high = min(each.upper for each in (of, *followers))
+    if given is None:
+        return low, high
+    dimension = units.unit(of.unit, name=of.name).dimension
+    try:
+        first, second = given
+    except (TypeError, ValueError):
+        raise InputError(f"bounds of {of.name}", given, "a pair, the lower one first") from None
+    pair = tuple(units.parse(each, dimension, name=f"bound of {of.name}") for each in (first, second))
+    if not low <= pair[0] < pair[1] <= high:
+        allowed = f"increasing, within {units.show(low, of.unit)} to {units.show(high, of.unit)}"
+        raise InputError(f"bounds of {of.name}", given, allowed)
+    return pair[0], pair[1]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PreparedShots:
+    """Deliveries and launches measured together, of one club and ball.
+
+    Attributes
+    ----------
+    club, ball
+        What they were hit with.
+    columns
+        One an input of the core: a number, or an array of shape (shots,).
+    quantities
+        Names of the launch quantities.
+    launches
+        Their measured values [SI], shape (quantities, shots); NaN where one was not measured.
+    start
+        Launch angles, or launch angles and azimuths [rad], that every set of parameters meets, shape (1 or 2, shots);
+        of shape (0, shots) for a comparison at the measured delivery. Loft and face angle among the columns are then
+        those with which the parameters given meet them.
+    loft_origins
+        What the shots tell of where their dynamic lofts come from.
+    rows
+        Where each shot stands in its source.
+    groups
+        Number of the group of each shot, such as its player, from 0; shots of a group are left out and drawn together.
+    source
+        The file, or another name.
+    dropped
+        Rows that cannot be used.
+    notes
+        What a reader of the result must know of the data.
+    """
+
+    club: Club
+    ball: Ball
+    columns: list[Any]
+    quantities: tuple[str, ...]
+    launches: NDArray[np.float64]
+    start: NDArray[np.float64]
+    rows: NDArray[np.int64]
+    groups: NDArray[np.int64]
+    source: str
+    dropped: tuple[RejectedRow, ...] = ()
+    notes: tuple[str, ...] = ()
+    loft_origins: tuple[LoftOrigin, ...] = ()
+
+    def __len__(self) -> int:
+        return self.launches.shape[1]
+
+    def select(self, which: NDArray[Any]) -> Self:
+        """Return some of the shots, by mask or indices."""
+        columns = [each if isinstance(each, float) else np.ascontiguousarray(each[which]) for each in self.columns]
+        launches, start = (np.ascontiguousarray(each[:, which]) for each in (self.launches, self.start))
+        rows, groups = self.rows[which], self.groups[which]
+        return replace(self, columns=columns, launches=launches, start=start, rows=rows, groups=groups)
+
+    def output_places(self) -> list[int]:
+        """Return where the quantities, and then what is met, stand among the outputs of the core."""
+        order = list(outputs())
+        return [order.index(name) for name in (*self.quantities, *self.met)]
+
+    @property
+    def met(self) -> list[str]:
+        """Names of what every set of parameters meets."""
+        return list(SOLVED)[: len(self.start)]
+
+    def solved_columns(self) -> list[int]:
+        """Return the columns of the inputs that are solved for it."""
+        return [input_columns()[SOLVED[name]] for name in self.met]
+
+    def distinct_deliveries(self) -> int:
+        """Return the number of shots that differ in what went into them."""
+        varied = [each for each in self.columns if not isinstance(each, float)]
+        return len(np.unique(np.array(varied), axis=1).T) if varied else 1
+
+    def different(self) -> int:
+        """Return the number of shots that differ in anything that was measured."""
+        varied = [each for each in self.columns if not isinstance(each, float)]
+        return len(np.unique(np.array([*varied, *np.nan_to_num(self.launches)]), axis=1).T)
+
+    def mean(self, name: str) -> float:
+        """Return the mean of one input over the shots [SI]."""
+        return float(np.mean(self.columns[input_columns()[name]]))
+
+
+def prepared_shots(
+    given: RecordedShots | str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    only: str | None = None,
+    mismatch: str = "refuse",
+    quantities: Iterable[str] | None = None,
+    groups: Any = None,
+    parameters: ParameterSet,
+    compared_at: str = DELIVERY,
+) -> PreparedShots:
+    """Lay out recorded shots for the core, without those for which the model gives no launch with ``parameters``.
+
+    Parameters
+    ----------
+    given, club, only, mismatch, compared_at
+        As for :func:`measured_shots`.
+    ball
+        As for :func:`impact`.
+    quantities
+        The launch quantities to compare, which must have been measured. If left out: those of ball speed, launch angle,
+        azimuth, backspin and sidespin that were measured.
+    groups
+        One label for each shot of ``given``. If left out: the players, if the shots name several; otherwise every shot
+        is a group of its own.
+    parameters
+        A parameter set of the model.
+    """
+    recorded = given if isinstance(given, RecordedShots) else read(given)
+    labels = None if groups is None else _groups(groups, len(recorded))
+    compared = tuple(name for name in QUANTITIES if compared_at == DELIVERY or name not in SOLVED)
+    asked = compared if quantities is None else _asked(quantities)
+    if met := set(asked) & set(SOLVED) - set(compared):
+        raise InputError("quantities", min(met), f"quantities that are not met at the launch: {', '.join(compared)}")
+    measured = measured_shots(
+        recorded, club=club, only=only, mismatch=mismatch, quantities=asked, compared_at=compared_at
+    )
+    there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
+    missing = [name for name in asked if name not in there]
+    if missing and quantities is not None:
+        raise InputError(
+            "quantities", ", ".join(missing), f"measured quantities; those of {measured.source} are {', '.join(there)}"
+        )
+    notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
+    launches = np.array([measured.launch[name] for name in there])
+    how: dict[str, Any] = {"model": parameters.model, "parameters": parameters, "ball": ball}
+    problems: dict[int, str] = {}
+    with without_warnings(RangeWarning):  # of the parameters with which the search begins
+        if measured.start:
+            solved = impact_at_launch(measured.club, measured.delivery, **measured.start, **how)
+            launch = solved.launch
+            for row in np.flatnonzero(np.isnan(solved.loft)):
+                problems[int(row)] = "no loft gives the measured launch"
+        else:
+            launch = impact(measured.club, measured.delivery, **how, on_error="nan")
+    for each in launch.problems:
+        problems.setdefault(each.row[0] if each.row else 0, f"{each.parameter}: {each.reason}")
+    infinite = np.flatnonzero(np.isinf(launches).any(axis=0))
+    problems.update({int(row): "a launch quantity is infinite" for row in infinite})
+    kept = np.array([row for row in range(len(measured)) if row not in problems], dtype=np.intp)
+    dropped = [RejectedRow(int(measured.rows[row]), reason) for row, reason in sorted(problems.items())]
+    if not len(kept):
+        told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
+        raise InputError("shots", measured.source, f"shots of which some have a launch that can be computed ({told})")
+    taken = measured.places[kept]
+    labels = recorded.select(taken).groups() if labels is None else labels[taken]
+    columns = [launch.input(name) for name in inputs()]
+    columns = [each if isinstance(each, float) else np.ascontiguousarray(each[kept]) for each in columns]
+    return PreparedShots(
+        club=launch.club, ball=launch.ball, columns=columns, quantities=there,
+        launches=np.ascontiguousarray(launches[:, kept]),
+        start=np.array(list(measured.start.values())).reshape(len(measured.start), len(measured))[:, kept],
+        rows=measured.rows[kept],
+        groups=np.unique(np.arange(len(kept)) if labels is None else labels, return_inverse=True)[1],
+        source=measured.source,
+        dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),
+        loft_origins=measured.loft_origins,
+    )  # fmt: skip
+
+
+def _groups(given: Any, shots: int) -> NDArray[Any]:
+    labels = np.asarray(given)
+    if labels.shape != (shots,):
+        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one label for each shot: ({shots},)")
+    return labels
+
+
+def _asked(quantities: Iterable[str]) -> tuple[str, ...]:
+    asked = (quantities,) if isinstance(quantities, str) else tuple(dict.fromkeys(quantities))
+    if not asked:
+        raise InputError("quantities", asked, "at least one of " + ", ".join(QUANTITIES))
+    for name in asked:
+        if name not in outputs():
+            raise UnknownNameError("launch quantity", name, QUANTITIES)
+    return asked

@@ -1,0 +1,536 @@
+"""Identification from start to end: its stages, and the checkpoint from which it goes on.
+
+Identification of model parameters from measured shots: the search, then how well the parameters are known.
+
+The stages of an identification: search, refinement, hold-out, bootstrap, profiles; finished parts are kept.
+
+Checkpoint of an identification, so that an interrupted one continues and ends at the same result.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import Parameter, reduced_model
+from clubface.errors import InputError
+from clubface.inference.identification import search as genetic
+from clubface.inference.identification.intervals import (
+    BOOTSTRAP,
+    FOLDS,
+    Identifiability,
+    Profile,
+    Profiler,
+    Refits,
+    bootstrap,
+    errors_of_minimum,
+    held_out,
+    identifiability,
+    interval_of,
+    scatter,
+)
+from clubface.inference.identification.problem import free_parameters, prepared_shots
+from clubface.inference.identification.result import (
+    Deviation,
+    Identification,
+    apart,
+    at_bound,
+    check_information,
+    contradicted,
+    fit_warnings,
+    worse,
+)
+from clubface.inference.identification.search import Population, refine, search
+from clubface.inference.identification.simulator import Cost, Effort, Simulator, cost_of, noise_of
+from clubface.jobs.resuming import Store
+from clubface.shots.measured import DELIVERY
+from clubface.shots.recorded import RecordedShots
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import equipped, thread_count, tolerance
+from clubface.support.arrays import Floats
+from clubface.support.checks import MOST_SEED, is_count
+
+
+class Checkpoint:
+    """The finished parts of an identification, by name, in a store where one is wanted.
+
+    Numbers are written with all their digits, so that what is read is what was computed, bit for bit.
+
+    Parameters
+    ----------
+    folder
+        Of the store; None keeps nothing.
+    content
+        What the identification is of, by name.
+    effort
+        Counts what is computed.
+    resume
+        Whether to refuse a store of something else, instead of beginning anew in its place.
+
+    Attributes
+    ----------
+    parts
+        What is finished: its value, the evaluations and impacts it took, and the time until then.
+    resumed
+        Whether something was read.
+    """
+
+    def __init__(
+        self, folder: str | os.PathLike[str] | None, content: Mapping[str, Any], effort: Effort, *, resume: bool = False
+    ) -> None:
+        self._effort = effort
+        self._store = None if folder is None else Store(Path(folder), content, resume=resume)
+        self.parts: dict[str, dict[str, Any]] = {} if self._store is None else {n: self._store[n] for n in self._store}
+        self._before = max((part["seconds"] for part in self.parts.values()), default=0.0)
+        self._began = time.monotonic()
+        self.resumed = bool(self.parts)
+
+    @property
+    def seconds(self) -> float:
+        """Time spent on what is finished, by earlier runs as well [s]."""
+        return self._before + time.monotonic() - self._began
+
+    @property
+    def spent(self) -> Effort:
+        """What the finished parts took, by earlier runs as well."""
+        return Effort(*(sum(part[key] for part in self.parts.values()) for key in ("evaluations", "impacts")))
+
+    def keep(self, name: str, value: Any, spent: Effort) -> None:
+        """Record a finished part, made of what JSON has, and what it took."""
+        told = {"value": value, "evaluations": spent.evaluations, "impacts": spent.impacts, "seconds": self.seconds}
+        self.parts[name] = told
+        if self._store is not None:
+            self._store.keep(name, told)
+
+    def value(self, name: str) -> Any:
+        """Return the value of a part, None where it is not finished."""
+        return self.parts[name]["value"] if name in self.parts else None
+
+    def once(self, name: str, compute: Callable[[], Any]) -> Any:
+        """Return the value of a part: as recorded, or computed and recorded now."""
+        if name not in self.parts:
+            before = Effort(self._effort.evaluations, self._effort.impacts)
+            value = compute()
+            self.keep(name, value, self._effort.since(before))
+        return self.parts[name]["value"]
+
+    def remove(self) -> None:
+        """Remove the store: the work is done."""
+        if self._store is not None:
+            self._store.remove()
+
+    def close(self) -> None:
+        """Keep what is finished for another time."""
+        if self._store is not None:
+            self._store.close()
+
+
+FEWEST_GROUPS = 10
+"""Fewer groups of shots than these can be drawn in too few ways for a bootstrap alone."""
+
+Progress = Callable[[str, int, int, float], object]
+"""Stage, done, of how much, least cost so far."""
+
+
+class Stages:
+    """Runs the stages in order; a finished part is not computed again.
+
+    Parameters
+    ----------
+    simulator, cost
+        Of all shots.
+    noise
+        Standard deviation of each quantity [SI].
+    settings
+        What was asked for.
+    checkpoint
+        Keeps the parts.
+    progress
+        Told after every part.
+    """
+
+    def __init__(
+        self,
+        simulator: Simulator,
+        cost: Cost,
+        noise: Floats,
+        settings: Mapping[str, Any],
+        checkpoint: Checkpoint,
+        progress: Progress | None,
+    ) -> None:
+        self.simulator = simulator
+        self.cost = cost
+        self.noise = noise
+        self.settings = settings
+        self.checkpoint = checkpoint
+        self.best = np.inf
+        self._progress = progress or (lambda stage, done, of, best: None)
+
+    def search(self) -> Population:
+        """Return the last generation of the genetic algorithm."""
+        total, shots = self.settings["generations"], len(self.simulator.shots)
+        kept = self.checkpoint.value("search")
+        begun = None if kept is None else Population(kept[0], np.array(kept[1]), np.array(kept[2]))
+        effort = Effort() if kept is None else self.checkpoint.spent
+
+        def costs_of(points: Floats) -> Floats:
+            effort.add(len(points), shots)
+            return self.cost.of(self.simulator.launches(points))
+
+        def keep(survivors: Population) -> None:
+            self.best = float(survivors.costs.min())
+            value = [survivors.generation, survivors.points.tolist(), survivors.costs.tolist()]
+            self.checkpoint.keep("search", value, effort)
+            self._progress("search", survivors.generation, total, self.best)
+
+        if begun is not None and (begun.generation >= total or self.checkpoint.value("refined 0") is not None):
+            return begun
+        return search(
+            costs_of, len(self.simulator.free), population=self.settings["population"], generations=total,
+            seed=self.settings["seed"], begun=begun, after_generation=keep,
+        )  # fmt: skip
+
+    def refine(self, survivors: Population) -> list[tuple[Floats, float]]:
+        """Return the points and costs at which the refinements of the best survivors end."""
+        starts = survivors.best(self.settings["refined"])
+        found = []
+        for place, start in enumerate(starts):
+            once = self._telling("refinement", len(starts))
+
+            def compute(start: Floats = start) -> list[Any]:
+                end = refine(self.simulator, self.cost, start)
+                self.best = min(self.best, end.cost)
+                return [end.point.tolist(), end.cost]
+
+            point, cost = once(f"refined {place}", compute)
+            self.best = min(self.best, cost)
+            found.append((np.array(point), float(cost)))
+        return found
+
+    def result(self, notes: tuple[str, ...]) -> Identification:
+        """Run all stages."""
+        ends = self.refine(self.search())
+        costs = [cost for _, cost in ends]
+        point = ends[int(np.argmin(costs))][0]
+        simulated = self.simulator.launch(point)
+        measured = self.simulator.shots.launches
+        reckoned = scatter(simulated - measured, self.noise)
+        told = identifiability(self.simulator, point, reckoned)
+        held, samples = self._resampled(point, told)
+        profiles = self._profiles(point, reckoned, told)
+        free = self.simulator.free
+        shots = self.simulator.shots
+        confidence = self.settings["confidence"]
+        intervals = self._intervals(point, told, samples, profiles)
+        before = self.simulator.before()
+        deviations = {
+            name: _deviation(measured[place], simulated[place], before[place], None if held is None else held[place])
+            for place, name in enumerate(shots.quantities)
+        }
+        values = dict(zip(free.names, free.values(point).tolist(), strict=True))
+        warnings = (
+            *worse(deviations, free.fixed.name),
+            *fit_warnings(self.simulator, point, told, costs),
+            *apart(intervals, profiles),
+            *contradicted(values, intervals, profiles),
+        )
+        spans = ", ".join(f"{each.name} {_span(each, intervals[each.name])}" for each in free.declared())
+        parameters = free.parameters(
+            point, name=f"identified from {Path(shots.source).name}".replace("/", " "), reference=f"{len(shots)} shots",
+            source=f"clubface identify: {self.settings['cost']} cost",
+            caveats=(*warnings, f"{100 * confidence:g}% intervals: {spans}"),
+        )  # fmt: skip
+        spent = self.checkpoint.spent
+        return Identification(
+            model=free.fixed.model, club=shots.club.name, parameters=parameters, free=free.names,
+            intervals=intervals, confidence=confidence,
+            method="bootstrap" if len(samples) else "information",
+            cost=min(costs), cost_holdout=float("nan") if held is None else self.cost.value(held),
+            cost_kind=self.settings["cost"],
+            deviations=deviations,
+            evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.checkpoint.seconds, shots=len(shots),
+            dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
+            identifiability=told, profiles=profiles, at_bound=at_bound(free, point),
+            warnings=warnings, notes=notes, settings=dict(self.settings), loft_origins=shots.loft_origins,
+        )  # fmt: skip
+
+    def _resampled(self, point: Floats, told: Identifiability) -> tuple[Floats | None, Floats]:
+        """Return held-out launches and bootstrapped parameters [SI], none of either where none is asked for."""
+        folds, count, seed = (self.settings[name] for name in ("folds", "bootstrap", "seed"))
+        free = self.simulator.free
+        held, samples = None, np.empty((0, len(free)))
+        if folds or count:
+            refits = Refits(self.simulator, self.cost, point, told.errors)
+            if folds:
+                held = held_out(refits, folds, seed, self._telling("hold-out", folds))
+            if count:
+                samples = free.values(bootstrap(refits, count, seed, self._telling("bootstrap", count)))
+        return held, samples
+
+    def _profiles(self, point: Floats, noise: Floats, told: Identifiability) -> dict[str, Profile]:
+        names = self.settings["profiles"]
+        if not names:
+            return {}
+        profiler = Profiler(self.simulator, noise, told.errors)
+        optimum = np.array(self.checkpoint.once("most likely", lambda: profiler.most_likely(point).tolist()))
+        once = self._telling("profiles", len(names))
+
+        def compute(place: int) -> list[Any]:
+            each = profiler.profile(place, optimum)
+            return [each.values.tolist(), each.rise.tolist(), list(each.interval), list(each.closed)]
+
+        found = {}
+        for name in names:
+            place = self.simulator.free.names.index(name)
+            values, rise, interval, closed = once(f"profile {name}", lambda place=place: compute(place))
+            found[name] = Profile(name, np.array(values), np.array(rise), tuple(interval), tuple(closed))
+        return found
+
+    def _intervals(
+        self, point: Floats, told: Identifiability, samples: Floats, profiles: Mapping[str, Profile]
+    ) -> dict[str, tuple[float, float]]:
+        """Return an interval a parameter.
+
+        That of few groups of shots takes in the one without a bootstrap. One that Fisher's information finds unknown
+        takes in its profile or bounds, and the fit itself: a refit begins at the fit and would not leave it along a
+        direction that changes nothing, or leaves it to wherever the next shots lead.
+        """
+        free = self.simulator.free
+        confidence, groups = self.settings["confidence"], int(self.simulator.shots.groups.max()) + 1
+        low, high = np.full(len(free), np.inf), np.full(len(free), -np.inf)
+        if len(samples):
+            low, high = interval_of(samples, confidence, groups)
+        if groups < FEWEST_GROUPS or not len(samples):
+            reach = NormalDist().inv_cdf(0.5 * (1.0 + confidence))
+            reach = np.minimum(reach * errors_of_minimum(self.simulator, self.cost, point, told), 1.0)
+            ends = [free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0)]
+            low, high = np.minimum(low, ends[0]), np.maximum(high, ends[1])
+        found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
+        fit = free.values(point)
+        for name, value, least, most in zip(free.names, fit, free.lower, free.upper, strict=True):
+            if name in told.unknown:
+                a, b = profiles[name].interval if name in profiles else (float(least), float(most))
+                found[name] = (min(found[name][0], a, float(value)), max(found[name][1], b, float(value)))
+        return found
+
+    def _telling(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:
+        """Return ``once`` of the checkpoint, which tells how far the stage is."""
+        done = 0
+
+        def once(name: str, compute: Callable[[], Any]) -> Any:
+            nonlocal done
+            value = self.checkpoint.once(name, compute)
+            done += 1
+            self._progress(stage, done, total, self.best)
+            return value
+
+        return once
+
+
+def _span(of: Parameter, interval: tuple[float, float]) -> str:
+    unit = units.display_unit(of.name, of.unit)
+    return " to ".join(units.show(end, unit, 4) for end in interval)
+
+
+def _deviation(measured: Floats, simulated: Floats, before: Floats, held: Floats | None) -> Deviation:
+    there = np.isfinite(measured)
+    off = (simulated - measured)[there]
+    return Deviation(
+        mean=float(np.mean(np.abs(measured[there]))), mae=float(np.mean(np.abs(off))), bias=float(np.mean(off)),
+        std=float(np.std(off, ddof=1)) if len(off) > 1 else float("nan"),
+        mae_before=float(np.mean(np.abs((before - measured)[there]))),
+        mae_holdout=float("nan") if held is None else float(np.mean(np.abs((held - measured)[there]))),
+    )  # fmt: skip
+
+
+def identify(
+    shots: RecordedShots | str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club,
+    model: str,
+    parameters: Parameters | None = None,
+    free: str | Iterable[str] | None = None,
+    bounds: Mapping[str, Any] | None = None,
+    tied: Mapping[str, str] | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    only: str | None = None,
+    mismatch: str = "refuse",
+    quantities: Iterable[str] | None = None,
+    compared_at: str = DELIVERY,
+    groups: Any = None,
+    cost: str = "published",
+    normaliser: str = "absolute",
+    noise: Mapping[str, Any] | None = None,
+    population: int = genetic.POPULATION,
+    generations: int = genetic.GENERATIONS,
+    refined: int = genetic.REFINED,
+    folds: int = FOLDS,
+    bootstrap: int = BOOTSTRAP,
+    profiles: Iterable[str] | None = None,
+    confidence: float = 0.95,
+    seed: int = 1,
+    accuracy: float | None = None,
+    threads: int | None = None,
+    checkpoint: str | os.PathLike[str] | None = None,
+    resume: bool = False,
+    progress: Progress | None = None,
+) -> Identification:
+    """Identify the parameters of a model from recorded shots, and say how well the shots determine them.
+
+    The method is that of Caldwell and McPhee (2023), section 2.3. A genetic algorithm searches the whole range of the
+    parameters, its best points are refined with exact derivatives, and the best result is kept. The fit is then
+    repeated on parts of the shots (hold-out) and on shots drawn with replacement (bootstrap), and profile likelihoods
+    are computed.
+
+    Parameters
+    ----------
+    shots
+        Recorded shots, or a file that :func:`clubface.shots.read` reads.
+    club, ball
+        As for :func:`impact`.
+    model
+        Name of a model.
+    parameters
+        The values of the parameters that are not free, as for :func:`impact`.
+    free
+        Names of the parameters to identify, or "all". If left out: those that the publication of the model identified.
+    bounds
+        Pairs of values by name, as text with a unit or as SI numbers, within the bounds of the model. If left out, the
+        bounds of the model hold.
+    tied
+        Parameters that follow a free one, by name: ``{"ring_modulus": "shear_modulus"}``.
+    only
+        Take only the shots of the club that the file calls so.
+    mismatch
+        What to do with shots that look like those of another club: "refuse" or "note".
+    quantities
+        Launch quantities to compare. If left out: those of ball speed, launch angle, azimuth, backspin and sidespin
+        that were measured.
+    compared_at
+        "delivery", or "launch": launch angle and, if it was measured, start direction are then met for every set of
+        parameters, for which dynamic loft and face angle are solved, and ball speed and spin are compared there. The
+        derivatives hold what the solution changes. Lofts that a monitor computed from the ball do not count then; with
+        "delivery" they carry the monitor's own model into the fit.
+    groups
+        One label for each shot. The shots of a group are held out and drawn together. If left out: the players, if the
+        shots name several; otherwise the shots are taken as independent.
+    cost
+        "published" is equation 22 of Caldwell and McPhee; "least-squares" is weighted by the noise; "robust" is the
+        same with Huber's loss.
+    normaliser
+        For "published": "absolute" or "signed", see :func:`clubface.inference.identification.simulator.cost_of`.
+    noise
+        Standard deviation of the measurement by quantity, as text with a unit or as SI numbers.
+    population, generations, refined
+        Size of the population, number of generations, and number of points that are refined. The defaults, 200, 100 and
+        5, are those of Caldwell and McPhee.
+    folds
+        Number of folds of the hold-out; 0 for none.
+    bootstrap
+        Number of bootstrap samples. With 0, the intervals are those of normally distributed deviations of independent
+        shots.
+    profiles
+        Parameters for which to compute profile likelihoods; if left out, all free ones.
+    confidence
+        Confidence level of the intervals.
+    seed
+        Seed of all random numbers. The same seed gives the same result, bit for bit, on any number of threads.
+    accuracy, threads
+        As for :func:`impact`.
+    checkpoint
+        A folder that keeps what is finished. It is removed when everything is finished.
+    resume
+        Refuse a checkpoint of other shots or settings, instead of beginning anew in its place.
+    progress
+        Called with the name of the stage, how much of it is done, of how much, and the least cost so far.
+
+    Returns
+    -------
+    Identification
+        Parameters, intervals, costs and warnings.
+
+    Raises
+    ------
+    InputError
+        The shots cannot be used, belong to another club, or hold less information than there are free parameters; or an
+        option is out of range.
+    FileError
+        A file cannot be read, or a checkpoint belongs to other shots or settings, and is to be resumed or is still
+        worked on.
+    """
+    reduced_model(model, "one with derivatives")
+    counts = {
+        "population": (population, 4, 100_000), "generations": (generations, 1, 100_000),
+        "refined": (refined, 1, population), "folds": (folds, 0, 1000), "bootstrap": (bootstrap, 0, 100_000),
+        "seed": (seed, 0, MOST_SEED),
+    }  # fmt: skip
+    for name, (count, least, most) in counts.items():
+        if not is_count(count, least, most) or (name == "folds" and count == 1):
+            but = ", but 1" if name == "folds" else ""
+            raise InputError(name, count, f"a whole number from {least} to {most}{but}")
+    if not 0.5 <= confidence < 1.0:
+        raise InputError("confidence", confidence, "from 0.5 to below 1")
+    with_, given = equipped(model, club, ball, parameters)
+    # What is found from shots includes the face they were hit with.
+    head = with_.club
+    fixed = replace(given, includes_face=True, characteristic_time=head.characteristic_time or None)
+    for name, value in fixed.values.items():
+        if not isinstance(value, float):
+            raise InputError(name, value, "a single number: one set of parameters is identified from all shots")
+    chosen = free_parameters(fixed, free, bounds=bounds, tied=tied)
+    profiled = chosen.names if profiles is None else tuple(profiles)
+    for name in profiled:
+        if name not in chosen.names:
+            raise InputError("profiles", name, "free parameters: " + ", ".join(chosen.names))
+    prepared = prepared_shots(
+        shots, club=head, ball=ball, only=only, mismatch=mismatch, quantities=quantities, groups=groups,
+        parameters=fixed, compared_at=compared_at,
+    )  # fmt: skip
+    notes = list(prepared.notes)
+    deviations = noise_of(prepared.quantities, noise)
+    cores, tight = thread_count(threads), tolerance(accuracy)
+    effort = Effort()
+    simulator = Simulator(prepared, chosen, accuracy=tight, threads=cores, effort=effort)
+    start = chosen.points(np.array([fixed.values[name] for name in chosen.names], dtype=float))
+    notes += check_information(simulator, start, deviations)
+    judged = cost_of(cost, prepared.launches, prepared.quantities, noise=noise, normaliser=normaliser)
+    settings = {
+        "model": model, "cost": cost, "normaliser": normaliser, "population": population, "generations": generations,
+        "refined": refined, "folds": min(folds, int(prepared.groups.max()) + 1), "bootstrap": bootstrap,
+        "profiles": list(profiled),
+        "confidence": confidence, "seed": seed, "accuracy": tight, "quantities": list(prepared.quantities),
+        "compared_at": compared_at,
+        "noise": deviations.tolist(), "bounds": {
+            name: [float(low), float(high)]
+            for name, low, high in zip(chosen.names, chosen.lower, chosen.upper, strict=True)
+        },
+        "tied": dict(chosen.tied),
+    }  # fmt: skip
+    content = {
+        "set of shots": [prepared.columns, prepared.launches, prepared.start, prepared.groups],
+        "parameter": fixed.values,
+        **settings,
+    }
+    kept = Checkpoint(checkpoint, content, effort, resume=resume)
+    stages = Stages(simulator, judged, deviations, settings, kept, progress)
+    try:
+        found = stages.result(tuple(notes))
+        kept.remove()
+    except KeyboardInterrupt:
+        if checkpoint is None or not kept.parts:
+            raise
+        message = f"interrupted: what is finished is kept in {os.fspath(checkpoint)}; the same command goes on after it"
+        raise KeyboardInterrupt(message) from None
+    finally:
+        kept.close()
+    return found

@@ -1,0 +1,353 @@
+"""Launches of all shots by candidate parameters, and the cost of their errors.
+
+Launches of all shots for one or many sets of parameters, and their exact derivatives: one call of the core each.
+
+The cost that an identification minimises: that of Caldwell and McPhee (2023), and two weighted by the noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.errors import InputError
+from clubface.inference.evaluation.noise import MONITOR
+from clubface.inference.identification.problem import FreeParameters, PreparedShots
+from clubface.simulation import core
+from clubface.simulation.launch_conditioned import solve_angles
+from clubface.simulation.results import outputs
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
+
+MOST_ROWS = 1 << 18
+"""Impacts of one call, so that memory stays below 200 MB; a generation of the usual search, 110 000, is one call."""
+
+
+@dataclass
+class Effort:
+    """What has been computed so far.
+
+    Attributes
+    ----------
+    evaluations
+        Sets of parameters for which all shots of a data set were computed.
+    impacts
+        Impacts computed.
+    """
+
+    evaluations: int = 0
+    impacts: int = 0
+
+    def add(self, evaluations: int, shots: int) -> None:
+        """Count some evaluations over a number of shots."""
+        self.evaluations += evaluations
+        self.impacts += evaluations * shots
+
+    def since(self, before: Effort) -> Effort:
+        """Return what was added to ``before``."""
+        return Effort(self.evaluations - before.evaluations, self.impacts - before.impacts)
+
+
+class Simulator:
+    """Computes the launches of measured shots at points of the search.
+
+    Parameters
+    ----------
+    shots
+        The deliveries.
+    free
+        The parameters, and the unit cube in which points lie.
+    accuracy
+        Tolerance of a contact step; None is the fast setting.
+    threads
+        Of the core, 0 for all cores.
+    effort
+        Counts what is computed.
+    """
+
+    def __init__(
+        self,
+        shots: PreparedShots,
+        free: FreeParameters,
+        *,
+        accuracy: float | None = None,
+        threads: int = 0,
+        effort: Effort | None = None,
+    ) -> None:
+        self.shots = shots
+        self.free = free
+        self.accuracy = accuracy
+        self.threads = threads
+        self.effort = effort or Effort()
+        self._places = shots.output_places()[: len(shots.quantities)]
+        self._tiled: dict[int, list[float | Floats]] = {}
+
+    def of(self, shots: PreparedShots) -> Simulator:
+        """Return the same for other shots; what it computes is counted together."""
+        return Simulator(shots, self.free, accuracy=self.accuracy, threads=self.threads, effort=self.effort)
+
+    def launches(self, points: Floats) -> Floats:
+        """Return the launch quantities [SI] at points of shape (n, free), shape (quantities, n, shots).
+
+        A shot that cannot be computed is NaN.
+        """
+        count = len(self.shots)
+        block = max(1, MOST_ROWS // count)
+        parts = [self._block(points[start : start + block]) for start in range(0, len(points), block)]
+        self.effort.add(len(points), count)
+        return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
+
+    def launch(self, point: Floats) -> Floats:
+        """Return the launch quantities [SI] at one point, shape (quantities, shots)."""
+        return self.launches(point[None, :])[:, 0, :]
+
+    def before(self) -> Floats:
+        """Return the launch quantities [SI] with the set that holds the fixed parameters, shape (quantities, shots)."""
+        found = self._computed(self.shots.columns, self.free.fixed.columns(), len(self.shots))
+        self.effort.add(1, len(self.shots))
+        return found[self._places]
+
+    def derivatives(self, point: Floats) -> tuple[Floats, Floats]:
+        """Return the launch quantities at a point, shape (quantities, shots), and their derivatives by its coordinates.
+
+        The latter have the shape (quantities, free, shots). They are exact: dual numbers through the model, and where
+        launch angle and azimuth are met, the implicit function of the angles that meet them.
+        """
+        driven = self.free.driven()
+        inputs = self._met(self.shots.columns, self.free.single(point), len(self.shots))
+        variables = [len(inputs) + place for places in driven for place in places] + self.shots.solved_columns()
+        places = self.shots.output_places()
+        found, _ = core.sensitivities(
+            self.free.fixed.model, inputs, self.free.single(point), len(self.shots), places, variables, self.accuracy,
+            self.threads,
+        )  # fmt: skip
+        self.effort.add(1, len(self.shots))
+        table = found.reshape(len(places), 1 + len(variables), len(self.shots))
+        slopes = self.free.slopes(point)
+        by_point = np.empty((len(places), len(driven), len(self.shots)))
+        start = 1
+        for place, group in enumerate(driven):
+            by_point[:, place] = table[:, start : start + len(group)].sum(axis=1) * slopes[place]
+            start += len(group)
+        count = len(self._places)
+        return table[:count, 0], _at_launch(by_point, table[:, start:], count)
+
+    def contact(self, point: Floats) -> tuple[Floats, Floats]:
+        """Return contact times [s] and peak forces [N] of the shots; NaN for a model without a time scale."""
+        order = list(outputs())
+        found = self._computed(self.shots.columns, self.free.single(point), len(self.shots))
+        return found[order.index("contact_time")], found[order.index("peak_force")]
+
+    def _block(self, points: Floats) -> Floats:
+        count, shots = len(points), len(self.shots)
+        found = self._computed(self._inputs(count), self.free.columns(points, shots), count * shots)
+        return found[self._places].reshape(len(self._places), count, shots)
+
+    def _computed(self, inputs: list[Any], parameters: list[Any], count: int) -> Floats:
+        """Return all outputs of the core, at the measured launch if that is to be met; NaN where it cannot be."""
+        inputs = self._met(inputs, parameters, count)
+        found, _ = core.impact(self.free.fixed.model, inputs, parameters, count, self.accuracy, self.threads)
+        return found
+
+    def _met(self, inputs: list[Any], parameters: list[Any], count: int) -> list[Any]:
+        """Return the inputs with the loft and face angle that meet the measured launch, NaN where none do."""
+        columns = self.shots.solved_columns()
+        if not columns:
+            return inputs
+        outs = self.shots.output_places()[len(self._places) :]
+
+        def directions(angles: Floats, places: NDArray[np.intp]) -> Floats:
+            some, with_ = (
+                [each if isinstance(each, float) else each[places] for each in every] for every in (inputs, parameters)
+            )
+            for column, values in zip(columns, angles, strict=True):
+                some[column] = np.ascontiguousarray(values)
+            found, _ = core.impact(self.free.fixed.model, some, with_, len(places), self.accuracy, self.threads)
+            self.effort.impacts += len(places)
+            return found[outs]
+
+        wanted = np.tile(self.shots.start, count // len(self.shots))
+        begin = np.array([np.broadcast_to(inputs[column], (count,)) for column in columns])
+        solved = solve_angles(directions, begin, wanted)
+        found = list(inputs)
+        for column, values in zip(columns, solved, strict=True):
+            found[column] = np.ascontiguousarray(values)
+        return found
+
+    def _inputs(self, count: int) -> list[float | Floats]:
+        """Return the columns of the deliveries, repeated for ``count`` sets of parameters; the last ones are kept."""
+        if count not in self._tiled:
+            tiled = [each if isinstance(each, float) else np.tile(each, count) for each in self.shots.columns]
+            self._tiled = {count: tiled}
+        return self._tiled[count]
+
+
+def _at_launch(by_point: Floats, by_angle: Floats, count: int) -> Floats:
+    """Return derivatives of the first ``count`` outputs that hold how the solved angles follow what moves the others.
+
+    With outputs q and met ones m, angles a and coordinates p: m(a, p) stays, so that da/dp = -(dm/da)^-1 dm/dp, and
+    dq/dp = q_p - q_a (m_a)^-1 m_p.
+    """
+    if not by_angle.shape[1]:
+        return by_point[:count]
+    met_by_angle, met_by_point = (np.moveaxis(each[count:], -1, 0) for each in (by_angle, by_point))
+    usable = np.abs(np.linalg.det(met_by_angle)) > 0.0  # not where a shot cannot be computed
+    follow = np.full(met_by_point.shape, np.nan)
+    follow[usable] = np.linalg.solve(met_by_angle[usable], met_by_point[usable])
+    return by_point[:count] - np.einsum("qas,sap->qps", by_angle[:count], follow)
+
+
+Loss = Literal["absolute", "squares", "huber"]
+
+LOSSES: dict[str, Loss] = {"published": "absolute", "least-squares": "squares", "robust": "huber"}
+"""The loss of each cost by its name."""
+
+NORMALISERS = ("absolute", "signed")
+
+NOISE = {"ball_speed": units.to_si(0.5, "mph"), **MONITOR}
+"""Standard deviations of a launch monitor [SI]: angles and spin after Caldwell and McPhee (2023), section 4; the
+0.5 mph of ball speed is assumed."""
+
+HUBER = 1.345
+"""Where Huber's loss turns from square to linear, in units of the noise: 95% efficient for normal noise.
+
+P. J. Huber, Robust estimation of a location parameter, Annals of Mathematical Statistics 35 (1964).
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class Cost:
+    """A sum over quantities and shots of a loss of the deviations ``simulated - measured``.
+
+    Attributes
+    ----------
+    loss
+        "absolute": weight |deviation|; "squares": weight deviation^2; "huber": weight times Huber's loss of
+        deviation / knee, times knee^2, which is deviation^2 up to the knee.
+    measured
+        Shape (quantities, shots), 0 where nothing was measured.
+    weights
+        The same shape, 0 where nothing was measured.
+    knees
+        Of Huber's loss [SI], shape (quantities,).
+    """
+
+    loss: Loss
+    measured: Floats
+    weights: Floats
+    knees: Floats
+
+    def of(self, simulated: Floats) -> Floats:
+        """Return the cost of launches of shape (quantities, ..., shots), shape (...); infinite where one is NaN."""
+        total = np.zeros(simulated.shape[1:-1])
+        for quantity in range(len(simulated)):
+            losses = self._losses(simulated[quantity] - self.measured[quantity], self.knees[quantity])
+            losses *= self.weights[quantity]
+            # Over the last, contiguous axis: the same sum for one point as for a population.
+            total += losses.sum(axis=-1)
+        return np.where(np.isnan(total), np.inf, total)
+
+    def select(self, which: NDArray[Any], counts: NDArray[np.int64]) -> Cost:
+        """Return the cost of some of the shots, each counting as often as ``counts`` says, with the same weights."""
+        return Cost(self.loss, self.measured[:, which], self.weights[:, which] * counts, self.knees)
+
+    def absolute(self) -> Cost:
+        """Return the sum of absolute deviations, each in the unit in which its loss is 1."""
+        return Cost("absolute", self.measured, np.sqrt(self.weights), self.knees)
+
+    def value(self, simulated: Floats) -> float:
+        """Return the cost of launches of shape (quantities, shots)."""
+        return float(self.of(simulated[:, None, :])[0])
+
+    def _losses(self, deviations: Floats, knee: float) -> Floats:
+        sizes = np.abs(deviations)
+        if self.loss == "absolute":
+            return sizes
+        if self.loss == "squares":
+            return sizes * sizes
+        return np.where(sizes <= knee, sizes * sizes, knee * (2.0 * sizes - knee))
+
+
+def cost_of(
+    kind: str,
+    launches: Floats,
+    quantities: tuple[str, ...],
+    *,
+    noise: Mapping[str, Any] | None = None,
+    normaliser: str = "absolute",
+) -> Cost:
+    """Return the cost function of measured launches.
+
+    Parameters
+    ----------
+    kind
+        "published" is equation 22 of Caldwell and McPhee (2023): the mean absolute deviation of each quantity divided
+        by its normaliser, summed over the quantities. "least-squares" is the mean of (deviation / noise)^2. "robust" is
+        the same with Huber's loss.
+    launches
+        Measured values [SI], shape (quantities, shots). NaN marks a value that was not measured; it does not count.
+    quantities
+        Names of the rows.
+    noise
+        Standard deviations of the measurement by quantity, as text with a unit or as SI numbers. They replace those of
+        :data:`NOISE`.
+    normaliser
+        For "published": "absolute" is the mean magnitude of the measured values. "signed" is the magnitude of their
+        mean, as the equation is printed; it vanishes for azimuth and sidespin of players who miss on both sides.
+
+    Raises
+    ------
+    InputError
+        A normaliser is below the noise of its quantity, so that the mean says nothing about the size of the values.
+    """
+    check_choice("cost", kind, LOSSES)
+    check_choice("normaliser", normaliser, NORMALISERS)
+    deviations = noise_of(quantities, noise)
+    there = np.isfinite(launches)
+    measured = np.where(there, launches, 0.0)
+    per_quantity = there.sum(axis=1)
+    if kind == "published":
+        scale = _normalisers(measured, there, quantities, normaliser, deviations)
+        each = 1.0 / (per_quantity * scale)
+    else:
+        each = 1.0 / (per_quantity.sum() * deviations**2)
+    return Cost(LOSSES[kind], measured, there * each[:, None], HUBER * deviations)
+
+
+def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> Floats:
+    """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
+    given = dict(given or {})
+    check_names("quantity with noise", given, quantities)
+    found = []
+    for name in quantities:
+        told = given.get(name, NOISE.get(name))
+        if told is None:
+            raise InputError(f"noise of {name}", None, "give it, since no default noise is known for this quantity")
+        value = units.parse(told, outputs()[name].dimension, name=f"noise of {name}")
+        if not 0.0 < value < np.inf:
+            raise InputError(f"noise of {name}", told, "positive")
+        found.append(value)
+    return np.array(found)
+
+
+def _normalisers(
+    measured: Floats, there: NDArray[np.bool_], quantities: tuple[str, ...], normaliser: str, noise: Floats
+) -> Floats:
+    values = np.abs(measured) if normaliser == "absolute" else measured
+    means = np.abs(values.sum(axis=1) / there.sum(axis=1))
+    for name, mean, least in zip(quantities, means, noise, strict=True):
+        if mean < least:
+            symbol = units.display_unit(name, outputs()[name].unit)
+            what = "|measured|" if normaliser == "absolute" else "measured values"
+            advice = "leave the quantity out" + (", or take the absolute normaliser" if normaliser == "signed" else "")
+            shown = units.show(float(mean), symbol, 3)
+            raise InputError(
+                f"the mean of {what} of {name}", shown,
+                f"above its noise, {units.show(float(least), symbol, 3)}, to divide by; {advice}",
+            )  # fmt: skip
+    return means

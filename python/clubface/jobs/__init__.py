@@ -1,0 +1,1 @@
+"""Long work in parts: locks, stores of what is finished, and resumption after an interruption."""

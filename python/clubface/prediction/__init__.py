@@ -1,1 +1,0 @@
-"""Launches for a whole file of deliveries, of any length."""

@@ -1,0 +1,240 @@
+"""The figures of one club on which a report rests: means and spreads of the shots, and what the models make of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.errors import RangeWarning
+from clubface.inference.prior import UnreachableLaunchError
+from clubface.inference.run import Inference
+from clubface.shots.club_names import club_kind
+from clubface.shots.measured import QUANTITIES
+from clubface.shots.recorded import RecordedShots
+from clubface.shots.reference_points import refer
+from clubface.simulation.flight import fly
+from clubface.simulation.inputs import OF_CLUB
+from clubface.simulation.launch import Launch
+from clubface.simulation.sensitivity import sensitivity
+from clubface.support.arrays import Floats
+from clubface.support.checks import without_warnings
+
+MOST_INFERRED, SAMPLES = 60, 200
+"""Shots of a club whose deliveries are inferred, spread evenly over all of them, and draws for each."""
+IN_ALL, FEWEST_INFERRED = 1200, 4
+"""The same of a whole report, and of a club where there are many."""
+CHANGES = {"speed": "1 mph", "attack": "1 deg", "loft": "1 deg", "face": "1 deg", "path": "1 deg", "toe": "5 mm"}
+"""What a player may change, and by how much, for the what-if."""
+LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Figure:
+    """Mean, spread and number of the measured values of one quantity, SI."""
+
+    mean: float
+    spread: float
+    low: float
+    high: float
+    count: int
+
+    @property
+    def error(self) -> float:
+        """Half of the 95% interval of the mean; NaN for a single shot."""
+        if self.count < 2:
+            return math.nan
+        from scipy.special import stdtrit
+
+        return float(stdtrit(self.count - 1, 0.975)) * self.spread / math.sqrt(self.count)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inferred:
+    """What the launches tell of the deliveries of a club, SI.
+
+    Attributes
+    ----------
+    mean
+        Mean over the shots of each quantity of the delivery.
+    doubt
+        Standard deviation to which it is known in a single shot; more shots do not make it smaller where the prior
+        tells it.
+    shots
+        Number of shots.
+    refused
+        Number of shots that no delivery can have made.
+    remarked
+        Rows of shots whose figures do not go together.
+    """
+
+    mean: dict[str, float]
+    doubt: dict[str, float]
+    shots: int
+    refused: int
+    remarked: tuple[int, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Change:
+    """What a change of the delivery does to the mean shot, SI: to the launch, and to carry and side."""
+
+    name: str
+    step: float
+    launch: dict[str, float]
+    carry: float
+    side: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClubFigures:
+    """All figures of one club.
+
+    Attributes
+    ----------
+    name
+        As the file calls it.
+    player
+        Who hit it, where the shots are of several players; "" otherwise.
+    club
+        The built-in club that stands for it; None if there is none.
+    shots
+        Its shots.
+    measured
+        Figures by quantity, of launch, flight and delivery.
+    computed
+        Whether carry and side are not measured but computed from the launch, in still air.
+    inferred, changes
+        What the models make of them; None and empty without a club or launch.
+    start
+        Degrees of start line for one degree of face and of path.
+    closing
+        What the closing of the face adds to start line [rad] and sidespin [rad/s], to the first order; empty without
+        changes.
+    launch
+        The mean shot by the model, from which changes are told; None without them.
+    """
+
+    name: str
+    club: Club | None
+    shots: RecordedShots
+    measured: dict[str, Figure]
+    computed: bool
+    inferred: Inferred | None = None
+    changes: tuple[Change, ...] = ()
+    start: dict[str, float] = field(default_factory=dict)
+    closing: dict[str, float] = field(default_factory=dict)
+    player: str = ""
+    launch: Launch | None = None
+
+    @property
+    def title(self) -> str:
+        """The club, and whose it is where that must be said."""
+        return f"{self.player}: {self.name}" if self.player else self.name
+
+
+def figures_of(shots: RecordedShots, name: str, clubs: int = 1) -> ClubFigures:
+    """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
+    kind = club_kind(name)
+    head = club_named(kind) if kind in TOUR_CLUBS else None
+    if head is not None and shots.hand is not None and set(shots.hand) == {"left"}:
+        head = head.replace(hand="left")
+    if head is not None:
+        shots = refer(shots, head)
+    columns = {**shots.deliveries, **shots.launches}
+    computed = "carry" not in columns and all(each in columns for each in LAUNCHED)
+    if computed:
+        columns |= _flown({each: columns[each] for each in LAUNCHED})
+    measured = {each: found for each, values in columns.items() if (found := figure(values)) is not None}
+    plain = ClubFigures(name=name, club=head, shots=shots, measured=measured, computed=computed)
+    if head is None or "ball_speed" not in measured or "launch" not in measured:
+        return plain
+    found = _inferred(shots, head, min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs)))
+    if found is None:
+        return plain
+    launch, changes, start, closing = _changes(head, found.mean)
+    return ClubFigures(
+        name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=found, changes=changes,
+        start=start, closing=closing, launch=launch,
+    )  # fmt: skip
+
+
+def figure(values: Floats) -> Figure | None:
+    """Return the figures of measured values; None if there are none. Two of three shots lie from low to high."""
+    known = values[np.isfinite(values)]
+    if not known.size:
+        return None
+    low, high = np.quantile(known, [1 / 6, 5 / 6])
+    spread = float(known.std(ddof=1)) if known.size > 1 else math.nan
+    return Figure(mean=float(known.mean()), spread=spread, low=float(low), high=float(high), count=int(known.size))
+
+
+def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
+    prepared = Inference(club=head, prior="wide", samples=SAMPLES, speed_at=shots.speed_at, face_at=shots.face_at)
+    places = np.unique(np.linspace(0, len(shots) - 1, most).round().astype(int))
+    means, doubts, refused, remarked = [], [], 0, []
+    for place in places:
+        launch = _at(shots.launches, QUANTITIES, place)
+        if not {"ball_speed", "launch"} <= set(launch):
+            continue
+        try:
+            found = prepared.of(launch, _at(shots.deliveries, OF_CLUB, place))
+        except UnreachableLaunchError:
+            refused += 1
+            continue
+        means.append({**found.mean, **found.known})
+        doubts.append(found.deviation)
+        if found.warnings:
+            remarked.append(int(shots.rows[place]))
+    if not means:
+        return None
+    return Inferred(
+        mean={name: float(np.mean([each[name] for each in means])) for name in means[0]},
+        doubt={name: float(np.mean([each[name] for each in doubts])) for name in doubts[0]},
+        shots=len(means),
+        refused=refused,
+        remarked=tuple(remarked),
+    )
+
+
+def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
+    found = {name: float(columns[name][place]) for name in names if name in columns}
+    return {name: value for name, value in found.items() if math.isfinite(value)}
+
+
+def _changes(
+    head: Club, delivery: dict[str, float]
+) -> tuple[Launch, tuple[Change, ...], dict[str, float], dict[str, float]]:
+    """Return the mean shot, what changes do to it by exact derivatives, those of the start line, and of the closing."""
+    with without_warnings(RangeWarning):
+        table = sensitivity(
+            head, delivery, model=DEFAULT_MODEL, outputs=list(LAUNCHED), variables=[*CHANGES, "closure"]
+        )
+    base = {name: float(getattr(table.launch, name)) for name in LAUNCHED}
+    before = _flown({name: np.array([value]) for name, value in base.items()})
+    found = []
+    for name, text in CHANGES.items():
+        step = units.parse(text, OF_CLUB[name])
+        moved = {each: table.value(each, name) * step for each in LAUNCHED}
+        after = _flown({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
+        carry, side = (float(after[each][0] - before[each][0]) for each in ("carry", "side"))
+        found.append(Change(name=name, step=step, launch=moved, carry=carry, side=side))
+    start = {name: table.value("azimuth", name) for name in ("face", "path")}
+    closing = {name: table.value(name, "closure") * delivery["closure"] for name in ("azimuth", "sidespin")}
+    return table.launch, tuple(found), start, closing
+
+
+def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:
+    """Return carry and side of launches in still air at sea level; NaN where a value lacks."""
+    known = np.all([np.isfinite(values) for values in launch.values()], axis=0)
+    found = {name: np.full(known.shape, np.nan) for name in ("carry", "side")}
+    if known.any():
+        flight = fly({name: values[known] for name, values in launch.items()}, on_error="nan")
+        for name in found:
+            found[name][known] = getattr(flight, name)
+    return found

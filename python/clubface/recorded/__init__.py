@@ -1,1 +1,0 @@
-"""Recorded shots, with or without their launches, and their files."""

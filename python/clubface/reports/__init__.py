@@ -1,1 +1,0 @@
-"""Reports: one file with text, tables, pictures, their data, and what it all was computed from."""

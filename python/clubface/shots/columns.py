@@ -1,0 +1,308 @@
+"""From a header and its row of units to the columns that are used."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from clubface.errors import FileError, shortened
+from clubface.shots.club_names import is_club_name
+from clubface.shots.formats import COMMON, MEASURED, Format, side_of
+from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
+from clubface.shots.summary_rows import NUMBERING
+from clubface.shots.tables.headings import (
+    POINTS,
+    given_unit,
+    listed,
+    missing_units,
+    plain,
+    shot_words,
+    squeezed,
+    unit_of_column,
+    unit_symbol,
+)
+from clubface.units import DIMENSIONLESS
+
+NOT_MEASURED = frozenset(
+    {
+        *NUMBERING, "shot key", "key", "session", "session id", "date", "time", "date time", "datetime",
+        "timestamp", "year", "month", "day", "tag", "tags", "note", "notes", "ball", "video", "hole", "player id",
+    }
+)  # fmt: skip
+"""Headings of columns of numbers that are no measurements."""
+EITHER_SPEED = (
+    "the column {} may be the speed of the club or of the ball and is not read: call it club_speed or ball_speed, or "
+    "name it in a mapping"
+)
+UNSIGNED = frozenset(
+    {
+        "impact offset", "horiz impact", "horizontal impact", "impact horizontal", "horizontal face impact",
+        "face impact horizontal", "face impact lateral", "lateral impact",
+    }
+)  # fmt: skip
+"""Headings of impact points that do not say whether the toe or the heel is positive."""
+WITHOUT_UNIT = 10_000
+"""What a heading without a unit ranks behind one with a unit."""
+_WORD = re.compile(r"[^\W\d_]|[°%]")
+"""A unit has one; a number or a dash, which stands for nothing measured, has none."""
+
+
+class Used(NamedTuple):
+    """A column that is used.
+
+    Attributes
+    ----------
+    place
+        Its place in a row.
+    heading
+        Its heading, as in the file.
+    quantity
+        The quantity that it gives.
+    unit
+        The symbol of its unit.
+    side
+        The sign of a number without a side, and whether it is in world or club terms.
+    is_named
+        Whether the file names the unit.
+    """
+
+    place: int
+    heading: str
+    quantity: str
+    unit: str
+    side: Side
+    is_named: bool = True
+
+
+class Columns(NamedTuple):
+    """The columns of a table.
+
+    Attributes
+    ----------
+    width, needed
+        How many there are, and how many of them a row must have: those without a heading at the end may be lacking.
+    first
+        The place of the first column that is used.
+    used
+        The columns of each quantity: several where a heading is there more than once.
+    club, player, hand, date, file
+        The places of the columns that name the club (the preferred first), the player, the hand, the date and the file.
+    points
+        The places of the columns that say where on the club its data was taken.
+    labels
+        The places of the columns of texts in which a row may say that it sums up others: with "club", "player", or
+        the heading.
+    others
+        Places of the columns that give none of all this, but for those that number the shots.
+    counted
+        Places of columns whose values a note counts.
+    assumed
+        Headings whose unit the file does not name, with the one taken.
+    unused
+        Headings that would give a quantity but for what is in their brackets, which is no unit.
+    remarks
+        What else a reader should know of the columns.
+    """
+
+    width: int
+    needed: int
+    first: int
+    used: Mapping[str, tuple[Used, ...]]
+    club: tuple[int, ...]
+    player: int | None
+    hand: int | None
+    date: int | None
+    file: int | None
+    points: Mapping[str, int]
+    labels: Mapping[int, str]
+    others: tuple[int, ...]
+    counted: tuple[int, ...]
+    assumed: tuple[tuple[str, str], ...]
+    unused: tuple[str, ...]
+    remarks: tuple[str, ...]
+
+
+def is_units_row(cells: Sequence[str]) -> bool:
+    """Return whether a row holds nothing but units, usually in brackets."""
+    named = [cell.strip() for cell in cells if cell.strip()]
+    bracketed = [cell for cell in named if cell[0] in "[(" and cell[-1] in "])"]
+    known = [cell for cell in named if cell in ("[]", "()") or (_WORD.search(cell) and unit_symbol(cell) is not None)]
+    words = [cell for cell in named if _WORD.search(cell) or any(map(str.isdigit, cell))]
+    return bool(named) and (len(bracketed) == len(named) or (bool(known) and len(known) >= len(words)))
+
+
+def columns_of(
+    layout: Format,
+    headings: Sequence[str],
+    units_row: Sequence[str] | None,
+    units: Mapping[str, str],
+    place: tuple[str, int | None],
+    rows: Iterable[Sequence[str]] = (),
+) -> Columns:
+    """Return the columns of a header that a layout uses.
+
+    ``units`` gives the units, by quantity or dimension, for columns where the file names none: neither the heading, nor
+    a row of units, nor the first of the cells in ``rows`` that has one.
+
+    Raises
+    ------
+    FileError
+        No column is of the layout, a unit does not fit, or columns have none, all of which are named.
+    """
+    heads = [layout.by_unit(layout.heading(each), _written(units_row, at)) for at, each in enumerate(headings)]
+    with_unit = {each.name for at, each in enumerate(heads) if each.unit or _written(units_row, at)}
+    preferred = _preferred(layout, heads, with_unit)
+    names = [squeezed(each.name) if each.unit is None else "" for each in heads]
+    clubs = _places(layout.club, names)
+    used: dict[str, list[Used]] = {}
+    assumed: list[tuple[str, str]] = []
+    without_unit: list[tuple[str, str]] = []
+    remarks: list[str] = []
+    for position, each in enumerate(heads):
+        # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
+        if each.name not in preferred or position in clubs:
+            continue
+        quantity = layout.names[each.name][0]
+        shown = headings[position].strip()
+        if not _is_clear(layout, each.name, quantity, shown):
+            if quantity == "speed":
+                remarks.append(EITHER_SPEED.format(shortened(shown, 40)))
+            continue
+        named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
+        symbol = named or given_unit(units, quantity, _dimension(quantity))
+        if symbol is None:
+            symbol = layout.field(quantity).unit
+            if symbol is None and quantity not in layout.fields:
+                continue  # it is not the maker's, which alone says its unit
+            if symbol is None:
+                without_unit.append((shown, quantity))
+                continue
+            if not layout.needs_units and _dimension(quantity) in ("speed", "length"):
+                assumed.append((shown, symbol))
+        side = _side(layout, quantity, each)
+        if quantity == "toe" and each.name in UNSIGNED and not (each.positive or layout.field(quantity).positive):
+            remarks.append(f"the file does not say the sign of {shortened(shown, 40)}: the toe was taken as positive")
+        used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, side, named is not None))
+    if without_unit:
+        raise missing_units(without_unit, *place, {name: _dimension(name) for _, name in without_unit})
+    if not used and remarks:
+        raise FileError(*place, remarks[0])
+    if not used:
+        raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
+    player, hand, date, file = (
+        next(iter(_places(known, names)), None) for known in (layout.player, layout.hand, layout.date, layout.file)
+    )
+    places = {each.place for columns in used.values() for each in columns}
+    if not clubs and not layout.only_own:
+        clubs = _clubs_by_cells(rows, {*range(len(headings))} - {*places, player, hand, date, file})
+        remarks += [f"the column {shortened(headings[at].strip(), 40)} names clubs and was read so" for at in clubs]
+    texts = {date: "date", player: "player", **dict.fromkeys(clubs, "club")}
+    return Columns(
+        width=len(headings),
+        needed=max((place for place, each in enumerate(headings) if each.strip()), default=0) + 1,
+        first=min(places),
+        used={quantity: tuple(each) for quantity, each in used.items()},
+        club=clubs,
+        player=player,
+        hand=hand,
+        date=date,
+        file=file,
+        points={name: names.index(squeezed(plain(name))) for name in POINTS if squeezed(plain(name)) in names},
+        labels={
+            place: texts.get(place, each.name)
+            for place, each in enumerate(heads)
+            if place not in places and place != hand
+        },
+        others=tuple(
+            place
+            for place, each in enumerate(heads)
+            if place not in {*places, *clubs, player, hand, date, file} and each.name not in NOT_MEASURED
+        ),
+        counted=_places(layout.counted, names),
+        assumed=tuple(assumed),
+        unused=tuple(
+            shown.strip()
+            for each, shown in zip(heads, headings, strict=True)
+            if each.name != each.bare and each.bare in layout.names and layout.names[each.bare][0] not in used
+        ),
+        remarks=tuple(remarks),
+    )
+
+
+def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
+    """Tell whether a heading means what it is called in clubface, as everything that is written as clubface does.
+
+    In the tables of others "Speed" may be that of club or ball, and "Roll" is what the ball does on the ground.
+    """
+    is_general = layout.all_columns or name not in layout.own_names
+    if not is_general or (shown == shown.lower() and "(" not in shown):
+        return True
+    return name != "speed" and quantity in MEASURED
+
+
+def _written(units_row: Sequence[str] | None, place: int) -> str | None:
+    """Return the unit that a row of units has for a column, or None."""
+    return (units_row[place].strip().strip("[]()").strip() or None) if units_row and place < len(units_row) else None
+
+
+def _places(known: Sequence[str], names: Sequence[str]) -> tuple[int, ...]:
+    """Return where among the names of columns, without spaces, those of some headings are, in their order."""
+    return tuple(dict.fromkeys(names.index(each) for each in map(squeezed, map(plain, known)) if each in names))
+
+
+def _clubs_by_cells(rows: Iterable[Sequence[str]], places: Iterable[int]) -> tuple[int, ...]:
+    """Return the place of the column whose cells are names of clubs, whatever its heading, where there is one."""
+    for place in sorted(places):
+        texts = [text for row in rows if place < len(row) and (text := row[place].strip())]
+        named = [each for each in texts if is_club_name(each)]
+        if named and 2 * len(named) > len(texts):
+            return (place,)
+    return ()
+
+
+def _preferred(layout: Format, heads: Sequence[Heading], with_unit: Collection[str]) -> set[str]:
+    """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none.
+
+    One that names a unit, where others of the quantity name none, comes before them.
+    """
+    known: dict[str, tuple[str, int]] = {}
+    for each in heads:
+        if each.name in layout.names:
+            quantity, rank = layout.names[each.name]
+            lacks_unit = _dimension(quantity) != DIMENSIONLESS and each.name not in with_unit
+            known[each.name] = quantity, rank + WITHOUT_UNIT * lacks_unit
+    best: dict[str, int] = {}
+    for quantity, rank in known.values():
+        best[quantity] = min(rank, best.get(quantity, rank))
+    if layout.all_columns:  # of nearly the same, the best
+        return {name for name, (quantity, rank) in known.items() if rank // COMMON == best[quantity] // COMMON}
+    return {name for name, (quantity, rank) in known.items() if rank == best[quantity]}
+
+
+def _named_unit(
+    quantity: str,
+    shown: str,
+    named: str | None,
+    units_row: Sequence[str] | None,
+    position: int,
+    rows: Iterable[Sequence[str]],
+    place: tuple[str, int | None],
+) -> str | None:
+    """Return the unit that the file names for a column, in its heading, the row of units or a cell."""
+    dimension = _dimension(quantity)
+    named = named or _written(units_row, position)
+    if named is None:
+        named = next(
+            (symbol for row in rows if position < len(row) and (symbol := unit_in(row[position], quantity))), None
+        )
+    return None if named is None else unit_of_column(named, dimension, shown, place)
+
+
+def _dimension(quantity: str) -> str:
+    return shot_words().dimensions["face" if quantity == FACE_TO_PATH else quantity]
+
+
+def _side(layout: Format, quantity: str, head: Heading) -> Side:
+    positive = head.positive if head.positive in SIDES.get(quantity, {}) else layout.field(quantity).positive
+    return side_of(quantity, positive)

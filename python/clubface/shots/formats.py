@@ -1,0 +1,459 @@
+"""How files of launch monitors are declared: formats, mapping files, and numbers that stand for nothing.
+
+How the file of a launch monitor is declared: which heading gives which quantity, in which unit and sign.
+
+Mapping files: a TOML file that describes the columns of any CSV, so that it is read like a known format.
+
+.. code-block:: toml
+
+    name = "my-monitor"     # optional; the name of the format
+    delimiter = ";"         # optional; found out if left out
+    decimal = ","           # optional; found out if left out
+    club = "Schläger"       # optional: the heading of the column that names the club
+    player = "Spieler"      # optional: the heading of the column that names the player
+    hand = "Hand"           # optional: the heading of the column that says right or left
+    speed_at = "cg"         # optional: where speed, attack and path are measured: "cg" or "face"
+    face_at = "face"        # optional: where loft and face angle are measured: "face" (its centre) or "contact"
+
+    [columns.speed]         # a quantity of a delivery or launch
+    heading = "Tempo"       # without its unit; case, spaces and punctuation do not count
+    unit = "km/h"           # needed if neither the heading nor a row of units names it
+
+    [columns.path]
+    heading = "Bahn"
+    unit = "deg"
+    positive = "in-out"     # the positive side: right if left out; or left, open, toe, heel, up, toe up, ...
+    optional = true         # the file may lack it
+
+Numbers that programs write where nothing was measured, and what follows from face angle, path and face to path.
+"""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field as dataclass_field
+from functools import cache, cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.errors import UnitError, UnknownNameError
+from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, heading
+from clubface.shots.plausibility import Unit, can_be
+from clubface.shots.tables import headings as foreign_headings
+from clubface.shots.tables.cells import is_number
+from clubface.shots.tables.headings import (
+    HAND,
+    LAUNCH_SYNONYMS,
+    SECOND_CHOICE,
+    SYNONYMS,
+    bracketed,
+    plain,
+    shot_words,
+    squeezed,
+    unit_symbol,
+    units_behind,
+)
+from clubface.support.arrays import Floats
+from clubface.support.strict_toml import Document
+from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_si, unit
+
+CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
+POINTS = {
+    CG: "the centre of gravity",
+    FACE: "the face centre",
+    CONTACT: "the point of contact",
+    UNKNOWN: "a point that is not published",
+}
+"""Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
+DATE = (
+    "Date", "Date Time", "Datetime", "Date and Time", "Shot Date", "Session Date", "Timestamp", "Datum", "Datum Zeit",
+    "Datum Uhrzeit", "Fecha", "Date Heure", "Data", "Dato", "Data Hora", "Fecha y hora", "日付", "日時", "日期", "날짜",
+)  # fmt: skip
+"""Headings under which exports say when a shot was hit."""
+MEASURED = frozenset({*SYNONYMS, *LAUNCH_SYNONYMS, FACE_TO_PATH} - {HAND})
+"""Quantities that monitors measure; the others, as "roll", are properties of club and ball, and other things there."""
+TO_PATH = ("face_to_path", "ftp", "club_face_to_path", "face_to_path_angle", "face_path")
+"""Names of the angle from the path to the face."""
+PLAYER = ("Player", "Player Name", "Golfer", *foreign_headings.names(foreign_headings.PLAYER))
+"""Headings under which exports name the player."""
+CLUB = ("Club", "Club Name", "Club Type", *foreign_headings.names(foreign_headings.CLUB))
+"""Headings under which tables of no maker name the club."""
+BY_UNIT = {
+    "side": {"angular rate": "sidespin", "angle": "azimuth"},
+    "back": {"angular rate": "backspin"},
+    "ball": {"speed": "ball_speed"},
+    "club": {"speed": "club_speed"},
+    "flight": {"time": "flight_time"},
+    "dscnt": {"angle": "landing_angle"},
+}
+"""Short headings, as of SkyTrak, that their unit explains: the name of the quantity by its dimension."""
+
+
+class Field:
+    """The columns that may give one quantity.
+
+    Parameters
+    ----------
+    headings
+        The headings without units, the preferred one first. Case, spaces and punctuation do not count.
+    unit
+        The unit if neither the heading nor a row of units names one. With None, it must be given.
+    positive
+        The word for the positive side in the file, such as "right", "in-out" or "heel". A heading that names a side
+        takes precedence.
+    """
+
+    def __init__(self, *headings: str, unit: str | None = None, positive: str | None = None) -> None:
+        self.shown = headings
+        self.headings = tuple(plain(each) for each in headings)
+        self.unit = unit
+        self.positive = positive
+
+
+COMMON = 100
+"""The rank from which the headings of the vocabulary of all tables count."""
+COMMON_FIELD = Field()
+
+
+@cache
+def common_names() -> Mapping[str, tuple[str, int]]:
+    """Return the quantity that each heading of the vocabulary of all tables gives, and its rank."""
+    found: dict[str, tuple[str, int]] = {}
+    counts: Counter[str] = Counter()
+    for name, quantity in (*shot_words().names.items(), *dict.fromkeys(TO_PATH, FACE_TO_PATH).items()):
+        if quantity in MEASURED:
+            found[plain(name.replace("_", " "))] = quantity, counts[quantity] + COMMON * (name in SECOND_CHOICE)
+            counts[quantity] += 1
+    return found
+
+
+@dataclass(frozen=True, kw_only=True)
+class Format:
+    """The layout of a launch monitor's file.
+
+    Attributes
+    ----------
+    name
+        Its name in ``format=`` and on the command line.
+    title
+        The monitor and program, for people.
+    fields
+        The columns of each quantity, by name.
+    marks
+        Groups of headings by which the layout is recognised: its header contains all headings of at least one group.
+    club, player, hand
+        Headings of the column that names the club, that names the player, and that says right or left.
+    date, file
+        Headings of the column that says when a shot was hit, and of the one that names the file that it comes from.
+    title_of_player
+        A regular expression for the first cell of a row above the header that names the player of all shots below, as
+        its group; "" where no row does.
+    needs_units
+        Whether the units of its columns, where the file names none, are those of a mapping or given, and not those
+        that the maker's program has when it is installed: the latter are said to be assumed.
+    only_own
+        Whether its columns are those listed alone, and not those that the vocabulary of all tables names besides.
+    all_columns
+        Whether all columns of a quantity are read, and must agree, instead of those of the preferred heading.
+    speed_at
+        Where speed, attack angle and path are measured: "cg", "face" or "unknown".
+    face_at
+        Where dynamic loft and face angle are measured: "face" (its centre), "contact" or "unknown".
+    counted
+        Headings of columns whose values a note counts, such as whether spin was measured or estimated.
+    notes
+        Remarks on quantities, by their names, for shots in which they were measured.
+    source
+        Where the layout is documented.
+    """
+
+    name: str
+    title: str
+    fields: Mapping[str, Field]
+    marks: tuple[tuple[str, ...], ...] = ()
+    club: tuple[str, ...] = CLUB
+    player: tuple[str, ...] = PLAYER
+    hand: tuple[str, ...] = ("Hand", "Handed", "Handedness")
+    date: tuple[str, ...] = DATE
+    file: tuple[str, ...] = ()
+    title_of_player: str = ""
+    needs_units: bool = False
+    only_own: bool = False
+    all_columns: bool = False
+    speed_at: str = UNKNOWN
+    face_at: str = UNKNOWN
+    counted: tuple[str, ...] = ()
+    notes: Mapping[str, str] = dataclass_field(default_factory=dict)
+    source: str = ""
+
+    @cached_property
+    def own_names(self) -> Mapping[str, tuple[str, int]]:
+        """The quantity that each heading of the layout, in plain words, gives, and its rank among those of it."""
+        return {
+            each: (quantity, rank + COMMON * (self.all_columns and each.replace(" ", "_") in SECOND_CHOICE))
+            for quantity, columns in self.fields.items()
+            for rank, each in enumerate(columns.headings)
+        }
+
+    @cached_property
+    def names(self) -> Mapping[str, tuple[str, int]]:
+        """The same with the headings that the vocabulary of all tables has besides, which rank behind its own."""
+        known = {each: (quantity, rank + COMMON) for each, (quantity, rank) in common_names().items()}
+        return self.own_names if self.only_own else {**known, **self.own_names}
+
+    def field(self, quantity: str) -> Field:
+        """Return how the layout writes a quantity; one that it does not know has no unit of its own."""
+        return self.fields.get(quantity) or COMMON_FIELD
+
+    @cached_property
+    def _marks(self) -> list[set[str]]:
+        return [{squeezed(plain(each)) for each in group} for group in self.marks]
+
+    def is_marked(self, names: set[str]) -> bool:
+        """Return whether these headings in plain words are all of at least one group of marks."""
+        unparted = {squeezed(each) for each in names}
+        return any(group <= unparted for group in self._marks)
+
+    def is_header(self, cells: Sequence[str]) -> bool:
+        """Return whether a row names the columns of such a file.
+
+        A layout without marks is known by any of its columns, in a row without a number.
+        """
+        names = {self.heading(each).name for each in cells}
+        if self.marks:
+            return self.is_marked(names)
+        return bool(self.known(names)) and not any(map(is_number, cells))
+
+    def known(self, names: set[str]) -> int:
+        """Return how many of these headings in plain words are those of a quantity."""
+        return len(names & self.names.keys())
+
+    def heading(self, text: str) -> Heading:
+        """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
+        if (found := self._headings.get(text)) is None:
+            parts = self._parts(text)
+            found = self._headings[text] = self.by_unit(parts, parts.unit)
+        return found
+
+    def by_unit(self, head: Heading, written: str | None) -> Heading:
+        """Return the heading that a short one such as "side" stands for, which its unit, as written, tells."""
+        is_own = head.name in self.own_names and not self.all_columns
+        if written is None or head.name not in BY_UNIT or is_own or self.only_own:
+            return head
+        symbol = unit_symbol(written)
+        name = BY_UNIT[head.name].get(unit(symbol).dimension) if symbol else None
+        return head if name is None else head._replace(name=plain(name.replace("_", " ")), unit=symbol)
+
+    @cached_property
+    def _headings(self) -> dict[str, Heading]:
+        return {}
+
+    @cached_property
+    def _unparted(self) -> Mapping[str, str]:
+        return {squeezed(each): each for each in reversed(list(self.names))}
+
+    def _spelled(self, name: str) -> str:
+        """Return the name of a quantity that is the same but for where its words part, else ``name``."""
+        return name if name in self.names else self._unparted.get(squeezed(name), name)
+
+    def _parts(self, text: str) -> Heading:
+        parts = heading(text)
+        if (name := self._spelled(parts.name)) in self.names:
+            return parts._replace(name=name)
+        if bracketed(text)[1] is None:
+            words = "_".join(text.replace("-", "_").split())
+            for spelled in (words, words.lower()):
+                short, symbol = parse_column_name(spelled)
+                if symbol is not None and (name := self._spelled(plain(short))) in self.names:
+                    return Heading(name, symbol, None, name)
+            for before, symbol in units_behind(text):
+                name = self._spelled(before)
+                if name in self.names or (name in BY_UNIT and not self.only_own):
+                    return Heading(name, symbol, None, name)
+        return parts
+
+
+def side_of(quantity: str, positive: str | None) -> Side:
+    """Return the sign of a number without a side, and whether it is in world or club terms, from the positive side."""
+    if positive is None:
+        return Side(1.0, SIDES["azimuth"]["right"].frame)
+    return SIDES[quantity][plain(positive)]
+
+
+KEYS = ("name", "delimiter", "decimal", "club", "player", "hand", "speed_at", "face_at", "columns")
+COLUMN_KEYS = ("heading", "unit", "positive", "optional")
+DELIMITERS = (",", ";", "\t", "|")
+SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
+
+
+class Mapped(NamedTuple):
+    """The content of a mapping file.
+
+    Attributes
+    ----------
+    layout
+        The columns.
+    delimiter
+        The character between cells, or None.
+    decimal_comma
+        Whether numbers are written with a decimal comma, or None.
+    """
+
+    layout: Format
+    delimiter: str | None
+    decimal_comma: bool | None
+
+
+def mapping_of(path: str | os.PathLike[str]) -> Mapped:
+    """Read a mapping file; an unknown key, quantity, unit or word is an error that names its line."""
+    document = Document.read(path)
+    data = document.data
+    document.check_keys(data, KEYS, ("columns",))
+    document.check_text(data, [key for key in KEYS if key != "columns"])
+    columns = data["columns"]
+    if not isinstance(columns, dict) or not columns:
+        raise document.error("columns must be tables of columns, as in [columns.speed]", "columns")
+    delimiter = _choice(document, "delimiter", {each: each for each in DELIMITERS})
+    decimal = _choice(document, "decimal", {".": False, ",": True})
+    if delimiter == "," and decimal and "delimiter" in data:
+        raise document.error("decimal and delimiter cannot both be a comma", "decimal")
+    quantities = [*(name for name in shot_words().dimensions if name != HAND), FACE_TO_PATH]
+    fields: dict[str, Field] = {}
+    required: list[str] = []
+    for name, column in columns.items():
+        if name not in quantities:
+            raise document.wrap(UnknownNameError("quantity", name, quantities))
+        fields[name] = _field(document, name, column)
+        if not column.get("optional", False):
+            required.append(column["heading"])
+    if not required:
+        raise document.error("at least one column must not be optional: the header is known by it", "columns")
+    layout = Format(
+        name=data.get("name", "mapping"),
+        title=data.get("name", f"mapped by {document.path}"),
+        fields=fields,
+        marks=(tuple(required),),
+        club=(data["club"],) if "club" in data else (),
+        player=(data["player"],) if "player" in data else PLAYER,
+        hand=(data["hand"],) if "hand" in data else (),
+        needs_units=True,
+        only_own=True,
+        speed_at=_choice(document, "speed_at", {each: each for each in SPEED_AT}) or UNKNOWN,
+        face_at=_choice(document, "face_at", {each: each for each in FACE_AT}) or UNKNOWN,
+    )
+    return Mapped(layout, delimiter, decimal)
+
+
+def _choice(document: Document, key: str, choices: dict[str, Any]) -> Any:
+    if key not in document.data:
+        return None
+    given = document.data[key]
+    if given not in choices:
+        raise document.error(str(UnknownNameError(key, given, choices)), key)
+    return choices[given]
+
+
+def _field(document: Document, name: str, column: Any) -> Field:
+    table = f"columns.{name}"
+    if not isinstance(column, dict):
+        raise document.error(f"columns.{name} must be a table, as in [columns.{name}]", name, "columns")
+    document.check_keys(column, COLUMN_KEYS, ("heading",), table)
+    document.check_text(column, ("heading", "unit", "positive"), table)
+    if not plain(column["heading"]):
+        raise document.error("the heading has no word", "heading", table)
+    if not isinstance(column.get("optional", False), bool):
+        raise document.error("optional must be true or false", "optional", table)
+    dimension = shot_words().dimensions["face" if name == FACE_TO_PATH else name]
+    symbol = column.get("unit", "1" if dimension == DIMENSIONLESS else None)
+    if symbol is not None:
+        try:
+            unit(symbol, name="unit", dimension=dimension)
+        except UnitError as error:
+            raise document.error(str(error), "unit", table) from None
+    positive = column.get("positive")
+    if positive is not None and plain(positive) not in SIDES.get(name, {}):
+        known = SIDES.get(name)
+        message = str(UnknownNameError("side", positive, known)) if known else f"{name} has no sides"
+        raise document.error(message, "positive", table)
+    return Field(column["heading"], unit=symbol, positive=positive)
+
+
+SENTINELS = (
+    999.0, 999.9, 9999.0, 9999.9, 99999.0, 32767.0, 32768.0, 65535.0, 65536.0, 8388607.0, 16777215.0, 16777216.0,
+    2147483647.0, 2147483648.0, 4294967295.0,
+)  # fmt: skip
+"""With either sign: the greatest and least numbers of so many digits or bits."""
+NEVER = {"sidespin": 9000.0, "closure": 9000.0, "backspin": 9000.0}
+"""From which number [rpm, deg/s] a sentinel is no measurement, though within the limits; backspin only below zero."""
+ROUNDING = to_si(1.6, "deg")
+"""Difference of three angles that are rounded to whole degrees."""
+
+
+def without_sentinels(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> tuple[dict[str, Floats], str]:
+    """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on them, or "".
+
+    ``units`` are those in which each quantity was written. Sentinels that no shot can have are left to
+    :func:`clubface.shots.plausibility.without_impossible`, which takes out all such values.
+    """
+    kept, counted = dict(columns), []
+    for name in (each for each in (*NEVER, FACE_TO_PATH) if each in columns and each in units):
+        values, symbol = columns[name], units[name].symbol
+        written = values / size(symbol)
+        if name == FACE_TO_PATH:
+            is_none = ~can_be("face", values)
+        else:
+            is_none = _are_sentinels(written) & ((-written if name == "backspin" else np.abs(written)) >= NEVER[name])
+        if is_none.any():
+            kept[name] = np.where(is_none, np.nan, values)
+            shown = f"{units[name].heading} in {int(is_none.sum())} of {values.size} shots"
+            counted.append(f"{shown}, such as {written[is_none][0]:.10g} {symbol}")
+    note = f"numbers that programs write for nothing measured were taken as not measured: {'; '.join(counted)}"
+    return kept, note if counted else ""
+
+
+def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> dict[str, Floats]:
+    """Return columns [SI] without whatever looks like a sentinel and no shot can have: it says nothing of the unit."""
+    return {
+        name: np.where(_are_sentinels(values / size(units[name].symbol)) & ~can_be(name, values), np.nan, values)
+        if name in units
+        else values
+        for name, values in columns.items()
+    }
+
+
+def _are_sentinels(written: Floats) -> NDArray[np.bool_]:
+    return np.isin(np.abs(written).round(3), SENTINELS)
+
+
+def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple[dict[str, Floats], str]:
+    """Return columns [SI] without face to path but with what follows from it, and a note on contradictions, or "".
+
+    With the path it gives the face angle, and with the face angle the path, where they were not measured. Where all
+    three were measured and do not go together, face angle and path stay.
+    """
+    completed = dict(columns)
+    if FACE_TO_PATH not in completed:
+        return completed, ""
+    to_path = completed.pop(FACE_TO_PATH)
+    nothing = np.full_like(to_path, np.nan)
+    face, path = completed.get("face", nothing), completed.get("path", nothing)
+    apart = np.abs(face - path - to_path) > ROUNDING
+    for name, values, other in (("face", face, path + to_path), ("path", path, face - to_path)):
+        filled = np.where(np.isnan(values), other, values)
+        if not np.isnan(filled).all():
+            completed[name] = filled
+    if not apart.any():
+        return completed, ""
+    first = int(np.flatnonzero(apart)[0])
+    shown = ", ".join(
+        f"{what} {float(from_si(each[first], 'deg')):.3g}"
+        for what, each in (("face angle", face), ("path", path), ("face to path", to_path))
+    )
+    return completed, (
+        f"face angle, path and face to path contradict each other in {int(apart.sum())} of {apart.size} shots, such as "
+        f"line {lines[first]}: {shown} deg; face to path is not used there"
+    )

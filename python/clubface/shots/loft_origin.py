@@ -1,0 +1,246 @@
+"""Whether a dynamic loft was measured, or computed by the monitor from the ball.
+
+Radar monitors see the ball better than the face. Some of them compute the dynamic loft, and the face angle with it,
+from ball speed, launch and spin: the ratio I w / (m R v_t) of the spin w to the speed v_t of the ball along the face is
+then one number in every shot (1.12 to 1.15 in TrackMan's sets). Spin that is fitted or judged with such lofts is that
+of the monitor's own model of impact.
+
+The shots decide, and not the name of the maker. For each shot the ball asks for an angle between face normal and
+direction of launch, arcsin(I w / (m R v ratio)), with one ratio for all shots of a club. Around it a computed angle
+scatters by the rounding of the file alone. A measured one scatters by far more: by the errors of the monitor (0.2
+degrees in the launch angle and some tenths in the loft), and because shots differ in what no ratio knows. The benchmark
+shots scatter by 0.6 to 1.2 degrees; shots that a model computes without any error of measurement do so by 0.3 to 0.8
+degrees where the strike scatters by some millimetres. 7773 public drives with a TrackMan scatter by less than 0.001
+degrees, and by 0.07 to 0.13 degrees where face angle and start direction are not looked at.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.equipment.balls import published_ball
+from clubface.shots.recorded import RecordedShots
+from clubface.simulation.spin import rolling_speed
+from clubface.support.arrays import Floats
+
+FEWEST = 5
+"""Shots of a club below which nothing is said."""
+MEASURED = units.to_si(0.3, "deg")
+"""Least standard deviation [rad] of an angle between a measured face and a measured launch, rounding apart."""
+LIKELY = 0.99
+"""How sure the scatter must be below that of a measured angle, or above it."""
+EXPLAINED = 0.5
+"""Part of the variance of the angle that the spin must explain: shots all alike have one ratio in any case."""
+RATIOS = (0.7, 1.5)
+"""Ratios that a model of impact can have; 0.85 to 1.3 over faces at first touch and at maximum compression."""
+OUTLIER, KEPT = 4.0, 2.0 / 3.0
+"""Robust standard deviations beyond which a shot was misread, and the part of the shots that must not be."""
+SHARPEST = MEASURED / 10.0
+"""Standard deviation [rad] below which none is taken for outliers: angles that agree so well agree."""
+STEPS = (1.0, 0.5, 0.1, 0.05, 0.01)
+"""Steps to which files round angles, in degrees."""
+SPIN_STEPS = (100.0, 50.0, 10.0, 1.0)
+"""Steps to which they round spins, in rpm."""
+
+COMPUTED, FROM_MEASUREMENT, UNDECIDED = ORIGINS = ("computed from the ball", "measured", "undecided")
+"""Origins of the lofts of a club."""
+AT_LAUNCH = (
+    'evaluate and identify with --at-launch (compared_at="launch" in Python) solve loft and face angle so that the'
+    " measured launch is met, and compare spin and ball speed there"
+)
+"""What to do instead of taking such lofts for measured."""
+
+_ball = cache(published_ball)
+"""The ball of the ratio, I = 0.400 m R^2: that of the ratios that are published."""
+
+
+class LoftOrigin(NamedTuple):
+    """Where the dynamic lofts of one club in one file come from.
+
+    Attributes
+    ----------
+    club, file
+        Names as in the file; "" where there is none.
+    shots
+        Number of shots with all that is needed.
+    origin
+        One of ``ORIGINS``.
+    with_face
+        Whether the face angle was looked at too, and is computed if the loft is.
+    ratio
+        I w / (m R v_t), the median over the shots, weighted by spin over speed.
+    ratio_scatter
+        Its standard deviation from shot to shot, by the median of the deviations.
+    scatter
+        Standard deviation of the angle between face normal and launch from that of the ratio [rad], outliers apart.
+    rounding
+        The part of it that the rounding of the file explains [rad].
+    """
+
+    club: str
+    file: str
+    shots: int
+    origin: str
+    with_face: bool
+    ratio: float
+    ratio_scatter: float
+    scatter: float
+    rounding: float
+
+
+def loft_origins(shots: RecordedShots) -> tuple[LoftOrigin, ...]:
+    """Return where the dynamic lofts come from, club by club and file by file, of those with shots enough to say."""
+    if "loft" not in shots.deliveries or not {"ball_speed", "launch"} <= shots.launches.keys():
+        return ()
+    clubs = np.full(len(shots), "", dtype=object) if shots.clubs is None else shots.clubs
+    files = np.full(len(shots), "", dtype=object) if shots.files is None else shots.files
+    found = []
+    for club, file in dict.fromkeys(zip(clubs, files, strict=True)):
+        origin = _origin(shots, (clubs == club) & (files == file))
+        if origin is not None:
+            found.append(origin._replace(club=str(club), file=str(file)))
+    return tuple(found)
+
+
+def computed(origins: Iterable[LoftOrigin]) -> list[LoftOrigin]:
+    """Return those whose loft was computed from the ball."""
+    return [each for each in origins if each.origin == COMPUTED]
+
+
+def origin_notes(origins: Iterable[LoftOrigin], instead: str) -> list[str]:
+    """Return a note of lofts that were computed from the ball, with what to do ``instead``; none without such."""
+    found = computed(origins)
+    if not found:
+        return []
+    faces = all(each.with_face for each in found)
+    what = "dynamic loft and face angle were" if faces else "dynamic loft was"
+    ratios = ", ".join(
+        f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_label(each)}{each.shots} shots)" for each in found
+    )
+    return [
+        f"{what} computed from the ball, not measured: I w / (m R v_t) is one number from shot to shot, {ratios}."
+        f" Spin that is fitted or judged with it is that of the monitor's own model of impact; {instead}"
+    ]
+
+
+def _label(origin: LoftOrigin) -> str:
+    """Return club and file of an origin, in words."""
+    named = " of ".join(each for each in (origin.club, origin.file) if each)
+    return f"{named}, " if named else ""
+
+
+def _origin(shots: RecordedShots, chosen: NDArray[np.bool_]) -> LoftOrigin | None:
+    """Return the origin of the lofts of some shots: with the face angle if that explains more, else without."""
+    in_space, upright = _angles(shots, chosen, with_face=True), _angles(shots, chosen, with_face=False)
+    found = [each for each in (in_space, upright) if each is not None]
+    return min(found, key=lambda each: (ORIGINS.index(each.origin), not each.with_face), default=None)
+
+
+def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool) -> LoftOrigin | None:
+    """Return the origin that the angles between face normal and launch show, in space or in the vertical plane."""
+    names = ("face", "azimuth") if with_face else ()
+    every = {**shots.deliveries, **shots.launches}
+    spins = _spin(every, in_space=with_face)
+    if spins is None or not set(names) <= every.keys():
+        return None
+    used = ("loft", "launch", "ball_speed", *names)
+    there = (
+        chosen
+        & np.isfinite(spins)
+        & (np.abs(spins) > 0.0)
+        & np.all([np.isfinite(every[name]) for name in used], axis=0)
+    )
+    if there.sum() < FEWEST:
+        return None
+    loft, launch, speed, *sides = (every[name][there] for name in used)
+    face, azimuth = sides or (np.zeros_like(loft), np.zeros_like(loft))
+    rolling = rolling_speed(_ball(), spins[there]) / speed
+    across, turn = _apart(loft, launch, face - azimuth)
+    steps = [_step(every[name][there], STEPS, "deg") for name in ("loft", "launch", *names)]
+    upwards, sideways = np.mean(np.cos(turn) ** 2), np.mean(np.sin(turn) ** 2)
+    variance = upwards * (steps[0] ** 2 + steps[1] ** 2) + sideways * sum(each**2 for each in steps[2:])
+    spin_step = _step(spins[there], SPIN_STEPS, "rpm") * np.median(np.abs(across / spins[there]))
+    rounding = math.sqrt((variance + spin_step**2) / 12.0)
+    return _judged(across, rolling, rounding, with_face)
+
+
+def _apart(loft: Floats, launch: Floats, turned: Floats) -> tuple[Floats, Floats]:
+    """Return the angle between face normal and launch [rad], and how far it leans to the side [rad].
+
+    ``turned`` is the face angle less the start direction [rad]. Without a face the angle is loft less launch, negative
+    where the ball starts above the normal.
+    """
+    if not turned.any():
+        return loft - launch, np.zeros_like(loft)
+    up = np.sin(loft) * np.cos(launch) - np.cos(loft) * np.sin(launch) * np.cos(turned)
+    side = np.cos(loft) * np.sin(turned)
+    along = np.sin(loft) * np.sin(launch) + np.cos(loft) * np.cos(launch) * np.cos(turned)
+    return np.arctan2(np.hypot(up, side), along), np.arctan2(side, up)
+
+
+def _judged(across: Floats, rolling: Floats, rounding: float, with_face: bool) -> LoftOrigin:
+    """Decide from angles [rad], and from speeds of rolling over ball speed."""
+    ratio = _ratio(np.sin(across), rolling)
+    asked = np.arcsin(np.clip(rolling / ratio, -1.0, 1.0)) if ratio else np.zeros_like(rolling)
+    off = across - asked
+    robust = 1.4826 * float(np.median(np.abs(off - np.median(off))))
+    kept = np.abs(off - np.median(off)) <= OUTLIER * max(robust, rounding, SHARPEST)
+    count = int(kept.sum())
+    scatter = math.sqrt(float(np.sum(off[kept] ** 2)) / max(count - 1, 1))
+    spread = float(np.std(across[kept], ddof=1)) if count > 1 else 0.0
+    measured = math.hypot(rounding, MEASURED)
+    low, high = _interval(scatter, count)
+    explained = 1.0 - (scatter / spread) ** 2 if spread > 0.0 else 0.0
+    plausible = RATIOS[0] <= ratio <= RATIOS[1] and count >= KEPT * len(off)
+    if plausible and high < measured and explained >= EXPLAINED:
+        origin = COMPUTED
+    elif low > measured:
+        origin = FROM_MEASUREMENT
+    else:
+        origin = UNDECIDED
+    middle = float(np.median(np.abs(asked[kept])))
+    relative = robust / math.tan(middle) if middle > 0.0 else math.nan
+    return LoftOrigin("", "", len(off), origin, with_face, ratio, abs(ratio) * relative, scatter, rounding)
+
+
+def _ratio(sines: Floats, rolling: Floats) -> float:
+    """Return the ratio of rolling to sines with the least absolute deviations of the sines: a weighted median."""
+    each, weights = sines / rolling, np.abs(rolling)
+    order = np.argsort(each)
+    sums = np.cumsum(weights[order])
+    middle = each[order][int(np.searchsorted(sums, 0.5 * sums[-1]))]
+    return 1.0 / float(middle) if middle != 0.0 else 0.0
+
+
+def _interval(deviation: float, count: int) -> tuple[float, float]:
+    """Return between which values a standard deviation lies, each end being sure by ``LIKELY``."""
+    from scipy.stats import chi2
+
+    free = max(count - 1, 1)
+    ends = chi2.ppf([LIKELY, 1.0 - LIKELY], free)
+    return tuple(deviation * math.sqrt(free / end) for end in ends)  # pyright: ignore[reportReturnType]
+
+
+def _step(values: Floats, steps: Iterable[float], unit: str) -> float:
+    """Return the step to which values are rounded [SI], 0 if to none of ``steps``."""
+    shown = np.asarray(units.from_si(values, unit))
+    for step in steps:
+        if np.max(np.abs(shown / step - np.round(shown / step))) < 1e-6:
+            return float(step * units.size(unit))
+    return 0.0
+
+
+def _spin(every: dict[str, Floats], *, in_space: bool) -> Floats | None:
+    """Return the spin that belongs to the angle in space, or to that in the vertical plane; None without any."""
+    total, back = every.get("total_spin"), every.get("backspin")
+    first, second = (total, back) if in_space else (back, total)
+    if first is None or second is None:
+        return first if second is None else second
+    return np.where(np.isfinite(first), first, second)

@@ -1,0 +1,396 @@
+"""Measured shots made ready to stand beside models: of one club, complete, and of the club that was given.
+
+Recorded shots prepared for comparison with models: one club, complete rows, and notes on what was assumed.
+
+From a file of shots to the shots of one club that a command works on: the one way that every command goes.
+
+The shots are read, those wanted are chosen, their club is checked, what was not measured gets the values that somebody
+states, and club data that was taken elsewhere on the club is referred to the points of clubface.
+
+Whether shots are of another club than the one given: by the names in their file and by their dynamic loft.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
+from clubface.errors import InputError, Told
+from clubface.shots.club_names import club_kind, may_be, same_club
+from clubface.shots.conditions import chosen_shots
+from clubface.shots.loft_origin import AT_LAUNCH, LoftOrigin, computed, loft_origins, origin_notes
+from clubface.shots.reading import read
+from clubface.shots.recorded import RecordedShots, RejectedRow, with_assumed
+from clubface.shots.reference_points import refer
+from clubface.simulation.inputs import OF_CLUB
+from clubface.support.checks import check_choice
+
+REFUSE, NOTE = MISMATCH = ("refuse", "note")
+"""What shots of another club may do."""
+LOFT_DIFFERENCE = units.to_si(12.0, "deg")
+"""Median dynamic loft further than this [rad] from the static loft is most likely another club's."""
+LEAST_LOFT = 0.6
+"""So is one below this part of the static loft, where that allows more: of short irons, players take off more than of
+long ones. The launch angles of the published tour averages need 0.60 (5-iron) to 0.72 (pitching wedge) of it."""
+
+
+def check_club(
+    club: Club, names: Iterable[object] | None, lofts: NDArray[np.float64] | None, mismatch: str = "refuse"
+) -> list[str]:
+    """Refuse shots of another club than ``club``, or return a note that says why they look so.
+
+    Parameters
+    ----------
+    club
+        The club given.
+    names
+        What the file calls the club of each shot, None if it does not or if that was chosen on purpose.
+    lofts
+        Measured dynamic lofts [rad], or None.
+    mismatch
+        "refuse" or "note".
+    """
+    check_choice("mismatch", mismatch, MISMATCH)
+    found = _other_name(club, names) or _other_loft(club, lofts)
+    if found is None:
+        return []
+    if mismatch == REFUSE:
+        advice = 'the club of these shots: {} (mismatch="note" or --mismatch note takes them all the same)'
+        raise InputError("club", club.name, advice.format(found))
+    return [f"{found}: is this the right club?"]
+
+
+def _other_name(club: Club, names: Iterable[object] | None) -> str | None:
+    wanted = club_kind(club.name)
+    if names is None or wanted is None:
+        return None
+    kinds = {str(name): club_kind(str(name)) for name in dict.fromkeys(names)}
+    others = [name for name, kind in kinds.items() if kind is not None and not may_be(kind, wanted)]
+    return f"the shots name {', '.join(others)}, not {club.name}" if others else None
+
+
+def _other_loft(club: Club, lofts: NDArray[np.float64] | None) -> str | None:
+    if lofts is None or not len(lofts):
+        return None
+    median = float(np.median(lofts))
+    if min(club.loft - LOFT_DIFFERENCE, LEAST_LOFT * club.loft) <= median <= club.loft + LOFT_DIFFERENCE:
+        return None
+    delivered, static = units.show(median, "deg", 3), units.show(club.loft, "deg", 3)
+    return f"the median dynamic loft is {delivered}, the static loft of {club.name} {static}"
+
+
+WEDGES = ("gap-wedge", "sand-wedge", "lob-wedge")
+"""The built-in clubs for which shots may name a loft in place of a club, as in "56"."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ReadyShots(RecordedShots):
+    """Recorded shots of one club, referred to its points; attributes as of :class:`RecordedShots`, and these.
+
+    Attributes
+    ----------
+    club
+        The club with which they were hit.
+    places
+        Place of each shot (from 0) among the shots that were given or read.
+    loft_origins
+        What all shots of this club in each file tell of where their dynamic lofts come from.
+    """
+
+    club: Club
+    places: NDArray[np.int64] = field(default_factory=lambda: np.arange(0))
+    loft_origins: tuple[LoftOrigin, ...] = ()
+
+    def select(self, which: Any) -> Self:
+        """Return some of the shots, as :meth:`RecordedShots.select` does."""
+        return replace(super().select(which), places=np.atleast_1d(self.places[which]))
+
+
+def ready_shots(
+    given: RecordedShots | str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club | None = None,
+    hand: str | None = None,
+    only: str | None = None,
+    where: str | None = None,
+    mismatch: str = "refuse",
+    assume: Mapping[str, Any] | None = None,
+) -> ReadyShots:
+    """Make recorded shots of one club ready for models.
+
+    Parameters
+    ----------
+    given
+        Recorded shots, or a file that :func:`clubface.shots.read` reads. :class:`ReadyShots` are ready.
+    club
+        The club with which they were hit. If left out: the club that the shots name, if that is a built-in one.
+    hand
+        "right" or "left": the hand of the club. If left out, its own.
+    only
+        Take only the shots of the club that the file calls so. If left out: all shots, which must then be of one club.
+    where
+        Take only the shots that fulfil this condition, see :func:`clubface.shots.conditions.chosen`. It is judged on
+        what was measured, where it was measured.
+    mismatch
+        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
+        "note".
+    assume
+        Values for what was not measured, such as ``{"toe": "0 mm"}``; see
+        :func:`clubface.shots.recorded.with_assumed`.
+
+    Raises
+    ------
+    InputError
+        No shot is left; or the shots are of several clubs, or of another club than the one given.
+    """
+    if isinstance(given, ReadyShots):
+        return given
+    recorded = given if isinstance(given, RecordedShots) else read(given)
+    origins = loft_origins(recorded)  # of all shots, and before lofts are assumed or referred
+    recorded, places = (recorded, np.arange(len(recorded))) if where is None else chosen_shots(recorded, where)
+    takes_all = club is not None and only is None and mismatch == NOTE
+    of_club = np.arange(len(recorded)) if takes_all else of_one_club(recorded, only, club is not None)
+    recorded, places = recorded.select(of_club), places[of_club]
+    head = club_of(recorded, club)
+    if hand is not None:
+        head = head.replace(hand=hand)
+    lofts = recorded.deliveries.get("loft", np.empty(0))
+    notes = check_club(head, recorded.clubs if only is None else None, lofts[np.isfinite(lofts)], mismatch)
+    found = refer(with_assumed(recorded, assume or {}), head)
+    told = {each.name: getattr(found, each.name) for each in fields(RecordedShots)}
+    clubs, files = (None if each is None else set(map(str, each)) for each in (recorded.clubs, recorded.files))
+    of_these = (clubs or {""}, files or {""})
+    return ReadyShots(
+        **{**told, "notes": tuple(dict.fromkeys((*found.notes, *notes)))}, club=head, places=places,
+        loft_origins=tuple(each for each in origins if each.club in of_these[0] and each.file in of_these[1]),
+    )  # fmt: skip
+
+
+def of_one_club(recorded: RecordedShots, only: str | None, club_is_given: bool) -> NDArray[np.int64]:
+    """Return the places of the shots of the one club wanted; an error says what to do where there are several."""
+    if recorded.clubs is None:
+        if only is not None:
+            raise InputError("only", only, "leave it out: the shots name no club")
+        return np.arange(len(recorded))
+    counts = {name: int(np.sum(recorded.clubs == name)) for name in dict.fromkeys(recorded.clubs)}
+    listed = ", ".join(f"{name or 'without a name'} ({count})" for name, count in counts.items())
+    if only is None:
+        first = next(iter(counts), "")
+        if not all(same_club(name, first) for name in counts):
+            others = ', or mismatch="note" (--mismatch note) for all of them as one club' if club_is_given else ""
+            raise InputError("only", None, f"give one of the several clubs that were hit: {listed}{others}")
+        return np.arange(len(recorded))
+    chosen_names = [name for name in counts if same_club(name, only)]
+    if not chosen_names:
+        raise InputError("only", only, f"one of the clubs that were hit: {listed}")
+    return np.flatnonzero(np.isin(recorded.clubs, chosen_names))
+
+
+def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None) -> Club:
+    """Return the club given, or the built-in one that the shots name."""
+    if isinstance(given, Club):
+        return given
+    if given is not None:
+        return club_named(given)
+    named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
+    kind = _built_in(club_kind(named))
+    if kind is None:
+        told = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
+        raise InputError("club", None, f"{told}; clubface clubs lists the built-in clubs")
+    return club_named(kind)
+
+
+def _built_in(kind: str | None) -> str | None:
+    """Return the built-in club of a kind, a wedge that goes by its loft as the wedge of that loft; None without one."""
+    if kind in CLUB_NAMES:
+        return kind
+    return next((name for name in WEDGES if kind == f"{units.from_si(club_named(name).loft, 'deg'):.0f}-wedge"), None)
+
+
+QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
+"""The launch quantities on which models are compared, in the order of the published tables, and their usual units."""
+DELIVERY, LAUNCH = COMPARED_AT = ("delivery", "launch")
+"""Where models are compared with shots: at the measured delivery, or at the measured launch."""
+SOLVED = {"launch": "loft", "azimuth": "face"}
+"""What is solved, by what of the launch is then met."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MeasuredShots:
+    """Shots of one club, each with a complete delivery and at least one measured launch quantity, in SI units.
+
+    Attributes
+    ----------
+    club
+        The club with which they were hit.
+    delivery
+        The measured part of each delivery, as :func:`impact` takes it; the hand, where it is known, as +1 or -1.
+    launch
+        The measured part of each launch, by name, in the order of ``QUANTITIES``; NaN where it was not measured.
+    start
+        Launch angle and, if it was measured, azimuth [rad], by name, at which models are compared; empty for a
+        comparison at the measured delivery. Loft and face angle are then not in ``delivery``.
+    loft_origins
+        What the shots tell of where their dynamic lofts come from.
+    rows
+        Row of each shot in the source.
+    places
+        Place of each shot (from 0) among the recorded shots given.
+    source
+        The file, or another name.
+    dropped
+        The shots left out and the reasons, including the rejected rows of the file.
+    notes
+        What was assumed.
+    """
+
+    club: Club
+    delivery: dict[str, NDArray[np.float64]]
+    launch: dict[str, NDArray[np.float64]]
+    rows: NDArray[np.int64]
+    places: NDArray[np.int64]
+    source: str
+    dropped: tuple[RejectedRow, ...]
+    notes: tuple[str, ...]
+    start: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    loft_origins: tuple[LoftOrigin, ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def select(self, which: NDArray[Any]) -> Self:
+        """Return some of the shots, by a mask or indices."""
+        return replace(
+            self,
+            delivery={name: values[which] for name, values in self.delivery.items()},
+            launch={name: values[which] for name, values in self.launch.items()},
+            start={name: values[which] for name, values in self.start.items()},
+            rows=self.rows[which],
+            places=self.places[which],
+        )
+
+
+def measured_shots(
+    shots: RecordedShots | str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club | None = None,
+    only: str | None = None,
+    where: str | None = None,
+    mismatch: str = "refuse",
+    assume: Mapping[str, Any] | None = None,
+    quantities: Iterable[str] = tuple(QUANTITIES),
+    compared_at: str = DELIVERY,
+) -> MeasuredShots:
+    """Prepare recorded shots for comparison with models.
+
+    Parameters
+    ----------
+    shots
+        Recorded shots, or a file that :func:`clubface.shots.read` reads.
+    club, only, where, mismatch, assume
+        As for :func:`clubface.shots.measured.ready_shots`.
+    quantities
+        The launch quantities wanted, out of ``QUANTITIES``.
+    compared_at
+        "delivery", or "launch": models then meet launch angle and, if it was measured, start direction, for which
+        dynamic loft and face angle are solved; those of the shots are left out.
+
+    Raises
+    ------
+    InputError
+        There is no usable shot; the shots are of several clubs, or of another club than the one given; or no column
+        gives a speed or a launch.
+    """
+    recorded = ready_shots(shots, club=club, only=only, where=where, mismatch=mismatch, assume=assume)
+    head = recorded.club
+    places = np.arange(len(recorded)) if recorded is shots else recorded.places
+    if "speed" not in recorded.deliveries:
+        measured = ", ".join(recorded.deliveries) or "nothing"
+        raise InputError(
+            "shots",
+            recorded.source,
+            f"shots with the speed of the clubhead; measured of the deliveries: {measured}",
+        )
+    check_choice("compared_at", compared_at, COMPARED_AT)
+    start = _start(recorded) if compared_at == LAUNCH else {}
+    wanted = [name for name in quantities if name in recorded.launches and name not in start]
+    if not wanted:
+        compared = ", ".join(name for name in quantities if name not in start)
+        raise InputError("shots", recorded.source, f"shots with a measured launch: {compared}")
+    solved = [SOLVED[name] for name in start]
+    delivery = {
+        name: values for name, values in recorded.delivery().items() if np.isfinite(values).any() and name not in solved
+    }
+    if "speed" not in delivery:
+        raise InputError("speed", Told("empty in every shot"), "measured in at least one")
+    reasons: dict[int, str] = {}
+    for name, values in (delivery | start).items():
+        for row in np.flatnonzero(~np.isfinite(values)):
+            reasons.setdefault(int(row), f"{name} was not measured")
+    nothing = np.all([~np.isfinite(recorded.launches[name]) for name in wanted], axis=0)
+    for row in np.flatnonzero(nothing):
+        reasons.setdefault(int(row), "nothing of the launch was measured")
+    kept = np.array([row not in reasons for row in range(len(recorded))], dtype=bool)
+    dropped = [RejectedRow(int(recorded.rows[row]), reason) for row, reason in sorted(reasons.items())]
+    if not kept.any():
+        told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
+        raise InputError("shots", recorded.source, f"at least one shot with a complete delivery and a launch ({told})")
+    delivery = {name: values[kept] for name, values in delivery.items()}
+    origins = recorded.loft_origins
+    of_lofts = _notes_at_launch(start, origins) if start else origin_notes(origins, AT_LAUNCH)
+    assumed = assumptions(head, delivery | dict.fromkeys(SOLVED[name] for name in start))
+    return MeasuredShots(
+        club=head,
+        delivery=delivery,
+        launch={name: recorded.launches[name][kept] for name in wanted},
+        rows=recorded.rows[kept],
+        places=places[kept],
+        source=recorded.source,
+        dropped=tuple(sorted((*recorded.rejected, *dropped), key=lambda each: each.line or 0)),
+        notes=tuple(dict.fromkeys((*of_lofts, *recorded.notes, *assumed))),
+        start={name: values[kept] for name, values in start.items()},
+        loft_origins=origins,
+    )
+
+
+def _start(recorded: RecordedShots) -> dict[str, NDArray[np.float64]]:
+    """Return launch angles and, if they were measured, azimuths [rad]."""
+    found = {
+        name: recorded.launches[name]
+        for name in SOLVED
+        if name in recorded.launches and np.isfinite(recorded.launches[name]).any()
+    }
+    if "launch" not in found:
+        measured = ", ".join(recorded.launches) or "nothing"
+        raise InputError(
+            "compared_at", LAUNCH, f"shots with a measured launch angle; measured of the launch: {measured}"
+        )
+    return found
+
+
+def _notes_at_launch(start: Mapping[str, Any], origins: Iterable[LoftOrigin]) -> list[str]:
+    met, solved = (" and ".join(each) for each in (start, (SOLVED[name] for name in start)))
+    unused = "; those of the file were computed from the ball, and are not used" if computed(origins) else ""
+    return [f"compared at the measured {met}: {solved} are solved for each shot and model{unused}"]
+
+
+def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[str]:
+    """Return what was not measured and how it is taken."""
+    found = []
+    missing = [name for name in OF_CLUB if name not in delivery]
+    zero = [name for name in missing if name != "loft"]
+    if zero:
+        found.append(f"not measured and taken as zero: {', '.join(zero)}")
+    if "loft" in missing:
+        loft = units.show(head.loft, "deg", 3)
+        found.append(
+            f"dynamic loft was not measured; the static loft of {head.name}, {loft}, stands for it in every shot"
+        )
+    return found

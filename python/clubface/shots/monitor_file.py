@@ -1,0 +1,623 @@
+"""The rows of a file of recorded shots: headers, units, summaries and shots, and the values of the shots by column."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isfinite, nan
+from typing import Any
+
+import numpy as np
+
+from clubface.errors import FileError, shortened
+from clubface.shots.club_names import club_kind, is_club_name
+from clubface.shots.columns import Columns, Used, columns_of, is_units_row
+from clubface.shots.formats import Format
+from clubface.shots.monitor_cells import FACE_TO_PATH, MIRRORED, PLAIN, WORLD, CellError, reading
+from clubface.shots.plausibility import Unit, can_be
+from clubface.shots.recorded import RejectedRow, date_among
+from clubface.shots.summary_rows import summary_rows
+from clubface.shots.tables.cells import (
+    LARGE,
+    NUMBER,
+    all_numbers,
+    hand_of,
+    is_missing,
+    may_be_thousands,
+    quoted_cell,
+    ragged_reason,
+)
+from clubface.shots.tables.chunk import Reject
+from clubface.shots.tables.headings import POINTS, plain, squeezed
+from clubface.shots.tables.row_source import Row
+from clubface.simulation.results import inputs
+from clubface.support.arrays import Floats
+from clubface.units import size, to_si, unit
+
+DERIVED = frozenset(
+    {"smash", FACE_TO_PATH, "apex", "landing_angle", "landing_speed", "flight_time", "total", "total_side"}
+)
+"""What a monitor computes from what it measured: a cell of it that cannot be read costs itself and not the shot."""
+BLOCK_ROWS = 16384
+"""Rows that are made shots at a time."""
+JUDGED = 200
+"""Cells by which a column that is not read is known to be one of numbers."""
+HEADINGS = 2
+"""Headings of a layout that make a row below the first header another header, if none of its cells is a number."""
+SHOWN = 3
+"""Values that an error names."""
+SAME = 1e-9
+"""Relative difference up to which two cells say the same."""
+_NUMERIC = frozenset("0123456789+-.,−")
+
+
+@dataclass
+class Shots:
+    """Shots that stand below one another, SI; sides across the target line are in world terms.
+
+    Attributes
+    ----------
+    lines
+        Line in which the row of each begins.
+    values
+        What was measured, by quantity; NaN where it was not.
+    clubs, players, dates, files
+        Names, dates as in the file, or "".
+    hands
+        +1 for right, -1 for left, or NaN if it is not known.
+    """
+
+    lines: list[int]
+    values: dict[str, Floats]
+    clubs: list[str]
+    players: list[str]
+    hands: Floats
+    dates: list[str]
+    files: list[str]
+
+
+@dataclass
+class Session:
+    """All that a file says.
+
+    Attributes
+    ----------
+    tables
+        The shots of each part of the file.
+    rejected
+        The rows that give no shot.
+    summaries
+        Rows of averages and the like, which are left out.
+    without_club
+        Shots for which the file says that the club was not measured.
+    counts
+        How often each value stands in the columns that a note counts, by heading.
+    assumed
+        Headings whose unit was assumed, with the unit.
+    unused
+        Headings that would give a quantity but for what is in their brackets.
+    remarks
+        What else a reader should know of the columns.
+    unread
+        Headings of columns of numbers that give no quantity.
+    unreadable
+        Cells of computed quantities that hold no number, by heading: how many, and one of them.
+    points
+        Where on the club data was taken, as columns of the file say.
+    units
+        The units of the first column of each quantity.
+    header_line
+        Where the first header stands.
+    guessed_hand
+        Whether something in terms of the club was read as a right-hander's because nothing names the hand.
+    doubtful_number
+        A number whose decimal mark may separate thousands, where nothing decides it; else "".
+    names_clubs, names_players
+        Whether the file names clubs and players.
+    """
+
+    tables: list[Shots] = field(default_factory=list)
+    rejected: list[RejectedRow] = field(default_factory=list)
+    summaries: int = 0
+    without_club: int = 0
+    counts: dict[str, Counter[str]] = field(default_factory=dict)
+    assumed: dict[str, str] = field(default_factory=dict)
+    unused: dict[str, None] = field(default_factory=dict)
+    remarks: dict[str, None] = field(default_factory=dict)
+    unread: dict[str, None] = field(default_factory=dict)
+    unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
+    points: dict[str, str] = field(default_factory=dict)
+    units: dict[str, Unit] = field(default_factory=dict)
+    header_line: int | None = None
+    guessed_hand: bool = False
+    doubtful_number: str = ""
+    names_clubs: bool = False
+    names_players: bool = False
+
+
+class _Faults:
+    """What is wrong with some rows.
+
+    Attributes
+    ----------
+    reasons
+        Why a row gives no shot.
+    unreadable
+        Cells of computed quantities that hold no number, by heading and row.
+    """
+
+    def __init__(self) -> None:
+        self.reasons: dict[int, str] = {}
+        self.unreadable: dict[str, dict[int, str]] = {}
+
+    @property
+    def rows(self) -> set[int]:
+        """The rows with any of it."""
+        return {*self.reasons, *(row for cells in self.unreadable.values() for row in cells)}
+
+    def reject(self, row: int, reason: str) -> None:
+        """Add the reason why a row gives no shot, if it has none yet."""
+        self.reasons.setdefault(row, reason)
+
+    def add(self, row: int, cell: str, what: str, column: Used) -> None:
+        """Add a cell that holds no number: of a computed quantity it costs the cell, otherwise the row."""
+        if column.quantity in DERIVED:
+            self.unreadable.setdefault(column.heading, {})[row] = cell.strip()
+        else:
+            self.reject(row, f"{column.heading}: {quoted_cell(cell.strip())} is {what}")
+
+
+class SessionReader:
+    """Goes through the rows of a file of a known layout.
+
+    Parameters
+    ----------
+    path
+        The file, for errors.
+    layout
+        Its layout.
+    hand
+        +1 or -1 for every shot, or NaN where the file may say it.
+    units
+        Units of columns that name none, by quantity or dimension.
+    decimal_comma
+        How numbers are written.
+    sample
+        The first rows, whose cells may name the units of their columns.
+    is_foreign
+        Whether the cells of a row are a header that this layout cannot read.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        layout: Format,
+        hand: float,
+        units: Mapping[str, str],
+        decimal_comma: bool,
+        sample: Sequence[Row | Reject] = (),
+        is_foreign: Callable[[Sequence[str]], bool] = lambda cells: False,
+    ) -> None:
+        self._path = path
+        self._sample = [row for row in sample if not isinstance(row, Reject)]
+        self._layout = layout
+        self._hand = hand
+        self._units = units
+        self._decimal_comma = decimal_comma
+        self._is_foreign = is_foreign
+        self._columns: Columns | None = None
+        self._header: Sequence[str] = ()
+        self._header_line: int | None = 0
+        self._block: list[Sequence[str]] = []
+        self._lines: list[int] = []
+        headings = {"date": layout.date, "player": layout.player, "club": layout.club}
+        self._keys = {squeezed(plain(each)): key for key, names in headings.items() for each in names}
+        self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
+        self._player = self._club = self._date = ""
+        self._above: Sequence[str] = ()
+        self.session = Session()
+
+    @property
+    def has_header(self) -> bool:
+        """Whether a row was the header of the layout."""
+        return bool(self._header)
+
+    def read(self, rows: Iterable[Row | Reject]) -> Session:
+        """Return what the rows say."""
+        for row in rows:
+            if isinstance(row, Reject):
+                self._reject(row.line, row.reason)
+                continue
+            cells, line, _ = row
+            columns = self._columns
+            # Most rows of most files are shots, which the first number tells, if it is no title such as "7 Iron".
+            if (
+                columns
+                and len(cells) == columns.width
+                and (first := cells[columns.first].lstrip())[:1] in _NUMERIC
+                and (columns.club or not first[-1:].isalpha())
+            ):
+                self._block.append(cells)
+                self._lines.append(line)
+                if len(self._lines) >= BLOCK_ROWS:
+                    self._end_block()
+            elif any(cell.strip() for cell in cells):
+                self._read_other(cells, line)
+        self._end_block()
+        return self.session
+
+    def read_columns(self, headings: Sequence[str], parts: Iterable[tuple[Sequence[Any], Sequence[int]]]) -> Session:
+        """Return what a table says whose rows come by column, as texts or numbers, with the line of each row."""
+        self._begin_table(headings, None)
+        self._choose_columns(None, [])
+        for cells, lines in parts:
+            self._take(cells, list(lines))
+        return self.session
+
+    def _note_unread(self, cells: Sequence[Any]) -> None:
+        """Note the columns of numbers that are not read, by the first rows below a header."""
+        columns = self._columns
+        assert columns is not None
+        for place in columns.others:
+            column = cells[place]
+            shown = self._header[place].strip() or f"column {place + 1}"
+            if _is_array(column):
+                is_numeric = bool(np.isfinite(column).any())
+            else:
+                texts = [each for each in column[:JUDGED] if not is_missing(each)]
+                is_numeric = 2 * sum(map(_is_measurement, texts)) > len(texts)
+            if is_numeric:
+                self.session.unread.setdefault(shown, None)
+
+    def _texts(self, cells: Sequence[Any], place: int) -> Sequence[str]:
+        """Return the cells of a column of names, which a Parquet file may have as numbers."""
+        column = cells[place]
+        return ["" if each != each else f"{each:.15g}" for each in column] if _is_array(column) else column
+
+    def _read_other(self, cells: Sequence[str], line: int) -> None:
+        """Read a row that may be no shot."""
+        if self._take_names(cells):
+            return
+        if not self._has_numbers(cells):
+            if self._is_header(cells):
+                self._begin_table(cells, line)
+                return
+            if self._header and self._is_foreign(cells):
+                message = "a table with columns of another kind begins here; save each table as a file of its own"
+                raise FileError(self._path, line, message)
+            if not self._header or self._title is not None:
+                self._take_date(cells)
+            first = next((text for cell in cells if (text := cell.strip())), "")
+            if self._title is not None and (title := self._title.fullmatch(first)):
+                self._end_block()
+                self._player = title[1]
+                self.session.names_players = True
+                return
+        if not self._header:
+            return
+        if self._columns is None:
+            units_row = cells if is_units_row(cells) else None
+            below = [each for each, at, _ in self._sample if at > (self._header_line or 0)]
+            self._choose_columns(units_row, below)
+            if units_row is not None:
+                return
+        elif sum(bool(each.strip()) for each in cells) > 1 and is_units_row(cells):
+            self._begin_table(self._header, self._header_line)  # the same columns in other units
+            self._choose_columns(cells, [])
+            return
+        columns = self._columns
+        assert columns is not None
+        beyond = [cell for cell in cells[columns.width :] if cell.strip()]
+        if len(cells) < columns.needed or beyond:
+            self._reject(line, ragged_reason(cells, columns.width))
+            return
+        self._block.append([*cells, *[""] * columns.width][: columns.width])
+        self._lines.append(line)
+
+    def _take_date(self, cells: Sequence[str]) -> None:
+        """Take the date of a row above a table, where it has one, as that of the shots below."""
+        if (date := date_among(cells)) is not None:
+            self._end_block()
+            self._date = date
+
+    def _take_names(self, cells: Sequence[str]) -> bool:
+        """Take club and player of a row above shots that names them: ``Club: Driver``, ``Player,Ann`` or ``7 Iron``.
+
+        Their headings may also stand in a row of their own, above the names.
+        """
+        above, self._above = self._above, ()
+        texts = [each.strip() for each in cells if each.strip()]
+        if above:
+            taken = [self._take_name(key, cell.strip()) for key, cell in zip(above, cells, strict=False)]
+            return any(taken)
+        if texts and (colon := re.fullmatch(r"([^:：]+)[:：]\s*(.*)", texts[0])):
+            texts = [each for each in (*colon.groups(), *texts[1:]) if each]
+        elif len(texts) == 1 and is_club_name(texts[0]):
+            return self._take_name("club", texts[0])
+        keys = [*map(self._key, texts)]
+        if len(texts) > 1 and all(keys):
+            self._above = [*map(self._key, cells)]
+            return True
+        return len(texts) == 2 and not self._layout.is_header(cells) and self._take_name(keys[0], texts[1])
+
+    def _key(self, text: str) -> str:
+        """Return what a heading is of: "club", "player", "date", or "" for anything else."""
+        return self._keys.get(squeezed(plain(text)), "")
+
+    def _take_name(self, key: str, name: str) -> bool:
+        """Take a club, player or date for the shots below; return whether it is one."""
+        columns = self._columns
+        has_column = columns is not None and bool(columns.club if key == "club" else columns.player is not None)
+        if key == "date":
+            self._take_date((name,))
+            return bool(self._date)
+        if not name or has_column or not (key == "player" or (key == "club" and club_kind(name))):
+            return False
+        self._end_block()
+        if key == "player":
+            self._player = name
+        else:
+            self._club = name
+        self.session.names_players |= key == "player"
+        self.session.names_clubs |= key == "club"
+        return True
+
+    def _is_header(self, cells: Sequence[str]) -> bool:
+        """Tell whether a row names the columns of a table; below the first, one word is none, such as "Total"."""
+        if self._layout.is_header(cells) and (not self._header or sum(bool(each.strip()) for each in cells) > 1):
+            return True
+        known = self._layout.known({self._layout.heading(each).name for each in cells})
+        return bool(self._header) and known >= HEADINGS and not self._is_foreign(cells)
+
+    def _has_numbers(self, cells: Sequence[str]) -> bool:
+        """Tell whether a cell of a column that is used holds a number, so that the row is no header."""
+        if self._columns is None:
+            return False
+        places = (each.place for used in self._columns.used.values() for each in used)
+        return any(place < len(cells) and any(map(str.isdigit, cells[place])) for place in places)
+
+    def _begin_table(self, headings: Sequence[str], line: int | None) -> None:
+        self._end_block()
+        self._header, self._header_line, self._columns = headings, line, None
+
+    def _choose_columns(self, units_row: Sequence[str] | None, below: Sequence[Sequence[str]]) -> None:
+        place = (self._path, self._header_line)
+        self._columns = columns = columns_of(self._layout, self._header, units_row, self._units, place, below)
+        session = self.session
+        if not session.units:
+            session.header_line = self._header_line
+        for quantity, (first, *_) in columns.used.items():
+            is_assumed = first.heading in dict(columns.assumed)
+            session.units.setdefault(quantity, Unit(first.heading, first.unit, first.is_named, is_assumed))
+        session.assumed.update(columns.assumed)
+        session.unused.update(dict.fromkeys(columns.unused))
+        session.remarks.update(dict.fromkeys(columns.remarks))
+        session.names_clubs |= bool(columns.club)
+        session.names_players |= columns.player is not None
+
+    def _reject(self, line: int, reason: str) -> None:
+        self.session.rejected.append(RejectedRow(line, reason))
+
+    def _end_block(self) -> None:
+        if self._lines:
+            block, lines = self._block, self._lines
+            self._block, self._lines = [], []
+            self._take(list(zip(*block, strict=True)), lines)
+
+    def _take(self, cells: Sequence[Any], lines: list[int]) -> None:
+        """Add the shots of some rows below the same header, whose cells come by column."""
+        columns, session = self._columns, self.session
+        assert columns is not None
+        self._note_unread(cells)
+        faults = _Faults()
+        large = (cells[each.place] for name in columns.used.keys() & LARGE for each in columns.used[name])
+        self._doubtful = may_be_thousands((each for each in large if not _is_array(each)), self._decimal_comma)
+        hands = self._hands(cells, len(lines), faults)
+        values = {quantity: self._quantity(cells, used, hands, faults) for quantity, used in columns.used.items()}
+        labels = {place: each for place, each in columns.labels.items() if not _is_array(cells[place])}
+        left_out = summary_rows(labels, cells, values, faults.rows)
+        session.summaries += len(left_out)
+        self._check(values, faults)
+        reasons = faults.reasons
+        for row in sorted(reasons.keys() - left_out):
+            self._reject(lines[row], reasons[row])
+        for heading, bad in faults.unreadable.items():
+            if wrong := [cell for row, cell in bad.items() if row not in left_out and row not in reasons]:
+                count, first = session.unreadable.get(heading, (0, wrong[0]))
+                session.unreadable[heading] = (count + len(wrong), first)
+        gone = left_out | reasons.keys()
+        kept = [row for row in range(len(lines)) if row not in gone] if gone else range(len(lines))
+        if not kept:
+            return
+        self._leave_out_clubs(values, kept)
+        self._take_points(cells, kept)
+        for place in columns.counted:
+            texts = self._texts(cells, place)
+            shown = Counter(text for row in kept if (text := texts[row].strip()))
+            session.counts.setdefault(self._header[place].strip(), Counter()).update(shown)
+        clubs = [
+            self._stripped(cells, place, "" if columns.club else self._club, kept) for place in columns.club or (None,)
+        ]
+        session.tables.append(
+            Shots(
+                [lines[row] for row in kept],
+                {name: each[kept] for name, each in values.items()} if gone else values,
+                clubs[0] if len(clubs) == 1 else [next(filter(None, each), "") for each in zip(*clubs, strict=True)],
+                self._stripped(cells, columns.player, self._player, kept),
+                hands[kept],
+                self._stripped(cells, columns.date, self._date, kept),
+                self._stripped(cells, columns.file, "", kept),
+            )
+        )
+
+    def _stripped(self, cells: Sequence[Any], place: int | None, otherwise: str, kept: Sequence[int]) -> list[str]:
+        """Return the texts of a column in some rows, or the same for all where there is no column."""
+        if place is None:
+            return [otherwise] * len(kept)
+        texts = [*map(str.strip, self._texts(cells, place))]
+        return texts if len(kept) == len(texts) else [texts[row] for row in kept]
+
+    def _hands(self, cells: Sequence[Any], count: int, faults: _Faults) -> Floats:
+        assert self._columns is not None
+        place = self._columns.hand
+        hands = np.full(count, self._hand)
+        if self._hand == self._hand or place is None:
+            return hands
+        known: dict[str, float] = {}
+        for row, cell in enumerate(self._texts(cells, place)):
+            try:
+                hands[row] = known[cell] = known[cell] if cell in known else hand_of(cell)
+            except ValueError:
+                text = cell.strip()
+                what = f"{quoted_cell(text)} is not a hand" if text else "the cell is empty"
+                faults.reject(row, f"{self._header[place].strip()}: {what}")
+        return hands
+
+    def _quantity(self, cells: Sequence[Any], used: Sequence[Used], hands: Floats, faults: _Faults) -> Floats:
+        """Return the values of a quantity; where several columns have it, of the one with the finest steps."""
+        values = self._numbers(cells[used[0].place], used[0], hands, faults)
+        if len(used) == 1:
+            return values
+        step = _steps(cells[used[0].place], used[0], self._decimal_comma)
+        for each in used[1:]:
+            other = self._numbers(cells[each.place], each, hands, faults)
+            other_step = _steps(cells[each.place], each, self._decimal_comma)
+            # In two units both are rounded; in the same, one is a rounding of the other.
+            coarser = np.where(step == other_step, 0.0, np.maximum(step, other_step))
+            rounding = coarser if each.unit == used[0].unit else step + other_step
+            apart = np.abs(values - other) > 0.5 * rounding * (1.0 + 1e-6) + SAME * np.abs(values)
+            for row in np.flatnonzero(apart):
+                pair = [quoted_cell(str(cells[column.place][row]).strip()) for column in (used[0], each)]
+                faults.reject(int(row), f"{_both(used[0], each)}: {pair[0]} and {pair[1]}")
+            taken = np.isnan(values) | (other_step < step)
+            taken &= ~np.isnan(other)
+            values, step = np.where(taken, other, values), np.where(taken, other_step, step)
+        return values
+
+    def _numbers(self, cells: Any, column: Used, hands: Floats, faults: _Faults) -> Floats:
+        """Return the SI values of a column with their signs here, NaN where nothing was measured."""
+        mirrored = np.sign(hands) if column.quantity in MIRRORED else None
+        if column.quantity in LARGE and self._doubtful and not _is_array(cells):
+            for row, cell in enumerate(cells):
+                if cell in self._doubtful:
+                    what = "a number that may have thousands or decimals; other columns decide for decimals"
+                    faults.add(row, cell, what, column)
+        quick = cells if _is_array(cells) else all_numbers(cells, self._decimal_comma)
+        if quick is not None:
+            for row in np.flatnonzero(np.isinf(quick)):
+                faults.add(int(row), f"{quick[row]}", "not a finite number", column)
+            values = to_si(np.where(np.isinf(quick), nan, quick) * column.side.sign, column.unit)
+            if mirrored is not None and column.side.frame != WORLD:
+                self._guess_hands(hands, ~np.isnan(values))
+                values = np.where(mirrored < 0.0, -values, values)
+            return values
+        values = np.full(len(cells), nan)
+        other_units: dict[int, str] = {}
+        signs = np.full(len(cells), column.side.sign)
+        in_club_terms = np.full(len(cells), column.side.frame != WORLD)
+        for row, cell in enumerate(cells):
+            if not self._decimal_comma and PLAIN.fullmatch(cell):
+                values[row] = float(cell)
+                continue
+            if cell.rstrip()[-1:] in ("*", "†"):
+                cell = cell.rstrip().rstrip("*†")
+                name = shortened(column.heading, 40)
+                self.session.remarks.setdefault(f"numbers of {name} with a mark such as *, as of estimates, were read")
+            try:
+                content = reading(cell, column.quantity, self._decimal_comma, column.side.sign)
+            except CellError as error:
+                faults.add(row, cell, str(error), column)
+                continue
+            if content is None:
+                continue
+            if content.unit is not None and unit(content.unit).dimension != unit(column.unit).dimension:
+                faults.add(row, cell, f"not in {column.unit} or another such unit", column)
+                continue
+            if not isfinite(content.value):
+                faults.add(row, cell, "not a finite number", column)
+                continue
+            values[row] = content.value
+            if content.side is not None:
+                signs[row], in_club_terms[row] = 1.0, content.side.frame != WORLD
+            if content.unit is not None:
+                other_units[row] = content.unit
+        values *= signs
+        if mirrored is not None and in_club_terms.any():
+            self._guess_hands(hands, in_club_terms & ~np.isnan(values))
+            values = np.where(in_club_terms & (mirrored < 0.0), -values, values)
+        in_si = to_si(values, column.unit)
+        for row, symbol in other_units.items():
+            in_si[row] = to_si(values[row], symbol)
+        return in_si
+
+    def _guess_hands(self, hands: Floats, measured: Any) -> None:
+        self.session.guessed_hand |= bool((np.isnan(hands) & measured).any())
+
+    @staticmethod
+    def _check(values: Mapping[str, Floats], faults: _Faults) -> None:
+        """Reject rows of which no ball was measured, or nothing."""
+        for row in np.flatnonzero(values.get("ball_speed", np.empty(0)) == 0.0):
+            faults.reject(int(row), "the ball speed is 0: no ball was measured")
+        for row in np.flatnonzero(np.logical_and.reduce([np.isnan(each) for each in values.values()])):
+            faults.reject(int(row), "nothing was measured: every cell of a delivery or launch is empty")
+
+    def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:
+        """Leave out the club data of shots whose club was not measured, which a speed that cannot be tells."""
+        of_club = [name for name in values if name in inputs()]
+        if not of_club:
+            return
+        speed = values.get("speed", np.full_like(values[of_club[0]], nan))
+        table = np.array([values[name] for name in of_club])
+        measured = ~np.isnan(table)
+        # Programs write zeros for no measurement.
+        zeros = np.isnan(speed) & measured.any(axis=0) & ((table == 0.0) | ~measured).all(axis=0)
+        lacking = zeros | ~can_be("speed", speed)
+        if lacking.any():
+            self.session.without_club += int(lacking[kept].sum())
+            for name in of_club:
+                # A speed that no club has stays: it is named with all such values.
+                gone = lacking & (speed == 0.0) if name == "speed" else lacking
+                values[name] = np.where(gone, nan, values[name])
+
+    def _take_points(self, cells: Sequence[Any], kept: Sequence[int]) -> None:
+        """Take where club data was taken, which must be the same for all shots."""
+        assert self._columns is not None
+        for name, place in self._columns.points.items():
+            held = {str(cells[place][row]).strip() for row in kept}
+            held |= {self.session.points[name]} if name in self.session.points else set()
+            if len(held) > 1 or not held <= set(POINTS[name]):
+                shown = ", ".join(shortened(each, 40) for each in sorted(held)[:SHOWN])
+                allowed = f"one of {', '.join(POINTS[name])}, the same for all shots"
+                raise FileError(self._path, None, f"the column {name!r} holds {shown}; it must be {allowed}", name)
+            self.session.points[name] = held.pop()
+
+
+def _is_array(cells: Any) -> bool:
+    return isinstance(cells, np.ndarray)
+
+
+def _is_measurement(cell: str) -> bool:
+    """Tell whether a cell is a number, perhaps with a unit or a side, and no date, club or name."""
+    found = NUMBER.fullmatch(cell.strip())
+    if found is None or len(found["before"]) > 2 or len(found["rest"]) > 6:
+        return False
+    words = found["before"] + found["rest"]
+    return any(map(str.isdigit, found["number"])) and not (words and club_kind(cell))
+
+
+def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:
+    """Return the last place [SI] to which each cell of a column is written."""
+    if _is_array(cells):
+        return np.zeros(len(cells))
+    point = "," if decimal_comma else "."
+    found = [re.search(rf"\d+(?:{re.escape(point)}(\d*))?", cell.replace("'", "")) for cell in cells]
+    places = np.array([len(each[1] or "") if each else 0 for each in found])
+    return 10.0**-places * size(column.unit)
+
+
+def _both(one: Used, other: Used) -> str:
+    if one.heading == other.heading:
+        return f"{one.heading}: the column is there twice, and columns {one.place + 1} and {other.place + 1} differ"
+    return f"the columns {one.heading!r} and {other.heading!r} both give the {one.quantity} and differ"

@@ -1,0 +1,378 @@
+"""GSPro Open Connect v1: the JSON messages that launch monitors and simulators exchange over a local socket.
+
+:class:`Listener` takes the place of the simulator and yields the shots of a monitor. :class:`Sender` takes the place of
+the monitor and sends launches to a simulator.
+
+The side of the simulator: a socket that receives the shots of launch monitors and answers them.
+
+The side of the launch monitor: shots sent to a simulator, and the answers.
+"""
+
+from __future__ import annotations
+
+import json
+import selectors
+import socket
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from typing import Any, NamedTuple, Self
+
+from clubface.errors import InputError, LinkError
+from clubface.shots.open_connect_messages import (
+    FAILED,
+    OK,
+    PLAYER,
+    Broken,
+    Message,
+    MessageError,
+    ObjectStream,
+    from_json,
+    heartbeat,
+    player,
+    recorded as recorded,
+    reply,
+    to_json,
+)
+from clubface.shots.plausibility import shown
+
+LOOPBACK = "127.0.0.1"
+PORT = 921
+"""The port of GSPro; ports below 1024 need rights on some systems."""
+MOST_CLIENTS = 8
+TICK = 0.05
+"""Longest wait before the clock and the request to stop are looked at [s]."""
+PARTIAL = 5.0
+"""Time after which a message that has begun and not ended is given up [s]."""
+SILENT = 10.0
+"""Time after which a connection that has not sent one message is closed [s]."""
+IDLE = 1800.0
+"""The same since its last message for one that has [s]: people talk and eat, and not every monitor sends heartbeats."""
+
+
+def check_port(port: int, lowest: int) -> None:
+    """Refuse a value that is not a port number."""
+    if isinstance(port, bool) or not isinstance(port, int) or not lowest <= port <= 65535:
+        raise InputError("port", port, f"a whole number from {lowest} to 65535")
+
+
+class _Client:
+    """One connection."""
+
+    def __init__(self, connection: socket.socket, name: str) -> None:
+        self.connection = connection
+        self.name = name
+        self.stream = ObjectStream()
+        self.heard = self.spoke = time.monotonic()
+        self.has_spoken = False
+        self.told: set[tuple[str, float] | str] = set()
+        """Values that were not taken and are told: a monitor without spin sends its zero with every shot."""
+
+    def is_idle(self, now: float) -> bool:
+        """Whether it has been silent for too long."""
+        return now - self.spoke > (IDLE if self.has_spoken else SILENT)
+
+
+class Listener:
+    """Listens for launch monitors on the local machine; iterate over :meth:`messages`, in a ``with`` statement.
+
+    A shot is answered with code 200 once ``keep`` has returned, and a message that cannot be used with code 501 and the
+    reason. Heartbeats and states are not answered. Several monitors may be connected at once, and may come and go. A
+    connection that sends no message is closed after 10 s, one that has sent some after half an hour; and where all
+    places are taken, the one that has been silent longest, and for 10 s, makes room.
+
+    Parameters
+    ----------
+    port
+        The port. 0 takes a free one; the attribute ``port`` then tells which.
+    host
+        The address to listen on. Other machines can reach the listener only if this is not the default.
+    hand, club
+        What every monitor that connects is told, with code 201: "right" or "left", and the club's short name, such as
+        "DR".
+    keep
+        Called with every shot before it is acknowledged. If it raises, the shot is answered with code 501, and the
+        error ends the iteration.
+    on_problem
+        Called with a sentence for bytes that are not a message, for values that no shot can have, and when a monitor
+        connects or leaves.
+
+    Raises
+    ------
+    LinkError
+        The port is taken or not allowed.
+    """
+
+    def __init__(
+        self,
+        port: int = PORT,
+        *,
+        host: str = LOOPBACK,
+        hand: str | None = None,
+        club: str = "",
+        keep: Callable[[Message], object] | None = None,
+        on_problem: Callable[[str], object] | None = None,
+    ) -> None:
+        check_port(port, 0)
+        self._player = player(hand, club) if hand is not None else None
+        self._keep = keep or (lambda message: None)
+        self._tell = on_problem or (lambda message: None)
+        self._selector = selectors.DefaultSelector()
+        self._stopped = False
+        try:
+            self._socket = socket.create_server((host, port), backlog=MOST_CLIENTS)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            hint = "; ports below 1024 need rights: give another" if isinstance(error, PermissionError) else ""
+            raise LinkError(f"{host}:{port}", f"cannot be listened on: {reason}{hint}") from None
+        self._socket.setblocking(False)
+        self.port: int = self._socket.getsockname()[1]
+        self._selector.register(self._socket, selectors.EVENT_READ)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def stop(self) -> None:
+        """End the iteration over messages. Another thread may call this."""
+        self._stopped = True
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._stopped = True
+        if self._selector.get_map() is None:
+            return
+        for key in list(self._selector.get_map().values()):
+            key.fileobj.close()  # pyright: ignore[reportAttributeAccessIssue]
+        self._selector.close()
+
+    def messages(self, *, timeout: float | None = None) -> Iterator[Message]:
+        """Yield every message as it comes, until :meth:`stop`, or until none came for ``timeout`` seconds."""
+        last = time.monotonic()
+        while not self._stopped:
+            for key, _ in self._selector.select(TICK):
+                if key.data is None:
+                    self._accept()
+                    continue
+                for message in self._read(key.data):
+                    last = time.monotonic()
+                    yield message
+                    if self._stopped:
+                        return
+            self._give_up_partial()
+            self._close_idle()
+            if timeout is not None and time.monotonic() - last > timeout:
+                return
+
+    def _clients(self) -> list[_Client]:
+        return [key.data for key in self._selector.get_map().values() if key.data is not None]
+
+    def _accept(self) -> None:
+        try:
+            connection, address = self._socket.accept()
+        except OSError:
+            return
+        name = f"{address[0]}:{address[1]}"
+        if len(self._clients()) >= MOST_CLIENTS and not self._made_room():
+            self._tell(f"{name} was turned away: {MOST_CLIENTS} monitors are connected")
+            connection.close()
+            return
+        connection.setblocking(False)
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        client = _Client(connection, name)
+        self._selector.register(connection, selectors.EVENT_READ, client)
+        self._tell(f"{name} connected")
+        if self._player is not None:
+            self._answer(client, reply(PLAYER, "GSPro Player Information", self._player))
+
+    def _read(self, client: _Client) -> Iterator[Message]:
+        try:
+            data = client.connection.recv(65_536)
+        except BlockingIOError:
+            return
+        except OSError as error:
+            self._leave(client, f"was lost: {error.strerror or error}")
+            return
+        if not data:
+            self._leave(client, "left in the middle of a message" if client.stream.is_partial else "left")
+            return
+        client.heard = time.monotonic()
+        for found in client.stream.feed(data):
+            if not isinstance(found, Broken):
+                client.spoke, client.has_spoken = client.heard, True
+            try:
+                if isinstance(found, Broken):
+                    raise MessageError(found.reason)
+                message = from_json(found)
+            except MessageError as error:
+                self._tell(f"{client.name}: {error}")
+                self._answer(client, reply(FAILED, str(error)))
+                continue
+            new = {each: shown(*each) for each in message.impossible.items() if each not in client.told}
+            client.told |= set(new)
+            if new:
+                values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
+                self._tell(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
+            for note in message.notes:
+                if note not in client.told:
+                    client.told.add(note)
+                    self._tell(f"shot {message.shot_number}: {note}")
+            if message.kind == "shot":
+                try:
+                    self._keep(message)
+                except BaseException:
+                    self._answer(client, reply(FAILED, "the shot could not be kept"))
+                    raise
+                self._answer(client, reply(OK, "Shot received successfully"))
+            yield message
+
+    def _answer(self, client: _Client, answer: dict[str, Any]) -> None:
+        """Send an answer; a client that does not read is dropped rather than waited for."""
+        try:
+            client.connection.sendall(json.dumps(answer).encode())
+        except OSError as error:
+            self._leave(client, f"was lost: {error.strerror or error}")
+
+    def _leave(self, client: _Client, how: str) -> None:
+        with suppress(KeyError, ValueError):
+            self._selector.unregister(client.connection)
+            self._tell(f"{client.name} {how}")
+        client.connection.close()
+
+    def _made_room(self) -> bool:
+        """Close the connection that has been silent longest, if it is long; return whether there is room."""
+        quietest = min(self._clients(), key=lambda client: client.spoke)
+        if time.monotonic() - quietest.spoke <= SILENT:
+            return False
+        self._leave(quietest, "was silent longest, and makes room for another")
+        return True
+
+    def _close_idle(self) -> None:
+        now = time.monotonic()
+        for client in self._clients():
+            if client.is_idle(now):
+                self._leave(client, "was silent for too long and is disconnected")
+
+    def _give_up_partial(self) -> None:
+        now = time.monotonic()
+        for client in self._clients():
+            if client.stream.is_partial and now - client.heard > PARTIAL:
+                client.stream.drop()
+                self._tell(f"{client.name}: a message did not end within {PARTIAL:g} s")
+                self._answer(client, reply(FAILED, "the message did not end"))
+
+
+class Reply(NamedTuple):
+    """The answer to a shot: code 200 if it was accepted, 5xx if it was not."""
+
+    code: int
+    message: str
+
+    @property
+    def was_taken(self) -> bool:
+        """Whether the simulator accepted the shot."""
+        return 200 <= self.code < 300
+
+
+class Sender:
+    """Sends shots to a simulator on the local machine, as a launch monitor does; use it in a ``with`` statement.
+
+    Parameters
+    ----------
+    port, host
+        Where the simulator listens.
+    device
+        The device name in the messages.
+    timeout
+        How long to wait for the connection and for each answer [s].
+
+    Attributes
+    ----------
+    player
+        What the simulator last said about its player, as ``{"Handed": "RH", "Club": "DR"}``, or None.
+
+    Raises
+    ------
+    LinkError
+        Nobody listens there, the connection was lost, or no answer came in time.
+    """
+
+    def __init__(
+        self, port: int = PORT, *, host: str = LOOPBACK, device: str = "clubface", timeout: float = 5.0
+    ) -> None:
+        if not timeout > 0.0:
+            raise InputError("timeout", timeout, "above 0 s")
+        check_port(port, 1)
+        self._address = f"{host}:{port}"
+        self._device = device
+        self._timeout = timeout
+        self._stream = ObjectStream()
+        self._number = 0
+        self.player: Mapping[str, Any] | None = None
+        try:
+            self._socket = socket.create_connection((host, port), timeout)
+        except OSError as error:
+            raise self._problem("cannot be reached", error) from None
+        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._socket.close()
+
+    def send(self, launch: Any, delivery: Mapping[str, Any] | None = None) -> Reply:
+        """Send a shot, as :func:`to_json` takes it, with the next shot number, and return the answer."""
+        message = to_json(launch, delivery, shot_number=self._number + 1, device=self._device)
+        self._number += 1
+        self._receive(0.0)  # what came before is no answer to this shot
+        self._write(message)
+        ends = time.monotonic() + self._timeout
+        while (left := ends - time.monotonic()) > 0.0:
+            for answer in self._receive(left):
+                if answer.code != PLAYER:
+                    return answer
+        raise LinkError(self._address, f"did not answer shot {self._number} within {self._timeout:g} s")
+
+    def heartbeat(self, *, is_ready: bool = True) -> None:
+        """Tell the simulator that the monitor is there; the simulator does not answer."""
+        self._write(heartbeat(device=self._device, is_ready=is_ready))
+
+    def _write(self, message: dict[str, Any]) -> None:
+        self._socket.settimeout(self._timeout)
+        try:
+            self._socket.sendall(json.dumps(message, allow_nan=False).encode())
+        except OSError as error:
+            raise self._problem("was lost", error) from None
+
+    def _receive(self, wait: float) -> list[Reply]:
+        """Return the answers that came within ``wait`` seconds [s]; of the player they say, it is kept."""
+        self._socket.settimeout(wait)
+        try:
+            data = self._socket.recv(65_536)
+        except (TimeoutError, BlockingIOError):
+            return []
+        except OSError as error:
+            raise self._problem("was lost", error) from None
+        if not data:
+            raise LinkError(self._address, "closed the connection")
+        found = []
+        for answer in self._stream.feed(data):
+            if isinstance(answer, Broken):
+                raise LinkError(self._address, f"answered what is no answer: {answer.reason}")
+            code = answer.get("Code")
+            if isinstance(code, bool) or not isinstance(code, int):
+                raise LinkError(self._address, "answered without a code")
+            if isinstance(answer.get("Player"), Mapping):
+                self.player = answer["Player"]
+            found.append(Reply(code, str(answer.get("Message", ""))))
+        return found
+
+    def _problem(self, what: str, error: OSError) -> LinkError:
+        return LinkError(self._address, f"{what}: {error.strerror or error}")

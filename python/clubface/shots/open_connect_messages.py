@@ -1,0 +1,531 @@
+"""The messages of GSPro Open Connect v1: fields, framing, reading and writing.
+
+Messages of GSPro Open Connect v1: from JSON to a shot with the units and signs of clubface.
+
+The fields are those of the protocol's page (gsprogolf.com, "GSPro Open Connect v1 Documentation"): speeds in mph,
+angles in degrees, spin in rpm, and the carry in yards or metres as ``Units`` says. HLA, spin axis and sidespin are
+positive to the right. The page does not give the signs of the club data. Here path and face angle are positive to the
+right for either hand, the horizontal impact is positive towards the toe in mm, as connectors for the protocol write it,
+and the closure rate is in deg/s. Clients must send a number, so a zero of club speed, loft or closure rate, or zeros of
+both impact offsets, mean not measured. So does a value that no golf shot can have. Total spin and spin axis are
+required, backspin and sidespin are not.
+
+The fields of GSPro Open Connect v1, with the quantity and unit of each.
+
+JSON objects from a stream of bytes, which may be cut anywhere and has no separators.
+
+Outgoing messages of Open Connect: shots and heartbeats of a monitor, answers of a simulator.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from clubface.errors import AssumptionWarning, ClubfaceError, InputError, shortened
+from clubface.shots.plausibility import describe_impossible, impossible, note_of, within_turn
+from clubface.simulation.launch import Launch
+from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, complete, parts
+from clubface.support.checks import check_choice, warn_once
+from clubface.units import from_si, parse, to_si, unit
+
+if TYPE_CHECKING:
+    from clubface.shots.recorded import RecordedShots
+
+
+VERSION = "1"
+BALL = {
+    "Speed": ("ball_speed", "mph"),
+    "SpinAxis": ("spin_axis", "deg"),
+    "TotalSpin": ("total_spin", "rpm"),
+    "BackSpin": ("backspin", "rpm"),
+    "SideSpin": ("sidespin", "rpm"),
+    "HLA": ("azimuth", "deg"),
+    "VLA": ("launch", "deg"),
+    "CarryDistance": ("carry", "yd"),
+}
+CLUB = {
+    "Speed": ("speed", "mph"),
+    "AngleOfAttack": ("attack", "deg"),
+    "FaceToTarget": ("face", "deg"),
+    "Lie": ("lie", "deg"),
+    "Loft": ("loft", "deg"),
+    "Path": ("path", "deg"),
+    "VerticalFaceImpact": ("high", "mm"),
+    "HorizontalFaceImpact": ("toe", "mm"),
+    "ClosureRate": ("closure", "deg/s"),
+}
+"""The quantity and unit of each field; of the club, ``SpeedAtImpact`` is not used."""
+NEVER_ZERO = ("speed", "loft", "closure")
+"""Quantities of the club that are zero only where they were not measured."""
+CARRY_UNITS = {
+    **dict.fromkeys(("yards", "yard", "yds", "yd"), "yd"),
+    **dict.fromkeys(("meters", "metres", "meter", "metre", "m"), "m"),
+}
+"""What ``Units`` may say, and the unit of the carry that it means."""
+LARGEST_NUMBER = 1e9
+"""No number of a message comes near it, but for what stands for a value that was not measured."""
+LARGEST_VALUE = 1e39
+"""The greatest number that such a value can be, of four bytes, is 3.4e38."""
+OK, PLAYER, FAILED = 200, 201, 501
+HANDS = {"right": "RH", "left": "LH"}
+
+
+LISTED = 10
+"""Notes of messages that are repeated of a session, the most frequent ones."""
+
+
+class MessageError(ClubfaceError, ValueError):
+    """A message that is no shot, heartbeat or status; its text names the field at fault and is sent back."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Message:
+    """The content of a message of a launch monitor, in SI units.
+
+    Attributes
+    ----------
+    kind
+        "shot", "heartbeat" or "status".
+    device, shot_number
+        Name and shot number that the sender gives.
+    delivery
+        Inputs of an impact by name; empty if the club was not measured.
+    launch
+        Quantities of the launch by name; empty without ball data.
+    impossible
+        The values of both that no shot can have, and which therefore are in neither.
+    notes
+        What else of the message was not taken, and why.
+    is_ready, sees_ball
+        The state that the monitor reports; None if it reports none.
+    """
+
+    kind: str
+    device: str
+    shot_number: int
+    delivery: Mapping[str, float] = field(default_factory=dict)
+    launch: Mapping[str, float] = field(default_factory=dict)
+    impossible: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    is_ready: bool | None = None
+    sees_ball: bool | None = None
+
+
+def from_json(data: Mapping[str, Any]) -> Message:
+    """Return the message in a JSON object.
+
+    A field of the club, of the spin or the carry that holds no number costs that field; so do values that no shot can
+    have, and spins that contradict others. The message says so in ``notes`` and ``impossible``.
+
+    Raises
+    ------
+    MessageError
+        A field without which there is no shot is missing or wrong; the text names it.
+    """
+    options = _options(data)
+    flags = {
+        name: _flag(options, name)
+        for name in (
+            "ContainsBallData", "ContainsClubData", "IsHeartBeat", "LaunchMonitorIsReady", "LaunchMonitorBallDetected",
+        )
+    }  # fmt: skip
+    device = data.get("DeviceID")
+    if not isinstance(device, str) or not device.strip():
+        raise MessageError("DeviceID must be a text")
+    version = str(data.get("APIversion", VERSION)).strip()
+    if version.partition(".")[0] != VERSION:
+        raise MessageError(f"APIversion is {version[:20]!r}; it must be {VERSION!r}")
+    notes: list[str] = []
+    launch: dict[str, float] = {}
+    delivery: dict[str, float] = {}
+    wrong: dict[str, float] = {}
+    if flags["IsHeartBeat"]:
+        kind = "heartbeat"
+    elif flags["ContainsBallData"] or flags["ContainsClubData"]:
+        kind = "shot"
+        ball, club = (
+            _part(data, name, notes) if flags[flag] else {}
+            for name, flag in (("BallData", "ContainsBallData"), ("ClubData", "ContainsClubData"))
+        )
+        delivery = _delivery(club or {}, notes)
+        if flags["ContainsBallData"] and (ball is not None or not delivery):
+            launch = _launch(_object(data, "BallData"), _carry_unit(data, notes), notes)
+        if not launch and not delivery:
+            raise MessageError("; ".join(["ClubData holds nothing but zeros", *notes]))
+        wrong = impossible(delivery | launch)
+        launch, delivery = (
+            {name: value for name, value in each.items() if name not in wrong} for each in (launch, delivery)
+        )
+        if not launch and not delivery:
+            raise MessageError(f"no shot can have such values: {', '.join(wrong)}")
+        launch = _whole(launch, notes)
+    else:
+        kind = "status"
+    number = _number(data, "ShotNumber", "") if kind == "shot" or "ShotNumber" in data else 0.0
+    if number < 0.0:
+        raise MessageError("ShotNumber must be 0 or more")
+    return Message(
+        kind=kind,
+        device=device.strip(),
+        shot_number=int(number),
+        delivery=delivery,
+        launch=launch,
+        impossible=wrong,
+        notes=tuple(notes),
+        is_ready=flags["LaunchMonitorIsReady"],
+        sees_ball=flags["LaunchMonitorBallDetected"],
+    )
+
+
+def _options(data: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return what the message says it holds; without a word on that, it is a shot of the data that are there."""
+    held = {f"Contains{name}": isinstance(data.get(name), Mapping) for name in ("BallData", "ClubData")}
+    if data.get("ShotDataOptions") is None and any(held.values()):
+        return held
+    return _object(data, "ShotDataOptions")
+
+
+def _part(data: Mapping[str, Any], name: str, notes: list[str]) -> Mapping[str, Any] | None:
+    """Return the data of ball or club; None, with a note, where the message says it holds them and does not."""
+    found = data.get(name)
+    if found is None:
+        notes.append(f"{name} is missing")
+        return None
+    return _object(data, name)
+
+
+def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[str]) -> dict[str, float]:
+    needed = ("Speed", "HLA", "VLA")
+    given = {name: _number(ball, name, "BallData.", LARGEST_VALUE) for name in needed}
+    if not given["Speed"] > 0.0:
+        raise MessageError("BallData.Speed must be above 0")
+    given |= _numbers(ball, [name for name in BALL if name not in needed], "BallData.", notes)
+    back, side, total, axis = (given.get(name) for name in ("BackSpin", "SideSpin", "TotalSpin", "SpinAxis"))
+    if back == 0.0 == side and total is not None:
+        given = {name: value for name, value in given.items() if name not in ("BackSpin", "SideSpin")}
+    if total == 0.0 == axis:
+        given.pop("SpinAxis")
+    if not given.get("CarryDistance") or carry_unit is None:
+        given.pop("CarryDistance", None)
+    given = {name: given[name] for name in BALL if name in given}
+    return _si(given, BALL | {"CarryDistance": ("carry", carry_unit or "yd")})
+
+
+def _whole(launch: Mapping[str, float], notes: list[str]) -> dict[str, float]:
+    """Return a launch with all that follows of its spin, and directions within half a turn."""
+    spins = complete({name: np.array([launch[name]]) for name in SPINS if name in launch})
+    notes += [*(str(each) for each in spins.contradictions), *spins.notes]
+    known = {name: float(values[0]) for name, values in spins.values.items() if values[0] == values[0]}
+    rest = {name: float(within_turn(name, value)) for name, value in launch.items() if name not in SPINS}
+    return rest | known
+
+
+def _delivery(club: Mapping[str, Any], notes: list[str]) -> dict[str, float]:
+    given = _numbers(club, CLUB, "ClubData.", notes)
+    if given.get("Speed", 0.0) < 0.0:
+        notes.append(f"ClubData.Speed is {given.pop('Speed'):g}, which is below 0: taken as not measured")
+    if not any(given.values()):
+        return {}
+    found = {name: value for name, value in _si(given, CLUB).items() if value or name not in NEVER_ZERO}
+    if not found.get("toe") and not found.get("high"):
+        found = {name: value for name, value in found.items() if name not in ("toe", "high")}
+    return found
+
+
+def _numbers(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[str]) -> dict[str, float]:
+    """Return the fields that hold a number; a note says which hold something else. Null is not measured."""
+    found = {}
+    for name in names:
+        if data.get(name) is None:
+            continue
+        try:
+            found[name] = _number(data, name, where, LARGEST_VALUE)
+        except MessageError:
+            text = shortened(repr(data[name]), 40)
+            notes.append(f"{where}{name} is {text}, which is no number: taken as not measured")
+    return found
+
+
+def _si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    found = {}
+    for name, value in given.items():
+        quantity, symbol = fields[name]
+        found[quantity] = to_si(value, symbol)
+    return found
+
+
+def _object(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    found = data.get(name)
+    if not isinstance(found, Mapping):
+        raise MessageError(f"{name} is missing" if found is None else f"{name} must be an object")
+    return found
+
+
+def _flag(options: Mapping[str, Any], name: str) -> bool | None:
+    found = options.get(name)
+    if found is not None and not isinstance(found, bool):
+        raise MessageError(f"ShotDataOptions.{name} must be true or false")
+    return found
+
+
+def _number(data: Mapping[str, Any], name: str, where: str, largest: float = LARGEST_NUMBER) -> float:
+    found = data.get(name)
+    try:
+        is_none = isinstance(found, bool) or found is None or (isinstance(found, str) and "_" in found)
+        number = math.nan if is_none else float(found)  # pyright: ignore[reportArgumentType]
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not abs(number) < largest:
+        raise MessageError(f"{where}{name} must be a number" if found is not None else f"{where}{name} is missing")
+    return number
+
+
+def _carry_unit(data: Mapping[str, Any], notes: list[str]) -> str | None:
+    """Return the unit of the carry; None, with a note, where the message names one that the protocol does not have."""
+    units = data.get("Units")
+    found = CARRY_UNITS.get(str("yards" if units is None else units).strip().lower())
+    if found is None:
+        text = shortened(repr(units), 40)
+        notes.append(f"Units is {text} and must be Yards or Meters: the carry is taken as not measured")
+    return found
+
+
+def recorded(messages: Iterable[Message], *, hand: str | None = None) -> RecordedShots:
+    """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers.
+
+    Notes count the values that no shot can have, and say what else of the messages was not taken.
+    """
+    from clubface.shots.recorded import RecordedShots
+
+    shots = [each for each in messages if each.kind == "shot"]
+
+    def columns(of: Sequence[Mapping[str, float]]) -> dict[str, Any]:
+        names = dict.fromkeys(name for each in of for name in each)
+        return {name: np.array([each.get(name, math.nan) for each in of]) for name in names}
+
+    wrong: dict[str, list[float]] = {}
+    for each in shots:
+        for name, value in each.impossible.items():
+            wrong.setdefault(name, []).append(value)
+    notes = Counter(note for each in shots for note in each.notes)
+    counts = [describe_impossible(name, len(values), len(shots), values[0]) for name, values in wrong.items()]
+    return RecordedShots(
+        deliveries=columns([each.delivery for each in shots]),
+        launches=columns([each.launch for each in shots]),
+        hand=None if hand is None else np.array([hand] * len(shots), dtype=object),
+        rows=np.array([each.shot_number for each in shots], dtype=np.int64),
+        source="Open Connect",
+        format="open-connect",
+        notes=(
+            *([note_of(counts)] if counts else []),
+            *(f"{note} (in {count} of {len(shots)} shots)" for note, count in notes.most_common(LISTED)),
+            *([f"and {len(notes) - LISTED} more such notes"] if len(notes) > LISTED else []),
+        ),
+    )
+
+
+LARGEST = 65_536
+"""Bytes of a message; one of Open Connect has less than 2000."""
+DEEPEST = 16
+"""Objects in objects; Open Connect has two."""
+_SPACE = b" \t\r\n\x00"
+_QUOTE, _ESCAPE = ord('"'), ord("\\")
+_OPEN, _CLOSE = b"{[", b"}]"
+
+
+class Broken(NamedTuple):
+    """Bytes that are not a message, and the reason."""
+
+    reason: str
+
+
+class ObjectStream:
+    """Collects bytes and returns the JSON objects in them, each as soon as its last brace has arrived."""
+
+    def __init__(self) -> None:
+        self._held = bytearray()
+        self.drop()
+
+    def drop(self) -> None:
+        """Discard an unfinished message; the next bytes begin a new one."""
+        self._held.clear()
+        self._seen = 0
+        self._depth = 0
+        self._in_text = False
+        self._escaped = False
+        self._in_garbage = False
+
+    @property
+    def is_partial(self) -> bool:
+        """Whether a message has begun and not ended."""
+        return self._depth > 0
+
+    def feed(self, data: bytes) -> list[dict[str, Any] | Broken]:
+        """Return the messages that ``data`` completes, and a :class:`Broken` for bytes that are not a message."""
+        self._held += data
+        found: list[dict[str, Any] | Broken] = []
+        while self._seen < len(self._held):
+            byte = self._held[self._seen]
+            self._seen += 1
+            if self._depth == 0:
+                self._between(byte, found)
+            elif self._in_text:
+                self._text(byte)
+            elif byte == _QUOTE:
+                self._in_text = True
+            elif byte in _OPEN:
+                self._depth += 1
+            elif byte in _CLOSE:
+                self._depth -= 1
+                if self._depth == 0:
+                    found.append(_parsed(bytes(self._held[: self._seen])))
+                    self._cut()
+            if self._seen > LARGEST or self._depth > DEEPEST:
+                found.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
+                rest = bytes(self._held[self._seen :])
+                self.drop()
+                self._in_garbage = True
+                self._held += rest
+        return found
+
+    def _between(self, byte: int, found: list[dict[str, Any] | Broken]) -> None:
+        if byte == _OPEN[0]:
+            self._depth = 1
+            self._in_garbage = False
+            del self._held[: self._seen - 1]
+            self._seen = 1
+            return
+        if byte not in _SPACE and not self._in_garbage:
+            self._in_garbage = True
+            found.append(Broken(f"no JSON object begins with {chr(byte)!r}"))
+        self._cut()
+
+    def _text(self, byte: int) -> None:
+        if self._escaped:
+            self._escaped = False
+        elif byte == _ESCAPE:
+            self._escaped = True
+        elif byte == _QUOTE:
+            self._in_text = False
+
+    def _cut(self) -> None:
+        del self._held[: self._seen]
+        self._seen = 0
+
+
+def _parsed(text: bytes) -> dict[str, Any] | Broken:
+    try:
+        found = json.loads(text.decode("utf-8"))
+    except UnicodeDecodeError:
+        return Broken("not UTF-8 text")
+    except (ValueError, RecursionError) as error:
+        return Broken(f"not JSON: {error}")
+    return found if isinstance(found, dict) else Broken("no JSON object")
+
+
+def to_json(
+    launch: Launch | Mapping[str, Any],
+    delivery: Mapping[str, Any] | None = None,
+    *,
+    shot_number: int,
+    device: str = "clubface",
+) -> dict[str, Any]:
+    """Return the message of a shot.
+
+    Parameters
+    ----------
+    launch
+        A :class:`Launch` of a single shot, or a mapping of SI values or texts with units: ``ball_speed``, ``launch``,
+        and if known ``azimuth``, ``carry`` and two of ``backspin``, ``sidespin``, ``total_spin`` and ``spin_axis``. The
+        message must hold all four; a warning says what is assumed where they do not follow.
+    delivery
+        The same for the club. If left out: the delivery of a :class:`Launch`, or none.
+    shot_number, device
+        Shot number and device name in the message.
+    """
+    if isinstance(launch, Launch):
+        delivery = delivery if delivery is not None else launch.delivery
+        launch = {name: getattr(launch, name) for name in ("ball_speed", "launch", "azimuth", BACK, SIDE)}
+    ball = _written({**launch, **_spins(launch)}, BALL)
+    if not ball.get("Speed", 0.0) > 0.0:
+        raise InputError("ball_speed", launch.get("ball_speed"), "above 0 in a message to a simulator")
+    if "VLA" not in ball:
+        raise InputError("launch", None, "give the launch angle, which a message to a simulator needs")
+    ball.setdefault("HLA", 0.0)
+    club = _written(delivery or {}, CLUB)
+    return {
+        "DeviceID": device,
+        "Units": "Yards",
+        "ShotNumber": shot_number,
+        "APIversion": VERSION,
+        "BallData": ball,
+        "ClubData": {name: club.get(name, 0.0) for name in (*CLUB, "SpeedAtImpact")},
+        "ShotDataOptions": _outgoing_options(ball=True, club=any(club.values())),
+    }
+
+
+def heartbeat(*, device: str = "clubface", is_ready: bool = True) -> dict[str, Any]:
+    """Return the message by which a monitor shows that it is there."""
+    return {
+        "DeviceID": device,
+        "Units": "Yards",
+        "ShotNumber": 0,
+        "APIversion": VERSION,
+        "ShotDataOptions": _outgoing_options(heartbeat=True) | {"LaunchMonitorIsReady": is_ready},
+    }
+
+
+def reply(code: int, message: str, player: Mapping[str, str] | None = None) -> dict[str, Any]:
+    """Return the answer of a simulator."""
+    return {"Code": code, "Message": message, **({"Player": dict(player)} if player is not None else {})}
+
+
+def player(hand: str, club: str = "") -> dict[str, str]:
+    """Return what an answer of code 201 says of the player: ``hand`` "right" or "left", and the club's short name."""
+    check_choice("hand", hand, HANDS)
+    return {"Handed": HANDS[hand], "Club": club}
+
+
+def _outgoing_options(*, ball: bool = False, club: bool = False, heartbeat: bool = False) -> dict[str, bool]:
+    return {
+        "ContainsBallData": ball,
+        "ContainsClubData": club,
+        "LaunchMonitorIsReady": True,
+        "LaunchMonitorBallDetected": True,
+        "IsHeartBeat": heartbeat,
+    }
+
+
+def _spins(launch: Mapping[str, Any]) -> dict[str, float]:
+    """Return all four spins of a launch [rad/s, rad]."""
+    given = {name: _si_number(launch[name], name, DIMENSIONS[name]) for name in SPINS if launch.get(name) is not None}
+    back, side, assumed = parts({name: value for name, value in given.items() if value == value})
+    if assumed:
+        warn_once(assumed, AssumptionWarning)
+    return {BACK: back, SIDE: side, TOTAL: math.hypot(back, side), AXIS: math.atan2(side, back)}
+
+
+def _si_number(value: Any, name: str, dimension: str) -> float:
+    """Return a number in SI; NaN is one, and means not measured."""
+    return value if isinstance(value, float) and value != value else parse(value, dimension, name=name)
+
+
+def _written(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    """Return the fields of a message, each in its unit; what is not a number is left out."""
+    names = {quantity: name for name, (quantity, _) in fields.items()}
+    found = {}
+    for quantity, value in values.items():
+        if quantity not in names or value is None:
+            continue
+        symbol = fields[names[quantity]][1]
+        number = _si_number(value, quantity, unit(symbol).dimension)
+        if number == number:
+            found[names[quantity]] = float(from_si(number, symbol))
+    return found

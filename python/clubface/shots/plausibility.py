@@ -1,0 +1,348 @@
+"""Which values can have been measured at all: what lies beyond them is a sign for "not measured", or a slip.
+
+Programs of launch monitors write many things where nothing was measured: the least whole number that they can hold, the
+greatest, -999, a negative ratio. They do not publish which, so a value is judged by what a golf shot can be. The limits
+are wide: they are no judgement of a player.
+
+Columns whose unit is most likely another one than the file, a mapping or a person says.
+
+Values that no shot can have are the strongest sign of a wrong unit, and so are quantities that contradict each other in
+most shots: a ball faster than any club can send it, a carry longer than any ball of that speed can fly. Where another
+unit would make them those of golf, the column is refused, and the unit is named.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.shots.club_names import club_kind
+from clubface.shots.tables.headings import shot_words
+from clubface.simulation.spin import wrapped
+from clubface.support.arrays import Floats
+from clubface.units import SI_UNITS, display_unit, show, size, to_si, unit
+
+_SPEED = to_si(200.0, "mph")
+"""The fastest clubs of long drive contests reach about 160 mph."""
+_BALL_SPEED = 2.0 * _SPEED
+"""A heavy body that hits a light one elastically sends it off at twice its own speed: nothing sends it off faster."""
+_SPIN = to_si(20_000.0, "rpm")
+"""A ball that rolls off the steepest wedge at 50 m/s without slipping turns with 14,000 rpm."""
+_STILL = to_si(2.0, "rpm")
+"""A ball with less spin was not measured: programs write 0 or -1 then."""
+_RATE = to_si(36_000.0, "deg/s")
+"""A club that goes round a hundred times a second; faces close at 1,000 to 4,000 deg/s."""
+_FACE = to_si(150.0, "mm")
+"""No face is wider than 127 mm, the limit of the rules, so that no point of it is so far from its centre."""
+_FAR = to_si(600.0, "yd")
+_RIGHT_ANGLE, _TURN = math.pi / 2, math.pi
+_SOME = 1e-6
+"""More than nothing [SI]: a club that hits moves, the ball moves then, and no ball leaves without any spin at all."""
+
+NAMED = 3
+"""Shots that a note names."""
+
+RANGES: Mapping[str, tuple[float, float]] = {
+    "speed": (_SOME, _SPEED),
+    **dict.fromkeys(("attack", "path", "loft", "face", "lie", "launch", "azimuth"), (-_RIGHT_ANGLE, _RIGHT_ANGLE)),
+    **dict.fromkeys(("toe", "high"), (-_FACE, _FACE)),
+    **dict.fromkeys(("closure", "pitch_rate", "lie_rate"), (-_RATE, _RATE)),
+    "ball_speed": (_SOME, _BALL_SPEED),
+    "smash": (_SOME, 2.0),
+    **dict.fromkeys(("backspin", "sidespin"), (-_SPIN, _SPIN)),
+    "total_spin": (_SOME, _SPIN),
+    "spin_axis": (-_TURN, _TURN),
+    "landing_angle": (0.0, _RIGHT_ANGLE),
+    **dict.fromkeys(("carry", "total", "apex"), (0.0, _FAR)),
+    **dict.fromkeys(("side", "total_side"), (-_FAR, _FAR)),
+    "flight_time": (0.0, 60.0),
+    "landing_speed": (0.0, _BALL_SPEED),
+}
+"""The least and the greatest value [SI] that a shot can have of each quantity; others are not judged."""
+TURNING = ("azimuth", "spin_axis")
+"""Directions that some programs count through a whole turn: 352.5 degrees is -7.5."""
+
+
+RATIOS: Mapping[str, float] = {"driver": 1.6, "wood": 1.6, "hybrid": 1.6, "iron": 1.55, "wedge": 1.4, "putter": 1.8}
+"""The most that ball speed over club speed can be, by kind of club.
+
+A head of mass M that is free sends a ball of mass m off at (1 + e) M / (M + m) cos(loft) times its own speed. A driver
+(200 g, e up to 0.86 with the tolerance of the rules) makes 1.51, a long iron 1.48, a wedge that delivers 38 degrees
+1.22, a putter (350 g, e 0.85) 1.64. On top come 5 to 10% for the errors of both speeds.
+"""
+MOST_RATIO, MOST_PUTTED = RATIOS["driver"], RATIOS["putter"]
+PUTTED = 12.0
+"""Ball speed [m/s] below which a club that is not named may be a putter."""
+
+
+def can_be(name: str, values: Any) -> Any:
+    """Tell which values [SI] of a quantity a golf shot can have; NaN, nothing measured, counts as one."""
+    low, high = RANGES.get(name, (-math.inf, math.inf))
+    return (
+        ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
+    )
+
+
+def within_turn(name: str, values: Any) -> Any:
+    """Return values [SI] of a quantity; directions that programs count from 0 to 360 degrees from -180 to 180."""
+    return wrapped(values) if name in TURNING else values
+
+
+class Cleaned(NamedTuple):
+    """Columns without values that cannot be.
+
+    Attributes
+    ----------
+    columns
+        The columns, NaN where a value was taken out.
+    emptied
+        Which rows lost all that they had.
+    notes
+        What was taken out, with counts and an example.
+    """
+
+    columns: dict[str, Floats]
+    emptied: NDArray[np.bool_]
+    notes: tuple[str, ...]
+
+
+def impossible(values: Mapping[str, float]) -> dict[str, float]:
+    """Return which values [SI] of one shot cannot have been measured; see :func:`without_impossible`."""
+    values = {name: float(within_turn(name, value)) for name, value in values.items()}
+    still = abs(values.get("backspin", math.inf)) < _STILL and abs(values.get("sidespin", math.inf)) < _STILL
+    spins = ("backspin", "sidespin") if still else ()
+    return {name: value for name, value in values.items() if name in spins or not can_be(name, value)}
+
+
+def shown(name: str, value: float, unit: str | None = None) -> str:
+    """Return a value [SI] of a quantity as people read it, or in a unit."""
+    if unit is not None:
+        return show(value, unit)
+    unit = display_unit(name, SI_UNITS[shot_words().dimensions[name]])
+    return show(value, "mph" if unit == "m/s" else unit, 11)
+
+
+def describe_impossible(name: str, wrong: int, shots: int, example: float) -> str:
+    """Return how many shots have a value of a quantity that cannot be, and one such value [SI], in words."""
+    return f"{name} in {wrong} of {shots} shots, such as {shown(name, example)}"
+
+
+def note_of(every: Iterable[str]) -> str:
+    """Return the note on values that cannot be, from what :func:`describe_impossible` says of each quantity."""
+    return f"values that no shot can have were taken as not measured: {'; '.join(every)}"
+
+
+def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
+    """Return columns of shots [SI] without values that no golf shot can have, which count as not measured."""
+    kept, found = {}, []
+    columns = {name: within_turn(name, values) for name, values in columns.items()}
+    wrong = {name: ~can_be(name, values) for name, values in columns.items()}
+    if "backspin" in columns and "sidespin" in columns:
+        still = (np.abs(columns["backspin"]) < _STILL) & (np.abs(columns["sidespin"]) < _STILL)
+        wrong.update({name: wrong[name] | still for name in ("backspin", "sidespin")})
+    for name, values in columns.items():
+        kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
+        if wrong[name].any():
+            found.append(describe_impossible(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
+    had, has = (np.any([~np.isnan(each) for each in of.values()], axis=0) for of in (columns, kept))
+    return Cleaned(kept, had & ~has, (note_of(found),) if found else ())
+
+
+def without_contradictions(
+    columns: Mapping[str, Floats], clubs: Any, lines: Sequence[int]
+) -> tuple[dict[str, Floats], str | None]:
+    """Return columns of shots [SI] without speeds that no club makes of each other, and a note on them.
+
+    Where the ball is faster than the club can send it, either speed may be wrong, so that neither is taken as measured,
+    and no smash factor.
+    """
+    if not {"speed", "ball_speed"} <= set(columns):
+        return dict(columns), None
+    speed, ball = columns["speed"], columns["ball_speed"]
+    most = np.where(ball < PUTTED, MOST_PUTTED, MOST_RATIO)
+    if clubs is not None:
+        names, places = np.unique(np.asarray(clubs, dtype=str), return_inverse=True)
+        kinds = [(club_kind(str(each)) or "").rpartition("-")[2] for each in names]
+        by_name = np.array([RATIOS.get(each, math.nan) for each in kinds])[places]
+        most = np.where(np.isnan(by_name), most, by_name)
+    possible = can_be("speed", speed) & can_be("ball_speed", ball)
+    wrong = np.flatnonzero(possible & (ball > most * speed))
+    if not wrong.size:
+        return dict(columns), None
+    kept = dict(columns)
+    for name in ("speed", "ball_speed", "smash"):
+        if name in kept:
+            kept[name] = kept[name].copy()
+            kept[name][wrong] = math.nan
+    pairs = [f"line {lines[each]}: {_mph(float(ball[each]))} from {_mph(float(speed[each]))}" for each in wrong[:NAMED]]
+    one = wrong.size == 1
+    return kept, (
+        f"the ball is faster than the club can send it in {wrong.size} of {speed.size} shots ({'; '.join(pairs)}"
+        f"{', ...' * (wrong.size > NAMED)}): both speeds of {'it' if one else 'them'} count as not measured"
+    )
+
+
+def _mph(value: float) -> str:
+    return show(value, "mph", 4)
+
+
+FEWEST = 3
+"""Shots in which two quantities must contradict each other."""
+SMASH_DIFFERS = 0.1
+"""Relative difference of a printed smash factor from that of the speeds, ten times what rounding does."""
+IN_USE = {
+    "speed": ("mph", "m/s", "km/h", "ft/s"),
+    "angle": ("deg", "rad"),
+    "length": ("yd", "m", "ft", "mm", "cm", "in"),
+    "angular rate": ("rpm", "rad/s", "deg/s"),
+    "dimensionless": ("1", "%"),
+}
+"""Units in which shots are written."""
+_DEG, _YD, _RPM = (size(symbol) for symbol in ("deg", "yd", "rpm"))
+USUAL: Mapping[str, tuple[float, float]] = {
+    "speed": (8.0, 65.0),
+    "ball_speed": (8.0, 95.0),
+    "smash": (0.8, 1.6),
+    "launch": (1.0 * _DEG, 60.0 * _DEG),
+    "loft": (3.0 * _DEG, 65.0 * _DEG),
+    **dict.fromkeys(("attack", "path", "face", "azimuth", "lie"), (-25.0 * _DEG, 25.0 * _DEG)),
+    "spin_axis": (-60.0 * _DEG, 60.0 * _DEG),
+    "landing_angle": (5.0 * _DEG, 80.0 * _DEG),
+    **dict.fromkeys(("toe", "high"), (-0.06, 0.06)),
+    "closure": (-100.0, 100.0),
+    **dict.fromkeys(("backspin", "total_spin"), (300.0 * _RPM, 13_000.0 * _RPM)),
+    "sidespin": (-4_000.0 * _RPM, 4_000.0 * _RPM),
+    **dict.fromkeys(("carry", "total"), (5.0 * _YD, 400.0 * _YD)),
+    **dict.fromkeys(("side", "total_side"), (-100.0 * _YD, 100.0 * _YD)),
+    "apex": (1.0, 80.0),
+}
+"""Where golf shots lie [SI], most of them."""
+_RATIO = (0.9, 1.55)
+"""Ball speed over club speed of most shots."""
+_GRAVITY = 9.81
+_FURTHEST = 4.5
+"""Seconds of its first speed that the carry of a ball lasts at most: those of long drive contests make 3.8."""
+_CARRIES = (0.9, 4.0)
+"""The same of most shots [s]."""
+
+
+class Unit(NamedTuple):
+    """The unit of a column.
+
+    Attributes
+    ----------
+    heading
+        Of the column.
+    symbol
+        Its unit.
+    is_named
+        Whether the file names it, so that the file is to be corrected and not the command.
+    is_assumed
+        Whether neither the file nor anyone says it: it is the one that the maker's program has when it is installed.
+    """
+
+    heading: str
+    symbol: str
+    is_named: bool
+    is_assumed: bool = False
+
+
+def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> str | None:
+    """Return what is wrong with the unit of a column and which it most likely is; None where all go together."""
+    return next(_wrong(columns, units), None)
+
+
+def _wrong(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> Iterator[str]:
+    for name, of in units.items():
+        values = columns[name][~np.isnan(columns[name])] if name in columns else np.empty(0)
+        if of.is_assumed and name in ("speed", "ball_speed") and values.size:
+            median = float(np.median(values))
+            others = [each for each in _others(of) if _is_usual(name, np.array([median * each[1]]))[0]]
+            if not _is_usual(name, np.array([median]))[0] and median > USUAL[name][1] and others:
+                what = (
+                    f"{name.replace('_', ' ')} is {shown(name, median, of.symbol)} in the median of {values.size} shots"
+                )
+                yield _message(what, [(name, of, others)])
+        impossible = values[~can_be(name, values)]
+        if name not in USUAL or 2 * impossible.size <= values.size:
+            continue
+        if others := [each for each in _others(of) if 2 * np.sum(_is_usual(name, values * each[1])) > values.size]:
+            said = f"{name.replace('_', ' ')} is {shown(name, float(impossible[0]), of.symbol)} or another such value"
+            what = f"{said} in {impossible.size} of {values.size} shots, which no shot can have"
+            yield _message(what, [(name, of, others)])
+    if {"speed", "ball_speed"} <= set(columns):
+        speed, ball = columns["speed"], columns["ball_speed"]
+        ratio = np.full(len(speed), math.nan)
+        np.divide(ball, speed, out=ratio, where=speed > 0.0)
+        if "smash" in columns:
+            yield from _contradiction(
+                ratio / np.where(columns["smash"] > 0.0, columns["smash"], math.nan),
+                lambda each: abs(each - 1.0) > SMASH_DIFFERS, (0.97, 1.03), {"ball_speed": 1, "speed": -1}, units,
+                "ball speed over club speed is {:.3g} times the smash factor",
+            )  # fmt: skip
+        yield from _contradiction(
+            ratio, lambda each: each > MOST_RATIO, _RATIO, {"ball_speed": 1, "speed": -1}, units,
+            "ball speed is {:.3g} times club speed, which no club does,",
+        )  # fmt: skip
+    if {"carry", "ball_speed"} <= set(columns):
+        ball = np.where(columns["ball_speed"] > 0.0, columns["ball_speed"], math.nan)
+        # Without air a ball flies v2/g at most; what lift adds for fast balls, drag more than takes.
+        furthest = np.minimum(1.3 * ball**2 / _GRAVITY, _FURTHEST * ball)
+        typical = float(np.nanmedian(ball)) if np.isfinite(ball).any() else math.nan
+        yield from _contradiction(
+            np.where(columns["carry"] > furthest, columns["carry"] / ball, np.where(np.isnan(ball), math.nan, 0.0)),
+            lambda each: each > 0.0, _CARRIES, {"carry": 1, "ball_speed": -1}, units,
+            f"carry is {{:.3g}} s times ball speed ({show(typical, 'mph', 4)}), which no flight does,",
+        )  # fmt: skip
+
+
+def _contradiction(
+    values: Floats,
+    is_wrong: Callable[[float], bool],
+    usual: tuple[float, float],
+    powers: Mapping[str, int],
+    units: Mapping[str, Unit],
+    message: str,
+) -> Iterator[str]:
+    """Yield what is wrong where most values are, and another unit of one of the quantities makes their median usual."""
+    known = values[np.isfinite(values)]
+    if known.size < FEWEST:
+        return
+    median = float(np.median(known))
+    if not is_wrong(median):
+        return
+    columns = []
+    for name, power in powers.items():
+        if name in units:
+            others = [each for each in _others(units[name]) if usual[0] <= median * each[1] ** power <= usual[1]]
+            if others:
+                columns.append((name, units[name], others))
+    if columns:
+        yield _message(f"{message.format(median)} in the median of {known.size} shots", columns)
+
+
+def _others(current: Unit) -> list[tuple[str, float]]:
+    """Return the other units of the dimension of a column, and by what values must be multiplied to be in them."""
+    return [
+        (each, size(each) / size(current.symbol))
+        for each in IN_USE.get(unit(current.symbol).dimension, ())
+        if each != current.symbol
+    ]
+
+
+def _is_usual(name: str, values: Floats) -> NDArray[np.bool_]:
+    low, high = USUAL[name]
+    return (values >= low) & (values <= high)
+
+
+def _message(what: str, columns: list[tuple[str, Unit, list[tuple[str, float]]]]) -> str:
+    likely = []
+    for name, of, others in columns:
+        symbols = " or ".join(each for each, _ in others)
+        remedy = "correct its heading" if of.is_named else f"give --unit {name}={others[0][0]}"
+        likely.append(f"the column {of.heading!r} is most likely in {symbols} and not in {of.symbol}: {remedy}")
+    return f"{what}: {'; or '.join(likely)}"

@@ -1,0 +1,498 @@
+"""Launches for a file of deliveries of any length: the run, its chunks and how it resumes.
+
+Launches for a file of deliveries of any length: read, computed and written a chunk at a time.
+
+One run over a file of deliveries: what each chunk becomes, and how an interrupted run goes on.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from io import BytesIO
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL, model as model_named
+from clubface.errors import FileError, InputError, RangeWarning, Told
+from clubface.jobs.resuming import Store, unfinished
+from clubface.shots.prediction_source import open_source
+from clubface.shots.recorded import SIDES
+from clubface.shots.summary_rows import summaries_in
+from clubface.shots.tables.chunk import GONE, Chunk, Reader, Reject
+from clubface.shots.tables.headings import HAND, Column, Layout
+from clubface.shots.tables.parquet import ParquetForm
+from clubface.shots.tables.writer import CsvForm, Form, RejectsForm, is_parquet
+from clubface.simulation.flight import Air, check_conditions, conditions, fly
+from clubface.simulation.impact import Parameters, Tally, backend_of, impact
+from clubface.simulation.inputs import equipped, hand_value, thread_count, tolerance
+from clubface.simulation.launch import computed_with
+from clubface.simulation.own_law import source_of
+from clubface.support.checks import check_count, without_warnings
+from clubface.support.files import input_file, recorded, same_file
+from clubface.units import from_si, to_si
+
+LAUNCH_COLUMNS = {
+    "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
+    "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),
+    "total_spin_rpm": ("total_spin", "rpm"), "spin_axis_deg": ("spin_axis", "deg"),
+}  # fmt: skip
+FLIGHT_COLUMNS = {
+    "carry_m": ("carry", "m"), "side_m": ("side", "m"), "apex_m": ("apex", "m"),
+    "landing_deg": ("landing_angle", "deg"),
+}  # fmt: skip
+CONTACT_COLUMNS = {"contact_time_s": ("contact_time", "s"), "peak_force_n": ("peak_force", "N")}
+"""Columns written: quantity and unit by heading."""
+
+COUNTS = ("rows", "written", "rejected")
+"""What is counted: rows read, written and rejected."""
+
+PREFIX = "predicted_"
+"""Put before the headings written where the file has one of them already."""
+
+REJECTS = ".rejects.csv"
+"""How the name of the rejects of a chunk ends."""
+
+SHOWN = 20
+"""Rejects a report shows."""
+
+
+def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
+    """Return the columns to write: quantity and unit by heading."""
+    found = dict(LAUNCH_COLUMNS)
+    if carry:
+        found |= FLIGHT_COLUMNS
+    if model_named(model).kind == "contact":
+        found |= CONTACT_COLUMNS
+    return found
+
+
+class Task:
+    """From a chunk of a file to the columns of its launches."""
+
+    def __init__(
+        self,
+        shot: dict[str, Any],
+        flight: dict[str, Any] | None,
+        hand: float,
+        columns: Layout,
+        results: Mapping[str, tuple[str, str]],
+        provenance: Mapping[str, Any],
+        content: str = "",
+    ) -> None:
+        self.content = content
+        self.shot = shot
+        self.provenance = provenance
+        self.flight = flight
+        self.hand = hand
+        self.columns = columns
+        self.results = results
+        prefix = ""
+        while any(prefix + heading in columns.headings for heading in results):
+            prefix += PREFIX
+        self.headings = tuple(prefix + heading for heading in results)
+
+    def content_of(self, source: Path) -> dict[str, Any]:
+        """Return what a run is of, by what a person calls it."""
+        shot, ball = self.shot, self.shot["ball"]
+        law = source_of(shot["model"])
+        # The club itself and not its inputs: a meshed one is more than the mass and inertia of its mesh.
+        equipment = [shot["club"], ball.inputs() if isinstance(ball, Ball) else ball.values()]
+        return {
+            "source": input_file(source).sha256,
+            "choice of shots": self.content,
+            "layout of columns": [self.columns, list(self.results.items())],
+            "model": [shot["model"], dict(shot["parameters"].values), shot["parameters"].characteristic_time, law],
+            "club or ball": [equipment, self.hand, json.dumps(self.provenance, default=str)],
+            "accuracy": shot["accuracy"],
+            "air or wind": self.flight and conditions(self.flight["air"], self.flight["wind"]),
+        }
+
+    def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject], Tally]:
+        """Return the rows that have a launch (None: all), their results, the other rows, and those out of range."""
+        # Of recorded shots they are left out already.
+        reasons = {} if self.content else summaries_in(chunk, self.columns)
+        values: dict[str, NDArray[Any]] = {}
+        for column in self.columns.used:
+            numbers, bad = chunk.numbers(column)
+            for row, reason in bad.items():
+                reasons.setdefault(row, reason)
+            values[column.quantity] = to_si(numbers, column.unit)
+        count = len(chunk.lines)
+        kept = np.array([row for row in range(count) if row not in reasons], dtype=np.intp) if reasons else None
+        if kept is not None:
+            values = {name: each[kept] for name, each in values.items()}
+        hand = values.pop(HAND, self.hand)
+        with without_warnings(RangeWarning):
+            launch = impact(delivery=values, hand=hand, on_error="nan", **self.shot)
+        tally = Tally().add_all([launch])
+        sources: list[Any] = [launch]
+        problems = {each.row[0]: f"{each.parameter}: {each.reason}" for each in launch.problems}
+        if self.flight is not None:
+            sources.append(flight := fly(launch, on_error="nan", **self.flight))
+            for each in flight.problems:
+                problems.setdefault(each.row[0], f"flight: {each.parameter}: {each.reason}")
+        results = [
+            from_si(next(each for each in sources if name in each.quantities()).get(name), symbol)
+            for name, symbol in self.results.values()
+        ]
+        if problems:
+            good = np.array([row for row in range(launch.shape[0]) if row not in problems], dtype=np.intp)
+            for row, reason in problems.items():
+                reasons[int(kept[row]) if kept is not None else row] = reason
+            kept = good if kept is None else kept[good]
+            results = [each[good] for each in results]
+        rows = None if kept is None else kept.tolist()
+        bad_rows = sorted(reasons)
+        cells = chunk.texts(bad_rows) if bad_rows else []
+        rejects = [Reject(chunk.lines[row], reasons[row], text) for row, text in zip(bad_rows, cells, strict=True)]
+        return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line), tally
+
+
+class Outcome(NamedTuple):
+    """What a run has done.
+
+    Attributes
+    ----------
+    counts
+        Rows read, written and rejected, by earlier runs as well.
+    first_rejects
+        Line and reason of the first rejects.
+    tally
+        Of shots outside the range of the model.
+    resumed
+        Rows done by earlier runs.
+    """
+
+    counts: Mapping[str, int]
+    first_rejects: tuple[tuple[int, str], ...]
+    tally: Tally
+    resumed: int
+
+
+def run(
+    reader: Reader,
+    task: Task,
+    paths: tuple[Path, Path, Path],
+    chunk_rows: int,
+    progress: Callable[[float, int], object] | None,
+    resume: bool,
+) -> Outcome:
+    """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
+    source, target, aside = paths
+    form, rejects_form = _form(target, reader, task), RejectsForm(task.columns.headings, reader)
+    folder = unfinished(target, [source, aside])
+    with Store(folder, task.content_of(source), of=target, resume=resume) as store:
+        names = _kept(store, target.suffix)
+        resumed = done = sum(store[each]["rows"] for each in names)
+        try:
+            for chunk in reader.chunks(chunk_rows, done):
+                read = len(chunk.lines) + len(chunk.ragged)
+                names.append(name := f"{done:012d}+{read}")
+                if _pieces(store, name, target.suffix) is None:
+                    rows, results, rejects, tally = task.compute(chunk)
+                    with BytesIO() as file:
+                        form.piece(file, chunk, rows, results)
+                        sums = [store.keep_part(name + target.suffix, file.getvalue())]
+                    if rejects:
+                        with BytesIO() as file:
+                            rejects_form.piece(file, rejects)
+                            sums.append(store.keep_part(name + REJECTS, file.getvalue()))
+                    counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
+                    shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
+                    told = {"first": done, **counts, "shown": shown, "outside": tally.counts(), "sums": sums}
+                    store.keep(name, told)
+                done += read
+                if progress is not None:
+                    progress(reader.progress(), done)
+        except KeyboardInterrupt:
+            message = f"interrupted: {done} rows are done and kept in {folder}; the same command goes on after them"
+            raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
+        if not done:
+            raise FileError(reader.path, reader.header_line, "there is no delivery below the names of the columns")
+        outcome = _outcome([store[name] for name in names], resumed)
+        if outcome.counts["rejected"]:
+            store.write_result(
+                aside, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
+            )
+        else:
+            # Rejects of an earlier run do not stay beside a file they do not belong to.
+            aside.unlink(missing_ok=True)
+        store.write_result(target, lambda file: form.whole(file, _whole_pieces(store, names, target.suffix, 0)))
+        store.remove()
+    return outcome
+
+
+def _kept(store: Store, ending: str) -> list[str]:
+    """Return the names of the chunks that are kept, one after the other from the first row on."""
+    by_first = {store[name]["first"]: name for name in store if store[name]["rows"] and _pieces(store, name, ending)}
+    names, row = [], 0
+    while row in by_first:
+        names.append(by_first[row])
+        row += store[by_first[row]]["rows"]
+    return names
+
+
+def _pieces(store: Store, name: str, ending: str) -> list[Path] | None:
+    """Return the files of a chunk, of launches and of rejects if it has some; None unless it is kept as it was."""
+    if name not in store:
+        return None
+    sums = zip((name + ending, name + REJECTS), store[name]["sums"], strict=False)
+    found = [store.part(*each) for each in sums]
+    return None if None in found else [each for each in found if each is not None]
+
+
+def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -> Iterator[Path]:
+    """Yield the files of the chunks that have one, each when it is found to be what was written."""
+    for name in names:
+        if place < len(store[name]["sums"]):
+            found = _pieces(store, name, ending)
+            if found is None:
+                raise FileError(str(store.folder), None, GONE)
+            yield found[place]
+
+
+def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> Outcome:
+    """Return what all chunks come to."""
+    tally, shown = Tally(), [tuple(each) for chunk in chunks for each in chunk["shown"]]
+    for chunk in chunks:
+        tally.add_counts(chunk["outside"])
+    counts = {name: sum(chunk[name] for chunk in chunks) for name in COUNTS}
+    return Outcome(counts, tuple(shown[:SHOWN]), tally, resumed)
+
+
+def _form(target: Path, reader: Reader, task: Task) -> Form:
+    """Return how the output is written."""
+    headings = task.columns.headings
+    if not is_parquet(target):
+        return CsvForm([*headings, *task.headings], reader)
+
+    types = [reader.schema(place) for place in range(len(headings))]
+    return ParquetForm(target, headings, types, task.headings, task.provenance)
+
+
+CHUNK_ROWS = 16384
+MOST_ROWS = 1_000_000
+"""In memory at a time."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PredictReport:
+    """What became of a file of deliveries.
+
+    Attributes
+    ----------
+    source, output
+        The files read and written.
+    rejects
+        The file with the rows that could not be used, or None where there were none.
+    rows
+        Rows read; each is either written or rejected.
+    written, rejected
+        Rows with a launch, and rows without.
+    blank
+        Blank lines passed over.
+    used
+        Heading of each column used: its quantity and unit.
+    passed
+        Headings of the columns only passed through.
+    added
+        Headings of the columns written after them.
+    notes
+        What a reader of the result should know.
+    first_rejects
+        Line and reason of the first rejects.
+    resumed
+        Rows done by an earlier run.
+    provenance
+        The model, its parameters with source and caveats, club, ball and version.
+    """
+
+    source: str
+    output: str
+    rejects: str | None
+    rows: int
+    written: int
+    rejected: int
+    blank: int
+    used: Mapping[str, tuple[str, str]]
+    passed: tuple[str, ...]
+    added: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+    first_rejects: tuple[tuple[int, str], ...] = ()
+    resumed: int = 0
+    provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
+
+    def __str__(self) -> str:
+        lines = [f"{self.written} of {self.rows} deliveries computed: {self.output}"]
+        if self.rejected:
+            lines.append(f"{self.rejected} rejected: {self.rejects}")
+            lines += [f"  {line}: {reason}" for line, reason in self.first_rejects]
+        lines += [f"note: {note}" for note in self.notes]
+        return "\n".join(lines)
+
+
+@recorded
+def predict(
+    source: str | os.PathLike[str],
+    *,
+    club: str | os.PathLike[str] | Club,
+    model: str = DEFAULT_MODEL,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    parameters: Parameters | None = None,
+    hand: Any = None,
+    accuracy: float | None = None,
+    carry: bool = True,
+    air: Air | Mapping[str, Any] | None = None,
+    wind: Any = None,
+    output: str | os.PathLike[str] | None = None,
+    rejects: str | os.PathLike[str] | None = None,
+    format: str | None = None,
+    mapping: str | os.PathLike[str] | None = None,
+    units: Mapping[str, str] | None = None,
+    only: str | None = None,
+    where: str | None = None,
+    mismatch: str = "refuse",
+    assume: Mapping[str, Any] | None = None,
+    chunk_rows: int = CHUNK_ROWS,
+    threads: int | None = None,
+    progress: Callable[[float, int], object] | None = None,
+    resume: bool = False,
+) -> PredictReport:
+    """Compute the launch of every delivery in a CSV or Parquet file.
+
+    Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``, or
+    ``units`` gives it. Columns of other names are passed through untouched. A row that cannot be used goes to the
+    file of rejects with its line and the reason.
+
+    A launch monitor's file, and a table that names clubs or says where on the club its data was taken, is one of
+    recorded shots: it is read by :func:`clubface.shots.read`, and shots of another club are refused. Club data
+    that was taken elsewhere is referred to the points of clubface.
+
+    Both files have their names only once they are complete. Until then, what is finished is kept in the folder
+    ``<output>.unfinished``, and the same call goes on after it, however the run ended.
+
+    Parameters
+    ----------
+    source
+        A file whose first row names the columns: CSV (commas, semicolons or tabs; decimal commas where the
+        delimiter is another), an Excel workbook, or Parquet by its ending.
+    club, model, ball, parameters, hand, accuracy, threads
+        As for :func:`impact`. A column named like an input wins over the club, ball or hand given here.
+    carry
+        Whether to compute the flight too.
+    air, wind
+        As for :func:`fly`.
+    output
+        The file to write, CSV or Parquet by its ending; ``<source>-launches.csv`` beside the source if left out.
+    rejects
+        The CSV file for rows that cannot be used; ``<output>.rejects.csv`` beside the output if left out. It is
+        written only if there are such rows.
+    format, mapping, units
+        How a launch monitor's file is laid out, as for :func:`clubface.shots.read`.
+    only, where, mismatch, assume
+        Which of the recorded shots to take and what to state for values that were not measured, as for
+        :func:`clubface.shots.measured.ready_shots`.
+    chunk_rows
+        Rows held in memory at a time.
+    progress
+        Called with the part of the file read, 0 to 1, and the rows done.
+    resume
+        Whether to refuse to begin anew where a run of other content or settings was interrupted; that of the same ones
+        goes on where it stopped.
+
+    Returns
+    -------
+    PredictReport
+        How many rows were written and rejected, which columns were used, and what to know about them.
+
+    Raises
+    ------
+    FileError
+        A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
+        column twice, or a unit has another dimension. Another process is writing the output with other settings,
+        or what is to be resumed was begun with another source or other settings.
+    KeyboardInterrupt
+        Ctrl-C was pressed; the message says where the finished rows are.
+    """
+    path = Path(source)
+    target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")
+    aside = Path(rejects) if rejects is not None else target.with_name(f"{target.stem}.rejects.csv")
+    _check_paths(path, target, aside)
+    chunk_rows = check_count("chunk_rows", chunk_rows, 1, MOST_ROWS)
+    threads, accuracy = thread_count(threads) or None, tolerance(accuracy)
+    own, ball = backend_of(model).balls(ball, accuracy)
+    with_, chosen = equipped(model, club, ball, parameters)
+    arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
+    if arrays:
+        raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")
+    side = float(with_.club.hand) if hand is None else hand_value(hand)
+    if side not in (1.0, -1.0):
+        raise InputError("hand", hand, "right or left")
+    provenance = computed_with(model, chosen, with_.club, with_.ball, accuracy)
+    shot = {
+        "club": with_.club,
+        "model": model,
+        "ball": own or with_.ball,
+        "parameters": chosen,
+        "accuracy": accuracy,
+        "threads": threads,
+    }
+    if carry:
+        check_conditions(air, wind)
+    flight = {"air": air, "wind": wind, "threads": threads} if carry else None
+    opened = open_source(
+        path, with_.club, hand=None if hand is None else SIDES[side], mismatch=mismatch, format=format,
+        mapping=mapping, units=units, only=only, where=where, assume=assume,
+    )  # fmt: skip
+    reader, columns = opened.reader, opened.columns
+    try:
+        used = columns._replace(used=opened.used)
+        task = Task(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
+        outcome = run(reader, task, (path, target, aside), chunk_rows, progress, resume)
+    finally:
+        reader.close()
+    rows, written, rejected = outcome.counts["rows"], outcome.counts["written"], outcome.counts["rejected"]
+    return PredictReport(
+        source=str(path),
+        output=str(target),
+        rejects=str(aside) if rejected else None,
+        rows=rows,
+        written=written,
+        rejected=rejected,
+        blank=reader.blank,
+        used={
+            each.heading: (each.quantity, each.unit)
+            for each in {**_by_quantity(opened.used), **_by_quantity(columns.used)}.values()
+        },
+        passed=columns.passed,
+        added=task.headings,
+        notes=(*opened.notes, *([remark] if (remark := outcome.tally.remark()) else [])),
+        first_rejects=outcome.first_rejects,
+        resumed=outcome.resumed,
+        provenance=provenance,
+    )
+
+
+def _by_quantity(columns: Iterable[Column]) -> dict[str, Column]:
+    return {each.quantity: each for each in columns}
+
+
+def _check_paths(source: Path, target: Path, aside: Path) -> None:
+    is_parquet(target)
+    for path, what in ((target, "output"), (aside, "rejects")):
+        if same_file(path, source):
+            raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
+        if not path.parent.is_dir():
+            raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
+        if path.is_dir():
+            raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
+    if same_file(aside, target):
+        raise FileError(str(aside), None, "the rejects must go to another file than the output")

@@ -1,0 +1,447 @@
+"""Reading the file of a launch monitor, whose format is recognised by its columns.
+
+Reading the file of a launch monitor: find its layout, go through its rows, and make shots of them.
+
+Recognition of the launch monitor that wrote a file, by its columns.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import chain, islice, zip_longest
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from clubface.equipment.described import HANDS
+from clubface.errors import FileError, InputError, UnknownNameError, shortened
+from clubface.shots.columns import is_units_row
+from clubface.shots.formats import (
+    POINTS,
+    Format,
+    Mapped,
+    mapping_of,
+    with_face_and_path,
+    without_any_sentinels,
+    without_sentinels,
+)
+from clubface.shots.monitor_cells import heading
+from clubface.shots.monitor_file import Session, SessionReader
+from clubface.shots.monitors import FORMATS, TABLE
+from clubface.shots.plausibility import without_contradictions, without_impossible, wrong_unit
+from clubface.shots.recorded import SIDES, RecordedShots, RejectedRow, iso_dates, joined
+from clubface.shots.signs import suspected_signs
+from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell
+from clubface.shots.tables.chunk import Reject
+from clubface.shots.tables.headings import check_units, listed
+from clubface.shots.tables.parquet import ENDINGS as PARQUET, ParquetReader
+from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, RowSource, open_rows
+from clubface.simulation.results import inputs
+from clubface.support.checks import check_choice
+
+TELLING = frozenset({"speed", "ball_speed", "launch"})
+"""Quantities of which a table of shots has one."""
+FEWEST_KNOWN = 2
+"""Headings of a layout that make a row its header where the layout was asked for by its name."""
+
+
+def detected(path: str, head: Sequence[Row | Reject]) -> Format:
+    """Return the layout whose header is among the first rows; ``TABLE`` for columns with usual names of no maker.
+
+    If several layouts fit, the one that knows most of the columns is taken.
+    """
+    rows = [row for row in head if not isinstance(row, Reject)]
+    if not rows:
+        reason = next((row for row in head if isinstance(row, Reject)), None)
+        if reason is not None:
+            raise FileError(path, reason.line, reason.reason)
+        raise FileError(path, 1, "the file is empty")
+    known: dict[str, int] = {}
+    for cells, _, _ in rows:
+        names = {heading(each).name for each in cells}
+        for each in FORMATS.values():
+            if each.is_marked(names):
+                known.setdefault(each.name, len(names & set(each.own_names)))
+        if known:
+            break
+    if known:
+        best = max(known.values())
+        fitting = [name for name, count in known.items() if count == best]
+        if len(fitting) > 1:
+            message = f"this may be a file of {' or '.join(fitting)}; give the format, such as {fitting[0]}"
+            raise FileError(path, None, message)
+        return FORMATS[fitting[0]]
+    if any(TABLE.is_header(cells) and TELLING & _quantities(TABLE, cells) for cells, _, _ in rows):
+        return TABLE
+    widest = max(rows, key=lambda row: sum(bool(cell.strip()) for cell in row[0]))
+    counts = {name: _known(each, widest[0]) for name, each in FORMATS.items()}
+    alike = [name for name, count in counts.items() if count == max(counts.values()) >= FEWEST_KNOWN]
+    message = (
+        f"the layout is none of {', '.join(FORMATS)}; {listed([each.strip() for each in widest[0]])}. "
+        "Name the columns in a mapping file"
+    )
+    if alike:
+        message += f", or the format whose columns they are, perhaps {' or '.join(alike)}"
+    raise FileError(path, widest[1], message)
+
+
+def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
+    """Return the layout that was asked for, adapted to the columns that the file has.
+
+    The header is the row that contains most of the layout's columns. A file in which no row has two of them is not read
+    by the layout.
+    """
+    rows = [row[0] for row in head if not isinstance(row, Reject)]
+    if not rows or _marked(layout, rows):
+        return layout
+    header = max(rows, key=lambda cells: _known(layout, cells))
+    if _known(layout, header) < FEWEST_KNOWN:
+        return layout
+    columns = tuple(name for each in header if (name := heading(each).name) in layout.names)
+    return replace(layout, marks=(*layout.marks, columns))
+
+
+def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
+    """Return the names of the layouts whose header is among the first rows if that of ``layout`` is not."""
+    rows = [row[0] for row in head if not isinstance(row, Reject)]
+    if layout.name in FORMATS and _marked(FORMATS[layout.name], rows):
+        return []
+    return [name for name, each in FORMATS.items() if _marked(each, rows)]
+
+
+def is_foreign(layout: Format, cells: Sequence[str]) -> bool:
+    """Tell whether a row is the header of a table that a layout cannot read."""
+    names = {layout.heading(each).name for each in cells}
+    if any(each.is_marked(names) for each in FORMATS.values() if each.name != layout.name):
+        return not layout.is_marked(names)
+    known = len(_quantities(layout, cells))
+    return TABLE.is_header(cells) and known < FEWEST_KNOWN <= len(_quantities(TABLE, cells))
+
+
+def _quantities(layout: Format, cells: Sequence[str]) -> set[str]:
+    """Return the quantities whose headings are among the cells of a row."""
+    return {layout.names[name][0] for each in cells if (name := layout.heading(each).name) in layout.names}
+
+
+def _marked(layout: Format, rows: Sequence[Sequence[str]]) -> bool:
+    """Tell whether one of the rows is the header of a layout."""
+    return any(layout.is_marked({heading(each).name for each in cells}) for cells in rows)
+
+
+def _known(layout: Format, cells: Sequence[str]) -> int:
+    """Return how many cells of a row are headings of a layout."""
+    return len({heading(each).name for each in cells} & set(layout.own_names))
+
+
+HEAD_ROWS = 30
+"""Rows among which the header must be."""
+COUNTED = 10
+"""Different values of a column that a note counts."""
+PARQUET_ROWS = 65536
+"""Rows of a Parquet file that are read at a time."""
+SHOWN = 3
+"""Reasons that an error names."""
+
+
+def read(
+    path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    format: str | None = None,
+    hand: str | None = None,
+    mapping: str | os.PathLike[str] | None = None,
+    *,
+    units: Mapping[str, str] | None = None,
+    club: Any = None,
+) -> RecordedShots:
+    """Read the file of a launch monitor: deliveries and launches in SI units, with the signs of clubface.
+
+    Path, face angle, azimuth, sidespin and everything else across the target line are positive to the right for either
+    hand. Impact offsets are positive towards the toe and the crown. The convention of the file does not matter.
+
+    Parameters
+    ----------
+    path
+        The file: CSV with commas, semicolons, tabs or bars between cells, an Excel workbook, or a table of clubface.
+        Several files are sessions, see :func:`clubface.shots.recorded.joined`.
+    format
+        The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
+    hand
+        ``"right"`` or ``"left"``: the hand for every shot. If left out, it is what the file says, if anything.
+    mapping
+        A TOML file that names the columns of any other CSV, see :mod:`clubface.shots.formats`.
+    units
+        Units of columns for which the file names none, by quantity or dimension: ``{"speed": "km/h", "carry": "m"}``.
+    club
+        The club, or a mapping from the names of clubs in the file to clubs. With it, velocities measured at the face
+        centre are converted to the centre of gravity, and face angles measured at the point of contact to the face
+        centre, see :func:`refer`. Without it they stay as measured, and a note says so.
+
+    Returns
+    -------
+    RecordedShots
+        The shots. ``rejected`` holds the rows that gave no shot, each with its line and reason, and ``notes`` holds
+        what you should know.
+
+    Raises
+    ------
+    FileError
+        The file cannot be read, its layout is unknown, or it holds no shot.
+    """
+    if hand is not None:
+        check_choice("hand", hand, SIDES.values())
+    given_units = check_units(units or {})
+    if format is not None and mapping is not None:
+        raise InputError("format", format, "leave it out, since the mapping says how the file is laid out")
+    if format is not None and format not in (*FORMATS, TABLE.name):
+        raise UnknownNameError("format", format, (*FORMATS, TABLE.name))
+    mapped = mapping_of(mapping) if mapping is not None else None
+    paths = [path] if isinstance(path, str | os.PathLike) else list(path)
+    if not paths:
+        raise InputError("path", path, "at least one file")
+    sessions = [_read(Path(each), format, mapped, hand, given_units) for each in paths]
+    sessions = [each.with_notes(*suspected_signs(each)) for each in sessions]
+    if club is not None:
+        from clubface.shots.reference_points import refer
+
+        sessions = [refer(each, club) for each in sessions]
+    return joined(sessions)
+
+
+def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None) -> RecordedShots:
+    """Read recorded shots from a CSV or Parquet file with the columns of clubface.
+
+    Columns are known by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
+    of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
+    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``player`` the player,
+    ``hand`` is right or left. An empty cell is a value not measured. ``units`` are those of columns that name none, by
+    quantity or dimension, such as ``{"speed": "mph"}``; without it, such columns are refused.
+
+    Raises
+    ------
+    FileError
+        A file that cannot be read, with the line: empty, without a column of a delivery or launch, columns without
+        unit or with one of another dimension, or without a single row that can be used.
+    """
+    return _read(Path(path), TABLE.name, None, None, check_units(units or {}))
+
+
+def _read(
+    path: Path, format: str | None, mapped: Mapped | None, hand: str | None, units: Mapping[str, str]
+) -> RecordedShots:
+    """Return the shots of a file as they stand in it, without what no shot can have."""
+    _refuse_no_table(path)
+    if path.suffix.lower() in PARQUET and mapped is None:
+        return _shots(_parquet_session(path, hand, units), str(path), TABLE)
+    rows = open_rows(path, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
+    try:
+        every = _rows(rows)
+        head = list(islice(every, HEAD_ROWS))
+        if mapped:
+            layout = mapped.layout
+        elif format is not None:
+            layout = TABLE if format == TABLE.name else asked_for(FORMATS[format], head)
+        else:
+            layout = detected(str(path), head)
+        session = _session(str(path), layout, mapped, hand, units, head, every, rows.delimiter)
+    finally:
+        rows.close()
+    shots = _shots(session, str(path), layout, rows.notes)
+    if format is not None and (other := others(layout, head)):
+        note = f"read as {format}, as asked, though the columns are those of {' and '.join(other)}"
+        shots = replace(shots, notes=(note, *shots.notes))
+    return shots
+
+
+def _parquet_session(path: Path, hand: str | None, units: Mapping[str, str]) -> Session:
+    reader = ParquetReader(path)
+    try:
+        session = SessionReader(str(path), TABLE, _side(hand), units, decimal_comma=False)
+        return session.read_columns(reader.headings, reader.column_parts(PARQUET_ROWS))
+    finally:
+        reader.close()
+
+
+def is_plain_table(path: str | os.PathLike[str]) -> bool:
+    """Tell whether a file is a table of no launch monitor, which begins with its header and names units there."""
+    source = Path(path)
+    _refuse_no_table(source)
+    if source.suffix.lower() in PARQUET:
+        return True
+    rows = open_rows(source, head_lines=HEAD_ROWS)
+    try:
+        head = [each for each in islice(_rows(rows), HEAD_ROWS) if not isinstance(each, Reject)]
+        if detected(str(path), head) is not TABLE:
+            return False
+        return TABLE.is_header(head[0][0]) and not (len(head) > 1 and is_units_row(head[1][0]))
+    except FileError:
+        return True
+    finally:
+        rows.close()
+
+
+def _refuse_no_table(path: Path) -> None:
+    """Say of files that people have, and that are no tables, what to do with them."""
+    ending = path.suffix.lower()
+    if ending == ".c3d":
+        raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
+
+
+def _rows(rows: RowSource) -> Iterator[Row | Reject]:
+    return iter(rows.next, None)
+
+
+def _session(
+    path: str,
+    layout: Format,
+    mapped: Mapped | None,
+    hand: str | None,
+    units: Mapping[str, str],
+    head: Sequence[Row | Reject],
+    rest: Iterable[Row | Reject],
+    delimiter: str,
+) -> Session:
+    sample = [*head, *islice(rest, DECIMAL_ROWS - len(head))]
+    decimals = decimals_of(_cells_with_quantities(layout, sample), delimiter)
+    if mapped and mapped.decimal_comma is not None:
+        decimals = Decimals(mapped.decimal_comma)
+    is_other = partial(is_foreign, layout)
+    reader = SessionReader(path, layout, _side(hand), units, decimals.comma, sample, is_other)
+    session = reader.read(chain(sample, rest))
+    session.doubtful_number = decimals.doubtful
+    if not reader.has_header:
+        first = next((row for row in sample if not isinstance(row, Reject)), None)
+        if first is None:
+            raise _no_header(path, sample)
+        if layout is TABLE:
+            headings = listed([each.strip() for each in first[0]])
+            message = f"no column is of a delivery or a launch, such as ball_speed_mph; {headings}"
+            raise FileError(path, first[1], message)
+        groups = " or ".join(", ".join(group) for group in layout.marks)
+        raise FileError(path, None, f"this is no {layout.title} file: no row names the columns {groups}")
+    return session
+
+
+def _cells_with_quantities(layout: Format, rows: Sequence[Row | Reject]) -> Iterator[tuple[str, str | None]]:
+    """Yield the cells of some rows, each with the quantity that its column gives, or None."""
+    quantities: list[str | None] = []
+    for row in rows:
+        if isinstance(row, Reject):
+            continue
+        cells = row[0]
+        if layout.is_header(cells):
+            quantities = [layout.names.get(layout.heading(each).name, (None, 0))[0] for each in cells]
+        yield from zip_longest(cells, quantities[: len(cells)])
+
+
+def _side(hand: str | None) -> float:
+    return float(HANDS[hand]) if hand is not None else float("nan")
+
+
+def _no_header(path: str, rows: Sequence[Row | Reject]) -> FileError:
+    """Return the error on a file without a row that can be read."""
+    reject = next((row for row in rows if isinstance(row, Reject)), None)
+    return FileError(path, reject.line, reject.reason) if reject else FileError(path, 1, "the file is empty")
+
+
+def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] = ()) -> RecordedShots:
+    """Return the shots of a session, without values that no shot can have."""
+    tables = session.tables
+    rejected = tuple(sorted(session.rejected, key=lambda each: each.line or 0))
+    refuse_empty(path, sum(len(each.lines) for each in tables), rejected)
+    columns = {
+        name: np.concatenate([each.values.get(name, np.full(len(each.lines), np.nan)) for each in tables])
+        for name in dict.fromkeys(name for each in tables for name in each.values)
+    }
+    lines = [line for each in tables for line in each.lines]
+    columns, sentinels = without_sentinels(columns, session.units)
+    columns, turned = with_face_and_path(columns, lines)
+    columns = {name: values for name, values in columns.items() if not np.isnan(values).all()}
+    if (wrong := wrong_unit(without_any_sentinels(columns, session.units), session.units)) is not None:
+        raise FileError(path, session.header_line, wrong)
+    clubs, players = (
+        np.array([text for each in tables for text in getattr(each, name)], dtype=object) if has else None
+        for name, has in (("clubs", session.names_clubs), ("players", session.names_players))
+    )
+    written, files = ([text for each in tables for text in getattr(each, name)] for name in ("dates", "files"))
+    dates, date_note = iso_dates(written)
+    agreeing, contradiction = without_contradictions(columns, clubs, lines)
+    cleaned = without_impossible(agreeing)
+    notes = [*_notes(session, layout, set(columns), of_file), *filter(None, (sentinels, turned)), *cleaned.notes]
+    every = RecordedShots(
+        deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
+        launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
+        clubs=clubs,
+        players=players,
+        hand=_hands(np.concatenate([each.hands for each in tables])),
+        dates=np.array(dates, dtype=object) if any(dates) else None,
+        files=np.array(files, dtype=object) if any(files) else None,
+        rows=np.array(lines, dtype=np.int64),
+        source=path,
+        format=layout.name,
+        rejected=rejected,
+        notes=(*notes, *(each for each in (contradiction, date_note) if each)),
+        speed_at=session.points.get("speed_at", layout.speed_at),
+        face_at=session.points.get("face_at", layout.face_at),
+    )
+    emptied = np.all([np.ones(len(lines), bool), *(np.isnan(each) for each in cleaned.columns.values())], axis=0)
+    return without_emptied(every, emptied)
+
+
+def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> None:
+    """Refuse a file without a single shot, saying why its rows could not be used."""
+    if not shots:
+        unit_of = "row" if path.lower().endswith(PARQUET) else "line"
+        reasons = "; ".join(f"{unit_of} {each.line}: {each.reason}" for each in rejected[:SHOWN])
+        more = f" (and {len(rejected) - SHOWN} more)" if len(rejected) > SHOWN else ""
+        raise FileError(path, None, f"not one shot can be used: {reasons}{more}" if rejected else "there are no shots")
+
+
+def without_emptied(shots: RecordedShots, emptied: Any) -> RecordedShots:
+    """Reject shots of which nothing is left without the values that cannot be."""
+    if not emptied.any():
+        return shots
+    lost = [RejectedRow(int(row), "nothing was measured that a shot can have") for row in shots.rows[emptied]]
+    rejected = tuple(sorted((*shots.rejected, *lost), key=lambda each: each.line or 0))
+    refuse_empty(shots.source, len(shots) - len(lost), rejected)
+    return replace(shots.select(~emptied), rejected=rejected)
+
+
+def _hands(hands: Any) -> Any:
+    return None if np.isnan(hands).any() else np.array([SIDES[each] for each in hands], dtype=object)
+
+
+def _notes(session: Session, layout: Format, measured: set[str], of_file: Sequence[str]) -> Iterator[str]:
+    yield from (text for name, text in layout.notes.items() if name in measured)
+    if measured & {"speed", "attack", "path"} and layout is not TABLE:
+        yield f"club speed, attack angle and path were taken at {POINTS[layout.speed_at]}"
+    if measured & {"loft", "face"} and layout is not TABLE:
+        yield f"dynamic loft and face angle were taken at {POINTS[layout.face_at]}"
+    if session.guessed_hand:
+        yield "the file does not say the hand: taken as right-handed; give the hand, left, if the player is not"
+    if session.assumed:
+        units = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
+        yield f"the file does not name these units, which were assumed: {units}"
+    if session.unused:
+        unused = ", ".join(shortened(each, 40) for each in islice(session.unused, COUNTED))
+        yield f"not used, since what is in brackets is no unit: {unused}"
+    yield from session.remarks
+    if session.unread:
+        unread = ", ".join(shortened(each, 40) for each in islice(session.unread, COUNTED))
+        more = f" and {len(session.unread) - COUNTED} more" if len(session.unread) > COUNTED else ""
+        yield f"columns of numbers that are not read, since they are none of the known quantities: {unread}{more}"
+    for name, counts in session.counts.items():
+        shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), COUNTED)]
+        yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > COUNTED)
+    for name, (count, cell) in session.unreadable.items():
+        cells = "1 cell holds" if count == 1 else f"{count} cells hold"
+        yield f"{shortened(name, 40)}: {cells} no number, such as {quoted_cell(cell)}, and count as not measured"
+    if session.doubtful_number:
+        yield doubt(session.doubtful_number)
+    if session.summaries:
+        yield f"rows of averages and deviations, which are no shots and were left out: {session.summaries}"
+    if session.without_club:
+        yield f"shots without club data, for which the file holds no club speed that can be: {session.without_club}"
+    yield from of_file

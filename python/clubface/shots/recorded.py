@@ -1,0 +1,529 @@
+"""Recorded shots: one table of deliveries and launches, its sessions, dates, and values stated for what is missing.
+
+Recorded shots: deliveries and launches measured together, one row a shot, whatever they were measured with.
+
+Sessions: the shots of several files as one, and which shots were hit on the same day.
+
+Values that somebody states for what was not measured: ``{"toe": "0 mm"}``.
+
+Dates as monitors write them, as ISO text: ``05/02/24 10:21:11 AM`` is ``2024-05-02T10:21:11``.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, field, replace
+from datetime import date, datetime, time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.equipment.described import HANDS
+from clubface.errors import InputError, Told
+from clubface.shots.plausibility import can_be
+from clubface.shots.tables.headings import HAND, LAUNCH_SYNONYMS, POINTS, heading_of, shot_words
+from clubface.shots.tables.parquet import ENDINGS as PARQUET
+from clubface.shots.tables.writer import write_columns
+from clubface.simulation.inputs import DIMENSIONS
+from clubface.simulation.results import inputs
+from clubface.simulation.spin import SPINS, complete, notes_of
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice, check_names
+from clubface.support.files import short_names
+from clubface.units import SI_UNITS, from_si, is_missing, parse_values
+
+if TYPE_CHECKING:
+    import pandas
+
+
+TEXTS = {"clubs": "club", "players": "player", "hand": HAND, "dates": "date", "files": "file"}
+"""What is known of shots in words, with the headings of the columns."""
+SIDES = {1.0: "right", -1.0: "left"}
+"""The hand by the sign the core takes."""
+
+
+class RejectedRow(NamedTuple):
+    """A row of a file that gives no shot.
+
+    Attributes
+    ----------
+    line
+        Where it begins (in a Parquet file, the number of the row), from 1; None where it is not known.
+    reason
+        What is wrong.
+    """
+
+    line: int | None
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RecordedShots:
+    """Shots as they were measured, SI and radians, with the signs of :class:`Delivery` and :class:`Launch`.
+
+    Every array has one element a shot. A value that was not measured is NaN; a quantity that was measured for no shot
+    is not there.
+
+    Attributes
+    ----------
+    deliveries
+        Inputs of an impact by name (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``toe``, ...), of club and
+        ball as well where the file gives them.
+    launches
+        Quantities of the launch and flight by name: ``ball_speed``, ``launch``, ``azimuth``, ``backspin``,
+        ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Spins that follow from others are filled in, and of
+        those that contradict each other some are left out, which a note says; see
+        :func:`clubface.simulation.spin.complete`.
+    clubs
+        Name of the club as in the file, or None where the file has none.
+    players
+        Name of the player as in the file, or None where the file has none.
+    hand
+        ``"right"`` or ``"left"``, or None where it is not known.
+    dates
+        When each shot was hit, as ISO text (``2026-05-01`` or ``2026-05-01T10:21:11``) or as in the file; None where
+        the file does not say.
+    files
+        Name of the file of each shot, where they are of several; else None.
+    rows
+        Where each shot begins in the source: its line in text, its row in Parquet.
+    source
+        The file, or another name of the source.
+    format
+        How it is written: ``"clubface"``, ``"trackman"``, ...
+    rejected
+        The rows that gave no shot.
+    notes
+        What a reader of the shots should know.
+    speed_at
+        Where speed, attack angle and path were taken: "cg", as models want it, "face" (its centre) or "unknown".
+    face_at
+        Where dynamic loft and face angle were taken: "face" (its centre), as models want it, "contact" or "unknown".
+        :func:`clubface.shots.refer` refers both to where models want them.
+    derived
+        The spins among ``launches`` that were not measured but follow from others, by name; NaN elsewhere.
+    """
+
+    deliveries: dict[str, Floats]
+    launches: dict[str, Floats]
+    clubs: NDArray[Any] | None = None
+    players: NDArray[Any] | None = None
+    hand: NDArray[Any] | None = None
+    dates: NDArray[Any] | None = None
+    files: NDArray[Any] | None = None
+    rows: NDArray[np.int64]
+    source: str
+    format: str
+    rejected: tuple[RejectedRow, ...] = ()
+    notes: tuple[str, ...] = ()
+    speed_at: str = POINTS["speed_at"][0]
+    face_at: str = POINTS["face_at"][0]
+    derived: dict[str, Floats] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name, points in POINTS.items():
+            check_choice(name, getattr(self, name), points)
+        count = np.size(self.rows)
+        checked: dict[str, Any] = {"rows": np.asarray(self.rows, dtype=np.int64).reshape(count)}
+        known_deliveries = [name for name in inputs() if name != HAND]
+        checked["deliveries"] = _floats(self.deliveries, known_deliveries, count)
+        launches = _floats(self.launches, LAUNCH_SYNONYMS, count)
+        measured = {name: self._measured(name, launches[name]) for name in SPINS if name in launches}
+        spins = complete(measured)
+        checked["launches"] = {name: spins.values.get(name, values) for name, values in launches.items()} | spins.values
+        checked["derived"] = {
+            name: np.where(np.isnan(measured.get(name, np.nan)), values, np.nan)
+            for name, values in spins.values.items()
+        }
+        spin_notes = notes_of(spins, checked["rows"].tolist(), self.row_word)
+        checked["notes"] = tuple(dict.fromkeys((*spin_notes, *self.notes)))
+        for name in TEXTS:
+            given = getattr(self, name)
+            if given is not None:
+                checked[name] = _of_length(_texts(given), name, count)
+        if self.hand is not None and (wrong := set(checked["hand"]) - {"right", "left"}):
+            raise InputError("hand", wrong.pop(), "right or left")
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _measured(self, name: str, values: Floats) -> Floats:
+        """Return values of a spin without those that were filled in from others, and are so again."""
+        derived = self.derived.get(name)
+        return values if derived is None else np.where(values == derived, np.nan, values)
+
+    @property
+    def row_word(self) -> str:
+        """What ``rows`` counts: lines of text, or the rows of a Parquet file."""
+        return "row" if self.source.lower().endswith(PARQUET) else "line"
+
+    def __repr__(self) -> str:
+        lines = [f"{len(self)} shot{'s' * (len(self) != 1)} of {self.source} ({self.format})"]
+        for kind in ("deliveries", "launches"):
+            lines.append(f"  {kind}: {', '.join(getattr(self, kind)) or 'none'}")
+        if self.rejected:
+            lines.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
+        return "\n".join(lines)
+
+    def with_notes(self, *notes: str) -> Self:
+        """Return the same shots with further notes, whose arrays are neither checked nor completed again."""
+        noted = copy(self)
+        object.__setattr__(noted, "notes", tuple(dict.fromkeys((*self.notes, *notes))))
+        return noted
+
+    def select(self, which: Any) -> Self:
+        """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""
+        try:
+            index = np.arange(len(self))[which]
+        except IndexError as error:
+            raise InputError("which", which, f"a mask or indices of {len(self)} shots ({error})") from None
+        index = np.atleast_1d(index)
+        return replace(
+            self,
+            deliveries={name: values[index] for name, values in self.deliveries.items()},
+            launches={name: values[index] for name, values in self.launches.items()},
+            derived={name: values[index] for name, values in self.derived.items()},
+            rows=self.rows[index],
+            **{name: None if (texts := getattr(self, name)) is None else texts[index] for name in TEXTS},
+        )
+
+    def groups(self) -> NDArray[Any] | None:
+        """Return a label for each shot that says which belong together, those of a player; None if there is one player.
+
+        A shot whose player is not named belongs to none.
+        """
+        if self.players is None or len(set(self.players) - {""}) < 2:
+            return None
+        lonely = np.array([f"row {row}" for row in self.rows], dtype=object)
+        return np.where(self.players == "", lonely, self.players).astype(str)
+
+    def by_player(self) -> Iterator[tuple[str, NDArray[np.intp]]]:
+        """Yield each player and the places of his shots; all shots under "" where the file does not name two players.
+
+        Where it does, those of which it does not name the player come under "" too.
+        """
+        if self.players is None or self.groups() is None:
+            yield "", np.arange(len(self))
+            return
+        for player in dict.fromkeys(self.players):
+            yield str(player), np.flatnonzero(self.players == player)
+
+    def delivery(self) -> dict[str, Floats]:
+        """Return what :func:`impact` takes as ``delivery``: the deliveries, and the hand as +1 or -1."""
+        given = dict(self.deliveries)
+        if self.hand is not None:
+            given[HAND] = np.array([float(HANDS[each]) for each in self.hand])
+        return given
+
+    def units(self) -> dict[str, str]:
+        """Return the SI unit of each quantity there is."""
+        dimensions = shot_words().dimensions
+        return {name: SI_UNITS[dimensions[name]] for name in (*self.deliveries, *self.launches)}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return one row a shot, SI: ``row``, the texts of ``TEXTS`` where known, then every quantity.
+
+        ``attrs`` of the frame holds ``units`` and ``source``, ``format``, ``rejected``, ``notes``, ``speed_at``,
+        ``face_at``.
+        """
+        import pandas
+
+        columns: dict[str, Any] = {"row": self.rows}
+        columns |= {heading: texts for name, heading in TEXTS.items() if (texts := getattr(self, name)) is not None}
+        frame = pandas.DataFrame(columns | self.deliveries | self.launches)
+        kept = {name: getattr(self, name) for name in ("source", "format", "notes", "speed_at", "face_at")}
+        frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
+        return frame
+
+    def columns(self) -> dict[str, Any]:
+        """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
+        columns: dict[str, Any] = {}
+        for name, heading in TEXTS.items():
+            if (texts := getattr(self, name)) is not None:
+                columns[heading] = [str(each) for each in texts]
+        for name, points in POINTS.items():
+            if getattr(self, name) != points[0]:
+                columns[name] = [getattr(self, name)] * len(self)
+        of = self.deliveries | self.launches
+        for name, si_unit in self.units().items():
+            named, shown = heading_of(name, si_unit)
+            columns[named] = from_si(of[name], shown)
+        return columns
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the shots to a CSV or Parquet file, by its ending, as :func:`clubface.read_shots` reads them.
+
+        The file has its name only once it is complete. Rejected rows and notes are not in it.
+        """
+        write_columns(self.columns(), Path(path))
+
+
+def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Floats]:
+    check_names("quantity", given, known)
+    dimensions = shot_words().dimensions
+    read = {name: parse_values(values, dimensions[name], name=name) for name, values in given.items()}
+    return {name: _of_length(np.asarray(values), name, count) for name, values in read.items()}
+
+
+def _texts(given: Any) -> NDArray[Any]:
+    """Return names, "" where one is missing."""
+    missing = (
+        np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else np.zeros(np.shape(given), dtype=bool)
+    )
+    names = np.array(np.ma.getdata(given), dtype=object)
+    if missing.any() or set(map(type, names.ravel())) != {str}:
+        names[[bool(gone) or is_missing(each) for each, gone in zip(names, missing, strict=True)]] = ""
+    return names
+
+
+def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
+    if values.shape != (count,):
+        raise InputError(
+            name, Told(f"an array of shape {values.shape}"), f"one with an element for each shot: ({count},)"
+        )
+    return values
+
+
+FEWEST_SAME = 3
+"""Values that two shots of different files must share to be the same shot."""
+_MEASURED_AT = {
+    "speed_at": ("club speed, attack angle and path", {"speed", "attack", "path"}),
+    "face_at": ("dynamic loft and face angle", {"loft", "face"}),
+}
+"""What is taken at each place, in words and by quantity."""
+NAMED = 3
+"""Files that the name of their shots lists."""
+
+
+def joined(sessions: Sequence[RecordedShots]) -> RecordedShots:
+    """Return the shots of several files as one, in the order given, each shot with its file.
+
+    A shot that an earlier file has already, with the same club, player, date and values, is left out, and a note counts
+    such shots: exports overlap, and a file may be given twice.
+    """
+    if len(sessions) == 1:
+        return sessions[0]
+    names = short_names([each.source for each in sessions])
+    sessions = [
+        each if each.files is not None else replace(each, files=np.array([name] * len(each), dtype=object))
+        for each, name in zip(sessions, names, strict=True)
+    ]
+    kept = _first_of_each(sessions)
+    notes = [
+        f"{name}: {np.sum(~mask)} of {mask.size} shots are in an earlier file too, and were left out"
+        for name, mask in zip(names, kept, strict=True)
+        if not mask.all()
+    ]
+    for note in dict.fromkeys(note for each in sessions for note in each.notes):
+        holders = [name for name, each in zip(names, sessions, strict=True) if note in each.notes]
+        notes.append(note if len(holders) == len(sessions) else f"{', '.join(holders)}: {note}")
+    points = {}
+    for point, (what, quantities) in _MEASURED_AT.items():
+        where = list(dict.fromkeys(getattr(each, point) for each in sessions if quantities & each.deliveries.keys()))
+        points[point] = where[0] if len(where) == 1 else getattr(sessions[0], point) if not where else "unknown"
+        if len(where) > 1:
+            notes.append(f"the files take {what} at different places ({', '.join(where)}), so that they do not compare")
+    parts = [each.select(mask) for each, mask in zip(sessions, kept, strict=True) if mask.any()]
+    columns = {
+        kind: _columns([getattr(each, kind) for each in parts], parts) for kind in ("deliveries", "launches", "derived")
+    }
+    texts = {name: _joined_texts([getattr(each, name) for each in parts], parts) for name in TEXTS}
+    if texts["hand"] is not None and "" in texts["hand"]:
+        texts["hand"] = None
+    source = ", ".join(each.source for each in sessions[:NAMED])
+    formats = dict.fromkeys(each.format for each in sessions)
+    return RecordedShots(
+        **columns,
+        **texts,
+        **points,
+        rows=np.concatenate([each.rows for each in parts]),
+        source=source + (f" and {len(sessions) - NAMED} more" if len(sessions) > NAMED else ""),
+        format=" and ".join(formats),
+        rejected=tuple(
+            each._replace(reason=f"{name}: {each.reason}")
+            for name, session in zip(names, sessions, strict=True)
+            for each in session.rejected
+        ),
+        notes=tuple(notes),
+    )
+
+
+def session_labels(shots: RecordedShots) -> NDArray[Any] | None:
+    """Return the session of each shot, its day or else its file; None where all are of one session."""
+    labels = np.array([""] * len(shots), dtype=object)
+    if shots.files is not None:
+        labels = shots.files.copy()
+    if shots.dates is not None:
+        days = np.array([each[:10] if re.match(r"\d{4}-\d\d-\d\d", each) else "" for each in shots.dates], dtype=object)
+        labels = np.where(days != "", days, labels)
+    return labels if len(set(labels)) > 1 else None
+
+
+def in_order(labels: NDArray[Any]) -> list[str]:
+    """Return the sessions, those with a day by their days and before the others."""
+    different = list(dict.fromkeys(labels.tolist()))
+    days = sorted(each for each in different if re.fullmatch(r"\d{4}-\d\d-\d\d", each))
+    return [*days, *(each for each in different if each not in days)]
+
+
+def _first_of_each(sessions: Sequence[RecordedShots]) -> list[NDArray[np.bool_]]:
+    """Return which shots of each file no earlier file has."""
+    common = set.intersection(*({*each.deliveries, *each.launches} - {*each.derived} for each in sessions))
+    names = sorted(common)
+    seen: set[tuple[Any, ...]] = set()
+    kept = []
+    for each in sessions:
+        values = each.deliveries | each.launches
+        table = np.column_stack([values[name] for name in names]) if names else np.empty((len(each), 0))
+        table = np.round(table, 9) + 0.0
+        enough = (~np.isnan(table)).sum(axis=1) >= FEWEST_SAME
+        texts = [getattr(each, name) for name in ("clubs", "players", "dates")]
+        keys = [
+            (row.tobytes(), *("" if of is None else str(of[place]) for of in texts))
+            for place, row in enumerate(np.nan_to_num(table, nan=1e300))
+        ]
+        kept.append(np.array([not (many and key in seen) for key, many in zip(keys, enough, strict=True)], dtype=bool))
+        seen |= set(keys)
+    return kept
+
+
+def _columns(every: Sequence[dict[str, Any]], parts: Sequence[RecordedShots]) -> dict[str, Any]:
+    names = dict.fromkeys(name for each in every for name in each)
+    return {
+        name: np.concatenate([each.get(name, np.full(len(of), np.nan)) for each, of in zip(every, parts, strict=True)])
+        for name in names
+    }
+
+
+def _joined_texts(every: Sequence[Any], parts: Sequence[RecordedShots]) -> Any:
+    if all(each is None for each in every):
+        return None
+    empty = [np.array([""] * len(of), dtype=object) for of in parts]
+    return np.concatenate([none if each is None else each for each, none in zip(every, empty, strict=True)])
+
+
+Shots = TypeVar("Shots", bound=RecordedShots)
+
+
+def with_assumed(shots: Shots, assume: Mapping[str, Any]) -> Shots:
+    """Return the shots with stated values where those of a delivery were not measured, and notes that count them.
+
+    Parameters
+    ----------
+    shots
+        The shots.
+    assume
+        Values by the names of :class:`clubface.Delivery`, as text with units or as SI numbers. What was measured stays.
+    """
+    check_names("quantity in assume", assume, DIMENSIONS)
+    deliveries, notes = dict(shots.deliveries), []
+    for name, stated in assume.items():
+        value = units.parse(stated, DIMENSIONS[name], name=f"assume {name}")
+        if not can_be(name, value):
+            raise InputError(f"assume {name}", stated, "a value with its unit that a shot can have")
+        measured = deliveries.get(name, np.full(len(shots), np.nan))
+        lacking = np.isnan(measured)
+        deliveries[name] = np.where(lacking, value, measured)
+        shown = stated if _has_unit(stated) else units.show(value, units.SI_UNITS[DIMENSIONS[name]])
+        if count := int(lacking.sum()):
+            notes.append(
+                f"{name} was not measured in {count} of {len(shots)} shots, which take {shown} for it, as stated"
+            )
+        else:
+            notes.append(f"{name} was measured in every shot: the {shown} stated for it is not used")
+    return replace(shots, deliveries=deliveries, notes=(*shots.notes, *notes))
+
+
+def _has_unit(stated: Any) -> bool:
+    return isinstance(stated, str) and stated.strip()[-1:] not in "0123456789."
+
+
+_MONTH_NAMES = """
+jan january januar janvier enero gennaio januari janeiro ene gen
+feb february februar février fevrier febrero febbraio februari fevereiro fév
+mar march märz mars marzo maart março mär mrz
+apr april avril abril aprile avr abr
+may mai mayo maggio mei maj maio
+jun june juni juin junio giugno junho giu
+jul july juli juillet julio luglio julho lug
+aug august août aout agosto augustus augusti ago
+sep sept september septembre septiembre settembre setembro set
+oct october oktober octobre octubre ottobre outubro okt ott out
+nov november novembre noviembre novembro
+dec december dezember décembre decembre diciembre dicembre dezembro dez dic
+"""
+MONTHS = {name: number for number, names in enumerate(_MONTH_NAMES.strip().splitlines(), 1) for name in names.split()}
+_CLOCK = re.compile(r"(?<!\d)(\d{1,2}):(\d{2})(?::(\d{2})(?:[.,]\d+)?)?\s*([ap]\.?\s?m\.?)?", re.IGNORECASE)
+_YEAR_FIRST = re.compile(r"(?<!\d)(\d{4})[-/.年년\s]\s*(\d{1,2})[-/.月월\s]\s*(\d{1,2})(?!\d)")
+_YEAR_LAST = re.compile(r"(?<!\d)(\d{1,2})\s?([-/.])\s?(\d{1,2})\s?\2\s?(\d{4}|\d{2})(?!\d)")
+_NAMED = re.compile(
+    r"(?<!\d)(?:(\d{1,2})(?:st|nd|rd|th)?\.?[\s-]*(?:de\s+)?([^\W\d_]{3,})|([^\W\d_]{3,})\.?\s+(\d{1,2})(?:st|nd|rd|th)?)"
+    r"\.?,?[\s-]+(?:de\s+)?(\d{4})"
+)
+_COMPACT = re.compile(r"(20\d{2})(\d{2})(\d{2})(?:[T_-]?(\d{2})(\d{2})(\d{2})?)?")
+
+
+def iso_dates(texts: Sequence[str]) -> tuple[list[str], str | None]:
+    """Return dates, with time where there is one, as ISO text, and a note where their order is not certain.
+
+    A text that is no date stays as it is. Whether day or month comes first is decided by the dates of all texts; where
+    all could be either, points stand for the day first and strokes for the month.
+    """
+    different = dict.fromkeys(texts)
+    day_first, is_certain = _order(different)
+    known = {text: _iso(text, day_first) or text for text in different}
+    note = None
+    if not is_certain:
+        text = next(each for each in different if _YEAR_LAST.search(each))
+        note = f"the date {text!r} was read as {known[text][:10]}, with the {'day' if day_first else 'month'} first"
+    return [known[each] for each in texts], note
+
+
+def date_among(cells: Iterable[str]) -> str | None:
+    """Return the first date among the cells of a row, as it stands there; None where there is none."""
+    return next((cell.strip() for cell in cells if _iso(cell, day_first=False) or _iso(cell, day_first=True)), None)
+
+
+def _order(texts: Iterable[str]) -> tuple[bool, bool]:
+    """Return whether the day comes before the month, and whether that is certain."""
+    found = [match for text in texts if not _YEAR_FIRST.search(text) and (match := _YEAR_LAST.search(text))]
+    if any(int(match[1]) > 12 for match in found):
+        return True, True
+    if any(int(match[3]) > 12 for match in found):
+        return False, True
+    if not found:
+        return False, True
+    if any("m" in (clock[4] or "").lower() for match in found if (clock := _CLOCK.search(match.string))):
+        return False, True
+    return found[0][2] == ".", found[0][2] == "." or all(match[1] == match[3] for match in found)
+
+
+def _iso(text: str, day_first: bool) -> str | None:
+    if match := _YEAR_FIRST.search(text):
+        parts = [int(each) for each in match.groups()]
+    elif match := _YEAR_LAST.search(text):
+        first, second, year = int(match[1]), int(match[3]), int(match[4])
+        parts = [year if year > 99 else 2000 + year, *((second, first) if day_first else (first, second))]
+    elif (match := _NAMED.search(text)) and (month := MONTHS.get((match[2] or match[3]).lower())):
+        parts = [int(match[5]), month, int(match[1] or match[4])]
+    elif match := _COMPACT.fullmatch(text.strip()):
+        parts = [int(each) for each in match.groups()[:3]]
+    else:
+        return None
+    try:
+        day = date(*parts)
+        clock = _CLOCK.search(text)
+        if clock is None:
+            return day.isoformat()
+        hour = int(clock[1]) % 12 + 12 * (clock[4][0] in "pP") if clock[4] else int(clock[1])
+        return datetime.combine(day, time(hour, int(clock[2]), int(clock[3] or 0))).isoformat()
+    except ValueError:
+        return None

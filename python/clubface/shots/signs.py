@@ -1,0 +1,142 @@
+"""Columns whose sign disagrees with the others, such as attack angles that count as positive downwards.
+
+From shot to shot a launch follows the delivery in directions that no model disputes: more loft launches higher, a face
+to the right sends the ball to the right, a path to the right makes it curve to the left. A column that runs the other
+way, clearly and beside the other columns, most likely has its sign turned. It is told and never changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.equipment.described import HANDS
+from clubface.shots.club_names import club_kind
+from clubface.shots.recorded import RecordedShots
+from clubface.units import show, to_si
+
+CLEARLY = 4.0
+"""Standard errors by which a slope must have the wrong sign: chance does so for one column in 30,000."""
+FEWEST = 8
+"""Shots more than there are slopes, below which standard errors are guesses."""
+UPWARDS = to_si(2.5, "deg")
+"""Median attack angle above which no iron is hit: tours hit theirs down, by 2 to 5 deg on the average."""
+FEWEST_IRONS = 5
+_ACROSS = ("azimuth", "sidespin", "spin_axis", "face", "path")
+"""What changes sign with the hand, so that left-handers count as their mirror images."""
+
+
+class Rule(NamedTuple):
+    """How a quantity of the launch follows those of the delivery.
+
+    Attributes
+    ----------
+    launch
+        The quantity of the launch.
+    signs
+        Sign of its slope over each quantity of the delivery that may have been measured; 0 where that differs from
+        club to club and is only accounted for.
+    needed
+        Those that must have been measured.
+    """
+
+    launch: str
+    signs: Mapping[str, int]
+    needed: tuple[str, ...]
+
+
+RULES = (
+    Rule("launch", {"loft": 1, "attack": 1, "high": 0}, ("attack",)),
+    Rule("backspin", {"loft": 1, "attack": -1, "speed": 1, "high": 0}, ("loft", "attack")),
+    Rule("azimuth", {"face": 1, "path": 1, "toe": 0}, ("face",)),
+    Rule("spin_axis", {"face": 1, "path": -1, "toe": -1}, ("face", "path")),
+)
+"""The launch angle lies between attack angle and loft, and the azimuth between path and face. Spin comes of the angle
+between club path and face, and a hit towards the toe makes the ball curve towards the heel's side (gear effect)."""
+
+
+def suspected_signs(shots: RecordedShots) -> tuple[str, ...]:
+    """Return a note for each column whose sign disagrees with the others."""
+    clubs = np.array([club_kind(str(each)) or str(each) for each in shots.clubs]) if shots.clubs is not None else None
+    found: dict[str, list[str]] = {}
+    for rule in RULES:
+        for name, other in _disagreeing(shots, clubs, rule).items():
+            found.setdefault(name, []).extend(other)
+    notes = []
+    for name, others in found.items():
+        turned = "it" if len(others) > 1 else "one of them"
+        message = f"the sign of {name} disagrees with {' and '.join(others)} from shot to shot"
+        notes.append(f"{message}: is {turned} turned in this file?")
+    if "attack" not in found:
+        notes += _upward_irons(shots, clubs)
+    return tuple(notes)
+
+
+def _disagreeing(shots: RecordedShots, clubs: NDArray[np.str_] | None, rule: Rule) -> dict[str, list[str]]:
+    """Return the columns that run against a rule, each with those that say so."""
+    values = {
+        name: each
+        for name in (rule.launch, *rule.signs)
+        if (each := _for_a_right_hander(shots, name)) is not None and np.isfinite(each).sum() >= FEWEST
+    }
+    names = [name for name in rule.signs if name in values]
+    if not {rule.launch, *rule.needed} <= set(values):
+        return {}
+    table = np.column_stack([values[name] for name in (rule.launch, *names)])
+    known = np.isfinite(table).all(axis=1)
+    table, groups = table[known], clubs[known] if clubs is not None else None
+    slopes = _slopes(table, groups)
+    if slopes is None:
+        return {}
+    signs = {name: rule.signs[name] for name in names if rule.signs[name]}
+    wrong = [name for name in signs if signs[name] * slopes[names.index(name)] < -CLEARLY]
+    if len(wrong) == len(signs) > 1:
+        return {rule.launch: wrong}
+    return {name: [rule.launch] for name in wrong}
+
+
+def _slopes(table: NDArray[np.float64], groups: NDArray[np.str_] | None) -> NDArray[np.float64] | None:
+    """Return the slopes of the first column over the others within clubs, in standard errors; None for few shots."""
+    labels = np.unique(groups, return_inverse=True)[1] if groups is not None else np.zeros(len(table), dtype=int)
+    count = int(labels.max(initial=-1)) + 1
+    free = len(table) - count - (table.shape[1] - 1)
+    if free < FEWEST:
+        return None
+    sums = np.zeros((count, table.shape[1]))
+    np.add.at(sums, labels, table)
+    within = table - (sums / np.bincount(labels)[:, None])[labels]
+    launch, delivery = within[:, 0], within[:, 1:]
+    scale = np.linalg.norm(delivery, axis=0)
+    if not scale.all():
+        return None
+    slopes, _, rank, _ = np.linalg.lstsq(delivery / scale, launch, rcond=1e-6)
+    if rank < delivery.shape[1]:
+        return None
+    spread = np.sum((launch - delivery / scale @ slopes) ** 2) / free
+    errors = np.sqrt(spread * np.diag(np.linalg.inv((delivery / scale).T @ (delivery / scale))))
+    return slopes / np.maximum(errors, 1e-300)
+
+
+def _for_a_right_hander(shots: RecordedShots, name: str) -> NDArray[np.float64] | None:
+    values = (shots.deliveries | shots.launches).get(name)
+    if values is None or name not in _ACROSS or shots.hand is None:
+        return values
+    return values * np.array([float(HANDS[each]) for each in shots.hand])
+
+
+def _upward_irons(shots: RecordedShots, clubs: NDArray[np.str_] | None) -> list[str]:
+    """Return a note if irons and wedges are said to be hit upwards."""
+    if clubs is None or "attack" not in shots.deliveries:
+        return []
+    attack = shots.deliveries["attack"][[each.endswith(("-iron", "-wedge")) for each in clubs]]
+    attack = attack[np.isfinite(attack)]
+    if attack.size < FEWEST_IRONS or np.median(attack) <= UPWARDS:
+        return []
+    median = show(float(np.median(attack)), "deg", 3)
+    return [
+        f"the median attack angle of irons and wedges is {median} upwards, where players hit them down: is the sign of "
+        "attack turned in this file?"
+    ]

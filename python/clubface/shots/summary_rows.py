@@ -1,0 +1,273 @@
+"""Rows that sum up others, such as averages and deviations, which are no shots.
+
+Such a row is known by what one of its cells says. A word such as "Max" may be a person or a club too: then the row sums
+up others only if its numbers do. A row without a name, or with one that no club and no other row has, is an average in
+whatever language if its numbers are those of one.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface.shots.club_names import club_kind
+from clubface.shots.formats import PLAYER
+from clubface.shots.tables.chunk import Chunk
+from clubface.shots.tables.headings import HAND, Layout, plain
+from clubface.support.arrays import Floats
+
+MEAN, MEDIAN, DEVIATION, MOST, LEAST, SUM = "mean", "median", "deviation", "most", "least", "sum"
+_WORDS = {
+    MEAN: """average averages averaged avg avgs ave mean means durchschnitt durchschnittlich mittelwert mittelwerte
+        mittel ø moyenne moyennes moy promedio promedios prom media medias gemiddelde gemiddeld gem medelvarde
+        genomsnitt medel snitt gennemsnit gns gjennomsnitt 平均 平均値 平均值 平均数 均值 평균 평균값""",
+    MEDIAN: "median medianwert mediane mediana mediaan 中央値 中位数 중앙값 中間値",
+    DEVIATION: """std+dev st+dev stddev stdev stdv std sd dev deviation deviations standard+deviation consistency
+        variance variation standardabweichung std+abw stabw abweichung streuung ecart+type ecarttype ecart
+        desviacion+estandar desviacion+tipica desviacion desv+est desv deviazione+standard dev+standard scarto+tipo
+        scarto deviazione standaardafwijking standaarddeviatie afwijking standardavvikelse avvikelse standardafvigelse
+        afvigelse standardavvik avvik desvio+padrao desvio standard+error s+d sem sigma σ rms var cv dispersion
+        標準偏差 标准差 標準差 标准偏差 偏差 표준편차 편차""",
+    MOST: """max maximum maxi maximal maximalwert hochstwert hochster maximo massimo hoogste hogsta hojeste best bester
+        bestes longest highest 最大 最大値 最大值 最高 최대 최대값""",
+    LEAST: """min minimum mini minimal minimalwert tiefstwert minimo laagste lagsta laveste worst shortest lowest 最小
+        最小値 最小值 最低 최소 최소값""",
+    SUM: """total totals sum sums summary subtotal overall range spread count gesamt summe insgesamt totaal totalt somme
+        resume resumen suma riepilogo somma totale samenvatting summa sammanfattning samlet resumo soma 合計 合计 总计
+        總計 합계 총계""",
+}
+_PHRASES = {tuple(each.split("+")): kind for kind, words in _WORDS.items() for each in words.split()}
+_LONGEST = max(map(len, _PHRASES))
+_STEMS = {
+    MEAN: """averag durchschn mittelw moyen promed gemidd medelv genomsn gennemsn gjennomsn keskiarvo sredni prumer
+        ortalama средн""",
+    DEVIATION: """standardab standardav standardaf stdab stabw odchyl smerodat keskihaj отклон desviac deviaz""",
+}
+_BEGINNINGS = {each: kind for kind, stems in _STEMS.items() for each in stems.split()}
+"""How such words begin, which people cut short: ``Standardabw.``, ``Durchschn.``."""
+_NAMES_TOO = frozenset(
+    {
+        "ave", "dev", "sd", "std", "gem", "prom", "moy", "media", "medel", "mini", "maxi", "best", "ø", "sem", "var",
+        "cv", "rms", "sigma", "dispersion",
+    }
+)  # fmt: skip
+"""Words of means and deviations that are also names, or abbreviations of other things."""
+_PASSED_OVER = frozenset(
+    {
+        "shot", "shots", "of", "all", "the", "for", "session", "row", "value", "values", "club", "clubs", "n", "alle",
+        "schlage", "coups", "golpes", "colpi", "slagen", "slag",
+    }
+)  # fmt: skip
+NUMBERING = frozenset(
+    {
+        "shot", "shot no", "shot number", "shot id", "no", "nr", "number", "index", "id", "row", "shotnumber",
+        "schlag", "schlagnr", "schlag nr", "coup", "golpe", "slag", "numéro", "número", "numero", "番号", "序号",
+        "编号", "nummer", "번호", "순번", "ショット", "shots", "shotno", "stroke no",
+    }
+)  # fmt: skip
+"""Headings of columns that number the shots."""
+TELLING = NUMBERING | {
+    "", "type", "shot type", "date", "time", "date time", "datetime", "datum", "uhrzeit", "zeit", "fecha", "hora",
+    "data", "ora", "heure", "tijd", "tid", "stroke", "swing", "statistic", "stat", "stats", "label",
+}  # fmt: skip
+"""Headings of columns in which such a word is no name."""
+NAMES = ("club", "player")
+AGREES = 0.6
+"""Part of the numbers of a row that must be those of a summary."""
+FEWEST_CLOSE, AGREES_CLOSELY = 4, 0.75
+"""How many numbers of a row that nothing names a summary must be compared, and which part be those of one."""
+MOST_JUDGED = 200
+"""Rows of some that may sum up others, above which none does."""
+_LETTER = re.compile(r"[^\W\d_]")
+MANY = 1000
+"""Different texts of a column, above which those that begin with a digit, as dates do, are no summaries."""
+
+
+class _Label(NamedTuple):
+    """What a text says of the row: the kind of summary, whether it can mean nothing else, and the words left over."""
+
+    kind: str
+    is_clear: bool
+    rest: str
+
+
+def summary_rows(
+    labels: Mapping[int, str], cells: Sequence[Any], values: Mapping[str, Floats], doubtful: Iterable[int] = ()
+) -> set[int]:
+    """Return which rows sum up others.
+
+    Parameters
+    ----------
+    labels
+        The places of the columns of texts: with "club", "player", or the heading in plain words.
+    cells
+        The cells by column.
+    values
+        The numbers by quantity.
+    doubtful
+        Rows with a cell that should be a number and is none, which may say it there.
+    """
+    certain: set[int] = set()
+    possible: dict[int, str] = {}
+    for place, heading in labels.items():
+        column = cells[place]
+        texts = set(column)
+        if len(texts) > MANY:
+            texts = {each for each in texts if not each.lstrip()[:1].isdigit()}
+        known = {each: label for each in texts if (label := _label(each)) is not None}
+        if not known:
+            continue
+        others = {_spelled(each) for each in texts if each not in known}
+        rows = [(row, label) for row, each in enumerate(column) if (label := known.get(each)) is not None]
+        for row, (kind, is_clear, rest) in rows:
+            if rest and rest not in others and club_kind(rest) is None:
+                continue
+            is_telling = heading in TELLING or (place == 0 and heading not in NAMES and is_clear)
+            is_rare = 2 * len(rows) <= len(column) + 1
+            if (is_telling and (is_clear or is_rare)) or (is_clear and heading in NAMES):
+                certain.add(row)
+            elif is_rare:
+                possible[row] = kind
+    for row in doubtful:
+        texts = (each[row] for each in cells if not isinstance(each, np.ndarray))
+        if any((label := _label(each)) is not None and label.is_clear for each in texts):
+            certain.add(row)
+    if len(possible) > MOST_JUDGED:
+        return certain  # a mark that so many shots have
+    uncounted = _uncounted(labels, cells)
+    unnamed = _unnamed(labels, cells) - certain - possible.keys()
+    may_be_shot = np.ones(len(next(iter(values.values()))), dtype=bool)
+    may_be_shot[[*certain, *possible]] = False
+    is_shot = may_be_shot.copy()
+    is_shot[[*unnamed]] = False
+    for row, kind in possible.items():
+        # A remark that most shots have, and some lack, makes those no less shots.
+        if row not in certain and (
+            row in uncounted or any(_sums_up(row, kind, each, values) for each in (is_shot, may_be_shot))
+        ):
+            certain.add(row)
+    return certain | {
+        row for row in unnamed if any(_sums_up(row, kind, is_shot, values, closely=True) for kind in (MEAN, DEVIATION))
+    }
+
+
+def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
+    """Return the few rows that lack a text which all others have, or have one that no club and no other row has."""
+    few: set[int] = set()
+    for place, heading in labels.items():
+        column = cells[place]
+        empty = [row for row, cell in enumerate(column) if not cell.strip()]
+        if 2 * len(empty) < len(column):
+            few.update(empty)
+        if heading == "club" and len(counts := Counter(column)) <= MOST_JUDGED:
+            few.update(
+                row for row, cell in enumerate(column) if counts[cell] == 1 and cell.strip() and not club_kind(cell)
+            )
+    return few if len(few) <= MOST_JUDGED else set()
+
+
+def summaries_in(chunk: Chunk, columns: Layout) -> dict[int, str]:
+    """Return the rows of a plain table of deliveries that sum up others, and what is to be said of each."""
+    used = {each.place for each in columns.used}
+    cells = [() if place in used else chunk.cells(place) for place in range(len(columns.headings))]
+    texts = {place: each for place, each in enumerate(cells) if isinstance(each, list)}
+    if not any(_LETTER.search(each) and _label(each) for column in texts.values() for each in set(column)):
+        return {}
+    names = {place: plain(columns.headings[place]) for place in texts}
+    players = set(map(plain, PLAYER))
+    labels = {place: "player" if each in players and each not in NUMBERING else each for place, each in names.items()}
+    values = {each.quantity: chunk.numbers(each)[0] for each in columns.used if each.quantity != HAND}
+    rows = summary_rows(labels, cells, values)
+    words = {row: next(each[row] for each in texts.values() if _label(each[row])) for row in rows}
+    return {row: f"{word!r}: the row sums up others and is no shot" for row, word in words.items()}
+
+
+@lru_cache(maxsize=8192)
+def _label(text: str) -> _Label | None:
+    """Return what a text says of its row; None where it is no summary."""
+    words = _spelled(text).split()
+    kind, is_clear, rest, place = "", False, [], 0
+    while place < len(words):
+        for count in range(_LONGEST, 0, -1):
+            phrase = tuple(words[place : place + count])
+            if len(phrase) == count and phrase in _PHRASES:
+                meaning = _PHRASES[phrase]
+                kind = kind or meaning
+                is_clear |= meaning in (MEAN, MEDIAN, DEVIATION) and not (count == 1 and phrase[0] in _NAMES_TOO)
+                place += count
+                break
+        else:
+            word = words[place]
+            if found := next((each for start, each in _BEGINNINGS.items() if word.startswith(start)), ""):
+                kind, is_clear = kind or found, True
+            elif word not in _PASSED_OVER and not (kind and word.isdigit()):
+                rest.append(word)
+            place += 1
+    if not kind:
+        return None
+    return _Label(kind, is_clear, " ".join(rest))
+
+
+def _spelled(text: str) -> str:
+    """Return the words of a text in lower case without accents."""
+    letters = unicodedata.normalize("NFC", "".join(
+        each for each in unicodedata.normalize("NFKD", text) if not "\u0300" <= each <= "\u036f"
+    ))  # fmt: skip
+    return " ".join(re.findall(r"[^\W_]+", letters.casefold()))
+
+
+def _uncounted(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
+    """Return the rows that have no number in a column that numbers nearly all others."""
+    for place, heading in labels.items():
+        if heading in NUMBERING:
+            empty = {row for row, cell in enumerate(cells[place]) if not cell.strip()}
+            return empty if 2 * len(empty) < len(cells[place]) else set()
+    return set()
+
+
+def _sums_up(row: int, kind: str, is_shot: Any, values: Mapping[str, Floats], closely: bool = False) -> bool:
+    """Tell whether the numbers of a row sum up those of shots: the ones next to it, on one side, or all of them."""
+    shots = np.flatnonzero(is_shot)
+    groups = [shots]
+    for side, last in ((shots[shots < row], True), (shots[shots > row], False)):
+        if side.size:
+            parts = np.split(side, np.flatnonzero(np.diff(side) > 1) + 1)
+            groups += [side, parts[-1] if last else parts[0]]
+    return any(each.size > closely and _agrees(row, kind, each, values, closely) for each in groups)
+
+
+def _agrees(row: int, kind: str, group: Any, values: Mapping[str, Floats], closely: bool) -> bool:
+    compared = agreed = 0
+    for column in values.values():
+        value, shots = float(column[row]), column[group]
+        shots = shots[~np.isnan(shots)]
+        spread = float(np.ptp(shots)) if shots.size else 0.0
+        if value != value or not shots.size or (closely and not spread):
+            continue
+        compared += 1
+        close = 0.03 * spread if closely else 0.005 * float(np.abs(shots).max()) + 0.02 * spread
+        agreed += any(abs(value - each) <= close for each in _summaries(kind, shots))
+    fewest, part = (FEWEST_CLOSE, AGREES_CLOSELY) if closely else (1, AGREES)
+    return compared >= fewest and agreed >= part * compared
+
+
+def _summaries(kind: str, shots: Floats) -> list[float]:
+    """Return what a summary of a kind may be; most and least also without the sign, for sides."""
+    mean = float(shots.mean())
+    if kind == MEAN:
+        return [mean]
+    if kind == MEDIAN:
+        return [float(np.median(shots))]
+    if kind == DEVIATION:
+        return [float(shots.std()), float(shots.std(ddof=1)) if shots.size > 1 else 0.0]
+    ends = [float(shots.max()), float(shots.min())]
+    if kind in (MOST, LEAST):
+        size = np.abs(shots)
+        return [*ends, float(size.max() if kind == MOST else size.min())]
+    return [mean, float(shots.sum()), ends[0] - ends[1], float(shots.size)]

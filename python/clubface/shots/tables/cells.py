@@ -1,0 +1,226 @@
+"""What the cells of a table say: numbers with a point or a decimal comma, hands, nothing measured."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface.equipment.described import HANDS
+from clubface.errors import shortened
+from clubface.shots.tables.headings import HAND, Column, unit_symbol
+from clubface.units import from_si, to_si, unit
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+MISSING = frozenset({"", "n/a", "#n/a", "na", "n/m", "nan", "null", "none", "no data", "not measured"})
+"""Cells that say that nothing was measured, in lower case; so do those of nothing but dashes, points and the like."""
+_DASHES = "-–—−.,:_*?~ \xa0"
+NUMBER = re.compile(
+    r"(?P<before>(?:[^\d.,+-]++(?:[-/]\s?(?=[^\W\d_])[^\d.,+-]++)*+)?+)"
+    r"(?P<number>(?:[-+]\s?)?+[\d.,]++(?:[\s'’ʼ]\d{3}(?!\d)[\d.,]*+)*+(?:e[-+]?\d++)?)"
+    r"\s*+(?P<rest>\D*+)",
+    re.IGNORECASE,
+)
+"""A number, whose thousands may stand apart, with words before and after it: its side and its unit.
+
+It gives nothing back (``++``): a cell of 40,000 commas and a digit would be tried in a billion ways.
+"""
+_APART = re.compile(r"[-+]?\d{1,3}(?:[\s'’ʼ]\d{3})+(?:[.,]\d*)?")
+"""A number whose thousands are separated by a space or an apostrophe, which separates nothing else."""
+THOUSANDS = {
+    ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
+    ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
+}
+"""Numbers whose thousands are separated by a sign, by that sign."""
+LARGE = frozenset({"total_spin", "backspin", "sidespin", "closure"})
+"""Quantities that have thousands in their usual units; of others, 1.386 and 147.512 are no thousands."""
+SHOWN = 3
+"""Cells beyond the columns that a reason shows."""
+_HANDS = {**HANDS, "r": 1, "l": -1, "rh": 1, "lh": -1, "right handed": 1, "left handed": -1, "1": 1, "+1": 1, "-1": -1}
+
+
+def is_missing(text: str) -> bool:
+    """Tell whether a cell says that nothing was measured."""
+    return text.strip().lower() in MISSING or not text.strip(_DASHES)
+
+
+def is_number(text: str) -> bool:
+    """Tell whether a text is a finite number with a decimal point."""
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+class Decimals(NamedTuple):
+    """How the numbers of a file are written.
+
+    Attributes
+    ----------
+    comma
+        Whether their decimals follow a comma.
+    doubtful
+        A cell that may be read both ways, where nothing in the file decides it; else "".
+    """
+
+    comma: bool
+    doubtful: str = ""
+
+
+def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Decimals:
+    """Return how numbers are written, by cells with the quantity of their column, None where it is not known.
+
+    "12,5" and "1.234,5" have a decimal comma, "12.5" and "1,234.5" a point. "2.845" is one or the other, which its
+    column decides: spins have thousands in rpm, unless some show decimals, as 2845.312 does, and no other quantity
+    reaches them. Most cells win; where there are
+    none but such of unknown columns, a comma between cells is no decimal comma, and a point is a decimal point.
+    """
+    votes = {",": 0, ".": 0}
+    doubtful = {",": "", ".": ""}
+    large, shown = {",": 0, ".": 0}, {",": False, ".": False}
+    for cell, quantity in cells:
+        if "." not in cell and "," not in cell:
+            continue
+        found = NUMBER.fullmatch(cell.strip())
+        text = "".join(found["number"].split()) if found else ""
+        marks = {mark: text.count(mark) for mark in ",." if mark in text}
+        if not marks or not any(map(str.isdigit, text)):
+            continue
+        last = max(marks, key=text.rfind)
+        other = "," if last == "." else "."
+        if len(marks) == 2:
+            if marks[last] == 1 and THOUSANDS[other].fullmatch(text):
+                votes[last] += 1
+        elif not THOUSANDS[last].fullmatch(text):
+            if marks[last] == 1:
+                votes[last] += 1
+                shown[last] |= quantity in LARGE
+        elif marks[last] > 1:
+            votes[other] += 1
+        elif quantity in LARGE:
+            large[last] += 1
+        elif quantity is not None:
+            votes[last] += 1
+        else:
+            doubtful[last] = doubtful[last] or cell.strip()
+    for mark, other in (",.", ".,"):
+        votes[mark if shown[mark] else other] += large[mark]
+    if votes[","] != votes["."]:
+        return Decimals(votes[","] > votes["."])
+    comma = bool(doubtful[","]) and not doubtful["."] and delimiter != ","
+    return Decimals(comma, doubtful[","] or doubtful["."])
+
+
+def may_be_thousands(columns: Iterable[Sequence[str]], decimal_comma: bool) -> set[str]:
+    """Return the cells whose decimal mark stands where one that separates thousands would: 2.845, 2.845 rpm.
+
+    There are none in columns in which another number, such as 2845.312 or 12.5, shows that its mark is that of
+    decimals: one program writes all of them.
+    """
+    mark = "," if decimal_comma else "."
+    found = set()
+    for cell in (cell for column in columns for cell in column if mark in cell):
+        match = NUMBER.fullmatch(cell.strip())
+        text = "".join(match["number"].split()) if match else ""
+        if THOUSANDS[mark].fullmatch(text):
+            found.add(cell)
+        elif text.count(mark) == 1 and not text.startswith(mark):
+            return set()
+    return found
+
+
+def doubt(cell: str) -> str:
+    """Return the note on a number that may be read with thousands or decimals."""
+    mark = "a comma" if "," in cell else "a point"
+    return (
+        f"nothing says whether {mark} in {quoted_cell(cell)} and the like separates thousands or decimals: write such "
+        "numbers without signs for thousands, or say it in a mapping"
+    )
+
+
+def number(text: str, decimal_comma: bool) -> float:
+    """Return the number that a text stands for, with or without signs between its thousands; else a ``ValueError``."""
+    if "_" in text:
+        raise ValueError
+    text = re.sub(r"^([-+])\s", r"\1", text.strip())
+    if _APART.fullmatch(text):
+        text = re.sub(r"[\s'’ʼ]", "", text)
+    mark, group = (",", ".") if decimal_comma else (".", ",")
+    if THOUSANDS[group].fullmatch(text):
+        text = text.replace(group, "")
+    if group in text:
+        raise ValueError
+    return float(text.replace(mark, "."))
+
+
+def hand_of(text: str) -> float:
+    """Return +1 for a right hand and -1 for a left one, as people and monitors write them; else a ``ValueError``."""
+    words = text.strip().lower().replace("-handed", " handed")
+    if words not in _HANDS:
+        raise ValueError
+    return float(_HANDS[words])
+
+
+def all_numbers(cells: Sequence[str], decimal_comma: bool) -> NDArray[Any] | None:
+    """Return a column of finite numbers, as most columns of most files are, at a tenth of the usual cost; else None."""
+    import numpy as np
+
+    joined = "".join(cells)
+    if "_" in joined or (decimal_comma and "." in joined):
+        return None
+    try:
+        values = np.array([*map(float, [each.replace(",", ".") for each in cells] if decimal_comma else cells)])
+    except ValueError:
+        return None
+    return values if np.isfinite(values).all() else None
+
+
+def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[NDArray[Any], dict[int, str]]:
+    """Return the numbers ``cells`` hold, and for those that hold none, why."""
+    import numpy as np
+
+    is_hand = column.quantity == HAND
+    if not is_hand and (quick := all_numbers(cells, decimal_comma)) is not None:
+        return quick, {}
+    values = np.full(len(cells), math.nan)
+    reasons = {}
+    for row, cell in enumerate(cells):
+        text = cell.strip()
+        try:
+            values[row] = hand_of(text) if is_hand else _in_unit(text, column.unit, decimal_comma)
+            if not math.isfinite(values[row]):
+                reasons[row] = f"{column.heading}: {quoted_cell(text)} is not a finite number"
+        except ValueError:
+            told = f"{quoted_cell(text)} is not {'right or left' if is_hand else 'a number'}"
+            reasons[row] = f"{column.heading}: {told if text else 'the cell is empty'}"
+    return values, reasons
+
+
+def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
+    """Return the number of a cell, which may name a unit of its own, in the unit of its column; else ValueError."""
+    found = NUMBER.fullmatch(text)
+    if found is None or found["before"] or not found["rest"]:
+        return number(text, decimal_comma)
+    named = unit_symbol(found["rest"])
+    if named is None or unit(named).dimension != unit(symbol).dimension:
+        raise ValueError
+    value = number(found["number"], decimal_comma)
+    return value if named == symbol else from_si(to_si(value, named), symbol)
+
+
+def quoted_cell(text: str) -> str:
+    """Return a cell as an error shows it."""
+    return repr(shortened(text, 40))
+
+
+def ragged_reason(cells: Sequence[str], width: int) -> str:
+    """Return what is wrong with a row that has too few or too many cells."""
+    reason = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {width} columns"
+    if len(cells) > width:
+        beyond = cells[width : width + SHOWN]
+        reason += "; beyond them: " + ", ".join(map(quoted_cell, beyond)) + ", ..." * (len(cells) > width + SHOWN)
+    return reason

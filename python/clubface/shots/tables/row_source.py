@@ -1,0 +1,436 @@
+"""The rows of a table as texts: CSV in any encoding, and Excel workbooks.
+
+Opening the rows of a table, CSV or Excel, by what the file is and not by its name.
+
+CSV text a row at a time: every row with the line it begins at, whatever is in its cells.
+
+The encoding of a table's text: Unicode by its mark or its zero bytes, else what makes words of the other bytes.
+
+The rows of an Excel workbook (.xlsx), read as those of a CSV file are; the only module that needs openpyxl.
+"""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import datetime
+import io
+import re
+import tempfile
+import warnings
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from itertools import islice
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from clubface.errors import FileError, shortened
+from clubface.shots.tables.chunk import Reject
+from clubface.shots.tables.file_kind import START, is_workbook, refuse_no_table
+from clubface.shots.tables.writer import csv_lines
+from clubface.support.files import open_input
+
+SAMPLE = 1 << 18
+"""Bytes that decide the encoding of what is not UTF-8."""
+IN_MEMORY = 1 << 25
+"""Bytes of text transcoded to UTF-8 that are held in memory; more go to a temporary file."""
+NAMES = {
+    "cp1252": "Windows-1252", "mac_roman": "Mac Roman", "cp932": "Shift-JIS", "gb18030": "GBK", "big5": "Big5",
+    "cp949": "EUC-KR", "utf-16-le": "UTF-16", "utf-16-be": "UTF-16", "utf-32-le": "UTF-32", "utf-32-be": "UTF-32",
+}  # fmt: skip
+"""The encodings that are read besides UTF-8, as people call them."""
+FALLBACK = "cp1252"
+
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
+_LATIN = re.compile("[ÄÖÜäöüßÀÂÇÈÉÊËÎÏÔŒÙÛàâçèéêëîïôœùûÁÍÑÓÚáíñóúÅÆØåæøÃÕãõìò°º²’‘“”–—½\xa0]")
+_EVERYDAY: Mapping[str, re.Pattern[str]] = {
+    "cp932": re.compile(
+        "[ぁ-んァ-ヶー・番号球速度距離飛打出角回転数初高左右日時間名合計平均率最大総曲幅入射方向横縦残地点℃°]"
+    ),
+    "gb18030": re.compile(
+        "[球杆速度距离角铁木号日期时间总飞行高左右旋转击打出面路径效率侧后倒平均最大落点偏差向程挖起推发°]"
+    ),
+    "big5": re.compile(
+        "[球桿速度距離角鐵木號日期時間總飛行高左右旋轉擊打出面路徑效率側後倒平均最大落點偏差向程挖起推發°]"
+    ),
+    "cp949": re.compile(
+        "[볼클럽스피드거리각도비캐리발사런치스핀량축방향아이언드라버우웨지번시간날짜총최고높좌회전수백사이헤팩터샷°]"
+    ),
+    "cp1252": _LATIN,
+    "mac_roman": _LATIN,
+}
+"""Characters that tables of golf shots hold, by encoding: text of another encoding gives others.
+
+Of encodings that fit as well the first counts: what makes everyday words of two bytes each does so by no accident.
+"""
+
+
+def unicode_by_bytes(start: bytes) -> tuple[str, int]:
+    """Return the Unicode encoding of a text from its first bytes, and the length of its byte order mark.
+
+    Text without a mark is UTF-16 where every other byte of some of it is zero, as in digits and commas, and few of the
+    bytes between are; else UTF-8, which it need not be in the end.
+    """
+    for mark, encoding in _MARKS:
+        if start.startswith(mark):
+            return encoding, len(mark)
+    pairs = len(start) // 2
+    zeros = [start[0::2].count(0), start[1::2].count(0)]
+    for place, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
+        if pairs > 3 and zeros[place] > 0.1 * pairs and zeros[1 - place] < 0.25 * zeros[place]:
+            return encoding, 0
+    return "utf-8", 0
+
+
+def as_utf8(file: BinaryIO, encoding: str, path: str) -> BinaryIO:
+    """Return a file with the rest of the text of another, in UTF-8."""
+    decoder = codecs.getincrementaldecoder(encoding)()
+    text = tempfile.SpooledTemporaryFile(IN_MEMORY)  # noqa: SIM115 - it is returned open
+    try:
+        while chunk := file.read(SAMPLE):
+            text.write(decoder.decode(chunk).encode())
+        text.write(decoder.decode(b"", True).encode())
+    except (UnicodeError, OSError) as error:
+        text.close()
+        what = "is damaged" if isinstance(error, UnicodeError) else f"cannot be read: {error.strerror}"
+        raise FileError(path, None, f"this {NAMES[encoding]} text {what}; save it as CSV UTF-8") from None
+    text.seek(0)
+    return text  # pyright: ignore[reportReturnType]
+
+
+def encoding_of(text: bytes) -> str:
+    """Return the encoding, other than UTF-8, in which a text holds most characters that tables of shots hold.
+
+    It must decode the whole text, and half of the characters that are not ASCII must be such; else it is Windows-1252.
+    """
+    scores = {name: _score(text, name) for name in _EVERYDAY}
+    best = max(scores, key=lambda name: scores[name])
+    return best if scores[best] >= 0.5 else FALLBACK
+
+
+def _score(text: bytes, encoding: str) -> float:
+    """Return the part of the characters beyond ASCII that are everyday ones; -1 where the text has another encoding."""
+    try:
+        beyond = re.sub(r"[\x00-\x7f]+", "", text.decode(encoding))
+    except UnicodeDecodeError:
+        return -1.0
+    return len(_EVERYDAY[encoding].findall(beyond)) / max(len(beyond), 1)
+
+
+LONGEST_LINE = 2_000_000
+"""Bytes; a longer line is no row of a table."""
+MOST_CELLS = 2000
+"""Of a row; the widest exports have some hundred columns."""
+DECIMAL_ROWS = 200
+"""Rows that tell how numbers are written."""
+
+Row = tuple[list[str], int, str]
+"""The cells of a row, the line it begins at, and its text."""
+
+
+class CsvRows:
+    """The rows of a CSV file, with commas, semicolons, tabs or bars between cells.
+
+    Parameters
+    ----------
+    path
+        The file.
+    head_lines
+        How many lines tell the delimiter; with more than one, a first line such as ``sep=;`` names it.
+    delimiter
+        The delimiter, where it is known.
+
+    Attributes
+    ----------
+    delimiter
+        Between cells: what most of the first lines have that are not blank.
+    blank
+        Blank lines passed over so far.
+    encoding
+        What the text is instead of UTF-8, as far as it is read, as people call it; else None.
+    """
+
+    def __init__(self, path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> None:
+        self.path = str(path)
+        self.blank = 0
+        self.encoding: str | None = None
+        self._codec = ""
+        self._line = 0
+        self._file = open_input(path)
+        self._size = self._file.seek(0, io.SEEK_END)
+        try:
+            self._start(path, head_lines, delimiter)
+        except BaseException:
+            self._file.close()
+            raise
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the rows should know, as far as they are read."""
+        return (f"the file is not UTF-8: read as {self.encoding}",) if self.encoding else ()
+
+    def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
+        self._file.seek(0)
+        start = self._file.read(START)
+        refuse_no_table(path, start)
+        unicode, mark = unicode_by_bytes(start)
+        self._file.seek(mark)
+        if unicode != "utf-8":
+            with self._file as file:
+                self._file = as_utf8(file, unicode, self.path)
+            self._size = self._file.seek(0, 2)
+            self._file.seek(0)
+            self.encoding = NAMES[unicode]
+        first, head = self._first_line()
+        named = _separator(head) if head_lines > 1 else None
+        if named:
+            self._line += 1
+            first, head = self._first_line()
+        lines = [head, *(self._file.readline(LONGEST_LINE) for _ in range(head_lines - 1))]
+        self._file.seek(first)
+        self.delimiter = delimiter or named or delimiter_of([line.decode(errors="replace") for line in lines])
+        self._raw: list[str] = []
+        self._reader = csv.reader(self._decoded(self._line), delimiter=self.delimiter, strict=True)
+        self._before = self._line
+
+    def _first_line(self) -> tuple[int, bytes]:
+        """Return the next line that is not blank and where it begins."""
+        first = self._file.tell()
+        head = self._file.readline(LONGEST_LINE)
+        while head and not head.strip():
+            first = self._file.tell()
+            self._line += 1
+            head = self._file.readline(LONGEST_LINE)
+        return first, head
+
+    def progress(self) -> float:
+        """Return which part of the file has been read, 0 to 1."""
+        return min(1.0, self._file.tell() / self._size) if self._size else 1.0
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def _decoded(self, line: int) -> Iterator[str]:
+        """Yield the lines as text; what is not UTF-8 is in the encoding that makes words of it."""
+        for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
+            line += 1
+            if len(raw) >= LONGEST_LINE:
+                raise FileError(
+                    self.path, line, f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is no table"
+                )
+            try:
+                text = raw.decode()
+            except UnicodeDecodeError:
+                text = raw.decode(self._codec or self._decide_codec(raw), errors="replace")
+            self._raw.append(text)
+            self._check_row(text)
+            yield text
+
+    def _decide_codec(self, raw: bytes) -> str:
+        """Decide the encoding of a line that is not UTF-8, by it and the next lines, and return it."""
+        here = self._file.tell()
+        more = self._file.read(SAMPLE)
+        self._file.seek(here)
+        self._codec = encoding_of(raw + more[: more.rfind(b"\n") + 1])
+        self.encoding = NAMES[self._codec]
+        return self._codec
+
+    def _check_row(self, text: str) -> None:
+        """Refuse a row, as far as it is read, that no table of shots has: its cells would fill the memory."""
+        self._cells += text.count(self.delimiter)
+        self._length += len(text)
+        if self._cells >= MOST_CELLS:
+            message = f"the row that begins here has some {self._cells + 1} cells; a table has at most {MOST_CELLS}"
+        elif self._length >= LONGEST_LINE:
+            message = f"the row that begins here is longer than {LONGEST_LINE // 1_000_000} MB"
+        else:
+            return
+        raise FileError(self.path, self._begins, f"{message}: this is no table of shots")
+
+    def next(self) -> Row | Reject | None:
+        """Return the next row that is not blank and the line it begins at; one that is no CSV, all its text."""
+        while True:
+            self._begins = begins = self._before + self._reader.line_num + 1
+            self._raw.clear()
+            self._cells = self._length = 0
+            try:
+                cells = next(self._reader)
+            except StopIteration:
+                return None
+            except csv.Error as error:
+                if "new-line character" in str(error):
+                    message = "lines end with a carriage return alone; save the file with usual line ends"
+                    raise FileError(self.path, begins, message) from None
+                return Reject(begins, _explained(str(error)), ["".join(self._raw)])
+            if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # zeros fill the end of a broken file
+                text = self._raw[0] if len(self._raw) == 1 else "".join(self._raw)
+                return (
+                    Reject(begins, "zero bytes: the file is damaged", [text])
+                    if "\x00" in text
+                    else (cells, begins, text)
+                )
+            self.blank += 1
+
+
+def delimiter_of(lines: Sequence[str]) -> str:
+    """Return the delimiter that most lines have, outside quotes, and of such the one most frequent in a line.
+
+    A decimal comma may be in every row, and more than once for each delimiter, but not in the header.
+    """
+    plain = ["".join(line.split('"')[::2]) for line in lines]
+    counts = {each: [line.count(each) for line in plain] for each in ",;\t|"}
+    return max(counts, key=lambda each: (sum(map(bool, counts[each])), max(counts[each])))
+
+
+def _explained(message: str) -> str:
+    if "unexpected end of data" in message:
+        return "a quoted cell that begins here does not end"
+    return f"this is not CSV: {message}"
+
+
+def _separator(head: bytes) -> str | None:
+    """Return the delimiter that a line such as ``sep=,`` names, or None where it is no such line."""
+    text = head.decode(errors="replace").strip().strip('"')
+    return text[4] if len(text) == 5 and text.lower().startswith("sep=") and text[4] in ",;|" else None
+
+
+LARGEST, LARGEST_PART = 1_000_000_000, 100_000_000
+"""Bytes of a workbook once it is unpacked, and of each part but the sheets, which are read a row at a time."""
+SEARCHED = 200
+"""First rows of a sheet among which its table begins."""
+
+
+class WorkbookRows:
+    """The rows of the first sheet with a table, numbers as text with a decimal point. See :class:`CsvRows`.
+
+    Attributes
+    ----------
+    encoding
+        None, as for UTF-8.
+    notes
+        Which sheet is read where others hold tables too.
+    """
+
+    delimiter = ","
+    encoding: str | None = None
+
+    def __init__(self, path: Path) -> None:
+        self.path = str(path)
+        self.blank = 0
+        try:
+            from openpyxl import load_workbook
+        except ImportError:
+            message = 'an Excel workbook needs openpyxl, pip install "clubface[excel]"; or save the sheet as CSV'
+            raise FileError(self.path, None, message) from None
+        self._file = open_input(path)
+        try:
+            with zipfile.ZipFile(self._file) as archive:
+                sizes = {each.filename: each.file_size for each in archive.infolist()}
+            parts = [size for name, size in sizes.items() if not name.startswith("xl/worksheets/")]
+            if sum(sizes.values()) > LARGEST or max(parts) > LARGEST_PART:
+                message = f"this workbook has {sum(sizes.values()) // 1_000_000} MB unpacked; save the sheet as CSV"
+                raise FileError(self.path, None, message)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of styles and extensions that openpyxl passes over
+                self._book: Any = load_workbook(self._file, read_only=True, data_only=True)
+        except Exception as error:  # openpyxl raises what its XML and ZIP raise
+            self._file.close()
+            raise self._damaged(error) from None
+        try:
+            sheets = [each for each in self._book.worksheets if self._has_table(each)]
+            if not sheets:
+                raise FileError(self.path, None, "no sheet of this workbook holds a table: names above numbers")
+            self._rows = self._cells(sheets[0])
+            self._count = max(sheets[0].max_row or 1, 1)
+        except BaseException:
+            self.close()
+            raise
+        others = ", ".join(repr(shortened(each.title, 40)) for each in sheets[1:])
+        read = f"the sheet {shortened(sheets[0].title, 40)!r} was read and {others} not: save each as a file of its own"
+        self.notes: tuple[str, ...] = (read,) if others else ()
+        self._line = 0
+
+    def next(self) -> Row | Reject | None:
+        """Return the next row that is not blank, its number, and its cells as a line of CSV."""
+        for cells in self._rows:
+            self._line += 1
+            if any(cells):
+                return cells, self._line, csv_lines([cells], self.delimiter).decode()
+            self.blank += 1
+        return None
+
+    def progress(self) -> float:
+        """Return which part of the sheet has been read, 0 to 1."""
+        return min(1.0, self._line / self._count)
+
+    def close(self) -> None:
+        """Close the workbook."""
+        self._book.close()
+        self._file.close()
+
+    def _has_table(self, sheet: Any) -> bool:
+        """Tell whether a sheet begins with a row of two names or more and a number below it."""
+        named = False
+        for cells in islice(self._cells(sheet), SEARCHED):
+            words = sum(any(map(str.isalpha, each)) for each in cells)
+            if named and any(map(str.isdigit, "".join(cells))):
+                return True
+            named |= words >= 2
+        return False
+
+    def _cells(self, sheet: Any) -> Iterator[list[str]]:
+        """Yield the rows of a sheet, all as wide as its widest named row so far, without empty cells beyond it."""
+        width = 0
+        try:
+            sheet.reset_dimensions()  # programs write wrong ones
+            for row in sheet.iter_rows(values_only=True):
+                cells = [_text(each) for each in row]
+                while cells and not cells[-1]:
+                    cells.pop()
+                if len(cells) > MOST_CELLS:
+                    message = f"a row has {len(cells)} cells; a table has at most {MOST_CELLS}"
+                    raise FileError(self.path, None, message)
+                width = max(width, len(cells))
+                yield cells + [""] * (width - len(cells))
+        except FileError:
+            raise
+        except Exception as error:  # as above: sheets are read as they are gone through
+            raise self._damaged(error) from None
+
+    def _damaged(self, error: Exception) -> FileError:
+        if isinstance(error, FileError):
+            return error
+        reason = (str(error).splitlines() or [type(error).__name__])[0]
+        return FileError(self.path, None, f"this Excel workbook cannot be read: {shortened(reason, 80)}")
+
+
+def _text(value: object) -> str:
+    """Return the value of a cell as a CSV file has it."""
+    match value:
+        case None:
+            return ""
+        case bool():
+            return str(value).upper()
+        case float():
+            return f"{value:.15g}"  # 0.1 + 0.2 as Excel shows it
+        case datetime.datetime():
+            return str(value.replace(microsecond=0))
+        case _:
+            return str(value)
+
+
+RowSource = CsvRows | WorkbookRows
+"""The rows of a file, one after the other."""
+
+
+def open_rows(path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> RowSource:
+    """Open the rows of a file; the options are those of :class:`CsvRows` and hold for text."""
+    return WorkbookRows(path) if is_workbook(path) else CsvRows(path, head_lines=head_lines, delimiter=delimiter)

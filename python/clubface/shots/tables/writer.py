@@ -1,0 +1,135 @@
+"""Launches and other tables to CSV and Parquet files."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import shutil
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
+
+from clubface.errors import LINES, FileError, legible
+from clubface.shots.tables.chunk import GONE, Chunk, Reader, Reject
+from clubface.shots.tables.parquet import ENDINGS as PARQUET, write_parquet
+from clubface.support.files import whole_file
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+KINDS = (".csv", ".tsv", *PARQUET)
+"""How the name of a table may end."""
+DIGITS = 9
+"""Significant digits in a CSV file, far below the error of any model."""
+
+
+class Form(Protocol):
+    """How launches are written: a chunk at a time to files of their own, which are put together in the end."""
+
+    def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+        """Write some rows of a chunk (None: all), each followed by its results."""
+        ...
+
+    def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
+        """Write the file of all pieces."""
+        ...
+
+
+class CsvForm:
+    """Launches written as CSV, cells and decimals as in the file they come from. See :class:`Form`."""
+
+    def __init__(self, headings: Sequence[str], reader: Reader) -> None:
+        self._headings = headings
+        self._comma = reader.decimal_comma
+        self._delimiter = reader.delimiter
+
+    def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
+        """Write some rows of a chunk (None: all), each followed by its results."""
+        cell = f'"%.{DIGITS}g"' if self._comma and self._delimiter == "," else f"%.{DIGITS}g"
+        form = self._delimiter.join([cell] * len(results)) + "\n"
+        found = [form % row for row in zip(*(each.tolist() for each in results), strict=True)]
+        if self._comma:
+            found = [text.replace(".", ",") for text in found]
+        rows_written = chunk.written(rows, self._delimiter)
+        lines = (f"{text}{self._delimiter}{more}" for text, more in zip(rows_written, found, strict=True))
+        file.write(legible("".join(lines), LINES).encode())
+
+    def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
+        """Write the headings and all pieces."""
+        file.write(csv_lines([self._headings], self._delimiter))
+        put_together(file, pieces)
+
+
+class RejectsForm:
+    """The rows that cannot be used, each with its line and the reason."""
+
+    def __init__(self, headings: Sequence[str], reader: Reader) -> None:
+        self._headings = [reader.counts, "reason", *headings]
+        self._delimiter = reader.delimiter
+
+    def piece(self, file: BinaryIO, rejects: Iterable[Reject]) -> None:
+        """Write rows with line and reason."""
+        file.write(csv_lines([[each.line, each.reason, *each.cells] for each in rejects], self._delimiter))
+
+    def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
+        """Write the headings and all pieces."""
+        file.write(csv_lines([self._headings], self._delimiter))
+        put_together(file, pieces)
+
+
+def put_together(file: BinaryIO, pieces: Iterable[Path]) -> None:
+    """Write the content of some files one after the other."""
+    for path in pieces:
+        try:
+            piece = path.open("rb")
+        except OSError:
+            raise FileError(str(path), None, GONE) from None
+        with piece:
+            shutil.copyfileobj(piece, file)
+
+
+def csv_lines(rows: Iterable[Sequence[Any]], delimiter: str) -> bytes:
+    """Return rows of cells as lines of a CSV file."""
+    text = io.StringIO()
+    csv.writer(text, delimiter=delimiter, lineterminator="\n").writerows(rows)
+    return legible(text.getvalue(), LINES).encode()
+
+
+def delimiter_of(path: Path) -> str:
+    """Return what parts the cells of a text file: a tab in .tsv, else a comma."""
+    return "\t" if path.suffix.lower() == ".tsv" else ","
+
+
+def number_cells(values: NDArray[Any]) -> list[str]:
+    """Return numbers as cells with ``DIGITS`` significant digits, NaN as empty ones."""
+    return ["" if value != value else f"{value:.{DIGITS}g}" for value in values.tolist()]
+
+
+def is_parquet(path: Path) -> bool:
+    """Tell from the ending whether to write Parquet or CSV; another ending is an error."""
+    if path.suffix.lower() not in KINDS:
+        raise FileError(str(path), None, f"the name must end in {' or '.join(KINDS)}")
+    return path.suffix.lower() in PARQUET
+
+
+def write_columns(columns: Mapping[str, Any], path: Path) -> None:
+    """Write a whole table to a CSV or Parquet file, by its ending, which has its name only once it is complete.
+
+    Numbers that are NaN become empty cells; there are no others.
+    """
+    parquet = is_parquet(path)
+    with whole_file(path) as file:
+        if parquet:
+            write_parquet(columns, file, path)
+        else:
+            rows = zip(*(map(cell_text, each) for each in columns.values()), strict=True)
+            file.write(csv_lines([list(columns), *rows], delimiter_of(path)))
+
+
+def cell_text(value: Any) -> str:
+    """Return a text or a number as a cell has it, NaN as an empty one."""
+    if isinstance(value, str):
+        return value
+    return "" if math.isnan(value) else repr(float(value))

@@ -1,0 +1,520 @@
+"""Files: inputs read once and recorded, outputs written whole or not at all, and data that come with the package.
+
+Files that a computation reads: each is read once, where it is first needed, and recorded with its fingerprint.
+
+Every file of a person (clubs, balls, heads, meshes, parameters, golfers, mappings, shots, studies, recordings) is
+opened here and nowhere else. While a :class:`InputRecord` is active, it keeps what was read: a file that is edited
+meanwhile changes nothing, and what a result was computed from is known exactly, without any look at the texts of files.
+A worker is given what its command has read, and reads nothing else.
+
+Files written whole or not at all: under another name until all of it is on the disk, then renamed.
+
+Folders for results.
+
+The files of data that come with the package: where they lie and what they are called.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import stat
+import tempfile
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from functools import wraps
+from pathlib import Path
+from typing import BinaryIO, NamedTuple, ParamSpec, TextIO, TypeVar
+
+from clubface.errors import LINES, FileError, legible
+from clubface.support.checks import check_choice
+
+
+def prepared_folder(folder: str | os.PathLike[str]) -> Path:
+    """Make the folder; one that cannot be made is told before any work is done."""
+    path = Path(folder)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise FileError(str(path), None, "this is a file; give the name of a folder") from None
+    if not os.access(path, os.W_OK):
+        raise FileError(str(path), None, "this folder cannot be written to")
+    return path
+
+
+DATA = Path(__file__).parent.parent / "data"
+
+
+def builtin_names(folder: str) -> tuple[str, ...]:
+    """List the names of the descriptions shipped in ``data/<folder>``, in alphabetical order."""
+    return tuple(sorted(path.stem for path in (DATA / folder).glob("*.toml")))
+
+
+def builtin_path(what: str, name: object, folder: str, known: Iterable[str] | None = None) -> Path:
+    """Return the file of the description in ``data/<folder>`` that is called ``name``; ``what`` it is, for errors."""
+    names = tuple(known or builtin_names(folder))
+    check_choice(what, name, names)
+    return DATA / folder / f"{name}.toml"
+
+
+def is_path(which: object) -> bool:
+    """Tell a path from the name of a built-in."""
+    return isinstance(which, os.PathLike) or (
+        isinstance(which, str) and (which.endswith(".toml") or "/" in which or os.sep in which)
+    )
+
+
+def beside(which: str, folder: Path) -> str | Path:
+    """Return a name as it is, and a path that a file names as it is from the folder of that file."""
+    return folder / which if is_path(which) else which
+
+
+def path_of(what: str, which: str | os.PathLike[str], folder: str) -> str | os.PathLike[str]:
+    """Return the path that is meant by itself, or by the name of a description in ``data/<folder>``."""
+    return which if is_path(which) else builtin_path(what, which, folder)
+
+
+P = ParamSpec("P")
+R = TypeVar("R")
+LARGEST_KEPT = 32_000_000
+"""Bytes. The content of a larger file, such as a table of a million shots, is not kept: it is read as it goes, and
+refused if it changes meanwhile."""
+MOST_KEPT = 256_000_000
+"""Bytes of all contents that a computation keeps; further files are read as large ones are."""
+PIECE = 1_000_000
+"""Bytes read at a time."""
+CHANGED = "this file was changed while it was read; start again"
+NOT_A_FILE = "a pipe cannot be read twice, and a device has no end; save it as a file first"
+
+
+class InputFile(NamedTuple):
+    """A file that was read.
+
+    Attributes
+    ----------
+    path
+        Where it was looked for: as it was typed, or from the folder of the file that names it.
+    place
+        Where it lies, without links: the same for all paths to one file.
+    size
+        Its bytes.
+    sha256
+        Their fingerprint.
+    shipped
+        Whether it came with the package, whose version says what it holds.
+    content
+        The bytes; None of a file that is larger than ``LARGEST_KEPT``, or that came after ``MOST_KEPT``.
+    """
+
+    path: str
+    place: str
+    size: int
+    sha256: str
+    shipped: bool
+    content: bytes | None
+
+
+class InputRecord:
+    """The files that a computation reads, each as it was when it was first read.
+
+    While it is active, :func:`read_input` and :func:`open_input` serve what it holds, and add what it does not. One
+    that is made while another is active shares its files, and adds to both.
+
+    Parameters
+    ----------
+    given
+        Files by the path under which they are asked for. With them the record is closed: nothing else is read, except
+        what came with the package.
+    """
+
+    def __init__(self, given: Mapping[str, InputFile] | None = None) -> None:
+        self._files = dict(given or {})
+        self._closed = given is not None
+        self._around = None if self._closed else _ACTIVE.get()
+        self._lock = threading.RLock()
+
+    @property
+    def files(self) -> tuple[InputFile, ...]:
+        """The files in the order in which they were read, each once, whatever it was called."""
+        found: dict[str, InputFile] = {}
+        with self._lock:
+            for each in self._files.values():
+                found.setdefault(each.place, each)
+        return tuple(found.values())
+
+    def add(self, files: Iterable[InputFile]) -> None:
+        """Add files that were read before."""
+        with self._lock:
+            for each in files:
+                self._files.setdefault(absolute(each.path), each)
+
+    def by_path(self) -> dict[str, InputFile]:
+        """Return the files by the path under which they were asked for, those that came with the package left out."""
+        with self._lock:
+            return {path: each for path, each in self._files.items() if not each.shipped}
+
+    def close(self) -> None:
+        """Read nothing more from now on: what was loaded at the start is all that a computation depends on."""
+        self._closed = True
+
+    @contextmanager
+    def active(self) -> Iterator[InputRecord]:
+        """Serve and record what is read within the block, on this thread and those that inherit its context."""
+        before = _ACTIVE.set(self)
+        try:
+            yield self
+        finally:
+            _ACTIVE.reset(before)
+
+    def file(self, path: str, most: int) -> InputFile:
+        """Return a file as it was first read; ``most`` are the bytes that it may have."""
+        key = absolute(path)
+        with self._lock:
+            if (found := self._files.get(key)) is None:
+                if self._closed and not _is_shipped(place_of(path)):
+                    raise FileError(path, None, "this file was not there, or not named, when the computation began")
+                found = _load(path, most) if self._around is None else self._around.file(path, most)
+                if sum(len(each.content or b"") for each in self._files.values()) > MOST_KEPT:
+                    found = found._replace(content=None)
+                same = next((each for each in self._files.values() if each.place == found.place), None)
+                self._files[key] = found if same is None else same._replace(path=path)
+        return found._replace(path=path)
+
+
+_ACTIVE: ContextVar[InputRecord | None] = ContextVar("input_record", default=None)
+
+
+def recorded(compute: Callable[P, R]) -> Callable[P, R]:
+    """Let a computation read each of its files once, however many of its parts ask for it."""
+
+    @wraps(compute)
+    def wrapped(*args: P.args, **options: P.kwargs) -> R:
+        with InputRecord().active():
+            return compute(*args, **options)
+
+    return wrapped
+
+
+def count_as_read(files: Iterable[InputFile]) -> None:
+    """Record files that an earlier run has read, whose results are those of the computation that is running."""
+    if (record := _ACTIVE.get()) is not None:
+        record.add(files)
+
+
+def recorded_files() -> tuple[InputFile, ...]:
+    """Return what the computation that is running has read so far; nothing where nothing is recorded."""
+    record = _ACTIVE.get()
+    return () if record is None else record.files
+
+
+def input_file(path: str | os.PathLike[str], *, most: int | None = None) -> InputFile:
+    """Return a file with its fingerprint, read now or, in a computation that has read it, as it was then.
+
+    Parameters
+    ----------
+    path
+        The file.
+    most
+        The bytes that it may have at most; any number unless given.
+
+    Raises
+    ------
+    FileError
+        It is not there, no file, too large, or may not be read.
+    """
+    name = os.fspath(path)
+    record = _ACTIVE.get()
+    limit = most if most is not None else 2**63
+    found = _load(name, limit) if record is None else record.file(name, limit)
+    if found.size > limit:
+        raise _too_large(name, limit)
+    return found
+
+
+def read_input(path: str | os.PathLike[str], *, most: int | None = None) -> bytes:
+    """Return the bytes of a file, as of :func:`input_file`."""
+    found = input_file(path, most=most)
+    if found.content is not None:
+        return found.content
+    with open_input(path) as file:
+        return file.read()
+
+
+def open_input(path: str | os.PathLike[str]) -> BinaryIO:
+    """Open a file for reading, as of :func:`input_file`; a large one is refused once it changes while it is read."""
+    found = input_file(path)
+    if found.content is not None:
+        return io.BytesIO(found.content)
+    raw = _Unchanging(found.path)
+    if _sum_of(raw) != found.sha256:
+        raise FileError(found.path, None, CHANGED)
+    raw.seek(0)
+    return io.BufferedReader(raw, PIECE)
+
+
+@contextmanager
+def as_local_file(path: str | os.PathLike[str]) -> Iterator[str]:
+    """Yield the name of a file with the bytes of :func:`read_input`, for libraries that open files themselves."""
+    content = read_input(path)
+    with tempfile.TemporaryDirectory(prefix="clubface-") as folder:
+        name = os.path.join(folder, os.path.basename(path))
+        Path(name).write_bytes(content)
+        yield name
+
+
+def short_names(paths: Sequence[str]) -> list[str]:
+    """Return the names of files without their folders, but for those that tell files of one name apart.
+
+    Of ``a/anna.toml``, ``b/anna.toml`` and ``a/my.toml`` these are ``a/anna.toml``, ``b/anna.toml`` and ``my.toml``.
+    """
+    parts = [Path(each).parts for each in paths]
+    names = []
+    for each in parts:
+        others = [other for other in parts if other != each]
+        length = 1
+        while length < len(each) and any(other[-length:] == each[-length:] for other in others):
+            length += 1
+        names.append("/".join(each[-length:]))
+    return names
+
+
+def absolute(path: str | os.PathLike[str]) -> str:
+    """Return a path from the root, links in it as they stand."""
+    return os.fspath(Path.cwd() / path)
+
+
+def same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:
+    """Return whether two paths lead to the same file, whether or not it is there."""
+    return place_of(one) == place_of(other)
+
+
+def place_of(path: str | os.PathLike[str]) -> str:
+    """Return where a file lies, or would lie, without links."""
+    try:
+        return os.path.realpath(path)
+    except (OSError, ValueError):  # no file can have the name
+        return absolute(path)
+
+
+def _is_shipped(place: str) -> bool:
+    return place.startswith(_SHIPPED)
+
+
+_SHIPPED = os.path.join(os.path.realpath(DATA), "")
+
+
+def _load(name: str, most: int) -> InputFile:
+    """Read a file; what is no file is refused before it can keep anyone waiting."""
+    with _Unchanging(name) as file:
+        if file.size > most:
+            raise _too_large(name, most)
+        content = None
+        try:
+            if file.size > LARGEST_KEPT:
+                sum_ = _sum_of(file)
+            else:
+                content = _whole(file, min(most, LARGEST_KEPT))
+                sum_ = hashlib.sha256(content).hexdigest()
+        except OSError as error:
+            raise unreadable(name, error) from None
+    place = place_of(name)
+    size = file.size if content is None else len(content)
+    return InputFile(name, place, size, sum_, _is_shipped(place), content)
+
+
+def unreadable(name: str, error: Exception) -> FileError:
+    """Return what to tell where the system refuses to read a file."""
+    reason = getattr(error, "strerror", None) or str(error)
+    if isinstance(error, IsADirectoryError):
+        reason = "this is a folder"
+    elif "\0" in name:
+        reason = "no name of a file has the character \\u0000"
+    return FileError(name, None, f"cannot be read: {reason}")
+
+
+def _too_large(name: str, most: int) -> FileError:
+    return FileError(name, None, f"this file is larger than {most // 1000} kB; it cannot be the right one")
+
+
+def _whole(file: _Unchanging, most: int) -> bytes:
+    """Return the bytes of a file; one without an end, such as some of the system's, is refused."""
+    found = file.read(min(file.size, most) + 1)  # at once, so that it is in the memory once
+    while len(found) <= most and (piece := file.read(PIECE)):
+        found += piece
+    if len(found) > most:
+        raise _too_large(str(file.name), most)
+    return found
+
+
+def _sum_of(file: _Unchanging) -> str:
+    made = hashlib.sha256()
+    while piece := file.read(PIECE):
+        made.update(piece)
+    return made.hexdigest()
+
+
+class _Unchanging(io.FileIO):
+    """A file that is read as it was when it was opened, and refused if it changes meanwhile."""
+
+    def __init__(self, path: str) -> None:
+        self._path = path
+        try:
+            super().__init__(path, "rb", opener=_open_without_waiting)
+            state = os.fstat(self.fileno())
+        except (OSError, ValueError) as error:
+            raise unreadable(path, error) from None
+        if not stat.S_ISREG(state.st_mode):
+            self.close()
+            raise FileError(path, None, f"cannot be read: {NOT_A_FILE}")
+        self.size = state.st_size
+        self._state = (state.st_size, state.st_mtime_ns)
+
+    def readinto(self, buffer: bytearray | memoryview, /) -> int | None:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """Read on."""
+        return self._checked(super().readinto(buffer))
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        """Read on."""
+        return self._checked(super().read(-1 if size is None else size)) or b""
+
+    def readall(self) -> bytes:
+        """Read to the end."""
+        return self._checked(super().readall()) or b""
+
+    def _checked(self, result: R) -> R:
+        """Return what was read of a file that is still as it was."""
+        state = os.fstat(self.fileno())
+        if (state.st_size, state.st_mtime_ns) != self._state:
+            raise FileError(self._path, None, CHANGED)
+        return result
+
+
+def _open_without_waiting(path: str, flags: int) -> int:
+    """Open a file: a pipe into which nobody writes would otherwise keep anyone waiting who opens it."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def given_files(files: Iterable[tuple[str, str, int]], contents: Path) -> dict[str, InputFile]:
+    """Return files by path for a closed record: path, fingerprint and size of each, and the folder of their contents.
+
+    One whose content is not there is read in its place, if it is still the same.
+
+    Raises
+    ------
+    FileError
+        A content is damaged.
+    """
+    found = {}
+    for path, sum_, size in files:
+        content = None
+        if (kept := contents / sum_).exists():
+            content = _load(str(kept), LARGEST_KEPT).content
+            if content is None or hashlib.sha256(content).hexdigest() != sum_:
+                raise FileError(str(kept), None, "this copy of an input is damaged; remove it and start again")
+        found[path] = InputFile(path, os.path.realpath(path), size, sum_, False, content)
+    return found
+
+
+Name = str | os.PathLike[str]
+
+
+def unwritable(path: Name, error: OSError) -> FileError:
+    """Return what to tell where the system refuses to write a file."""
+    if isinstance(error, FileExistsError):
+        return FileError(os.fspath(path), None, "this file exists already; it is left as it is")
+    return FileError(os.fspath(path), None, f"cannot be written: {error.strerror or error}")
+
+
+@contextmanager
+def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> Iterator[BinaryIO]:
+    """Open a file to write, which takes the place of ``path`` once the block is left and all is on the disk.
+
+    If the block raises, or the disk is full, what stood under the name before stands there still. Libraries that want a
+    path are given the ``name`` of the file that is yielded.
+
+    Parameters
+    ----------
+    path
+        The name in the end. A link is followed; a device or a pipe is refused.
+    folder
+        Where the file lies until then, on the same disk: beside ``path`` unless given.
+    new
+        Whether a file that has the name already is an error.
+
+    Raises
+    ------
+    FileError
+        The system refused to write, or the file is an input of the computation that writes it.
+    """
+    target = Path(os.path.realpath(path))
+    if os.fspath(target) in {each.place for each in recorded_files()}:
+        raise FileError(os.fspath(path), None, "this must be another file than those that are read")
+    try:
+        mode = _mode_of(target, new)
+        fresh = (folder or target.parent) / f".{target.stem[:100]}-{os.urandom(6).hex()}{target.suffix}"
+        file = open(fresh, "x+b")  # noqa: SIM115, it is closed below
+    except OSError as error:
+        raise unwritable(path, error) from None
+    try:
+        with file:
+            yield file
+            file.flush()
+            if mode is not None:
+                os.chmod(fresh, mode)
+            os.fsync(file.fileno())
+        if new:
+            os.link(fresh, target)
+            os.unlink(fresh)
+        else:
+            os.replace(fresh, target)
+        synced(target.parent)
+    except BaseException as error:
+        with suppress(OSError):
+            os.unlink(fresh)
+        if isinstance(error, OSError):
+            raise unwritable(path, error) from None
+        raise
+
+
+@contextmanager
+def whole_text(path: Name) -> Iterator[TextIO]:
+    """Open a file for text in UTF-8; line ends are written as they are given. See :func:`whole_file`."""
+    with whole_file(path) as file:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
+        yield text
+        text.detach()
+
+
+def write_text(path: Name, text: str, *, encoding: str = "utf-8", new: bool = False) -> Path:
+    """Write a file of text, whole or not at all; return its path. What no page or table should get, is escaped."""
+    with whole_file(path, new=new) as file:
+        file.write(legible(text, LINES).encode(encoding))
+    return Path(path)
+
+
+def synced(folder: Path) -> None:
+    """Bring the names in a folder to the disk, where the system can."""
+    with suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def _mode_of(target: Path, new: bool) -> int | None:
+    """Return the rights of the file that is there, None where there is none; refuse what is no file to replace."""
+    try:
+        found = target.stat()
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(found.st_mode):
+        raise FileError(str(target), None, "this is a folder; give the name of a file")
+    if not stat.S_ISREG(found.st_mode):
+        raise FileError(str(target), None, "this is a device or a pipe; give the name of a file")
+    if new:
+        raise FileExistsError
+    return stat.S_IMODE(found.st_mode)

@@ -1,0 +1,233 @@
+"""Processes of their own for libraries that can crash; how much memory and how many processors there are.
+
+Functions of libraries that damaged files can crash, called in a process of their own, within limits.
+
+A crash, endless work or a request for all memory then ends that process and is one error here. It stays for further
+calls, so that the first alone waits for it to start, a tenth of a second; another takes its place after a crash.
+
+How much memory there is, so that a request too large for it is refused before anything is allocated.
+
+How many processors there are to use, and what of them may change the last bits of a result.
+"""
+
+from __future__ import annotations
+
+import atexit
+import os
+import pickle
+import platform
+import signal
+import struct
+import subprocess
+import sys
+import threading
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from clubface.errors import InputError
+
+SCRIPT = Path(__file__).with_name("isolated_script.py")
+LEAST_MEMORY = 2 * 2**30
+"""Bytes that a library may ask for beside what a file needs: it, Python and NumPy are among them."""
+LEAST_TIME = 30.0
+"""Seconds that it may take for the smallest file; a whole session is read in a few."""
+
+
+class IsolatedError(Exception):
+    """A call in an isolated process that came to nothing: its text says why there is no result."""
+
+
+class IsolatedProcess:
+    """A process that calls the functions of one file, one at a time.
+
+    Parameters
+    ----------
+    file
+        A Python file that imports nothing of clubface, so that the process starts fast.
+    """
+
+    def __init__(self, file: Path) -> None:
+        self._file = file
+        self._lock = threading.Lock()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._owner = 0
+
+    def call(self, function: str, *arguments: Any, memory: int = 0, seconds: float = 0.0) -> Any:
+        """Return what a function returns.
+
+        Parameters
+        ----------
+        function, *arguments
+            Its name, and what can be pickled.
+        memory, seconds
+            What it may take beyond ``LEAST_MEMORY`` [bytes] and ``LEAST_TIME`` [s].
+
+        Raises
+        ------
+        IsolatedError
+            The function raised an error, or its process crashed, ran out of memory or took too long.
+        ModuleNotFoundError
+            A library is not installed.
+        """
+        if self._owner != os.getpid():  # the process belongs to the one that this was forked from, and so may the lock
+            self._lock, self._process, self._owner = threading.Lock(), None, os.getpid()
+        with self._lock:
+            try:
+                kind, found = self._answer((str(self._file), function, arguments, LEAST_MEMORY + memory), seconds)
+            except BaseException:
+                self._end()  # an answer that was not waited for would be taken for that of the next call
+                raise
+        if kind == "missing":
+            raise ModuleNotFoundError(f"No module named {found!r}", name=found)
+        if kind == "error":
+            raise IsolatedError(found)
+        return found
+
+    def _answer(self, request: Any, seconds: float) -> tuple[str, Any]:
+        process = self._started()
+        assert process.stdin is not None
+        assert process.stdout is not None
+        limit = LEAST_TIME + seconds
+        late = threading.Event()
+
+        def stop() -> None:
+            late.set()
+            process.kill()
+
+        timer = threading.Timer(limit, stop)
+        timer.daemon = True
+        timer.start()
+        try:
+            told = pickle.dumps(request)
+            process.stdin.write(struct.pack("<Q", len(told)) + told)
+            process.stdin.flush()
+            size = struct.unpack("<Q", process.stdout.read(8))[0]
+            answer = process.stdout.read(size)
+            return pickle.loads(answer)
+        except (OSError, struct.error, EOFError, pickle.UnpicklingError):
+            if late.is_set():
+                raise IsolatedError(f"it takes longer than {limit:.0f} s") from None
+            raise IsolatedError(f"the library that reads it {_ended(process)}") from None
+        finally:
+            timer.cancel()
+
+    def _started(self) -> subprocess.Popen[bytes]:
+        if self._process is None or self._process.poll() is not None:
+            self._process = subprocess.Popen(
+                [sys.executable, "-P", str(SCRIPT)],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"},
+                start_new_session=True,  # Ctrl-C is for the caller, which then ends it
+            )
+            atexit.register(self._end)
+        return self._process
+
+    def _end(self) -> None:
+        process, self._process = self._process, None
+        if process is not None and self._owner == os.getpid():
+            process.kill()
+            for stream in (process.stdin, process.stdout):
+                if stream is not None:
+                    with suppress(OSError):
+                        stream.close()
+            process.wait()
+
+
+def _ended(process: subprocess.Popen[bytes]) -> str:
+    """Say how a process ended."""
+    status = process.wait()
+    if status >= 0:
+        return f"ended with status {status}"
+    with suppress(ValueError):
+        return f"crashed ({signal.Signals(-status).name})"
+    return f"crashed (signal {-status})"
+
+
+UNKNOWN = 4 * 2**30
+"""Bytes assumed where the system does not say."""
+
+SHARE = 0.5
+"""Part of the free memory one request may take: tables made of the result need room as well."""
+
+FAILED = 400
+"""Bytes that say why one shot has no result: its row, the parameter at fault and a sentence."""
+_SMALL = 64 * 2**20
+"""Bytes nobody needs to ask for."""
+
+
+def available_memory() -> int:
+    """Return the bytes that can still be allocated, by the limits of system, container and process."""
+    limits = [_of_system(), *_of_container()]
+    return max(0, min(limits))
+
+
+def check_request(shots: int, bytes_a_shot: int) -> None:
+    """Refuse ``shots`` that would need more than ``SHARE`` of the free memory."""
+    needed = shots * bytes_a_shot
+    if needed <= _SMALL:
+        return
+    allowed = int(SHARE * available_memory())
+    if needed > allowed:
+        fit = allowed // bytes_a_shot
+        raise InputError(
+            "the number of shots",
+            shots,
+            f"at most {fit} with the memory free here ({needed / 1e9:.1f} GB needed): compute it in pieces, or from"
+            " a file of any length with clubface.predict",
+        )
+
+
+def _of_system() -> int:
+    try:
+        for line in Path("/proc/meminfo").read_text().splitlines():
+            if line.startswith("MemAvailable:"):
+                return int(line.split()[1]) * 1024
+    except (OSError, ValueError, IndexError):
+        pass
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2
+    except (AttributeError, OSError, ValueError):
+        return UNKNOWN
+
+
+def _of_container() -> list[int]:
+    root = Path("/sys/fs/cgroup")
+    found = []
+    for limit, used in (
+        (root / "memory.max", root / "memory.current"),
+        (root / "memory" / "memory.limit_in_bytes", root / "memory" / "memory.usage_in_bytes"),
+    ):
+        try:
+            found.append(int(limit.read_text()) - int(used.read_text()))
+        except (OSError, ValueError):
+            continue
+    return found
+
+
+def processors() -> int:
+    """Return how many processors this process may use, which a job of a cluster is told in this way."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not Linux
+        return os.cpu_count() or 1
+
+
+@cache
+def vector_units() -> str:
+    """Return the kind of processor, with the widest vectors that finite elements use on it, as in "x86_64 avx2"."""
+    machine = platform.machine() or "unknown"
+    flags: set[str] = set()
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("flags"):
+                flags = set(line.partition(":")[2].split())
+                break
+    except OSError:
+        return machine  # not Linux
+    if {"avx512f", "avx512dq"} <= flags:
+        return f"{machine} avx512"
+    return f"{machine} avx2" if {"avx2", "fma"} <= flags else machine

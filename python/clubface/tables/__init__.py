@@ -1,1 +1,0 @@
-"""Tables in CSV and Parquet: headings, rows and cells, read and written a chunk at a time."""

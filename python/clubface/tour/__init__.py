@@ -1,1 +1,0 @@
-"""The published averages of the tours, set beside every model."""

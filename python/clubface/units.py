@@ -1,0 +1,435 @@
+"""The only conversions of the package: text with a unit to SI and radians, and back.
+
+Inside, everything is SI; a person writes ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The units are a
+plain table, which costs nothing at start-up. Each factor is a fraction: ``"204 g"`` is ``0.204`` to the last bit.
+
+The table of units, and the unit that people read each quantity in.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from clubface.errors import InputError, Told, UnitError, nearest_names
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from numpy.typing import NDArray
+
+
+DIMENSIONLESS = "dimensionless"
+
+
+class Unit(NamedTuple):
+    """One unit: SI value = value * numerator / denominator + offset."""
+
+    symbol: str
+    dimension: str
+    numerator: float
+    denominator: float
+    offset: float
+
+
+def _units() -> dict[str, Unit]:
+    units: dict[str, Unit] = {}
+
+    def add(dimension: str, spellings: str, numerator: float = 1.0, denominator: float = 1.0, offset: float = 0.0):
+        names = spellings.split(",")
+        unit = Unit(names[0], dimension, numerator, denominator, offset)
+        for name in names:
+            units[key(name)] = unit
+
+    add("speed", "m/s,mps,m_s")
+    add("speed", "mph,mi/h,MPH", 44704.0, 1e5)
+    add("speed", "km/h,kmh,kph,km_h", 10.0, 36.0)
+    add("speed", "ft/s,fps,ft_s", 3048.0, 1e4)
+    add("angle", "rad,radians")
+    add("angle", "deg,degrees,degree,°", math.pi, 180.0)
+    add("length", "m,metres,meters")
+    add("length", "mm", 1.0, 1e3)
+    add("length", "cm", 1.0, 1e2)
+    add("length", "in,inch,inches", 254.0, 1e4)
+    add("length", "yd,yard,yards,yds", 9144.0, 1e4)
+    add("length", "ft,feet,foot", 3048.0, 1e4)
+    add("area", "m2")
+    add("area", "cm2", 1.0, 1e4)
+    add("area", "mm2", 1.0, 1e6)
+    add("volume", "m3")
+    add("volume", "cm3,cc,ml", 1.0, 1e6)
+    add("mass", "kg")
+    add("mass", "g,grams,gram", 1.0, 1e3)
+    add("mass", "oz", 28349523125.0, 1e12)
+    add("inertia", "kg m2")
+    add("inertia", "g cm2", 1.0, 1e7)
+    add("angular rate", "rad/s,radps,rad_s")
+    add("angular rate", "deg/s,degps,deg_s,°/s", math.pi, 180.0)
+    add("angular rate", "rpm,rev/min,RPM", math.pi, 30.0)
+    add("temperature", "K,kelvin")
+    add("temperature", "degC,C,°C,degc,celsius", offset=273.15)
+    add("temperature", "degF,F,°F,degf,fahrenheit", 5.0, 9.0, 273.15 - 160.0 / 9.0)
+    add("pressure", "Pa,pa")
+    add("pressure", "hPa,mbar,hpa", 100.0)
+    add("pressure", "kPa,kpa", 1e3)
+    add("pressure", "MPa,N/mm2", 1e6)
+    add("pressure", "GPa", 1e9)
+    add("pressure", "inHg,inhg", 3386.389)
+    add("time", "s,seconds,sec")
+    add("time", "ms", 1.0, 1e3)
+    add("time", "us,µs,μs", 1.0, 1e6)
+    add("force", "N,n")
+    add("force", "kN,kn", 1e3)
+    add("energy", "J")
+    add("density", "kg/m3,kg_m3")
+    add("density", "g/cm3,g_cm3", 1e3)
+    add("volumetric stiffness", "N/m3")
+    add("inverse speed", "s/m")
+    add("inverse speed", "ms/m", 1.0, 1e3)
+    add("rotary stiffness", "N m/rad,N m")
+    add("rotary damping", "N m s/rad,N m s")
+    add("area damping", "N s/m2,Pa s")
+    add(DIMENSIONLESS, "1,-")
+    add(DIMENSIONLESS, "%,percent,pct", 1.0, 1e2)
+    return units
+
+
+_SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "^": None, "*": None, "·": None, "⋅": None, " ": None, "\t": None})
+
+
+def key(spelling: str) -> str:
+    """Return one spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
+    return spelling.translate(_SUPERSCRIPTS)
+
+
+UNITS = _units()
+
+SI_UNITS: dict[str, str] = {
+    unit.dimension: unit.symbol
+    for unit in reversed(UNITS.values())
+    if unit.numerator == unit.denominator and not unit.offset
+}
+"""The SI unit of each dimension."""
+
+DISPLAY_UNITS = {
+    "angle": "deg",
+    "angular rate": "rpm",
+    "inertia": "g cm2",
+    "mass": "g",
+    "temperature": "degC",
+    "pressure": "hPa",
+}
+DISPLAY_UNITS_BY_NAME = {
+    "closure": "deg/s", "pitch_rate": "deg/s", "lie_rate": "deg/s",
+    "ball_backspin": "rpm", "ball_sidespin": "rpm", "ball_riflespin": "rpm",
+    "toe": "mm", "high": "mm", "bulge": "mm", "roll": "mm", "face_width": "mm", "face_height": "mm",
+    "cg_x": "mm", "cg_y": "mm", "cg_z": "mm", "dcg_x": "mm", "dcg_y": "mm", "dcg_z": "mm",
+    "ball_radius": "mm", "radius": "mm", "cover_thickness": "mm", "penetration": "mm",
+    "contact_area": "mm2", "area": "mm2", "face_area": "mm2", "stress": "MPa",
+    "contact_time": "us", "characteristic_time": "us", "included_time": "us", "peak_force": "kN",
+    "shear_modulus": "MPa", "ring_modulus": "MPa", "humidity": "%",
+}  # fmt: skip
+OF_A_HEAD = ("shape_", "thickness_", "target_", "grooves_"), ("_toe", "_high")
+"""How names begin and end of lengths of a head, which people read in millimetres."""
+
+
+MOST_DIMENSIONS = 32
+"""Of an array, as the core takes it."""
+
+
+def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
+    """Return the unit written ``symbol``, of ``dimension`` where one is given; else a :class:`UnitError`."""
+    if not isinstance(symbol, str):
+        raise UnitError(name, symbol, "text, such as " + symbols(dimension)[0])
+    return _unit(symbol, dimension, name, symbol)
+
+
+@lru_cache(maxsize=256)
+def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
+    """Return the unit written ``symbol``, with which ``value`` was given for the quantity called ``name``."""
+    found = UNITS.get(key(symbol)) if symbol.strip() else UNITS["1"]
+    if found is not None and dimension in (None, found.dimension):
+        return found
+    allowed = symbols(dimension)
+    told = f"in {' or '.join(allowed)}"
+    if found is not None:
+        raise UnitError(name, value, f"{told}, not {'an' if found.dimension[0] in 'aei' else 'a'} {found.dimension}")
+    near = nearest_names(symbol, allowed)
+    raise UnitError(name, value, told + (f" (did you mean {' or '.join(near)}?)" if near else ""))
+
+
+def symbols(dimension: str | None = None) -> tuple[str, ...]:
+    """List the units of one dimension, or all, the SI unit first."""
+    return tuple(dict.fromkeys(each.symbol for each in UNITS.values() if dimension in (None, each.dimension)))
+
+
+def parse(value: object, dimension: str, *, name: str = "value") -> float:
+    """Convert ``"108 mph"``, ``"2 deg"`` or a bare SI number to a finite float in SI.
+
+    Text needs its unit: it comes from a file or a command, where a number without one is rarely meant in SI. Only 0 and
+    what has no dimension go without.
+
+    Parameters
+    ----------
+    value
+        Text with a unit, or a real number (SI).
+    dimension
+        One of ``SI_UNITS``: ``"speed"``, ``"angle"``, ``"length"``, ...
+    name
+        What the quantity is called in an error.
+
+    Raises
+    ------
+    UnitError
+        An unknown unit, or one of another dimension.
+    InputError
+        Not a number, NaN, infinite, or too large for a float.
+    """
+    if dimension not in SI_UNITS:
+        raise ValueError(f"unknown dimension {dimension!r}; known: {', '.join(SI_UNITS)}")
+    if isinstance(value, str):
+        digits, symbol = _split(value)
+        if not digits:
+            raise InputError(name, value, _wanted(dimension))
+        number = float(digits)
+        if symbol:
+            found = _unit(symbol, dimension, name, value)
+            number = number * found.numerator / found.denominator + found.offset
+        elif number and SI_UNITS[dimension] != "1":
+            raise InputError(name, value, f"a number, or text with its unit: {' or '.join(symbols(dimension))}")
+    elif isinstance(value, bool) or not hasattr(value, "__float__") or _kind(value) not in "iuf":
+        raise InputError(name, value, _wanted(dimension))
+    else:
+        try:
+            number = float(value)  # pyright: ignore[reportArgumentType]
+        except (TypeError, ValueError, OverflowError):
+            raise InputError(name, value, _wanted(dimension)) from None
+    if not math.isfinite(number):
+        raise InputError(name, value, _wanted(dimension))
+    return number
+
+
+def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tuple[Fraction, Unit]:
+    """Return the number as it was written, to the last digit, and its unit; errors are those of :func:`parse`.
+
+    A value too small for a float is 0.
+    """
+    from fractions import Fraction
+
+    found = parse(value, dimension, name=name)
+    si = _unit(SI_UNITS[dimension], dimension, name, "")
+    if not isinstance(value, str):
+        return Fraction(repr(found)), si
+    digits, symbol = _split(value)
+    return Fraction(digits if float(digits) else 0), _unit(symbol, dimension, name, value) if symbol else si
+
+
+def _kind(value: object) -> str:
+    """Return the kind of a NumPy number, "f" of any other."""
+    return getattr(getattr(value, "dtype", None), "kind", "f")
+
+
+def dimension_of(value: object, *, name: str = "value") -> str:
+    """Return the dimension of text with a unit: "force" of ``"12 kN"``; a bare number is dimensionless.
+
+    Raises
+    ------
+    UnitError
+        An unknown unit.
+    """
+    symbol = _split(value)[1] if isinstance(value, str) else ""
+    return _unit(symbol, None, name, str(value)).dimension
+
+
+def _wanted(dimension: str) -> str:
+    return f"a finite number, in {' or '.join(symbols(dimension))}"
+
+
+def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
+    """Convert as :func:`parse`, but a list or array gives a float64 array of the same shape.
+
+    Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here. Missing
+    elements become NaN: those that are masked, None, NA and NaT of pandas and nulls of Arrow. Truth values, complex
+    numbers, objects and digits as text without a unit are refused.
+    """
+    if isinstance(value, str) or not hasattr(value, "__len__"):
+        return parse(value, dimension, name=name)
+    import numpy as np
+
+    from clubface.support.processes import check_request
+
+    if isinstance(value, (list, tuple)) and not set(map(type, value)) <= {float, int}:
+        return _parse_list(value, dimension, name)
+    masked = isinstance(value, np.ma.MaskedArray)
+    try:
+        given = np.ma.getdata(value) if masked else np.asarray(value)
+    except ValueError:
+        raise InputError(name, value, _ONE_LENGTH) from None
+    if given.ndim > MOST_DIMENSIONS:
+        raise InputError(name, Told(f"an array of {given.ndim} dimensions"), _FEW_DIMENSIONS)
+    check_request(given.size, 8)
+    if given.dtype.kind in "bcSV":
+        raise InputError(name, Told(f"an array of {given.dtype}"), _wanted(dimension))
+    missing = np.ma.getmaskarray(value) if masked else np.zeros(given.shape, dtype=bool)
+    if given.dtype.kind in "iuf":
+        found = given.astype(np.float64)
+    else:
+        names = (f"{name}[{index}]" if given.ndim else name for index in range(given.size))
+        flat = zip(given.ravel().tolist(), missing.ravel().tolist(), names, strict=True)
+        numbers = [
+            math.nan if gone or is_missing(each) else _parse_element(each, dimension, at) for each, gone, at in flat
+        ]
+        found = np.array(numbers, dtype=np.float64).reshape(given.shape)
+    return np.where(missing, math.nan, found) if missing.any() else found
+
+
+_ONE_LENGTH = "a number or an array, whose rows are of one length"
+_FEW_DIMENSIONS = f"one of at most {MOST_DIMENSIONS}"
+
+
+def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) -> NDArray[Any]:
+    """Return an array of a list that holds other things than plain numbers, each taken by itself."""
+    import numpy as np
+
+    depth, inner = name.count("["), values
+    while isinstance(inner, (list, tuple)) and inner and depth < 1000:
+        depth, inner = depth + 1, inner[0]
+    if depth > MOST_DIMENSIONS:
+        raise InputError(name.partition("[")[0], Told(f"an array of {depth} dimensions"), _FEW_DIMENSIONS)
+
+    def taken(each: Any, at: str) -> Any:
+        if hasattr(each, "__len__") and (isinstance(each, (list, tuple)) or hasattr(each, "__array__")):
+            return parse_values(each, dimension, name=at)
+        return math.nan if is_missing(each) else _parse_element(each, dimension, at)
+
+    parts = [taken(each, f"{name}[{index}]") for index, each in enumerate(values)]
+    if len({np.shape(each) for each in parts}) > 1:
+        raise InputError(name, values, _ONE_LENGTH)
+    return np.array(parts, dtype=np.float64)
+
+
+def _parse_element(value: Any, dimension: str, name: str) -> float:
+    """Convert one value of many; infinity passes, since its row is reported with the batch."""
+    return float(value) if isinstance(value, float) else parse(value, dimension, name=name)
+
+
+def numbers(values: Any, *, name: str) -> NDArray[Any]:
+    """Return an array of numbers that have no unit of their own, or are SI; NaN where one is missing, no texts."""
+    import numpy as np
+
+    if type(values) is np.ndarray and values.dtype == np.float64:
+        return values
+    kind = getattr(getattr(values, "dtype", None), "kind", "O")
+    texts = () if kind in "iuf" else np.ravel(np.asarray(values, dtype=object))
+    for each in texts:
+        if isinstance(each, (str, bytes)):
+            raise InputError(name, each, "numbers, not text")
+    return np.asarray(parse_values(values, DIMENSIONLESS, name=name))
+
+
+def is_missing(value: Any) -> bool:
+    """Tell a value that stands for none: None, the NA and NaT of pandas, a null of Arrow, NaN."""
+    value = value.as_py() if hasattr(value, "as_py") else value
+    if value is None or type(value).__name__ in ("NAType", "NaTType"):
+        return True
+    return isinstance(value, float) and math.isnan(value)
+
+
+def to_si(value: Any, symbol: str) -> Any:
+    """Express a value (number or array) in the unit ``symbol`` in SI."""
+    found = unit(symbol)
+    return value * found.numerator / found.denominator + found.offset
+
+
+def from_si(value: Any, symbol: str) -> Any:
+    """Express an SI value (number or array) in the unit ``symbol``."""
+    found = unit(symbol)
+    return (value - found.offset) * found.denominator / found.numerator
+
+
+def size(symbol: str) -> float:
+    """Return the size of a unit in SI: what a difference of one of it is."""
+    found = unit(symbol)
+    return found.numerator / found.denominator
+
+
+def show(value: float, symbol: str, digits: int = 6) -> str:
+    """Write an SI value as text in the unit ``symbol``, to ``digits`` significant digits."""
+    suffix = "" if symbol in ("", "1") else f" {symbol}"
+    return f"{from_si(value, symbol):.{digits}g}{suffix}"
+
+
+def fixed(value: float, symbol: str, decimals: int) -> str:
+    """Write an SI value as text in the unit ``symbol``, to ``decimals`` places behind the point."""
+    return f"{from_si(value, symbol):.{decimals}f} {symbol}"
+
+
+def show_range(least: float, most: float, symbol: str) -> str:
+    """Write two SI values as "``least`` to ``most``" in the unit ``symbol``."""
+    return f"{from_si(least, symbol):g} to {show(most, symbol)}"
+
+
+def display_unit(quantity: str, si_unit: str) -> str:
+    """Return the unit people read ``quantity`` (held in ``si_unit``) in: spin in rpm, loft in degrees."""
+    if quantity in DISPLAY_UNITS_BY_NAME:
+        return DISPLAY_UNITS_BY_NAME[quantity]
+    found = unit(si_unit)
+    # What is computed of a quantity, such as its mean, is read in its unit.
+    of = DISPLAY_UNITS_BY_NAME.get(quantity.rpartition("_")[0])
+    if of is not None and unit(of).dimension == found.dimension:
+        return of
+    begins, ends = OF_A_HEAD
+    if found.dimension == "length" and (quantity.startswith(begins) or quantity.endswith(ends)):
+        return "mm"
+    return DISPLAY_UNITS.get(found.dimension, found.symbol)
+
+
+def parse_column_name(column: str, names: Collection[str] = ()) -> tuple[str, str | None]:
+    """Split a column heading into quantity and unit.
+
+    ``"club_speed_mph"``, ``"club_speed [mph]"`` and ``"club_speed (mph)"`` give ``("club_speed", "mph")``;
+    ``"club_speed"`` gives ``("club_speed", None)``, which means SI. A heading found in ``names`` has no unit.
+    """
+    text = column.strip()
+    if text in names:
+        return text, None
+    for opening, closing in ("[]", "()"):
+        if text.endswith(closing) and opening in text:
+            name, _, inner = text[:-1].rpartition(opening)
+            return name.strip(), unit(inner, name=f"column {column!r}").symbol
+    words = text.split("_")
+    for count in (2, 1):
+        suffix = "_".join(words[-count:])
+        if len(words) > count and suffix not in ("1", "-") and suffix in UNITS:
+            return "_".join(words[:-count]), UNITS[suffix].symbol
+    return text, None
+
+
+def _split(text: str) -> tuple[str, str]:
+    """Split off the leading number of ``text`` ("" where there is none) and what follows it, stripped."""
+    text = text.strip().replace("−", "-")
+    digits = "0123456789"
+    end, size = 0, len(text)
+    if end < size and text[end] in "+-":
+        end += 1
+    start = end
+    while end < size and text[end] in digits:
+        end += 1
+    if end < size and text[end] == ".":
+        end += 1
+        while end < size and text[end] in digits:
+            end += 1
+    if text[start:end] in ("", "."):
+        return "", text
+    if end < size and text[end] in "eE":
+        exponent = end + 1
+        if exponent < size and text[exponent] in "+-":
+            exponent += 1
+        last = exponent
+        while last < size and text[last] in digits:
+            last += 1
+        if last > exponent:
+            end = last
+    return text[:end], text[end:].strip()

@@ -1,0 +1,207 @@
+"""Benchmark shots: 550 drives and 120 7-iron shots with known truth, in place of measured ones that are not public.
+
+Deliveries and launches are as motion capture and a launch monitor would show them; true deliveries, true launches and
+the model that made each shot stand beside. ``recipe.toml`` holds every number they were made with.
+
+The numbers the benchmark shots are made with, read from their file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.equipment.models import model
+from clubface.shots.reading import read_shots
+from clubface.shots.recorded import RecordedShots
+from clubface.shots.tables.parquet import pyarrow_for
+from clubface.simulation.results import input_dimensions, outputs
+from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
+from clubface.support.files import DATA
+from clubface.support.strict_toml import Document
+
+FOLDER = DATA / "benchmark"
+HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
+"""The built-in heads that hit the shots of the two clubs, those of the publication."""
+CLUBS = tuple(HEADS)
+
+
+class Spread(NamedTuple):
+    """How one quantity of a delivery varies, SI.
+
+    Attributes
+    ----------
+    mean
+        Over all players.
+    between
+        Standard deviation of the players' means.
+    within
+        Standard deviation of the shots of one player.
+    """
+
+    mean: float
+    between: float
+    within: float
+
+
+class Part(NamedTuple):
+    """One model of the mixture.
+
+    Attributes
+    ----------
+    restitution
+        At the face centre and the speed the recipe names.
+    changed
+        Parameters other than the published ones, SI.
+    """
+
+    restitution: float
+    changed: dict[str, float]
+
+
+class Recipe(NamedTuple):
+    """Everything that decides the shots of one club; SI."""
+
+    club: str
+    head: str
+    seed: tuple[int, int]
+    shots: int
+    players: int
+    slowest: float
+    fastest: float
+    swing_plane: float
+    delivery: dict[str, Spread]
+    follows: dict[str, tuple[str, float]]
+    mixture: dict[str, Part]
+    restitution_at: float
+    restitution_slope: float
+    ball_scatter: float
+    flex_drop: float
+    flex_radius: float
+    shaft_mass: float
+    hosel: Floats
+    frame: float
+    arc_radius: float
+    position_noise: float
+    attitude_noise: float
+    time_noise: float
+    growth: dict[str, tuple[float, float]]
+    monitor: dict[str, float]
+
+
+@cache
+def recipe(club: str) -> Recipe:
+    """Return the recipe of ``club``, "driver" or "7-iron"."""
+    data = Document.read(FOLDER / "recipe.toml").data
+    own, effects, capture = data[club], data["effects"], data["capture"]
+    return Recipe(
+        club=club,
+        head=HEADS[club],
+        seed=(data["seed"], CLUBS.index(club)),
+        shots=own["shots"],
+        players=own["players"],
+        slowest=units.parse(own["slowest"], "speed"),
+        fastest=units.parse(own["fastest"], "speed"),
+        swing_plane=units.parse(own["swing_plane"], "angle"),
+        delivery={name: _spread(name, texts) for name, texts in own["delivery"].items()},
+        follows={
+            "face": ("path", data["correlations"]["face_with_path"]),
+            "loft": ("attack", data["correlations"]["loft_with_attack"]),
+        },
+        mixture={name: _part(name, texts) for name, texts in data["mixture"][club].items()},
+        restitution_at=units.parse(data["restitution"][club]["at"], "speed"),
+        restitution_slope=units.parse(data["restitution"]["slope"], "inverse speed"),
+        ball_scatter=float(effects["ball_scatter"]),
+        flex_drop=float(effects["flex_drop"]),
+        flex_radius=units.parse(effects["flex_radius"], "length"),
+        shaft_mass=units.parse(effects["shaft_mass"], "mass"),
+        hosel=np.array([units.parse(text, "length") for text in effects[f"{club.split('-')[-1]}_hosel"]]),
+        frame=1.0 / float(capture["frame_rate"]),
+        arc_radius=units.parse(capture["arc_radius"], "length"),
+        position_noise=units.parse(capture["position_noise"], "length"),
+        attitude_noise=units.parse(capture["attitude_noise"], "angle"),
+        time_noise=units.parse(capture["time_noise"], "time"),
+        growth={
+            rate: (float(capture[name][0]), float(capture[name][1]))
+            for rate, name in (
+                ("closure", "closure_growth"),
+                ("pitch_rate", "pitch_growth"),
+                ("lie_rate", "lie_growth"),
+            )
+        },
+        monitor={name: units.parse(text, outputs()[name].dimension) for name, text in data["monitor"].items()},
+    )
+
+
+def _spread(name: str, texts: list[str]) -> Spread:
+    return Spread(*(units.parse(text, input_dimensions()[name], name=name) for text in texts))
+
+
+def _part(name: str, texts: dict[str, Any]) -> Part:
+    declared = model(name)
+    changed = {
+        key: units.parse(text, units.unit(declared.parameter(key).unit).dimension, name=key)
+        for key, text in texts.items()
+        if key != "restitution"
+    }
+    return Part(float(texts["restitution"]), changed)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BenchmarkShots:
+    """The benchmark shots of one club.
+
+    Attributes
+    ----------
+    club
+        "driver" or "7-iron".
+    head
+        The built-in head they were hit with: "driver-as-printed" or "7-iron".
+    measured
+        Deliveries of motion capture and launches of a monitor, with their errors.
+    truth
+        The same shots as they truly were.
+    player
+        Number of the player of each shot, from 1.
+    model
+        Name of the model that made each launch.
+    restitution_offset
+        What was added to the model's restitution: scatter of the ball, and the place on the face.
+    """
+
+    club: str
+    head: str
+    measured: RecordedShots
+    truth: RecordedShots
+    player: NDArray[np.int64]
+    model: NDArray[Any]
+    restitution_offset: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.measured)
+
+    def __repr__(self) -> str:
+        return f"{len(self)} benchmark shots of the {self.club} by {len(set(self.player.tolist()))} players"
+
+
+def load(club: str) -> BenchmarkShots:
+    """Return the benchmark shots of ``club``, "driver" (550) or "7-iron" (120). Needs pyarrow."""
+    check_choice("benchmark club", club, CLUBS)
+
+    true_file = FOLDER / f"{club}-truth.parquet"
+    beside = pyarrow_for(true_file).parquet.read_table(true_file, columns=["player", "model", "restitution_offset"])
+    return BenchmarkShots(
+        club=club,
+        head=HEADS[club],
+        measured=read_shots(FOLDER / f"{club}.parquet"),
+        truth=read_shots(true_file),
+        player=beside["player"].to_numpy(),
+        model=beside["model"].to_numpy(),
+        restitution_offset=beside["restitution_offset"].to_numpy(),
+    )

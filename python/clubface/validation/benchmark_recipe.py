@@ -1,0 +1,310 @@
+"""The benchmark shots from their recipe, bit for bit: ``python -m clubface.validation.benchmark_recipe``.
+
+The benchmark files from their recipe, bit for bit: ``python -m clubface.validation.benchmark_recipe``.
+
+What truly happens at impact in the benchmark: a mixture of models, and effects none of the fitted models has.
+
+What motion capture and launch monitor make of the benchmark's true shots.
+
+How the clubheads of the benchmark truly arrive: players with habits, and shots around them.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.equipment.balls import published_ball
+from clubface.equipment.clubs import Club, club as club_named
+from clubface.equipment.parameters import ParameterSet
+from clubface.shots.tables.headings import heading_of
+from clubface.shots.tables.parquet import pyarrow_for
+from clubface.simulation.impact import impact
+from clubface.simulation.results import inputs, outputs
+from clubface.support.arrays import Floats
+from clubface.support.files import whole_file
+from clubface.validation.benchmark_data import CLUBS, FOLDER, Recipe, recipe
+
+LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
+
+
+def with_shaft(recipe: Recipe) -> Club:
+    """Return the club with the tip of its shaft: a point of mass that moves with the head.
+
+    Mass, CG and inertia are those of both together; the delivery is that of their common CG.
+    """
+    head = club_named(recipe.head)
+    added, place = recipe.shaft_mass, recipe.hosel
+    total = head.mass + added
+    shift = place * added / total
+    reduced = head.mass * added / total
+    inertia = reduced * (np.dot(place, place) * np.eye(3) - np.outer(place, place))
+    return head.replace(
+        mass=total,
+        cg_x=head.cg_x - float(shift[0]),
+        cg_y=head.cg_y - float(shift[1]),
+        cg_z=head.cg_z - float(shift[2]),
+        **{
+            f"i{a}{b}": getattr(head, f"i{a}{b}") + float(inertia["xyz".index(a), "xyz".index(b)])
+            for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")
+        },
+    )
+
+
+def restitution_offsets(recipe: Recipe, delivery: Mapping[str, Floats], scatter: Floats | float) -> Floats:
+    """Return by how much restitution differs from that at the face centre: the ball, and the place on the face."""
+    distance = np.hypot(delivery["toe"], delivery["high"]) / recipe.flex_radius
+    return scatter - recipe.flex_drop * distance**2
+
+
+def launches(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> dict[str, Floats]:
+    """Return the launches by model ``name`` with the parameters of the mixture; ``offsets`` change its restitution."""
+    parameters = true_parameters(recipe, name, delivery, offsets)
+    found = impact(with_shaft(recipe), model=name, parameters=parameters, delivery=delivery, ball=published_ball())
+    return {quantity: np.asarray(getattr(found, quantity)) for quantity in LAUNCH}
+
+
+def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> ParameterSet:
+    """Return the parameters of model ``name``, an array where they vary from shot to shot."""
+    part = recipe.mixture[name]
+    published = ParameterSet.builtin(name, club_named(recipe.head).parameters)
+    changes: dict[str, Any] = dict(part.changed)
+    if "cor" in published.values:
+        changes["cor_slope"] = recipe.restitution_slope
+        changes["cor"] = part.restitution - recipe.restitution_slope * recipe.restitution_at + offsets
+    else:
+        speed = normal_speed(delivery)
+        restitution = part.restitution + recipe.restitution_slope * (speed - recipe.restitution_at) + offsets
+        changes["damping"] = damping_of(restitution, speed)
+    return published.replace(**changes)
+
+
+def normal_speed(delivery: Mapping[str, Floats]) -> Floats:
+    """Return the speed of the head along the face normal [m/s], at the face centre and without rotation."""
+    return (
+        delivery["speed"] * np.cos(delivery["loft"] - delivery["attack"]) * np.cos(delivery["face"] - delivery["path"])
+    )
+
+
+def damping_of(restitution: Floats, speed: Floats) -> Floats:
+    """Return the Hunt-Crossley damping [s/m] that gives ``restitution`` at a normal speed [m/s].
+
+    With a = d v, energy of F = k x^n (1 + d dx/dt) gives ln((1 + a) / (1 - a e)) = a (1 + e) for any n; by bisection.
+    """
+    low, high = np.zeros_like(restitution), np.full_like(restitution, 1.0)
+    for _ in range(60):
+        a = 0.5 * (low + high)
+        less = a * (1.0 + restitution) > np.log((1.0 + a) / (1.0 - a * restitution))
+        low, high = np.where(less, a, low), np.where(less, high, a)
+    return 0.5 * (low + high) / speed
+
+
+RATES = {"face": ("closure", -1.0), "loft": ("pitch_rate", 1.0), "lie": ("lie_rate", 1.0)}
+"""The rate at which each angle turns, and its sign: a closing face turns to the left."""
+
+
+def captured(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
+    """Return the delivery that motion capture gives for the true one, SI.
+
+    The head moves on an arc. Its position and attitude are seen with noise in the last three frames before impact. As
+    in Caldwell and McPhee (2023), straight lines through the last two positions, attitudes and velocities give the
+    delivery at impact. What the lines miss, because of the arc and of growing rates, is the error of extrapolation.
+    """
+    shots = truth["speed"].size
+    first = recipe.frame * random.random(shots)
+    times = np.stack([-first - recipe.frame * number for number in range(3)])
+    ahead = first + recipe.time_noise * random.standard_normal(shots)
+    position = _arc(recipe, truth, times) + recipe.position_noise * random.standard_normal((3, 3, shots))
+    newest, older = np.diff(position[::-1], axis=0)[::-1] / recipe.frame
+    velocity = newest + (newest - older) * (ahead / recipe.frame + 0.5)
+    at_impact = position[0] + newest * ahead
+    found = _direction(velocity)
+    for angle, (rate, sign) in RATES.items():
+        growth = recipe.growth[rate][0] + recipe.growth[rate][1] * random.standard_normal(shots)
+        seen = truth[angle] + sign * (truth[rate] * times + 0.5 * growth * times**2)
+        seen = seen + recipe.attitude_noise * random.standard_normal((3, shots))
+        slope = (seen[0] - seen[1]) / recipe.frame
+        found[angle], found[rate] = seen[0] + slope * ahead, sign * slope
+    # A head believed too far to the right or too high puts the ball towards the heel or the sole; the line along which
+    # the head travels is left out: the ball touches the face.
+    right = at_impact[2] - at_impact[0] * np.tan(truth["path"])
+    up = at_impact[1] - at_impact[0] * np.tan(truth["attack"])
+    found["toe"] = truth["toe"] - right / np.cos(truth["face"])
+    found["high"] = truth["high"] - up / np.cos(truth["loft"])
+    return {name: found[name] for name in truth}
+
+
+def monitored(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
+    """Return the launch that the monitor shows for the true one, SI."""
+    return {name: values + recipe.monitor[name] * random.standard_normal(values.size) for name, values in truth.items()}
+
+
+def _arc(recipe: Recipe, truth: Mapping[str, Floats], times: Floats) -> Floats:
+    """Return the positions [m], shape [times, xyz, shots], of heads that pass the origin at time 0.
+
+    Each turns at constant speed about a centre on the players' side, up the swing plane.
+    """
+    attack, path = truth["attack"], truth["path"]
+    along = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)])
+    up_the_plane = np.array([0.0, np.sin(recipe.swing_plane), -np.cos(recipe.swing_plane)])[:, None]
+    inward = up_the_plane - along * (along * up_the_plane).sum(axis=0)
+    inward = inward / np.linalg.norm(inward, axis=0)
+    angle = (truth["speed"] * times / recipe.arc_radius)[:, None, :]
+    return recipe.arc_radius * (np.sin(angle) * along + (1.0 - np.cos(angle)) * inward)
+
+
+def _direction(velocity: Floats) -> dict[str, Floats]:
+    speed = np.linalg.norm(velocity, axis=0)
+    return {
+        "speed": speed,
+        "attack": np.arcsin(velocity[1] / speed),
+        "path": np.arctan2(velocity[2], velocity[0]),
+    }
+
+
+def players_of(recipe: Recipe) -> NDArray[np.int64]:
+    """Return the number of the player (from 0) of each shot; the first players have one shot more."""
+    return np.sort(np.arange(recipe.shots) % recipe.players)
+
+
+def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Floats]:
+    """Return the true delivery of every shot, SI.
+
+    Every quantity is normal over players and over the shots of a player, in a quantity that follows another partly
+    driven by that one. Speeds outside the range are drawn again.
+    """
+    player = players_of(recipe)
+    habits = _standard(recipe, random, recipe.players)
+    deviations = _standard(recipe, random, recipe.shots)
+    found = {}
+    for name, spread in recipe.delivery.items():
+        found[name] = spread.mean + spread.between * habits[name][player] + spread.within * deviations[name]
+    speed, spread = found["speed"], recipe.delivery["speed"]
+    both = float(np.hypot(spread.between, spread.within))
+    while (outside := (speed < recipe.slowest) | (speed > recipe.fastest)).any():
+        speed[outside] = spread.mean + both * random.standard_normal(int(outside.sum()))
+    return found
+
+
+def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[str, Floats]:
+    """Return standard normal deviates of each quantity, correlated where one follows another."""
+    plain = {name: _standardised(random.standard_normal(count)) for name in recipe.delivery}
+    found = dict(plain)
+    for name, (leader, correlation) in recipe.follows.items():
+        found[name] = _standardised(correlation * plain[leader] + np.sqrt(1.0 - correlation**2) * plain[name])
+    return found
+
+
+def _standardised(values: Floats) -> Floats:
+    """Return ``values`` with mean 0 and standard deviation 1, so that a small sample has the spread of the recipe."""
+    return (values - values.mean()) / values.std()
+
+
+CAPTURE_DIGITS = {"mm": 1, "deg/s": 0}
+"""Decimals of a measured delivery in the unit of its column; 2 for speed and angles."""
+MONITOR_DIGITS = {"rpm": 0}
+"""Decimals of a measured launch; 1 for speed and angles, as monitors show them."""
+TRUE_DIGITS = 5
+"""Decimals of a true value, so that its file is the same on every machine."""
+
+
+class Made(NamedTuple):
+    """The shots of one club, SI, one element a shot.
+
+    Attributes
+    ----------
+    player
+        Number of the player, from 1.
+    model
+        The model that made the launch.
+    restitution
+        What was added to its restitution: the ball, and the place on the face.
+    true_delivery, true_launch
+        What happened.
+    delivery, launch
+        What was measured.
+    """
+
+    player: NDArray[np.int64]
+    model: NDArray[Any]
+    restitution: Floats
+    true_delivery: dict[str, Floats]
+    true_launch: dict[str, Floats]
+    delivery: dict[str, Floats]
+    launch: dict[str, Floats]
+
+
+def make(of: Recipe) -> Made:
+    """Return the shots of one club."""
+    random = np.random.default_rng(of.seed)
+    player = players_of(of) + 1
+    truth = _rounded(deliveries(of, random), {}, TRUE_DIGITS)
+    names = list(of.mixture)
+    model = np.array(names, dtype=object)[(random.random(of.shots) * len(names)).astype(int)]
+    scatter = of.ball_scatter * random.standard_normal(of.shots)
+    restitution = np.round(restitution_offsets(of, truth, scatter), 9)
+    launch = {name: np.empty(of.shots) for name in LAUNCH}
+    for name in names:
+        own = model == name
+        found = launches(of, name, {key: each[own] for key, each in truth.items()}, restitution[own])
+        for key, values in found.items():
+            launch[key][own] = values
+    launch = _rounded(launch, {}, TRUE_DIGITS)
+    delivery = _rounded(captured(of, truth, random), CAPTURE_DIGITS, 2)
+    seen = _rounded(monitored(of, launch, random), MONITOR_DIGITS, 1)
+    return Made(player, model, restitution, truth, launch, delivery, seen)
+
+
+def tables(of: Recipe) -> dict[str, dict[str, Any]]:
+    """Return the columns of the two files of one club, by the name of the file."""
+    made = make(of)
+    first: dict[str, Any] = {"club": [of.head] * of.shots, "player": made.player}
+    kept = {"model": made.model.tolist(), "restitution_offset": made.restitution}
+    return {
+        f"{of.club}.parquet": first | _columns(made.delivery | made.launch),
+        f"{of.club}-truth.parquet": first | kept | _columns(made.true_delivery | made.true_launch),
+    }
+
+
+def write(folder: Path = FOLDER) -> list[Path]:
+    """Write the files of all clubs; return them."""
+    files = []
+    for club in CLUBS:
+        for name, columns in tables(recipe(club)).items():
+            path = folder / name
+            arrow = pyarrow_for(path)
+            with whole_file(path) as file:
+                arrow.parquet.write_table(arrow.table(columns), file, compression="zstd")
+            files.append(path)
+    return files
+
+
+def _unit(name: str) -> tuple[str, str]:
+    """Return heading and unit of the column of a quantity."""
+    return heading_of(name, (inputs()[name] if name in inputs() else outputs()[name]).unit)
+
+
+def _rounded(values: dict[str, Floats], digits: dict[str, int], otherwise: int) -> dict[str, Floats]:
+    """Return SI values as they are read back from a column with so many decimals."""
+    found = {}
+    for name, each in values.items():
+        shown = _unit(name)[1]
+        cells = np.round(units.from_si(each, shown), digits.get(shown, otherwise)) + 0.0  # no negative zero
+        found[name] = units.to_si(cells, shown)
+    return found
+
+
+def _columns(values: dict[str, Floats]) -> dict[str, Floats]:
+    """Return columns in the units of their headings; what conversion and back leaves behind is rounded away."""
+    return {_unit(name)[0]: np.round(units.from_si(each, _unit(name)[1]), 9) for name, each in values.items()}
+
+
+if __name__ == "__main__":
+    for file in write(Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER):
+        print(f"{file}: {file.stat().st_size} bytes")

@@ -1,0 +1,168 @@
+"""Every number that a report on a shot prints is the shot's own, in the unit that stands beside it."""
+
+import csv
+import io
+import math
+import re
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.present.report import Bullets, Data, Heading, Paragraph, Picture, Table, as_html, as_markdown, origin
+from clubface.present.shot_report import shot_blocks
+
+# Exact by definition: the mile of 1609.344 m, the yard of 0.9144 m.
+SIZES = {
+    "mph": 1609.344 / 3600.0, "yd": 0.9144, "deg": math.pi / 180.0, "rpm": 2.0 * math.pi / 60.0, "us": 1e-6,
+    "kN": 1e3, "": 1.0,
+}  # fmt: skip
+PRINTED = {
+    "ball speed": ("mph", 1), "smash": ("", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
+    "sidespin": ("rpm", 0), "spin axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1), "total": ("yd", 1),
+    "apex": ("yd", 1), "landing angle": ("deg", 1), "contact time": ("us", 0), "peak force": ("kN", 1),
+}  # fmt: skip
+"""What fitters read these quantities in, and how many digits they can use."""
+
+
+def shot(models=("response",), **delivery):
+    launches = {name: clubface.impact("7-iron", {"speed": 40.0, **delivery}, model=name) for name in models}
+    flights = {name: clubface.fly(each) for name, each in launches.items()}
+    places = {"response": np.asarray(clubface.trajectory(launches["response"]).position)}
+    blocks = list(shot_blocks(launches, flights, clubface.plots.shot_figure(places), places))
+    return launches, flights, blocks
+
+
+def of_kind(blocks, kind):
+    return [each for each in blocks if isinstance(each, kind)]
+
+
+@pytest.fixture(scope="module")
+def two():
+    return shot(("response", "slip"), face="-3 deg")
+
+
+def face_of_the_target():
+    """The face angle whose shot lands on the line, by a secant; the CG of an iron lies beside its face centre."""
+    ends = [float(clubface.fly(clubface.impact("7-iron", speed=40.0, face=face)).side) for face in (0.0, SIZES["deg"])]
+    return ends[0] / (ends[0] - ends[1]) * SIZES["deg"]
+
+
+@pytest.mark.parametrize("place", ["left", "on the line", "right"])
+def test_every_number_of_the_words(place):
+    face = {"left": "-3 deg", "on the line": face_of_the_target(), "right": "3 deg"}[place]
+    launches, flights, blocks = shot(face=face)
+    launch, flight = launches["response"], flights["response"]
+    words = " ".join(of_kind(blocks, Paragraph)[0].texts).replace("7-iron", "club")
+    told = [
+        (launch.delivery["speed"], "mph", 1), (launch.delivery["loft"], "deg", 1), (launch.ball_speed, "mph", 1),
+        (launch.launch, "deg", 1), (launch.total_spin, "rpm", 0), (flight.carry, "yd", 0),
+        *([] if place == "on the line" else [(abs(flight.side), "yd", 0)]), (flight.apex, "yd", 0),
+        (flight.landing_angle, "deg", 0),
+    ]  # fmt: skip
+    numbers = re.findall(r"\d+(?:\.\d+)?", words)
+    assert numbers == [f"{value / SIZES[unit]:.{digits}f}" for value, unit, digits in told]
+    assert place in words
+    units = re.findall(r"\d (mph|degrees|rpm|yd)", words)
+    assert units == [{"deg": "degrees"}.get(unit, unit) for _, unit, _ in told]
+
+
+class Aside:
+    """A flight that ends a stated way beside the line."""
+
+    def __init__(self, flight, yards):
+        self._flight, self.side = flight, yards * 0.9144
+
+    def __getattr__(self, name):
+        return getattr(self._flight, name)
+
+
+@pytest.mark.parametrize(
+    ("yards", "place"),
+    [(0.49, "on the line"), (-0.49, "on the line"), (0.51, "1 yd right of"), (-0.51, "1 yd left of")],
+)
+def test_what_rounds_to_no_yard_is_on_the_line(two, yards, place):
+    launches, flights, _ = two
+    beside = {name: Aside(each, yards) for name, each in flights.items()}
+    texts = next(each.texts for each in shot_blocks(launches, beside, None, {}) if isinstance(each, Paragraph))
+    assert place in texts[-1]
+
+
+def test_every_number_of_the_table(two):
+    launches, flights, blocks = two
+    table = of_kind(blocks, Table)[0]
+    assert table.headings == ("quantity", "response", "slip")
+    assert len(table.rows) == len(PRINTED)
+    for row, exact, (name, (unit, digits)) in zip(table.rows, table.data.rows, PRINTED.items(), strict=True):
+        assert row[0] == exact[0] == (f"{name} ({unit})" if unit else name)
+        attribute = name.replace(" ", "_")
+        for model, cell, number in zip(launches, row[1:], exact[1:], strict=True):
+            of = launches[model] if hasattr(launches[model], attribute) else flights[model]
+            si = float(getattr(of, attribute))
+            assert number == pytest.approx(si / SIZES[unit], rel=1e-14, nan_ok=True)
+            assert cell == ("" if math.isnan(si) else f"{si / SIZES[unit]:.{digits}f}")
+    # The model slip has no contact that lasts; nothing else is missing.
+    assert [row[0] for row in table.rows if "" in row] == ["contact time (us)", "peak force (kN)"]
+    assert of_kind(blocks, Paragraph)[1].texts[0].startswith("These are the figures of the model response;")
+    assert "others" not in " ".join(text for each in of_kind(shot()[2], Paragraph) for text in each.texts)
+
+
+def test_the_points_of_the_flight_are_in_yards_to_a_thousandth(two):
+    launches, _, blocks = two
+    (picture,) = of_kind(blocks, Picture)
+    assert picture.data.headings == ("model", "forward (yd)", "height (yd)", "right (yd)")
+    path = np.asarray(clubface.trajectory(launches["response"]).position) / 0.9144
+    assert [row[1:] for row in picture.data.rows] == [tuple(round(float(each), 3) for each in row) for row in path]
+
+
+def test_headings_stand_one_below_the_other(two):
+    levels = [each.level for each in of_kind(two[2], Heading)]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(later - before <= 1 for before, later in pairwise(levels))
+    with_caveats = of_kind(origin([clubface.impact("driver", {"speed": 48.0}, model="standard")]), Heading)
+    assert [(each.level, each.text) for each in with_caveats] == [
+        (2, "How this was computed"), (3, "Sources"), (3, "What to keep in mind")
+    ]  # fmt: skip
+
+
+def test_what_nothing_was_given_for_is_not_listed(two):
+    inputs = of_kind(two[2], Table)[1]
+    assert [row[0] for row in inputs.rows] == ["speed", "loft", "face"]
+    assert inputs.data.rows == inputs.rows
+
+
+BLOCKS = (
+    Heading(1, "Title"), Heading(3, "Below"), Paragraph(("One.", "Two.")), Bullets(("first", "second")),
+    Table(("a", "b", "c"), [("1", "2", "3")], Data("behind", ("a",), [(1.0,)])), Table(("d",), [("4",)]),
+    Picture("What it Shows: 3", "<svg></svg>"), Picture("Other", "<svg></svg>", Data("named", ("e",), [(5.0,)])),
+)  # fmt: skip
+
+
+def test_each_piece_is_written_as_what_it_is():
+    page = as_html(BLOCKS)
+    assert "<title>Title</title>" in page
+    for piece in ("<h1>Title</h1>", "<h3>Below</h3>", "<p>One. Two.</p>", "<ul><li>first</li><li>second</li></ul>"):
+        assert piece in page
+    heads = "".join(f'<th scope="col">{name}</th>' for name in "abc")
+    assert page.count(f"<thead><tr>{heads}</tr></thead>") == 1
+    assert page.count("<tbody><tr><td>1</td><td>2</td><td>3</td></tr></tbody>") == 1
+    saved = re.findall(r'download="([^"]*)" href="data:([^;]*)', page)
+    assert saved == [
+        ("behind.csv", "text/csv"), ("what-it-shows-3.svg", "image/svg+xml"), ("named.svg", "image/svg+xml"),
+        ("named.csv", "text/csv"),
+    ]  # fmt: skip
+    text = as_markdown(BLOCKS)
+    assert text.startswith(
+        "# Title\n\n### Below\n\nOne. Two.\n\n* first\n* second\n\n| a | b | c |\n| --- | ---: | ---: |\n| 1 | 2 | 3 |"
+    )
+    assert text.endswith("\n")
+    assert "![Other](data:image/svg+xml;base64," in text
+
+
+def test_only_what_is_missing_is_an_empty_cell():
+    rows = [("a", 0.0, 0, ""), (None, float("nan"), -1.5, "b")]
+    assert list(csv.reader(io.StringIO(Data("any", tuple("wxyz"), rows).as_csv()))) == [
+        ["w", "x", "y", "z"], ["a", "0.0", "0", ""], ["", "", "-1.5", "b"]
+    ]  # fmt: skip

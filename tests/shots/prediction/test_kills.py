@@ -1,0 +1,24 @@
+"""A small version of ``make kills``: a run killed at random moments ends with the bytes of an undisturbed one."""
+
+import random
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.append(str(Path(__file__).parents[3] / "studies"))
+
+import kills
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+def test_a_run_killed_at_random_moments_ends_with_the_same_bytes():
+    assert kills.study([kills.SMALL], 4) == []
+
+
+@pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
+def test_other_bytes_are_seen(tmp_path):
+    folder = kills.prepared(tmp_path / "run")
+    whole = {"out.csv": b"other", "out.rejects.csv": b"other"}
+    (told,) = kills.disturbed(kills.SMALL, folder, whole, 0.0, random.Random(1), 0)
+    assert "the last run is not as the undisturbed one" in told

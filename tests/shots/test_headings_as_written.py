@@ -1,0 +1,111 @@
+"""Headings are known however they are spelled, in the languages of golfers, with the unit wherever it stands."""
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import shots as launch_monitor
+from clubface.errors import FileError
+from clubface.shots.tables.headings import FOREIGN_HEADINGS, shot_words
+from clubface.units import to_si
+
+
+def assert_si(shots, **expected):
+    measured = shots.deliveries | shots.launches
+    for name, (values, symbol) in expected.items():
+        np.testing.assert_allclose(measured[name], to_si(np.array(values), symbol), rtol=1e-12, err_msg=name)
+
+
+@pytest.mark.parametrize(
+    "headings",
+    [
+        "BallSpeed (mph),LaunchAngle (deg),SpinRate (rpm)", "ballSpeedMph,launchAngleDeg,spinRateRpm",
+        "BALLSPEED_MPH,LAUNCHANGLE_DEG,SPINRATE_RPM", "Ball Speed in mph,Launch Angle in degrees,Spin in rpm",
+        "Ball Speed/mph,Launch Angle/deg,Spin/rpm", "Ball Speed - mph,Launch Angle - deg,Spin - rpm",
+        "BALL MPH,LAUNCH DEG,SPIN RPM", "Ballgeschwindigkeit (mph),Abflugwinkel (°),Spinrate (U/min)",
+        "Vitesse de balle (mph),Angle de lancement (°),Taux de rotation (tr/min)",
+        "Velocidad de bola (mph),Ángulo de lanzamiento (°),Giro (rpm)",
+        "Bollhastighet (mph),Utgångsvinkel (grader),Spinn (varv/min)",
+        "ボールスピード（mph）,打出角（度）,スピン量（rpm）", "球速(英里/小时),起飞角(度),总旋转(转/分)",
+        "볼 스피드(mph),발사각(도),스핀량(rpm)",
+    ],
+)  # fmt: skip
+def test_a_drive_is_the_same_drive_in_every_spelling(write, headings):
+    shots = launch_monitor.read(write(headings + "\n147,12.5,2600\n"))
+    assert_si(shots, ball_speed=([147], "mph"), launch=([12.5], "deg"), total_spin=([2600], "rpm"))
+
+
+def test_a_heading_of_another_language_means_one_quantity():
+    words = [name for names in FOREIGN_HEADINGS.values() for name in names]
+    assert len(words) == len(set(words))
+    assert set(FOREIGN_HEADINGS) <= set(shot_words().dimensions)
+
+
+def test_a_row_of_units_may_have_signs_in_columns_without_unit(write):
+    text = "Shot,Club,Ball Speed,Carry,Hang Time\n#,-,mph,yards,seconds\n1,Driver,147,230,6.1\n"
+    assert_si(launch_monitor.read(write(text)), ball_speed=([147], "mph"), carry=([230], "yd"))
+
+
+def test_what_side_and_back_are_their_unit_says(write):
+    text = "HAND,BALL,LAUNCH,BACK,SIDE,SIDE,CLUB\n,MPH,DEG,RPM,RPM,DEG,MPH\nR,150,11.2,2500,210,1.1,102\n"
+    assert_si(
+        launch_monitor.read(write(text)), ball_speed=([150], "mph"), speed=([102], "mph"), backspin=([2500], "rpm"),
+        sidespin=([210], "rpm"), azimuth=([1.1], "deg"),
+    )  # fmt: skip
+
+
+def test_of_two_columns_of_a_quantity_the_one_with_a_unit_is_read(write):
+    head = "Time,Club,Ball,Ball Speed (mph),Smash,Launch V (deg),Launch H (deg),Flight Time (s)"
+    shots = launch_monitor.read(write(f"{head}\n10:15,Driver,Pro,147,1.47,12,1.1,6.1\n"))
+    assert_si(shots, ball_speed=([147], "mph"), flight_time=([6.1], "s"))
+    assert shots.clubs.tolist() == ["Driver"]
+
+
+def test_a_file_in_kmh_of_a_program_that_names_no_units_is_not_read_in_mph(write):
+    text = "Club Speed,Ball Speed,Launch Direction,Dyn. Loft\n161,237,0.1,13\n160,235,0.2,13\n"
+    with pytest.raises(FileError, match="km/h"):
+        launch_monitor.read(write(text))
+    shots = launch_monitor.read(write(text), units={"speed": "km/h"})
+    assert_si(shots, ball_speed=([237, 235], "km/h"))
+
+
+def test_a_word_alone_below_the_header_begins_no_table(write):
+    shots = launch_monitor.read(write("Club,Ball Speed (mph),Total (yd)\nDriver,147,250\nTotal,,\nDriver,146,249\n"))
+    assert len(shots) == 2
+
+
+def test_cells_may_have_the_wide_digits_and_sides_of_other_languages(write):
+    text = "Ball Speed (mph),Launch Direction (deg)\n１４７．５,1.1 H\n147.5,1.1 V\n147.5,1.1 i\n147.5,右1.1\n"
+    shots = launch_monitor.read(write(text))
+    assert_si(shots, ball_speed=([147.5] * 4, "mph"), azimuth=([1.1, -1.1, -1.1, 1.1], "deg"))
+
+
+def test_a_table_of_deliveries_knows_the_same_spellings(tmp_path):
+    (tmp_path / "swings.csv").write_text("ClubSpeedMph,AttackAngleDeg,Schlägerpfad in deg,FaceAngle/deg\n100,1,2,3\n")
+    launches = clubface.predict(tmp_path / "swings.csv", club="driver", model="standard")
+    assert not any("not used" in note for note in launches.notes)
+
+
+def test_a_backspin_and_a_sidespin_of_minus_one_are_no_measurements(write):
+    shots = launch_monitor.read(write("Ball Speed (mph),Back Spin (rpm),Side Spin (rpm)\n147,-1,-1\n147,2500,0\n"))
+    assert np.isnan(shots.launches["total_spin"]).tolist() == [True, False]
+
+
+def test_a_row_of_units_among_the_shots_changes_the_units_of_those_below(write):
+    text = "Club,Ball Speed,Carry\n,(mph),(yd)\nDriver,147,230\n,(m/s),(m)\nDriver,65.7,210\n"
+    shots = launch_monitor.read(write(text))
+    assert not shots.rejected
+    assert_si(shots.select([0]), ball_speed=([147], "mph"), carry=([230], "yd"))
+    assert_si(shots.select([1]), ball_speed=([65.7], "m/s"), carry=([210], "m"))
+
+
+def test_club_and_ball_with_a_speed_are_speeds_next_to_a_column_of_clubs(write):
+    shots = launch_monitor.read(write("Club,Club (mph),Ball (mph)\nDriver,100,147\n"))
+    assert_si(shots, speed=([100], "mph"), ball_speed=([147], "mph"))
+    assert shots.clubs.tolist() == ["Driver"]
+
+
+def test_a_number_that_is_marked_as_estimated_is_read_and_noted(write):
+    shots = launch_monitor.read(write("Ball Speed (mph),Spin Rate (rpm)\n147,2509.1*\n146,2600\n"))
+    assert_si(shots, total_spin=([2509.1, 2600], "rpm"))
+    assert any("Spin Rate" in note and "*" in note for note in shots.notes)

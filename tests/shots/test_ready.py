@@ -1,0 +1,91 @@
+"""The one way from a file to the shots of one club: chosen, checked, completed and referred."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import shots
+from clubface.errors import InputError, UnitError, UnknownNameError
+from clubface.shots.measured import measured_shots, ready_shots
+
+DEG = np.pi / 180
+SESSION = (
+    "club,hand,face_at,speed_at,club_speed_mph,loft_deg,face_deg,toe_mm,high_mm,ball_speed_mph\n"
+    "7i,right,contact,face,85,26,1,,2,118\n7 Iron,right,contact,face,80,25,0,4,0,105\n"
+    "Dr,right,contact,face,100,12,2,15,,148\nDriver,right,contact,face,102,13,3,12,5,120\n"
+)
+
+
+@pytest.fixture
+def session(write):
+    return write(SESSION, "session.csv")
+
+
+def test_shots_are_chosen_completed_and_then_referred(session):
+    found = ready_shots(
+        session, only="dr", where="ball_speed > 110 mph", assume={"high": "5 mm", "closure": "2400 deg/s"}
+    )
+    assert (found.club.name, found.rows.tolist(), found.places.tolist()) == ("driver", [4, 5], [2, 3])
+    assert (found.face_at, found.speed_at) == ("face", "cg")
+    # What is stated takes part in what follows from it: both face angles are referred from their points of impact.
+    measured = shots.read(session).select([2, 3])
+    measured.deliveries["high"][0] = 0.005
+    measured.deliveries["closure"] = np.full(2, 2400 * DEG)
+    for name, values in shots.refer(measured, "driver").deliveries.items():
+        np.testing.assert_array_equal(found.deliveries[name], values, err_msg=name)
+    assert abs(found.deliveries["face"][0] - 2 * DEG) > 1.5 * DEG
+    for said in (
+        "3 of 4 shots fulfil ball_speed > 110 mph",
+        "high was not measured in 1 of 2 shots, which take 5 mm for it, as stated",
+        "closure was not measured in 2 of 2 shots, which take 2400 deg/s for it, as stated",
+    ):
+        assert said in found.notes
+
+
+def test_what_was_measured_is_not_replaced(session):
+    found = ready_shots(session, only="7i", assume={"toe": "9 mm", "face": 0.5})
+    np.testing.assert_allclose(found.deliveries["toe"], [0.009, 0.004], rtol=1e-14)
+    assert "face was measured in every shot: the 0.5 rad stated for it is not used" in found.notes
+    assert (np.abs(found.deliveries["face"]) < 2 * DEG).all()
+
+
+def test_shots_that_are_ready_stay_as_they_are(session):
+    found = ready_shots(session, only="7i", assume={"toe": "0 mm"})
+    assert ready_shots(found) is found
+    taken = measured_shots(found)
+    assert taken.places.tolist() == [0, 1]
+    assert len(taken.notes) == len(set(taken.notes))
+    (one,) = found.select([1]).places
+    assert one == 1
+
+
+def test_every_row_of_the_wrong_club_is_refused_or_noted(session):
+    with pytest.raises(InputError, match="several clubs"):
+        ready_shots(session, club="driver")
+    noted = ready_shots(session, club="driver", mismatch="note")
+    assert len(noted) == 4
+    assert "the shots name 7i, 7 Iron, not driver: is this the right club?" in noted.notes
+    with pytest.raises(InputError, match="the shots name 7i, 7 Iron, not driver"):
+        ready_shots(session, club="driver", where="club == '7-iron'")
+
+
+def test_a_condition_that_nothing_fulfils_and_values_that_are_none_are_refused(session):
+    with pytest.raises(InputError, match=r"some of the 4 shots fulfil"):
+        ready_shots(session, where="smash > 1.6")
+    with pytest.raises(InputError, match="2 lack something"):
+        ready_shots(session, where="toe > 1 m or high > 1 m")
+    with pytest.raises(UnknownNameError, match="toe"):
+        ready_shots(session, only="7i", assume={"tow": "0 mm"})
+    with pytest.raises(InputError, match=r"assume face is '13'; it must be .* text with its unit"):
+        ready_shots(session, only="7i", assume={"face": "13"})  # degrees were meant, and radians are taken
+    with pytest.raises(UnitError, match="assume toe is '0 deg'"):
+        ready_shots(session, only="7i", assume={"toe": "0 deg"})
+
+
+def test_a_wedge_by_its_loft_fits_a_club_by_its_name(write):
+    path = write("club,club_speed_mph,loft_deg\n46,70,35\n")
+    assert len(ready_shots(path, club="pitching-wedge")) == 1
+    with pytest.raises(InputError, match="the shots name 60, not pitching-wedge"):
+        ready_shots(write("club,club_speed_mph\n60,70\n"), club=clubface.club("pitching-wedge"))
