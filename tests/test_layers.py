@@ -11,8 +11,8 @@ from arrows import circle, upward
 ROOT = Path(clubface.__file__).parent
 
 FLOORS = (
-    ("errors", "support", "units"),
-    ("jobs",),
+    ("errors", "support", "units", "quantities"),
+    ("jobs", "results"),
     ("published_data", "equipment", "simulation", "plots"),
     ("shots",),
     ("fem", "validation"),
@@ -77,7 +77,9 @@ def test_no_files_import_each_other_in_a_loop():
 
 def test_the_core_is_imported_in_one_module_a_room():
     users = [name for name, told in imports(sources()).items() if CORE in told]
-    assert users == ["clubface.equipment.core", "clubface.fem.core", "clubface.simulation.core"]
+    assert users == [
+        "clubface.equipment.core", "clubface.fem.core", "clubface.quantities", "clubface.simulation.core"
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
+    from clubface.results.notes import Note
 
 
 Group = Mapping[str, tuple[Any, Any]]
@@ -391,6 +392,17 @@ def own_lofts(struck: Iterable[tuple[Club, Collection[str]]]) -> str:
         return ""
     which = ", ".join(f"{name} {loft}" for name, loft in told.items())
     return f"--loft is not given: delivered with the static loft ({which}), which few golfers do."
+
+
+def loft_hints(struck: Iterable[tuple[Club, Collection[str]]]) -> list[Note]:
+    """Return the hint that clubs were delivered with their static loft, as theirs alone was known; none if none were.
+
+    ``struck`` are clubs with the names of what was given of their deliveries.
+    """
+    from clubface.results.notes import note
+
+    lofts = {head.name: f"{units.from_si(head.loft, 'deg'):.4g} deg" for head, known in struck if "loft" not in known}
+    return [note("static-loft", clubs=[f"{name} {loft}" for name, loft in lofts.items()])] if lofts else []
 
 
 def pairs(texts: Iterable[str], option: str) -> dict[str, str]:

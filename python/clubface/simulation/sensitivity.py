@@ -19,11 +19,15 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
 from clubface.errors import InputError, Told, UnitError
+from clubface.results.notes import note
+from clubface.results.result import Result
+from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
 from clubface.simulation.impact import Parameters, warn_if_outside
 from clubface.simulation.inputs import Delivery, as_values, equipped, shot_error, shots, single, tolerance
 from clubface.simulation.launch import Launch
+from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
     Quantity,
     flattened,
@@ -121,6 +125,37 @@ class Sensitivity:
             raise UnitError("unit", unit, 'of the form "rpm per mm"')
         over, under = _checked(self._rows[output], upper), _checked(self._columns[variable], lower)
         return derivative * units.size(under) / units.size(over)
+
+    def to_result(self, *, every_variable: bool = False) -> Result:
+        """Return the derivatives as a result; the coefficients of a fit are printed if ``every_variable`` is."""
+        pairs = [(output, variable) for variable in self.variables for output in self.outputs]
+        values = self.values
+        printed = self.variables if every_variable else self.main_variables
+        table = Table(
+            "derivatives",
+            (
+                text("output", [output for output, _ in pairs], printed=False),
+                text("variable", [variable for _, variable in pairs], printed=False),
+                text("per", [self._per(variable) for _, variable in pairs], in_files=False),
+                text("of", [f"{each} {self._shown[each]}".removesuffix(" 1") for each, _ in pairs], in_files=False),
+                text("value", [float(values[self._place(*pair)]) for pair in pairs], digits=-4),
+                text("unit", [self.unit(*pair) for pair in pairs], printed=False),
+            ),
+            title=f"{self.launch.club.name}, {self.launch.model}: change of the launch", layout="pivot",
+            shown_rows=[place for place, (_, variable) in enumerate(pairs) if variable in printed],
+        )  # fmt: skip
+        notes = [
+            note("caveat-of-model", model=self.launch.model, caveat=each) for each in self.launch.parameters.caveats
+        ]
+        if any(name.startswith(("cg_", "dcg_")) for name in printed):
+            notes.append(note("held-as-delivered"))
+        if hidden := len(self.variables) - len(printed):
+            notes.append(note("coefficients-hidden", hidden=hidden, model=self.launch.model))
+        return Result("sensitivity", table.title, (table,), notes=tuple(notes), provenance=provenance_of([self.launch]))
+
+    def _per(self, variable: str) -> str:
+        unit = self._shown[variable]
+        return variable if unit == "1" else f"{variable}, per {unit}"
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a variable and one column an output, in the units shown, which stand in the labels.

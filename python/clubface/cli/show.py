@@ -1,0 +1,134 @@
+"""What every command does with its result: print it, or write JSON, tables, pictures and a report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Annotated, Any
+
+from clubface.cli import app, options, output
+from clubface.cli.failures import say_written
+from clubface.errors import ClubfaceError
+from clubface.quantities import quantities
+from clubface.results.result import Result
+from clubface.units import unit as unit_named
+
+JSON: options.Group = {"as_json": (options.Json, False)}
+PLOT: options.Group = {"plot": (Annotated[str | None, options.picture("a picture")], None)}
+REPORT: options.Group = {"report": (options.Report, None)}
+UNITS: options.Group = {
+    "unit": (
+        Annotated[
+            list[str] | None,
+            options.option(
+                "--unit", metavar="NAME=UNIT", text='The unit of a quantity for people: "carry=m". Repeatable.'
+            ),
+        ],
+        None,
+    )
+}
+TABLE: options.Group = {
+    "target": (
+        Annotated[str | None, options.output("FILE", "Write the main table, CSV or Parquet by its ending.")],
+        None,
+    )
+}
+"""Groups of options that say what becomes of a result; :class:`Output` takes their values."""
+
+
+def plot_option(words: str) -> options.Group:
+    """Return the option of a picture of what the ``words`` say."""
+    return {"plot": (Annotated[str | None, options.picture(words)], None)}
+
+
+def table_option(words: str) -> options.Group:
+    """Return the option of the file to which the main table is written; ``words`` are its help."""
+    return {"target": (Annotated[str | None, options.output("FILE", words)], None)}
+
+
+@dataclass(frozen=True)
+class Output:
+    """Where a result goes.
+
+    Attributes
+    ----------
+    as_json
+        Whether JSON is printed in place of tables.
+    target
+        The file of the main table; ``written`` tells that the command writes it itself.
+    plot, report
+        Files of picture and report.
+    units
+        Units for people, by quantity.
+    """
+
+    as_json: bool = False
+    target: str | None = None
+    plot: str | None = None
+    report: str | None = None
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def check(
+        cls, texts: Mapping[str, Any], inputs: Iterable[str | None] = (), kinds: Sequence[str] | None = None
+    ) -> Output:
+        """Return where the result goes, from the options of a command, whose errors come before any work.
+
+        ``inputs`` are files that are read, ``kinds`` the endings of the table's file.
+        """
+        from clubface.present.files import TABLES
+
+        given = list(inputs)
+        found = cls(
+            bool(texts.get("as_json")), texts.get("target"), texts.get("plot"), texts.get("report"),
+            _units(texts.get("unit")),
+        )  # fmt: skip
+        if found.as_json and found.units and found.plot is None and found.report is None:
+            raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
+        output.check_target("--output", found.target, TABLES if kinds is None else kinds, given)
+        output.check_picture(found.plot, given)
+        output.check_report(found.report, given)
+        return found
+
+    def show(self, result: Result, *, table: str | None = "", more: Sequence[str] = ()) -> None:
+        """Print a result, write the files that were asked for, and say which.
+
+        ``table`` names the table that is written to the target, "" being the main one; None if the command has written
+        it. ``more`` are further files that the command wrote.
+        """
+        result = result.replace(provenance=result.provenance.with_files())
+        if self.target is not None and table is not None:
+            from clubface.present.files import write_table
+
+            write_table(result.table(table or None), self.target)
+        if self.plot is not None:
+            from clubface.plots import save
+            from clubface.present.drawing import draw
+
+            save(draw(result.pictures()[0], self.units), self.plot)
+        if self.report is not None:
+            from clubface.present.result_report import write_report
+
+            write_report(result, self.report, units=self.units, command=app.command())
+        if self.as_json:
+            from clubface.present.files import json_text
+
+            print(json_text(result.to_dict()))
+        else:
+            from clubface.present.terminal import print_result
+
+            print_result(result, self.units)
+        say_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
+
+
+def _units(texts: Iterable[str] | None) -> dict[str, str]:
+    """Return the units that a person asked for, by quantity."""
+    known = quantities()
+    chosen = {}
+    for name, symbol in options.pairs(texts or (), "--unit").items():
+        if name not in known:
+            from clubface.support.checks import check_names
+
+            check_names("quantity of --unit", [name], known)
+        chosen[name] = unit_named(symbol, name="--unit", dimension=known[name].dimension).symbol
+    return chosen

@@ -1,0 +1,340 @@
+"""Draws the specification of a picture for paper and screen, in the style of all pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Polygon
+
+from clubface import units
+from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, look, marker, styled
+from clubface.results.pictures import Axis, Mark, Panel, Picture
+
+ROW_HEIGHT = 2.4
+"""Inches of a row of panels unless a picture says its height."""
+_GREYS = {-1: "0.5", -2: "0.1"}
+
+
+@styled
+def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figure:
+    """Return a picture as a figure of matplotlib; ``shown_units`` are those a person asked for, by quantity."""
+    if shown_units:
+        picture = picture.in_units(shown_units)
+    rows = [list(each) for each in picture.rows]
+    columns = max(len(row) for row in rows)
+    height = picture.height or ROW_HEIGHT * len(rows) + 0.4
+    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    grid = figure.add_gridspec(len(rows), columns, height_ratios=picture.heights, width_ratios=picture.widths)
+    first_of_row: dict[int, Axes] = {}
+    first_of_column: dict[int, Axes] = {}
+    for line, row in enumerate(rows):
+        for place, panel in enumerate(row):
+            if panel is None:
+                continue
+            whole = len(row) == 1 and columns > 1
+            shared = {
+                "sharex": first_of_column.get(place) if picture.share_x and not whole else None,
+                "sharey": first_of_row.get(line) if picture.share_y else None,
+            }
+            axes = figure.add_subplot(grid[line, :] if whole else grid[line, place], **shared)
+            first_of_row.setdefault(line, axes)
+            first_of_column.setdefault(place, axes)
+            _draw_panel(figure, axes, panel)
+            if picture.share_x and any(len(below) > place and below[place] is not None for below in rows[line + 1 :]):
+                axes.set_xlabel("")
+                axes.tick_params(labelbottom=False)
+            if picture.share_y and first_of_row[line] is not axes:
+                axes.set_ylabel("")
+                axes.tick_params(labelleft=False)
+    _head(figure, picture)
+    return figure
+
+
+def picture_data(picture: Picture) -> tuple[list[str], list[list[Any]]]:
+    """Return the numbers behind a picture as headings and rows: one row a point of every mark."""
+    headings = ["panel", "mark", "x", "y", "low", "high", "value", "x unit", "y unit"]
+    rows = []
+    for number, panel in enumerate(picture.panels(), 1):
+        name = panel.title or panel.y.heading or str(number)
+        for mark in panel.marks:
+            if mark.kind in ("rule", "slope", "text", "shade"):
+                continue
+            for point in _points(mark, panel):
+                rows.append([name, mark.label or mark.kind, *point, panel.x.unit_drawn, panel.y.unit_drawn])
+    return headings, rows
+
+
+def _points(mark: Mark, panel: Panel) -> Iterator[list[Any]]:
+    """Yield x, y, low, high and value of every point of a mark, in the units drawn."""
+    along_x = mark.x0 is not None
+    parts = [
+        _drawn(mark.x, panel.x), _drawn(mark.y, panel.y),
+        *(_drawn(each, panel.x if along_x else panel.y) for each in
+          ((mark.x0, mark.x1) if along_x else (mark.y0, mark.y1))),
+        None if mark.values is None else _drawn(mark.values, panel.values or Axis()),
+    ]  # fmt: skip
+    if mark.kind == "contour":
+        x, y = np.meshgrid(parts[0], parts[1])
+        parts[0], parts[1] = x, y
+    arrays = [None if each is None else np.ravel(each) for each in parts]
+    length = max((each.size for each in arrays if each is not None), default=0)
+    for index in range(length):
+        yield [None if each is None or index >= each.size else each[index].item() for each in arrays]
+
+
+def _drawn(values: Any, axis: Axis) -> Any:
+    if values is None:
+        return None
+    array = np.asarray(values, dtype=float)
+    return array if axis.unit_drawn == "1" else np.asarray(units.from_si(array, axis.unit_drawn), dtype=float)
+
+
+def _draw_panel(figure: Figure, axes: Axes, panel: Panel) -> None:
+    axes.grid(visible=panel.grid)
+    floor: dict[str, Any] = {}
+    for mark in panel.marks:
+        _DRAWERS[mark.kind](figure, axes, panel, mark, floor)
+    for axis, setter in ((panel.x, "x"), (panel.y, "y")):
+        _set_axis(axes, axis, setter)
+    if panel.equal:
+        axes.set_aspect("equal", adjustable="datalim" if panel.x.limits == (None, None) else "box")
+    axes.set_title(panel.title)
+    if panel.legend:
+        handles, labels = axes.get_legend_handles_labels()
+        once = dict(zip(labels, handles, strict=True))
+        axes.legend(once.values(), once.keys(), ncols=1 + (len(once) > 4))
+
+
+def _set_axis(axes: Axes, axis: Axis, name: str) -> None:
+    if axis.logarithmic:
+        getattr(axes, f"set_{name}scale")("log")
+    getattr(axes, f"set_{name}label")(axis.heading)
+    low, high = (None if each is None else float(_drawn(each, axis)) for each in axis.limits)
+    if low is not None or high is not None:
+        getattr(axes, f"set_{name}lim")(low, high)
+    if axis.names is not None:
+        getattr(axes, f"set_{name}ticks")(range(len(axis.names)), axis.names)
+        axes.grid(visible=False, axis=name)  # pyright: ignore[reportArgumentType]
+    if not axis.ticks:
+        getattr(axes, f"set_{name}ticks")([])
+    if axis.reversed and not getattr(axes, f"{name}axis_inverted")():
+        getattr(axes, f"invert_{name}axis")()
+
+
+def _head(figure: Figure, picture: Picture) -> None:
+    if picture.legend:
+        handles: dict[str, Any] = {}
+        for panel in picture.panels():
+            for mark in panel.marks:
+                if mark.label and not panel.legend:
+                    handles.setdefault(mark.label, _key(mark))
+        legend_above(figure, handles.values(), title=picture.title or None)
+    elif picture.title:
+        figure.suptitle(picture.title, fontsize=8.5, x=0.01, ha="left")
+    if picture.footnote:
+        figure.supxlabel(picture.footnote, fontsize=7.0, color="0.35")
+
+
+def _key(mark: Mark) -> Any:
+    """Return the entry of a mark in a legend."""
+    if mark.kind in ("bars", "area", "stack", "band", "steps", "shade"):
+        return Patch(facecolor=_colour(mark), alpha=0.6, label=mark.label)
+    if mark.kind in ("points", "intervals"):
+        return Line2D([], [], label=mark.label, **_point_look(mark))
+    return Line2D([], [], label=mark.label, **_line_look(mark))
+
+
+def _colour(mark: Mark) -> str:
+    if isinstance(mark.style, str):
+        return look(mark.style)["color"]
+    return _GREYS.get(mark.style) or COLOURS[mark.style % len(COLOURS)]
+
+
+def _line_look(mark: Mark) -> dict[str, Any]:
+    if isinstance(mark.style, str) and mark.dash is None:
+        return look(mark.style) | ({"linewidth": mark.size} if mark.size else {})
+    dash = (
+        mark.dash if mark.dash is not None else (mark.style if isinstance(mark.style, int) and mark.style >= 0 else 0)
+    )
+    return {"color": _colour(mark), "linestyle": DASHES[dash % len(DASHES)]} | (
+        {"linewidth": mark.size} if mark.size else {}
+    )
+
+
+def _point_look(mark: Mark) -> dict[str, Any]:
+    if not mark.symbol:
+        return {
+            "color": _colour(mark), "marker": ".", "linestyle": "none", "markersize": mark.size or 2.0,
+            "alpha": 0.4, "markeredgewidth": 0.0,
+        }  # fmt: skip
+    shape = marker(mark.style)["marker"] if isinstance(mark.style, str) and mark.symbol == "o" else mark.symbol
+    shape = MARKERS[int(shape) % len(MARKERS)] if shape.isdigit() else shape
+    filled = {"markerfacecolor": "white"} if mark.hollow else {}
+    faint = {"alpha": 0.7} if mark.faint else {}
+    size = {"markersize": mark.size} if mark.size else {}
+    return {"color": _colour(mark), "marker": shape, "linestyle": "none", **filled, **faint, **size}
+
+
+def _line(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    axes.plot(_drawn(mark.x, panel.x), _drawn(mark.y, panel.y), label=mark.label or None, **_line_look(mark))
+
+
+def _draw_points(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    if mark.values is not None:
+        extent = _extent(mark, panel)
+        shown = axes.scatter(
+            x, y, c=_drawn(mark.values, panel.values or Axis()), s=mark.size or 9.0, linewidths=0, **extent
+        )
+        _colour_bar(figure, axes, shown, panel)
+        return
+    axes.plot(x, y, label=mark.label or None, rasterized=np.size(x) > 500, **_point_look(mark))
+    for at, up, words in zip(np.ravel(x), np.ravel(y), mark.texts, strict=False):
+        axes.annotate(words, (at, up), (3.0, 3.0), textcoords="offset points", fontsize=7.0)
+
+
+def _bars(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    y = _drawn(mark.y, panel.y)
+    left = 0.0 if mark.x0 is None else _drawn(mark.x0, panel.x)
+    height = mark.size or 0.7
+    bars = axes.barh(y, _drawn(mark.x, panel.x) - left, left=left, height=height, color=_colour(mark),
+                     alpha=0.6 if mark.faint else 1.0, linewidth=0.0, label=mark.label or None)  # fmt: skip
+    if mark.texts:
+        axes.bar_label(bars, mark.texts, padding=2.0, fontsize=7.0)
+
+
+def _intervals(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    errors: dict[str, Any] = {}
+    for name, centre, low, high, axis in (
+        ("xerr", x, mark.x0, mark.x1, panel.x), ("yerr", y, mark.y0, mark.y1, panel.y),
+    ):  # fmt: skip
+        if low is not None:
+            errors[name] = np.abs([centre - _drawn(low, axis), _drawn(high, axis) - centre])
+    appearance = _point_look(mark) if mark.symbol else {"fmt": "none", "ecolor": _colour(mark)}
+    axes.errorbar(x, y, capsize=2.0, elinewidth=0.8, label=mark.label or None, **appearance, **errors)
+
+
+def _band(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    axes.fill_between(_drawn(mark.x, panel.x), _drawn(mark.y0, panel.y), _drawn(mark.y1, panel.y), color=_colour(mark),
+                      alpha=0.25, linewidth=0.0, label=mark.label or None)  # fmt: skip
+
+
+def _area(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    axes.fill(_drawn(mark.x, panel.x), _drawn(mark.y, panel.y), color=_colour(mark), alpha=0.3 if mark.faint else 0.75,
+              linewidth=0.0, label=mark.label or None)  # fmt: skip
+
+
+def _stack(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    below = floor.get("stack", np.zeros_like(y))
+    axes.fill_between(x, below, below + y, color=_colour(mark), alpha=0.75, linewidth=0.0, label=mark.label or None)
+    floor["stack"] = below + y
+
+
+def _steps(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    axes.stairs(_drawn(mark.y, panel.y), _drawn(mark.x, panel.x), fill=True, color=_colour(mark), alpha=0.6,
+                label=mark.label or None)  # fmt: skip
+
+
+def _contour(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    values = np.ma.masked_invalid(_drawn(mark.values, panel.values or Axis()))
+    extent = _extent(mark, panel)
+    low, high = (float(each) for each in (extent["vmin"], extent["vmax"]))
+    levels = np.linspace(low, high if high > low else low + 1e-9, 12)
+    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    shown = axes.contourf(x, y, values, levels=levels, cmap=extent["cmap"], extend="neither")
+    lines = axes.contour(x, y, values, levels=levels, colors="0.25", linewidths=0.4)
+    axes.clabel(lines, fontsize=6.0)
+    _colour_bar(figure, axes, shown, panel)
+
+
+def _cells(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    corners = np.stack([_drawn(mark.x, panel.x), _drawn(mark.y, panel.y)], axis=-1)
+    if mark.values is None:
+        shown = PolyCollection(list(corners), facecolors=_colour(mark), edgecolors="0.35", linewidths=0.25)
+        axes.add_collection(shown)
+    else:
+        extent = _extent(mark, panel)
+        shown = PolyCollection(list(corners), array=np.ravel(_drawn(mark.values, panel.values or Axis())),
+                               cmap=extent["cmap"], edgecolors="0.35", linewidths=0.25)  # fmt: skip
+        shown.set_clim(extent["vmin"], extent["vmax"])
+        axes.add_collection(shown)
+        _colour_bar(figure, axes, shown, panel)
+    axes.autoscale_view()
+
+
+def _outline(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    points = np.column_stack([_drawn(mark.x, panel.x), _drawn(mark.y, panel.y)])
+    shape = {key: each for key, each in _line_look(mark).items() if key != "color"}
+    axes.add_patch(Polygon(points, fill=False, edgecolor=_colour(mark), label=mark.label or None, **shape))
+    axes.autoscale_view()
+
+
+def _rule(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    appearance = {
+        "color": _colour(mark),
+        "linewidth": mark.size or 0.7,
+        "linestyle": DASHES[mark.dash or 0],
+        "zorder": 1,
+    }
+    for each in np.atleast_1d(_drawn(mark.x, panel.x)) if mark.x is not None else ():
+        axes.axvline(float(each), **appearance)
+    for each in np.atleast_1d(_drawn(mark.y, panel.y)) if mark.y is not None else ():
+        axes.axhline(float(each), **appearance)
+
+
+def _slope(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    place = float(_drawn(mark.x, panel.x)), float(_drawn(mark.y, panel.y))
+    axes.axline(place, slope=float(mark.values), color=_colour(mark), linewidth=0.8, linestyle=DASHES[mark.dash or 0])
+
+
+def _text(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    """Write texts at their places, or in the middle of a panel that has nothing else."""
+    if mark.x is None:
+        axes.set_axis_off()
+        axes.text(0.5, 0.5, "\n".join(mark.texts), transform=axes.transAxes, ha="center", va="center",
+                  fontsize=mark.size or 7.5)  # fmt: skip
+        return
+    for at, up, words in zip(
+        np.ravel(_drawn(mark.x, panel.x)), np.ravel(_drawn(mark.y, panel.y)), mark.texts, strict=True
+    ):
+        axes.text(float(at), float(up), words, ha="center", va="center", color=_colour(mark), fontsize=mark.size or 7.0)
+
+
+def _shade(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+    ends = (float(_drawn(each, panel.x)) for each in (mark.x0, mark.x1))
+    axes.axvspan(*ends, color="0.80", zorder=0, linewidth=0.0)
+
+
+def _extent(mark: Mark, panel: Panel) -> dict[str, Any]:
+    """Return the map of colours and its ends."""
+    axis = panel.values or Axis()
+    values = _drawn(mark.values, axis)
+    low, high = (None if each is None else float(_drawn(each, axis)) for each in axis.limits)
+    finite = values[np.isfinite(values)]
+    low = low if low is not None else float(finite.min(initial=np.inf) if finite.size else 0.0)
+    high = high if high is not None else float(finite.max(initial=-np.inf) if finite.size else 1.0)
+    if panel.diverging:
+        most = max(abs(low), abs(high), 1e-12)
+        low, high = -most, most
+    return {"cmap": "RdBu_r" if panel.diverging else "viridis", "vmin": low, "vmax": high}
+
+
+def _colour_bar(figure: Figure, axes: Axes, shown: Any, panel: Panel) -> None:
+    if panel.values is not None:
+        bar = figure.colorbar(shown, ax=axes, fraction=0.05, pad=0.01)
+        bar.set_label(panel.values.heading)
+
+
+_DRAWERS: dict[str, Callable[[Figure, Axes, Panel, Mark, dict[str, Any]], None]] = {
+    "line": _line, "points": _draw_points, "bars": _bars, "intervals": _intervals, "band": _band, "area": _area,
+    "stack": _stack, "steps": _steps, "contour": _contour, "cells": _cells, "outline": _outline, "rule": _rule,
+    "slope": _slope, "text": _text, "shade": _shade,
+}  # fmt: skip

@@ -1,0 +1,136 @@
+"""A result as a report: what came out in words, pictures, tables with their data, and what it all was computed from."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from clubface.present.report import (
+    Block,
+    Bullets,
+    Data,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Table as TextTable,
+    file_name,
+    write_document,
+)
+from clubface.present.terminal import headings_and_rows, values_of
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Table
+
+WORKS = {
+    "Caldwell and McPhee|Three-dimensional golf clubhead": "Caldwell and McPhee (2023): Three-dimensional golf "
+    "clubhead-ball impact models for drivers and irons, and the thesis it grew out of, A. W. Caldwell, Development and "
+    "comparison of 3D dynamic models of golf clubhead-ball impacts, MASc thesis, University of Waterloo, 2023",
+    "Roh and Lee": "Roh and Lee: W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM, Center"
+    " for Noise and Vibration Control, KAIST, Daejeon",
+    r"Penner \(2002\)": "Penner (2002): A. R. Penner, The run of a golf ball, Canadian Journal of Physics 80, 931-940",
+    "Broadie and Ko": "Broadie and Ko (2009): A simulation model to analyze the impact of distance and direction on "
+    "golf scores, Proceedings of the Winter Simulation Conference",
+    "TrackMan Combine": "TrackMan (2024): averages of the TrackMan Combine by handicap",
+}
+"""Works that other sources name in short, in full, by a pattern of the short name."""
+
+
+def write_report(
+    result: Result, path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None, command: str = ""
+) -> Path:
+    """Write a result as one file, HTML or Markdown by its ending; ``command`` is what computes it again."""
+    return write_document(list(report_blocks(result, units=units, command=command)), path)
+
+
+def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, command: str = "") -> Iterator[Block]:
+    """Yield the pieces of the report on a result."""
+    yield Heading(1, result.title)
+    if result.summary:
+        yield Paragraph(tuple(each.sentence for each in result.summary))
+    yield from picture_blocks(result, units)
+    yield Heading(2, "All figures")
+    yield from table_blocks(result, units)
+    if notes := [each.sentence for each in result.notes]:
+        yield Bullets(list(dict.fromkeys(notes)))
+    yield from provenance_blocks(result.provenance)
+    yield from _repeat_blocks(result.provenance, command)
+
+
+def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
+    """Yield the pictures of a result with the numbers behind them."""
+    pictures = result.pictures()
+    if not pictures:
+        return
+    from clubface.plots import svg
+    from clubface.present.drawing import draw, picture_data
+
+    for each in pictures:
+        headings, rows = picture_data(each)
+        yield Picture(each.caption, svg(draw(each, units)), Data(each.name, headings, rows))
+
+
+def table_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
+    """Yield the values and tables of a result as people read them, each with its numbers as CSV."""
+    if result.values:
+        rows = [(name, number, rest) for name, number, rest in values_of(result.values, units)]
+        table = Table(result.kind, result.values)
+        yield TextTable(("quantity", "value", "unit"), rows, _data(table))
+    for each in result.tables:
+        if not len(each):
+            continue
+        if each.title:
+            yield Heading(3, each.title)
+        if each.layout == "list":
+            rows = values_of(each.columns, units)
+            yield TextTable(("quantity", "value", "unit"), rows, _data(each))
+            continue
+        heads, cells = headings_and_rows(each, units)
+        yield TextTable([f"{words} ({unit})" if unit else words for words, unit in heads], cells, _data(each))
+
+
+def provenance_blocks(of: Provenance) -> Iterator[Block]:
+    """Yield inputs, versions, sources and caveats."""
+    yield Heading(2, "How this was computed")
+    if of.inputs:
+        rows = list(of.inputs.items())
+        yield TextTable(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
+    yield Paragraph(tuple(_computed(of)))
+    named = " ".join([*of.sources, *of.inputs.values()])
+    if sources := [*of.sources, *(work for short, work in WORKS.items() if re.search(short, named))]:
+        yield Heading(3, "Sources")
+        yield Bullets(sources)
+    if of.caveats:
+        yield Heading(3, "What to keep in mind")
+        yield Bullets(of.caveats)
+
+
+def _computed(of: Provenance) -> Iterator[str]:
+    for each in of.computations:
+        head = f"{each.club}, left-handed," if each.hand == "left" else each.club
+        yield (f"Club {head} and ball {each.ball}, by the model {each.model} with the parameters {each.parameters}.")
+    versions = [f"{'Python' if name == 'python' else name} {version}" for name, version in of.versions.items()]
+    yield f"Computed by {', '.join(versions[:-1])} and {versions[-1]}."
+
+
+def _repeat_blocks(of: Provenance, command: str) -> Iterator[Block]:
+    """Yield the end of a report: the command, the files that it read, and their texts."""
+    if not (command or of.files or of.descriptions):
+        return
+    yield Heading(2, "To compute it again")
+    if command:
+        yield Listing("The command", command)
+    if of.files:
+        yield Paragraph(("It reads these files.",))
+        yield TextTable(("file", "bytes", "SHA-256"), [(each.name, str(each.bytes), each.sha256) for each in of.files])
+    texts = {**of.descriptions, **{each.name: each.text for each in of.files if each.text is not None}}
+    for name, content in texts.items():
+        yield Listing(name, content)
+
+
+def _data(table: Table) -> Data:
+    rows: Sequence[Sequence[Any]] = list(table.csv_rows())
+    return Data(file_name(table.name), rows[0], rows[1:])

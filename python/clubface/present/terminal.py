@@ -1,0 +1,277 @@
+"""A result on the terminal: tables laid out to its width, notes below them.
+
+Loading a library for tables takes longer than a shot, so the layout is made here.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import textwrap
+from collections.abc import Mapping, Sequence
+
+from clubface.errors import LINES, in_a_line, legible
+from clubface.results.notes import Note
+from clubface.results.result import Result
+from clubface.results.table import Column, Table
+
+WIDEST = 120
+"""Letters of a line of text."""
+_WRITTEN = {"us": "µs"}
+"""Units that people write in another way."""
+
+
+def terminal_width() -> int | None:
+    """Return the columns of the terminal, or None where the output goes to a file or pipe."""
+    if (columns := os.environ.get("COLUMNS", "")).isdecimal():
+        return int(columns)
+    return os.get_terminal_size(sys.stdout.fileno()).columns if sys.stdout.isatty() else None
+
+
+def print_result(result: Result, units: Mapping[str, str] | None = None) -> None:
+    """Print the tables of a result, its notes, and what else the command can do."""
+    print(as_text(result, units, terminal_width(), emphasis=_shows_bold()))
+
+
+def as_text(
+    result: Result, units: Mapping[str, str] | None = None, width: int | None = None, *, emphasis: bool = False
+) -> str:
+    """Return what the terminal shows of a result.
+
+    Parameters
+    ----------
+    units
+        The unit of a quantity for people, by name; that of the registry unless given.
+    width
+        Columns of the terminal; None for as many as the tables take.
+    emphasis
+        Whether headings are set in bold.
+    """
+    parts = []
+    if result.values:
+        parts.append(_list_lines(result.title, values_of(result.values, units), width, emphasis))
+    printed = [each for each in result.tables if each.printed and len(each)]
+    if not result.values and printed and not printed[0].title:
+        printed[0] = Table(**{**vars(printed[0]), "title": result.title})
+    parts += [_table_lines(each, units, width, emphasis) for each in printed]
+    if notes := note_lines(result.notes, width):
+        parts.append(notes)
+    if result.hints:
+        parts.append([line for each in result.hints for line in _wrapped(each.sentence, width)])
+    return "\n\n".join("\n".join(each) for each in parts)
+
+
+def note_lines(notes: Sequence[Note], width: int | None = None) -> list[str]:
+    """Return notes as lines with a bullet, each sentence once."""
+    lines = []
+    for sentence in dict.fromkeys(each.sentence for each in notes):
+        lines += _wrapped(in_a_line(sentence), width, "* ", "  ")
+    return lines
+
+
+def values_of(columns: Sequence[Column], units: Mapping[str, str] | None = None) -> list[tuple[str, str, str]]:
+    """Return label, number, and unit with the side to which it is, of the first row of columns that have one."""
+    rows = []
+    for each in columns:
+        if not each.printed or not (number := each.shown(0, units)):
+            continue
+        unit = each.printed_unit_at(0, units)
+        of = each.quantity_at(0)
+        side = ""
+        if of is not None and of.sides and float(number) != 0.0 and not each.difference:
+            word = of.sides[not number.startswith("-")]
+            side = "" if word in each.heading else word
+        after = f"{'' if unit == '1' else _WRITTEN.get(unit, unit)} {side}".strip()
+        rows.append((each.heading, number, after))
+    return rows
+
+
+def headings_and_rows(
+    table: Table, units: Mapping[str, str] | None = None
+) -> tuple[list[tuple[str, str]], list[list[str]]]:
+    """Return the headings of a table, as words and unit, and its cells as people read them, in its layout."""
+    columns = [each for each in table.columns if each.printed]
+    count = range(len(table)) if table.shown_rows is None else table.shown_rows
+    if table.layout == "transposed":
+        names = [each for each in columns if each.quantity is None and not each.digits]
+        numbers = [each for each in columns if each not in names]
+        heads = [("", ""), *((" ".join(filter(None, (each.shown(row) for each in names))), "") for row in count)]
+        rows = []
+        for each in numbers:
+            unit = each.printed_unit_at(0, units) if len(table) else "1"
+            label = each.heading if unit == "1" else f"{each.heading}, {_WRITTEN.get(unit, unit)}"
+            rows.append([label, *(each.shown(row, units) for row in count)])
+        return heads, rows
+    if table.layout == "pivot":
+        line, head, value = columns[:3]
+        heads, lines = (list(dict.fromkeys(each.values[row] for row in count)) for each in (head, line))
+        cells = {(line.values[row], head.values[row]): value.shown(row, units) for row in count}
+        return [("", ""), *((each, "") for each in heads)], [
+            [each, *(cells.get((each, other), "") for other in heads)] for each in lines
+        ]
+    heads = []
+    for each in columns:
+        unit = "1" if each.is_mixed or not len(table) else each.printed_unit_at(0, units)
+        heads.append((each.heading, "" if unit == "1" else _WRITTEN.get(unit, unit)))
+    rows = [[each.shown(row, units) for each in columns] for row in count]
+    mixed = [place for place, each in enumerate(columns) if each.is_mixed]
+    if mixed:
+        heads.insert(mixed[0], ("unit", ""))
+        for row, cells in zip(count, rows, strict=True):
+            unit = columns[mixed[0]].printed_unit_at(row, units)
+            cells.insert(mixed[0], "" if unit == "1" else _WRITTEN.get(unit, unit))
+    return heads, rows
+
+
+def _table_lines(table: Table, units: Mapping[str, str] | None, width: int | None, emphasis: bool) -> list[str]:
+    if table.layout == "list":
+        return _list_lines(table.title, values_of(table.columns, units), width, emphasis)
+    heads, rows = headings_and_rows(table, units)
+    texts = {place for place, each in enumerate(heads) if not _holds_numbers(rows, place)}
+    return lay_out([_heading(*each) for each in heads], rows, table.title, width, emphasis, table.summary, texts)
+
+
+def lay_out(
+    heads: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    title: str = "",
+    width: int | None = None,
+    emphasis: bool = False,
+    summary: bool = False,
+    texts: set[int] | None = None,
+) -> list[str]:
+    r"""Return the lines of a table; one too wide continues below, its first column repeated.
+
+    Parameters
+    ----------
+    heads
+        One heading a column; lines are separated by ``\n``.
+    rows
+        Cells, already written out; those of the first column are names.
+    title
+        Printed above.
+    width
+        Columns of the terminal; None for as many as the table takes.
+    emphasis
+        Whether headings are set in bold.
+    summary
+        Whether the last row sums up the others and is set apart.
+    texts
+        Columns of words, which stand to the left and are wrapped where the table is too wide.
+    """
+    body = [[legible(cell, "\n") for cell in row] for row in rows]
+    heads = [legible(head, "\n") for head in heads]
+    left = {0} | (texts or set())
+    body = _wrap_words(heads, body, left, width)
+    widths = [
+        max(len(line) for cell in column for line in cell.split("\n")) for column in zip(heads, *body, strict=True)
+    ]
+    gap = 2 if width is None or sum(widths) + 2 * (len(widths) - 1) <= width else 1
+    blocks = [list(range(len(heads)))] if width is None else _blocks(widths, gap, width)
+    lines = [_bold(line, emphasis) for line in textwrap.wrap(legible(title), width or WIDEST)]
+    for columns in blocks:
+        sizes = [widths[index] for index in columns]
+        rule = _rule() * (sum(sizes) + gap * (len(columns) - 1))
+        sides = [index in left for index in columns]
+        lines += [
+            _bold(line, emphasis)
+            for line in _aligned([heads[index] for index in columns], sizes, gap, sides, top=False)
+        ]
+        lines.append(rule)
+        for position, row in enumerate(body):
+            if summary and position == len(body) - 1:
+                lines.append(rule)
+            lines += _aligned([row[index] for index in columns], sizes, gap, sides, top=True)
+        if columns is not blocks[-1]:
+            lines.append("")
+    return lines
+
+
+def _list_lines(title: str, rows: Sequence[tuple[str, str, str]], width: int | None, emphasis: bool) -> list[str]:
+    """Return names with their numbers, one below the other, each with its unit."""
+    rows = [(legible(name), number, legible(rest)) for name, number, rest in rows]
+    names, numbers = (max((len(row[column]) for row in rows), default=0) for column in (0, 1))
+    lines = textwrap.wrap(legible(title), width or WIDEST)
+    after = max((len(row[2]) for row in rows), default=0)
+    rule = _rule() * max(names + numbers + 3 + after, *map(len, lines), 1)
+    body = [f"{name.ljust(names)}  {number.rjust(numbers)} {rest}".rstrip() for name, number, rest in rows]
+    return [*(_bold(line, emphasis) for line in lines), rule, *body]
+
+
+def _heading(words: str, unit: str) -> str:
+    """Return a heading of short lines with the unit below."""
+    lines = textwrap.wrap(words, max(9, *map(len, words.split() or [""])), break_long_words=False)
+    return "\n".join([*lines, *([unit] if unit else [])])
+
+
+def _holds_numbers(rows: Sequence[Sequence[str]], place: int) -> bool:
+    return all(not row[place] or row[place].lstrip("+-")[:1].isdigit() for row in rows)
+
+
+def _wrap_words(heads: Sequence[str], body: list[list[str]], left: set[int], width: int | None) -> list[list[str]]:
+    """Wrap the last column of words where a table is too wide and that alone makes it fit."""
+    if width is None or not body:
+        return body
+    sizes = [
+        max(len(line) for cell in column for line in cell.split("\n")) for column in zip(heads, *body, strict=True)
+    ]
+    words = [place for place in left if place and sizes[place] > 24]
+    over = sum(sizes) + 2 * (len(sizes) - 1) - width
+    if over <= 0 or not words:
+        return body
+    longest = max(words, key=lambda place: sizes[place])
+    room = max(sizes[longest] - over, 20)
+    return [[textwrap.fill(cell, room) if place == longest else cell for place, cell in enumerate(row)] for row in body]
+
+
+def _aligned(cells: Sequence[str], widths: Sequence[int], gap: int, left: Sequence[bool], *, top: bool) -> list[str]:
+    """Return the lines of a row; cells of words stand to the left, others to the right."""
+    split = [cell.split("\n") for cell in cells]
+    height = max(map(len, split))
+    filled = [
+        [*lines, *[""] * (height - len(lines))] if top else [*[""] * (height - len(lines)), *lines] for lines in split
+    ]
+    return [
+        (" " * gap)
+        .join(
+            cell.ljust(width) if side else cell.rjust(width)
+            for cell, width, side in zip(line, widths, left, strict=True)
+        )
+        .rstrip()
+        for line in zip(*filled, strict=True)
+    ]
+
+
+def _blocks(widths: Sequence[int], gap: int, available: int) -> list[list[int]]:
+    """Split columns into groups that fit side by side, each beginning with the first column."""
+    blocks, used = [[0]], widths[0]
+    for index, width in enumerate(widths[1:], 1):
+        if used + gap + width > available and len(blocks[-1]) > 1:
+            blocks.append([0])
+            used = widths[0]
+        blocks[-1].append(index)
+        used += gap + width
+    return blocks
+
+
+def _wrapped(text: str, width: int | None, first: str = "", rest: str = "") -> list[str]:
+    return textwrap.wrap(
+        legible(text, LINES), min(width or WIDEST, WIDEST), initial_indent=first, subsequent_indent=rest
+    )
+
+
+def _shows_bold() -> bool:
+    return sys.stdout.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb"
+
+
+def _bold(text: str, emphasis: bool) -> str:
+    return f"\033[1m{text}\033[0m" if emphasis else text
+
+
+def _rule() -> str:
+    """Return what a line is drawn with; the plain character where the terminal has no other."""
+    try:
+        "─".encode(sys.stdout.encoding or "ascii")
+    except UnicodeEncodeError:
+        return "-"
+    return "─"

@@ -1,0 +1,165 @@
+"""The registry of quantities: name, symbol, units, digits, label, meaning and sign of everything that is computed.
+
+It is stated once, in the compiled core, which Python, C and the browser share. A quantity that only one computation
+knows, such as the strokes that are gained on a hole, is registered where that computation stands, by
+:func:`register_quantity`.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any, NamedTuple
+
+from clubface import units
+from clubface.errors import UnknownNameError
+
+__all__ = ["Quantity", "Reading", "format_number", "format_value", "quantities", "quantity", "register_quantity"]
+
+
+class Reading(NamedTuple):
+    """How people read a quantity: the unit, and the places behind the point."""
+
+    unit: str
+    digits: int
+
+
+class Quantity(NamedTuple):
+    """One quantity.
+
+    Attributes
+    ----------
+    name
+        As in keyword arguments, attributes and columns: "ball_speed".
+    unit
+        The SI unit it is held in.
+    metric, golf
+        How files and people read it: m/s in files, mph in tables.
+    label
+        In words: "ball speed".
+    symbol
+        In equations; "" if it has none.
+    meaning
+        What it is, in one line.
+    sign
+        What positive means; "" for a magnitude.
+    sides
+        Words for negative and positive values, such as ("left", "right"); None for a quantity without sides.
+    synonyms
+        Further names in files.
+    """
+
+    name: str
+    unit: str = "1"
+    metric: Reading = Reading("1", 3)
+    golf: Reading = Reading("1", 3)
+    label: str = ""
+    symbol: str = ""
+    meaning: str = ""
+    sign: str = ""
+    sides: tuple[str, str] | None = None
+    synonyms: tuple[str, ...] = ()
+
+    @property
+    def dimension(self) -> str:
+        """The dimension, as in ``units``."""
+        return units.unit(self.unit).dimension
+
+    def digits(self, unit: str) -> int:
+        """Return the places behind the point with which it is read in ``unit``: those of the nearest known reading."""
+        for known in (self.golf, self.metric):
+            if unit == known.unit:
+                return known.digits
+        return max(0, self.golf.digits + round(math.log10(units.size(unit) / units.size(self.golf.unit))))
+
+
+_OWN: dict[str, Quantity] = {}
+
+
+def register_quantity(name: str, unit: str = "1", **fields: Any) -> Quantity:
+    """Add a quantity that the core does not know; ``fields`` are those of :class:`Quantity`.
+
+    Readings that are left out are those of the dimension; a single reading is both.
+
+    Raises
+    ------
+    ValueError
+        Another quantity has the name.
+    """
+    usual, _ = _dimension_readings()[units.unit(unit).dimension]
+    metric = fields.pop("metric", None) or fields.get("golf") or usual
+    golf = fields.pop("golf", None) or metric
+    label = fields.pop("label", name.replace("_", " "))
+    new = Quantity(name, unit, Reading(metric[0], metric[1]), Reading(golf[0], golf[1]), label, **fields)
+    if (known := quantities().get(name, new)) != new:
+        raise ValueError(f"the quantity {name!r} is registered as {known}, not as {new}")
+    _OWN[name] = new
+    return new
+
+
+def quantities() -> dict[str, Quantity]:
+    """Return all registered quantities by name."""
+    return _core_quantities() | _OWN
+
+
+def quantity(name: str, unit: str | None = None) -> Quantity:
+    """Return the quantity called ``name``, or one that is described by its SI ``unit`` alone.
+
+    A name of several words, such as ``mean_carry``, is of the quantity with which it ends.
+
+    Raises
+    ------
+    UnknownNameError
+        There is none, and no unit is given.
+    """
+    core = _core_quantities()
+    parts = name.split("_")
+    for first in range(len(parts)):
+        ending = "_".join(parts[first:])
+        known = core.get(ending) or _OWN.get(ending)
+        if known is not None and unit in (None, known.unit):
+            return known if not first else known._replace(name=name, label=name.replace("_", " "))
+    if unit is None:
+        raise UnknownNameError("quantity", name, quantities())
+    metric, golf = _dimension_readings()[units.unit(unit).dimension]
+    return Quantity(name, unit, metric, golf, name.replace("_", " "))
+
+
+def format_number(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
+    """Write a number with fixed ``digits``; NaN and None stay empty, and nothing is written as -0."""
+    if value is None or math.isnan(value):
+        return ""
+    text = f"{value:{'+' if signed else ''}.{digits}f}"
+    if text[0] in "+-" and not text.strip("+-0."):
+        return text[1:]
+    return text
+
+
+def format_value(value: float, of: Quantity, unit: str | None = None, digits: int | None = None) -> str:
+    """Write an SI value with its unit as people read it: "166.4 mph"."""
+    unit = of.golf.unit if unit is None else unit
+    digits = of.digits(unit) if digits is None else digits
+    return f"{format_number(float(units.from_si(value, unit)), digits)}{'' if unit == '1' else f' {unit}'}"
+
+
+def convert(value: Any, unit: str, *, difference: bool = False) -> Any:
+    """Return an SI value in ``unit``; a ``difference`` leaves out the offset of a temperature."""
+    return value / units.size(unit) if difference else units.from_si(value, unit)
+
+
+@cache
+def _core_quantities() -> dict[str, Quantity]:
+    from clubface import _core
+
+    found = {}
+    for each in _core.quantities():
+        readings = {key: Reading(*each[key]) for key in ("metric", "golf")}
+        found[each["name"]] = Quantity(**{**each, **readings, "synonyms": tuple(each["synonyms"])})
+    return found
+
+
+@cache
+def _dimension_readings() -> dict[str, tuple[Reading, Reading]]:
+    from clubface import _core
+
+    return {each["name"]: (Reading(*each["metric"]), Reading(*each["golf"])) for each in _core.dimensions()}

@@ -1,0 +1,11 @@
+"""The catalogue: the sentence of every note, by its code.
+
+One file a subject; :mod:`clubface.results.notes` explains the placeholders.
+"""
+
+from clubface.results.catalogue.shot import SENTENCES as _SHOT
+
+SENTENCES: dict[str, str] = {
+    "text": "{text}",
+    **_SHOT,
+}

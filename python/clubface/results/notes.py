@@ -1,0 +1,137 @@
+"""Notes of a result: a code with its data, and the sentence that the catalogue makes of them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from string import Formatter
+from typing import Any, NamedTuple
+
+from clubface.errors import UnknownNameError
+from clubface.quantities import Quantity, format_value, quantity
+from clubface.results.catalogue import SENTENCES
+
+_WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>\S+)(?: (?P<digits>\d+))?")
+
+
+class Note(NamedTuple):
+    """A remark on a result.
+
+    Attributes
+    ----------
+    code
+        Names its sentence in the catalogue: "outside-aerodynamic-data".
+    data
+        What the sentence says: texts, whole numbers, lists, and SI values under names that end in a quantity.
+    """
+
+    code: str
+    data: Mapping[str, Any] = {}
+
+    @property
+    def sentence(self) -> str:
+        """The sentence, in the units that people read."""
+        return _SENTENCE.vformat(SENTENCES[self.code], (), self.data)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return code, data in metric units, and sentence."""
+        return {"code": self.code, "data": dict(map(_metric, self.data, self.data.values())), "text": self.sentence}
+
+
+def note(code: str, **data: Any) -> Note:
+    """Return a note; the catalogue must know its code, and its sentence must find all it needs in ``data``."""
+    if code not in SENTENCES:
+        raise UnknownNameError("note", code, SENTENCES)
+    return Note(code, {key: each.item() if hasattr(each, "item") else each for key, each in data.items()})
+
+
+def free_text(sentences: Sequence[str]) -> list[Note]:
+    """Return notes of sentences that another source wrote, such as the caveats in a file of parameters."""
+    return [Note("text", {"text": each}) for each in dict.fromkeys(sentences)]
+
+
+def placeholders(code: str) -> set[str]:
+    """Return the names of the data that a sentence needs."""
+    return {name for _, name, _, _ in Formatter().parse(SENTENCES[code]) if name}
+
+
+class _Sentence(Formatter):
+    """Formats data as people read it.
+
+    ``{carry}`` has the unit and digits of the quantity, ``{carry:0}`` other digits, ``{carry:m 1}`` another unit,
+    ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster";
+    ``{shots:n shot}`` counts ("1 shot", "3 shots"), ``{shots:?was/were}`` agrees with a count; a list is joined by
+    commas, or by ``{names:and}``. Any other format is Python's, applied to the number as it is.
+    """
+
+    def get_value(self, key: int | str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
+        return str(key), kwargs[str(key)]
+
+    def convert_field(self, value: Any, conversion: str | None) -> Any:
+        return value
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        name, given = value
+        if isinstance(given, (list, tuple)):
+            return _joined([str(each) for each in given], format_spec)
+        if given is None or isinstance(given, (str, bool)):
+            return "" if given is None else str(given)
+        if format_spec.startswith("n "):
+            word = format_spec[2:]
+            return f"{given} {word if given == 1 else _plural(word)}"
+        if format_spec.startswith("?"):
+            return format_spec[1:].split("/")[given != 1]
+        if isinstance(given, int) and not format_spec:
+            return str(given)
+        of = _quantity_of(name)
+        if of is None or format_spec[:1] in (".", "+", ","):
+            return format(given, format_spec) if format_spec else f"{given:g}"
+        return _quantity_text(float(given), of, format_spec)
+
+
+_SENTENCE = _Sentence()
+
+
+def _quantity_text(value: float, of: Quantity, spec: str) -> str:
+    if words := _WORDS.fullmatch(spec):
+        digits = None if words["digits"] is None else int(words["digits"])
+        return f"{format_value(abs(value), of, digits=digits)} {words['more'] if value > 0.0 else words['less']}"
+    kind, _, digits = spec.rpartition(" ") if " " in spec or spec.isdigit() else (spec, "", "")
+    places = int(digits) if digits else None
+    if kind == "sides":
+        return f"{format_value(abs(value), of, digits=places)} {(of.sides or ('below', 'above'))[value > 0.0]}"
+    if kind == "bare":
+        return format_value(value, of, digits=places).split(" ")[0]
+    return format_value(value, of, kind or None, places)
+
+
+def _quantity_of(name: str) -> Quantity | None:
+    try:
+        return quantity(name)
+    except UnknownNameError:
+        return None
+
+
+def _metric(name: str, value: Any) -> tuple[str, Any]:
+    """Return a name with the metric unit and the value in it; what is no quantity stays as it is."""
+    if isinstance(value, float) and (of := _quantity_of(name)) is not None:
+        from clubface.results.table import Column
+
+        each = Column(name, [value], of)
+        return each.key, each.exact(0)
+    if isinstance(value, float) and not math.isfinite(value):
+        return name, None
+    return name, list(value) if isinstance(value, tuple) else value
+
+
+def _joined(texts: Sequence[str], word: str) -> str:
+    if word in ("and", "or") and len(texts) > 1:
+        return f"{', '.join(texts[:-1])} {word} {texts[-1]}"
+    return ", ".join(texts)
+
+
+def _plural(word: str) -> str:
+    if word.endswith("y") and word[-2:-1] not in "aeiou":
+        return f"{word[:-1]}ies"
+    return f"{word}es" if word.endswith(("s", "x", "ch", "sh")) else f"{word}s"

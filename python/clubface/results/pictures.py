@@ -1,0 +1,190 @@
+"""Pictures as specifications: panels of marks over two axes, with values in SI, which any surface can draw.
+
+A picture says what is drawn, not how: :mod:`clubface.present.drawing` draws it for paper and screen, the browser with
+its own means. The numbers behind every mark can be saved as a table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from clubface.quantities import Quantity, quantity as quantity_named
+
+MarkKind = Literal[
+    "line", "points", "bars", "intervals", "band", "area", "stack", "steps", "contour", "cells", "outline", "rule",
+    "slope", "text", "shade",
+]  # fmt: skip
+"""``line`` and ``points`` have x and y; ``bars`` lie along x at the places y (``x0`` is where they begin).
+
+``intervals`` reach from ``x0`` to ``x1`` or from ``y0`` to ``y1`` about their points; ``band`` fills between ``y0``
+and ``y1``; ``stack`` is an area on top of those before; ``steps`` is a histogram, x the edges and y the counts;
+``contour`` has ``values`` over a grid; ``cells`` are polygons (x and y of shape [n, corners]) coloured by ``values``;
+``outline`` is a closed line; ``rule`` is a line across the panel at x or y; ``slope`` a line through (x, y) with the
+slope in ``values``; ``text`` writes ``texts``; ``shade`` fills the panel from ``x0`` to ``x1``.
+"""
+
+
+@dataclass(frozen=True)
+class Axis:
+    """An axis of a panel.
+
+    Attributes
+    ----------
+    quantity
+        What it measures; None of names or plain numbers.
+    label
+        Its words, the unit is added; those of the quantity unless given.
+    unit
+        In which it is drawn; the golf unit of the quantity unless given.
+    limits
+        Its ends [SI]; None for one that is chosen.
+    names
+        Words at the places 0, 1, 2, ... in place of numbers.
+    reversed, logarithmic
+        How it runs.
+    """
+
+    quantity: Quantity | None = None
+    label: str = ""
+    unit: str | None = None
+    limits: tuple[float | None, float | None] = (None, None)
+    names: Sequence[str] | None = None
+    reversed: bool = False
+    logarithmic: bool = False
+    ticks: bool = True
+
+    @property
+    def unit_drawn(self) -> str:
+        """The unit in which it is drawn."""
+        return self.unit or (self.quantity.golf.unit if self.quantity is not None else "1")
+
+    @property
+    def heading(self) -> str:
+        """Its words with the unit."""
+        words = self.label or (self.quantity.label if self.quantity is not None else "")
+        unit = self.unit_drawn.replace("us", "µs") if self.unit_drawn == "us" else self.unit_drawn
+        return words if unit == "1" or not words else f"{words} ({unit})"
+
+
+@dataclass(frozen=True)
+class Mark:
+    """Something drawn in a panel; see :data:`MarkKind` for what each kind needs.
+
+    Attributes
+    ----------
+    label
+        Its name in the legend; marks of the same name share an entry.
+    style
+        The name of a model, whose colour and dash it has, or a number of the palette; -1 is grey, -2 black.
+    symbol
+        The shape of points: "o", "s", "+", ...; "" for the small dots of many points.
+    dash
+        Number of a dash pattern; that of the style unless given.
+    hollow, faint
+        How points or areas are filled.
+    """
+
+    kind: MarkKind
+    x: Any = None
+    y: Any = None
+    x0: Any = None
+    x1: Any = None
+    y0: Any = None
+    y1: Any = None
+    values: Any = None
+    texts: Sequence[str] = ()
+    label: str = ""
+    style: str | int = 0
+    symbol: str = "o"
+    size: float | None = None
+    dash: int | None = None
+    hollow: bool = False
+    faint: bool = False
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A plot of a picture.
+
+    Attributes
+    ----------
+    equal
+        Whether both axes have one scale.
+    values
+        What contours and cells are coloured by: an axis for the bar of colours; ``diverging`` from zero.
+    legend
+        Whether it has a legend of its own; else its marks stand in that of the picture.
+    """
+
+    marks: Sequence[Mark]
+    x: Axis = field(default_factory=Axis)
+    y: Axis = field(default_factory=Axis)
+    title: str = ""
+    equal: bool = False
+    values: Axis | None = None
+    diverging: bool = False
+    legend: bool = False
+    grid: bool = True
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture.
+
+    Attributes
+    ----------
+    name
+        Of its file.
+    caption
+        What it shows, in words.
+    rows
+        Its panels, row by row; None leaves a place empty. A row of one panel reaches across all columns.
+    title
+        Above it.
+    heights, widths
+        Sizes of rows and columns in relation to each other.
+    height
+        Inches; chosen by the number of rows unless given.
+    share_x, share_y
+        Whether the panels of a column, or of a row, share an axis.
+    legend
+        Whether a legend of all labels stands above.
+    """
+
+    name: str
+    caption: str
+    rows: Sequence[Sequence[Panel | None]]
+    title: str = ""
+    heights: Sequence[float] | None = None
+    widths: Sequence[float] | None = None
+    height: float | None = None
+    share_x: bool = False
+    share_y: bool = False
+    legend: bool = False
+    footnote: str = ""
+
+    def in_units(self, shown_units: Mapping[str, str]) -> Picture:
+        """Return it with the units of axes that a person asked for, by quantity."""
+
+        def axis_in(of: Axis) -> Axis:
+            name = None if of.quantity is None else of.quantity.name
+            return replace(of, unit=shown_units[name]) if name is not None and name in shown_units else of
+
+        def panel_in(of: Panel | None) -> Panel | None:
+            if of is None:
+                return None
+            values = None if of.values is None else axis_in(of.values)
+            return replace(of, x=axis_in(of.x), y=axis_in(of.y), values=values)
+
+        return replace(self, rows=[[panel_in(each) for each in row] for row in self.rows])
+
+    def panels(self) -> list[Panel]:
+        """Return its panels, row by row."""
+        return [each for row in self.rows for each in row if each is not None]
+
+
+def axis(name: str | None = None, label: str = "", *, like: str | None = None, **options: Any) -> Axis:
+    """Return an axis of the quantity called ``name`` (or of SI unit ``like``); options are those of :class:`Axis`."""
+    return Axis(None if name is None else quantity_named(name, like), label, **options)

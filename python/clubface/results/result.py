@@ -1,0 +1,149 @@
+"""The result of a computation as all surfaces read it: terminal, JSON, CSV, report, notebook, browser."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from clubface.errors import UnknownNameError
+from clubface.results.notes import Note
+from clubface.results.provenance import Provenance
+from clubface.results.table import Column, Table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from clubface.results.pictures import Picture
+
+
+SCHEMA = "clubface-result-1"
+"""Name and version of the layout of :meth:`Result.to_dict`; ``data/schemas/result-1.json`` describes it."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a computation found.
+
+    Attributes
+    ----------
+    kind
+        What it is: "shot", "face-map"; the same kind has the same tables.
+    title
+        In words.
+    tables
+        The numbers; the first is the main one.
+    values
+        Single values: columns of one row, by name.
+    summary
+        What came out, in sentences for a reader who knows no options.
+    notes
+        What is to be known about the tables.
+    hints
+        What else the command can do; only the terminal shows them.
+    provenance
+        What it was computed from.
+    draw
+        Makes its pictures, which take time; None if there are none.
+    """
+
+    kind: str
+    title: str
+    tables: tuple[Table, ...] = ()
+    values: tuple[Column, ...] = ()
+    summary: tuple[Note, ...] = ()
+    notes: tuple[Note, ...] = ()
+    hints: tuple[Note, ...] = ()
+    provenance: Provenance = field(default_factory=Provenance)
+    draw: Callable[[], Sequence[Picture]] | None = field(default=None, repr=False, compare=False)
+
+    def table(self, name: str | None = None) -> Table:
+        """Return a table by its name, or the main one."""
+        for each in self.tables:
+            if name in (None, each.name):
+                return each
+        raise UnknownNameError("table", name, [each.name for each in self.tables])
+
+    def pictures(self) -> list[Picture]:
+        """Return its pictures."""
+        return [] if self.draw is None else list(self.draw())
+
+    def replace(self, **fields: Any) -> Result:
+        """Return it with other fields."""
+        return replace(self, **fields)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as JSON has it: full digits, metric units, each with its name.
+
+        The layout is that of the schema ``clubface-result-1``.
+        """
+        return {
+            "schema": SCHEMA,
+            "kind": self.kind,
+            "title": self.title,
+            "values": {each.key: each.exact(0) for each in self.values},
+            "tables": {each.name: {"columns": each.describe(), "rows": each.records()} for each in self.tables},
+            "summary": [each.to_dict() for each in self.summary],
+            "notes": [each.to_dict() for each in self.notes],
+            "provenance": self.provenance.to_dict(),
+        }
+
+    def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
+        """Return a table (the main one unless named) with SI values; ``attrs`` has units and provenance."""
+        frame = self.table(name).to_pandas()
+        frame.attrs["provenance"] = self.provenance.to_dict()
+        return frame
+
+    def to_xarray(self, name: str | None = None) -> xarray.Dataset:
+        """Return a table (the main one unless named) as a dataset over its rows, SI; variables carry their units."""
+        import xarray
+
+        from clubface.quantities import Quantity
+
+        chosen = self.table(name)
+        variables = {
+            each.name: (
+                "row",
+                list(each.values),
+                _attributes(each.quantity) if isinstance(each.quantity, Quantity) else {},
+            )
+            for each in chosen.columns
+            if each.in_files
+        }
+        return xarray.Dataset(variables, attrs={"title": self.title, "kind": self.kind})
+
+    def _repr_html_(self) -> str:
+        # Found by name, since presentation stands above results.
+        return import_module("clubface.present.notebook").as_fragment(self)
+
+    def __str__(self) -> str:
+        return import_module("clubface.present.terminal").as_text(self)
+
+
+class Described:
+    """Gives what a computation returns the surfaces of its :class:`Result`."""
+
+    def to_result(self) -> Result:
+        """Return it as a result."""
+        raise NotImplementedError
+
+    def to_dict(self) -> Mapping[str, Any]:
+        """Return it as JSON has it; see :meth:`Result.to_dict`."""
+        return self.to_result().to_dict()
+
+    def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
+        """Return one of its tables, the main one unless named, with SI values."""
+        return self.to_result().to_pandas(name)
+
+    def to_xarray(self, name: str | None = None) -> xarray.Dataset:
+        """Return one of its tables, the main one unless named, as a dataset, SI."""
+        return self.to_result().to_xarray(name)
+
+    def _repr_html_(self) -> str:
+        return self.to_result()._repr_html_()
+
+
+def _attributes(of: Any) -> dict[str, str]:
+    return {"units": of.unit, "long_name": of.meaning or of.label}

@@ -1,0 +1,255 @@
+"""Tables of a result: columns of quantities in SI at full precision, and how people read them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from clubface import units
+from clubface.errors import UnknownNameError
+from clubface.quantities import Quantity, convert, format_number, quantity as quantity_named
+
+if TYPE_CHECKING:
+    import pandas
+
+
+Layout = Literal["rows", "list", "transposed", "pivot"]
+"""How a table is printed: a line a row; its one row as a list; a line a column; or its third column over the first
+two, whose values become the headings of lines and columns."""
+FLAT = "flat"
+"""An infinite radius of a face."""
+_SUFFIXES = {"m/s": "mps", "deg/s": "degps", "rad/s": "radps", "km/h": "kmh", "%": "pct"}
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of a table.
+
+    Attributes
+    ----------
+    name
+        Its name in files, without the unit.
+    values
+        Numbers in SI, whole numbers, truth values, texts, or None where there is none; one a row.
+    quantity
+        What the numbers are of; None of texts and counts. A sequence has one for each row.
+    label
+        Its heading; that of the quantity unless given.
+    unit, digits
+        In which it is printed; those of the quantity unless given. Negative ``digits`` are significant ones.
+    difference
+        Whether the numbers are differences, which are printed with their sign.
+    in_files
+        Whether files and JSON have it; one that is only printed repeats in words what others say in numbers.
+    printed
+        Whether it is printed; else it is only in files and JSON.
+    """
+
+    name: str
+    values: Sequence[Any]
+    quantity: Quantity | Sequence[Quantity] | None = None
+    label: str = ""
+    unit: str | None = None
+    digits: int | None = None
+    difference: bool = False
+    in_files: bool = True
+    printed: bool = True
+
+    def quantity_at(self, row: int) -> Quantity | None:
+        """Return the quantity of one row."""
+        if self.quantity is None or isinstance(self.quantity, Quantity):
+            return self.quantity
+        return self.quantity[row]
+
+    @property
+    def is_mixed(self) -> bool:
+        """Whether its rows are of different quantities."""
+        return not isinstance(self.quantity, (Quantity, type(None)))
+
+    @property
+    def heading(self) -> str:
+        """The words above it."""
+        own = self.quantity.label if isinstance(self.quantity, Quantity) else ""
+        return self.label or own or self.name.replace("_", " ")
+
+    @property
+    def key(self) -> str:
+        """Its name in files, with the unit: "ball_speed_mps"."""
+        if not isinstance(self.quantity, Quantity) or self.quantity.metric.unit == "1":
+            return self.name
+        unit = self.quantity.metric.unit
+        return f"{self.name}_{_SUFFIXES.get(unit) or unit.replace(' ', '_').replace('/', '_per_')}"
+
+    def exact(self, row: int) -> Any:
+        """Return the value of a row as files have it, with all its digits; None where there is none."""
+        value = self.values[row]
+        if hasattr(value, "item"):
+            value = value.item()
+        of = self.quantity_at(row)
+        if of is not None and value is not None:
+            value = (
+                FLAT
+                if value == math.inf and of.dimension == "length"
+                else convert(value, of.metric.unit, difference=self.difference)
+            )
+        return None if isinstance(value, float) and not math.isfinite(value) else value
+
+    def shown(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
+        """Return the value of a row as people read it, without its unit."""
+        value, of = self.values[row], self.quantity_at(row)
+        if value is None or value is math.nan:
+            return ""
+        if isinstance(value, bool) or type(value).__name__ == "bool":
+            return "yes" if value else "no"
+        if isinstance(value, str):
+            return value
+        if of is None:
+            whole = float(value).is_integer() and self.digits is None
+            return str(int(value)) if whole else self._number(float(value), self.digits or 0)
+        unit = self.printed_unit_at(row, shown_units)
+        digits = of.digits(unit) if self.digits is None else self.digits
+        return self._number(float(convert(value, unit, difference=self.difference)), digits)
+
+    def printed_unit_at(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
+        """Return the unit in which a row is printed; ``shown_units`` are those a person asked for, by quantity."""
+        of = self.quantity_at(row)
+        if of is None:
+            return "1"
+        return (shown_units or {}).get(of.name) or (shown_units or {}).get(self.name) or self.unit or of.golf.unit
+
+    def _number(self, value: float, digits: int) -> str:
+        if math.isinf(value):
+            return FLAT if value > 0.0 else str(value)
+        if digits < 0:
+            return "" if math.isnan(value) else f"{value + 0.0:{'+' if self.difference else ''}.{-digits}g}"
+        return format_number(value, digits, signed=self.difference)
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of a result.
+
+    Attributes
+    ----------
+    name
+        Its name in JSON and of its CSV file.
+    columns
+        At least one; texts that name the rows come first.
+    title
+        In words.
+    layout
+        How it is printed.
+    summary
+        Whether the last row sums up the others and is set apart.
+    printed
+        Whether the terminal shows it; else files, JSON and reports alone have it.
+    shown_rows
+        Which rows people see; None for all. Files and JSON have all.
+    """
+
+    name: str
+    columns: tuple[Column, ...]
+    title: str = ""
+    layout: Layout = "rows"
+    summary: bool = False
+    printed: bool = True
+    shown_rows: Sequence[int] | None = None
+
+    def __post_init__(self) -> None:
+        lengths = {each.name: len(each.values) for each in self.columns}
+        if len(set(lengths.values())) > 1:
+            raise ValueError(f"table {self.name}: columns of different lengths: {lengths}")
+        if len(lengths) < len(self.columns):
+            raise ValueError(f"table {self.name}: two columns have the same name")
+
+    def __len__(self) -> int:
+        return len(self.columns[0].values)
+
+    def __getitem__(self, name: str) -> Column:
+        for each in self.columns:
+            if each.name == name:
+                return each
+        raise UnknownNameError(f"column of {self.name}", name, [each.name for each in self.columns])
+
+    @property
+    def file_columns(self) -> tuple[Column, ...]:
+        """The columns that files have; quantities and units that differ from row to row are texts of their own."""
+        mixed = next((each for each in self.columns if each.is_mixed), None)
+        kept = [each for each in self.columns if each.in_files]
+        if mixed is not None:
+            place = kept.index(mixed)
+            of = [mixed.quantity_at(row) for row in range(len(self))]
+            if not any(each.name == "quantity" for each in kept):
+                kept.insert(place, text("quantity", ["" if each is None else each.name for each in of]))
+                place += 1
+            kept.insert(place, text("unit", ["" if each is None else each.metric.unit for each in of]))
+        return tuple(kept)
+
+    def keys(self) -> list[str]:
+        """Return the headings of its file."""
+        return [each.key for each in self.file_columns]
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return its rows as files have them, by the headings of the file: full digits, metric units."""
+        columns = self.file_columns
+        return [{each.key: each.exact(row) for each in columns} for row in range(len(self))]
+
+    def describe(self) -> dict[str, Any]:
+        """Return what its columns are: quantity, unit, label and meaning, by the headings of its file."""
+        described = {}
+        for each in self.file_columns:
+            of = each.quantity if isinstance(each.quantity, Quantity) else None
+            described[each.key] = {"label": each.heading} | (
+                {} if of is None else {"quantity": of.name, "unit": of.metric.unit, "meaning": of.meaning}
+            )
+        return described
+
+    def csv_rows(self) -> Iterator[list[Any]]:
+        """Yield the headings and the rows of its CSV file; a value that is missing is empty."""
+        yield self.keys()
+        for record in self.records():
+            yield ["" if value is None else value for value in record.values()]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return its rows with SI values; ``attrs["units"]`` has the units."""
+        import pandas
+
+        kept = [each for each in self.columns if each.in_files]
+        frame = pandas.DataFrame({each.name: list(each.values) for each in kept})
+        frame.attrs["units"] = {each.name: each.quantity.unit for each in kept if isinstance(each.quantity, Quantity)}
+        return frame
+
+
+def table(name: str, *columns: Column | None, **options: Any) -> Table:
+    """Return a table of those columns that are not None; options are those of :class:`Table`."""
+    return Table(name, tuple(each for each in columns if each is not None), **options)
+
+
+def column(name: str, values: Any, like: str | Quantity | None = None, **options: Any) -> Column:
+    """Return a column of numbers in SI, of the quantity ``like`` unless ``name`` is that of one.
+
+    ``like`` may be the name of a quantity or a unit of SI, such as "m".
+    """
+    if like is None or isinstance(like, str):
+        of = quantity_named(name) if like is None else _like(name, like)
+    else:
+        of = like
+    return Column(name, _sequence(values), of, **options)
+
+
+def text(name: str, values: Sequence[Any], **options: Any) -> Column:
+    """Return a column of texts, whole numbers or truth values."""
+    return Column(name, _sequence(values), None, **options)
+
+
+def _like(name: str, like: str) -> Quantity:
+    if like in units.SI_UNITS.values():
+        return quantity_named(name, like)
+    of = quantity_named(like)
+    return of if name == like else of._replace(name=of.name, label=name.replace("_", " "))
+
+
+def _sequence(values: Any) -> Sequence[Any]:
+    return values.reshape(-1).tolist() if hasattr(values, "reshape") else list(values)

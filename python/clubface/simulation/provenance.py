@@ -1,0 +1,124 @@
+"""What launches and flights were computed from, for the provenance of a result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from clubface.equipment.backends import MODULES
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.quantities import quantity
+from clubface.results.provenance import Computation, Provenance
+from clubface.simulation.flight import air_of, conditions
+from clubface.simulation.launch import Launch
+from clubface.simulation.results import flight_inputs
+from clubface.units import from_si, show, show_range
+
+
+def provenance_of(
+    launches: Iterable[Launch], inputs: Mapping[str, str] | None = None, sources: Iterable[str] = ()
+) -> Provenance:
+    """Return what ``launches`` were computed from.
+
+    Parameters
+    ----------
+    launches
+        Those whose deliveries, equipment and models count.
+    inputs
+        What else went in, in words, by name: "air", "golfer".
+    sources
+        Those of all but the launches.
+    """
+    every = list(launches)
+    computations = (
+        Computation(
+            each.club.name, each.ball.name, each.model, each.parameters.name, "left" if each.club.hand < 0 else "right"
+        )
+        for each in every
+    )
+    return Provenance(
+        inputs={**dict(_deliveries(every)), **(inputs or {})},
+        computations=tuple(dict.fromkeys(computations)),
+        sources=tuple(dict.fromkeys((*_sources(every), *sources))),
+        caveats=tuple(dict.fromkeys(_caveats(every))),
+    )
+
+
+def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> dict[str, str]:
+    """Return air, wind and ground of a flight in words, those that were not given among them.
+
+    Parameters
+    ----------
+    air, wind, ground
+        As for :func:`clubface.fly`; single values.
+    """
+    values = {name: each.default for name, each in flight_inputs().items()} | conditions(air, wind, ground)
+    altitude = air_of(air).altitude
+    state = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
+    state.append(f"{100.0 * values['humidity']:g} % humidity")
+    if altitude is not None:
+        state.append(f"the pressure being that at an altitude of {show(altitude, 'm')}")
+    turf = (
+        f"level turf after Penner (2002): tilt of the dent {show(values['ground_tilt'], 'deg', 3)}, friction "
+        f"{values['ground_friction']:g} sliding and {values['rolling_friction']:g} rolling, restitution times "
+        f"{values['restitution_factor']:g}, a fast ball slowed to 1/e in {show(values['grass_length'], 'm', 3)}"
+    )
+    return {"air": ", ".join(state), "wind": _wind(values), "ground": turf}
+
+
+def equipment_sources(*equipment: Club | Ball) -> Iterator[str]:
+    """Yield where the values of clubs and balls come from, those of one source together."""
+    for each in equipment:
+        by_source: dict[str, list[str]] = {}
+        for name, source in each.sources.items():
+            by_source.setdefault(source, []).append(name.replace("_", " "))
+        for source, names in by_source.items():
+            yield f"{type(each).__name__} {each.name}, {', '.join(names)}: {source}"
+
+
+def _wind(values: Mapping[str, Any]) -> str:
+    words = {"wind_x": ("with the shot", "against the shot"), "wind_y": ("upwards", "downwards"),
+             "wind_z": ("to the right", "to the left")}  # fmt: skip
+    parts = [
+        f"{show(abs(values[name]), 'm/s', 3)} ({from_si(abs(values[name]), 'mph'):.0f} mph) {sides[values[name] < 0.0]}"
+        for name, sides in words.items()
+        if values[name]
+    ]
+    return ", ".join(parts) or "none"
+
+
+def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
+    """Yield the values of deliveries that all launches share, and the range of those that differ."""
+    for name in launches[0].delivery if launches else ():
+        values = np.concatenate([np.ravel(each.input(name)) for each in launches])
+        values = values[np.isfinite(values)]
+        if not values.any():
+            continue
+        unit = quantity(name).golf.unit
+        low, high = float(values.min()), float(values.max())
+        yield name.replace("_", " "), show(low, unit) if low == high else show_range(low, high, unit)
+
+
+def _sources(launches: Sequence[Launch]) -> Iterator[str]:
+    for each in launches:
+        made = each.provenance
+        for what in ("model", "parameters"):
+            entry = made[what]
+            words = " ".join(dict.fromkeys(str(entry[key]) for key in ("source", "reference") if entry.get(key)))
+            if words:
+                yield f"{what.capitalize()} {entry['name']}: {words}"
+        yield from equipment_sources(each.club, each.ball)
+
+
+def _caveats(launches: Sequence[Launch]) -> Iterator[str]:
+    for each in launches:
+        # A club that keeps a mesh has it as its head; reduced models know the rigid club alone.
+        if hasattr(each.club, "head") and not each.club.characteristic_time and each.model not in MODULES:
+            yield (
+                f"The face of {each.club.name} is taken as rigid by the model {each.model}: finite elements alone"
+                " strike its mesh, and its file gives no characteristic time."
+            )
+        yield from (str(text) for text in each.provenance["parameters"]["caveats"])
