@@ -310,12 +310,12 @@ def page_text(text: str) -> str:
     return re.sub(r"\n\s*\n+", "\n", text).strip() + "\n"
 
 
-def read_help() -> dict[tuple[str, ...], str]:
+def read_help(jobs: int) -> dict[tuple[str, ...], str]:
     """Return the help of the command line and of every command and subcommand below it."""
     pages: dict[tuple[str, ...], str] = {}
     waiting: list[tuple[str, ...]] = [()]
     while waiting:
-        with ThreadPoolExecutor(2) as pool:
+        with ThreadPoolExecutor(jobs) as pool:
             texts = list(pool.map(help_of, waiting))
         pages |= dict(zip(waiting, texts, strict=True))
         waiting = [(*each, inner) for each, text in zip(waiting, texts, strict=True) for inner in subcommands(text)]
@@ -383,13 +383,15 @@ def record(target: Path, *, jobs: int, with_long: bool, only: list[str], inputs:
     else:
         shutil.copytree(inputs, target / "inputs")
     runs = read_runs(with_long=with_long)
-    pages = read_help()
+    pages = read_help(jobs)
     (target / "coverage.txt").write_text("".join(f"{line}\n" for line in options_unused(pages, runs)))
     recorder = Recorder(target=target, inputs=target / "inputs", replaced=patterns())
-    helps = {f"help/{'-'.join(each) or 'clubface'}": [shlex.join([*each, "--help"])] for each in pages}
-    chosen = {
-        name: lines for name, lines in (runs | helps).items() if not only or any(name.startswith(each) for each in only)
-    }
+    for command, text in pages.items():
+        kept = target / "help" / ("-".join(command) or "clubface")
+        kept.mkdir(parents=True)
+        (kept / "1.out").write_text(text, encoding="utf-8")
+        (kept / "commands.json").write_text(json.dumps([{"command": shlex.join([*command, "--help"]), "status": 0}]))
+    chosen = {name: lines for name, lines in runs.items() if not only or any(name.startswith(each) for each in only)}
     started = time.monotonic()
     with ThreadPoolExecutor(jobs) as pool:
         waiting = {name: pool.submit(recorder.run, name, lines) for name, lines in chosen.items()}
