@@ -53,14 +53,15 @@ def test_public_names_are_listed():
 
 @pytest.mark.parametrize(("old", "new"), clubface._MOVED.items())
 def test_an_old_name_of_a_module_goes_on_working_and_names_the_new_one(old, new):
+    package, _, name = f"clubface.{old}".rpartition(".")
     code = (
         "import warnings\n"
         "with warnings.catch_warnings(record=True) as caught:\n"
         "    warnings.simplefilter('always')\n"
         f"    import clubface.{old}\n"
-        f"    from clubface import {old}\n"
+        f"    from {package} import {name}\n"
         f"import clubface.{new}\n"
-        f"assert {old} is clubface.{new} and {old}.__spec__.name == 'clubface.{new}'\n"
+        f"assert {name} is clubface.{new} and {name}.__spec__.name == 'clubface.{new}'\n"
         "print([(each.category.__name__, each.filename, str(each.message)) for each in caught])"
     )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

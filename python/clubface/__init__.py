@@ -93,6 +93,8 @@ _MODULES = ("capture", "errors", "fem", "plots", "published_data", "shots", "stu
 _MOVED = {
     "benchmark_data": "validation.benchmark_data",
     "evaluation": "inference.evaluation",
+    "fem.face_map": "fem.head_tests",
+    "fem.vtu": "fem.files",
     "identification": "inference.identification",
     "launch_monitor": "shots",
     "measurements": "published_data",
@@ -125,11 +127,11 @@ class _MovedModules:
     @classmethod
     def find_spec(cls, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
         """Return how to import a module that was renamed, or one in a package that was."""
-        package, _, rest = name.partition(".")
-        first, dot, inner = rest.partition(".")
-        if package != "clubface" or first not in _MOVED:
-            return None
-        return ModuleSpec(name, cls(f"clubface.{_MOVED[first]}{dot}{inner}"))  # pyright: ignore[reportArgumentType]
+        for old, new in _MOVED.items():
+            if f"{name}.".startswith(f"clubface.{old}."):
+                home = name.replace(f"clubface.{old}", f"clubface.{new}", 1)
+                return ModuleSpec(name, cls(home))  # pyright: ignore[reportArgumentType]
+        return None
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Return the module of the new name."""

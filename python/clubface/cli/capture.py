@@ -33,11 +33,12 @@ def join(
     as_json: options.Json = False,
 ) -> None:
     """Pair captured deliveries with the launches of a monitor, in the order in which the shots were hit."""
-    from clubface import capture, shots as launch_monitor
+    from clubface import capture
+    from clubface.shots.reading import read
     from clubface.shots.tables.writer import KINDS
 
     output.check_target("--output", target, KINDS, [captured, session, mapping])
-    shots = capture.join(launch_monitor.read(captured), launch_monitor.read(session, format=format_, mapping=mapping))
+    shots = capture.join(read(captured), read(session, format=format_, mapping=mapping))
     shots.write(target)
     if as_json:
         document = {"shots": len(shots), "output": target, "rejected": [each._asdict() for each in shots.rejected]}

@@ -69,10 +69,10 @@ def read_shots(
     path: str | list[str], texts: Mapping[str, Any], club: Any = None, *, where: bool = False
 ) -> RecordedShots:
     """Return the shots of files, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
-    from clubface import shots as launch_monitor
+    from clubface.shots.reading import read
 
     units = options.pairs(texts["unit"] or (), "--unit")
-    shots = launch_monitor.read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
+    shots = read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
     if not where or texts["where"] is None:
         return shots
     from clubface.shots.conditions import chosen_shots

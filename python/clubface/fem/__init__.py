@@ -35,6 +35,6 @@ _MODULES = ("case", "files", "head_tests", "keyword", "paper", "reduced", "stres
 
 def __getattr__(name: str) -> Any:
     """Import the modules that not every user needs when they are first named."""
-    if name in _MODULES:
+    if name in (*_MODULES, "face_map", "vtu"):  # the last two have moved
         return import_module(f"clubface.fem.{name}")
     raise AttributeError(f"module 'clubface.fem' has no attribute {name!r}")
