@@ -73,7 +73,7 @@ def test_a_new_club_is_a_club_that_passes_the_check(clubface_, tmp_path):
     assert "a club that can exist" in ran.out
     # The characteristic time is a comment in it, since it is optional: the published sets do not need it.
     shot = ["--speed", "50 m/s", "--model", "standard,adjusted,volumetric", "--json"]
-    assert clubface_("shot", str(file), *shot).json == clubface_("shot", "driver", *shot).json
+    assert clubface_("shot", str(file), *shot).rows() == clubface_("shot", "driver", *shot).rows()
 
 
 def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path):
@@ -136,7 +136,7 @@ def test_a_bad_club_file_is_told_with_its_line(clubface_, write):
 
 def test_sensitivities_are_printed_with_their_units(clubface_):
     arguments = ["sensitivity", "driver", "--speed", "113 mph", "--model", "volumetric", "--output", "backspin"]
-    (entry,) = clubface_(*arguments, "--by", "high", "--json").json["derivatives"]
+    (entry,) = clubface_(*arguments, "--by", "high", "--json").rows()
     table = clubface.sensitivity("driver", speed="113 mph", model="volumetric")
     assert entry["unit"] == "rpm per mm"
     assert entry["value"] == pytest.approx(table.value("backspin", "high", "rpm per mm"), rel=1e-12)
@@ -147,7 +147,7 @@ def test_sensitivities_are_printed_with_their_units(clubface_):
 
 def test_a_flight_is_that_of_the_library(clubface_):
     launch = ["--ball-speed", "167 mph", "--launch", "10.9 deg", "--backspin", "2700 rpm", "--sidespin", "-200 rpm"]
-    row = clubface_("flight", *launch, "--json").json
+    row = clubface_("flight", *launch, "--json").values
     flown = clubface.fly(
         {"ball_speed": "167 mph", "launch": "10.9 deg", "backspin": "2700 rpm", "sidespin": "-200 rpm"}
     )

@@ -127,8 +127,8 @@ def test_a_library_that_is_not_installed_is_named_with_its_extra(clubface_, monk
     assert_mistake(ran, "matplotlib", "pip install 'clubface[plots]'")
 
 
-def test_a_mistake_of_the_program_is_told_from_one_of_the_user(clubface_, monkeypatch):
-    monkeypatch.setattr("clubface.cli.shot.value", lambda *of: 1 / 0)
+def test_a_mistake_of_the_program_is_not_blamed_on_the_user(clubface_, monkeypatch):
+    monkeypatch.setattr("clubface.simulation.shot_result.shot_result", lambda *_, **__: 1 / 0)
     ran = clubface_("shot", "driver", "--speed", "50 m/s", "--json")
     assert ran.status == 1
     assert "ZeroDivisionError" in ran.err

@@ -13,7 +13,7 @@ from command_line import assert_mistake
 
 SHOT_KEYS = [
     "model", "ball_speed_mps", "smash", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", "total_spin_rpm",
-    "spin_axis_deg", "carry_m", "side_m", "apex_m", "landing_deg", "contact_time_s", "peak_force_n",
+    "spin_axis_deg", "carry_m", "side_m", "total_m", "apex_m", "landing_angle_deg", "contact_time_us", "peak_force_kN",
 ]  # fmt: skip
 
 
@@ -22,18 +22,18 @@ def test_a_shot_is_one_answer_by_the_default_model(clubface_):
     assert ran.out.splitlines()[0] == f"driver, ball modern, by {DEFAULT_MODEL}"
     assert "--model all" in ran.out.splitlines()[-1]
     assert "--model all" not in clubface_("shot", "driver", "--speed", "113 mph", "--model", DEFAULT_MODEL).out
-    told = {line.split("  ")[0]: line.split("  ")[-1].split() for line in ran.out.splitlines()[2:-1]}
+    shown = {line.split("  ")[0]: line.split("  ")[-1].split() for line in ran.out.splitlines()[2:] if "  " in line}
     shot = clubface.impact("driver", speed="113 mph", toe="8 mm")
     flight = clubface.fly(shot)
     for name, value, unit in (
         ("ball speed", shot.get("ball_speed", "mph"), "mph"), ("backspin", shot.get("backspin", "rpm"), "rpm"),
         ("carry", flight.get("carry", "yd"), "yd"), ("landing angle", flight.get("landing_angle", "deg"), "deg"),
     ):  # fmt: skip
-        assert float(told[name][0]) == pytest.approx(value, abs=0.51 if unit == "rpm" else 0.051)
-        assert told[name][1] == unit
+        assert float(shown[name][0]) == pytest.approx(value, abs=0.51 if unit == "rpm" else 0.051)
+        assert shown[name][1] == unit
     # A ball off the toe starts right and, by the gear effect, turns left.
-    assert told["azimuth"][2:] == ["to", "the", "right"]
-    assert told["sidespin"][2:] == ["to", "the", "left"]
+    assert shown["launch direction"][2:] == ["right"]
+    assert shown["sidespin"][2:] == ["left"]
 
 
 def test_all_models_are_a_row_each(clubface_):
@@ -44,12 +44,12 @@ def test_all_models_are_a_row_each(clubface_):
 
 
 def test_the_json_of_a_shot_has_exactly_the_promised_keys_and_null_where_there_is_no_value(clubface_):
-    rows = clubface_("shot", "driver", "--speed", "113 mph", "--model", "all", "--json").json
+    rows = clubface_("shot", "driver", "--speed", "113 mph", "--model", "all", "--json").rows()
     assert [row["model"] for row in rows] == list(clubface.models())
     for row in rows:
         assert list(row) == SHOT_KEYS
         contact = clubface.models()[row["model"]].kind == "contact" or row["model"] == "response"
-        assert [row["contact_time_s"] is None, row["peak_force_n"] is None] == [not contact, not contact]
+        assert [row["contact_time_us"] is None, row["peak_force_kN"] is None] == [not contact, not contact]
         assert all(row[key] is not None for key in SHOT_KEYS[:-2])
 
 
@@ -57,7 +57,7 @@ def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
     arguments = ["--speed", "113 mph", "--attack", "-1.3 deg", "--loft", "12.8 deg", "--toe", "8 mm", "--high", "-3 mm",
                  "--path", "2 deg", "--face", "1 deg", "--lie", "0.5 deg", "--closure", "2400 deg/s",
                  "--pitch-rate", "300 deg/s", "--lie-rate", "50 deg/s"]  # fmt: skip
-    (row,) = clubface_("shot", "driver", *arguments, "--model", "volumetric", "--json").json
+    (row,) = clubface_("shot", "driver", *arguments, "--model", "volumetric", "--json").rows()
     shot = clubface.impact(
         "driver", speed="113 mph", attack="-1.3 deg", loft="12.8 deg", toe="8 mm", high="-3 mm", path="2 deg",
         face="1 deg", lie="0.5 deg", closure="2400 deg/s", pitch_rate="300 deg/s", lie_rate="50 deg/s",
@@ -69,18 +69,21 @@ def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
     assert row["sidespin_rpm"] == shot.get("sidespin", "rpm")
     assert row["azimuth_deg"] == shot.get("azimuth", "deg")
     assert (row["carry_m"], row["side_m"], row["apex_m"]) == (flight.carry, flight.side, flight.apex)
-    assert row["landing_deg"] == flight.get("landing_angle", "deg")
-    assert row["contact_time_s"] == shot.contact_time
+    assert row["landing_angle_deg"] == flight.get("landing_angle", "deg")
+    assert row["contact_time_us"] == shot.get("contact_time", "us")
 
 
-# What is printed: SI by definition of the unit, and the digits printed. Each number is compared with the library's.
+# What is printed: label, SI by definition of the unit, and the digits printed. Each number is compared with the library's.
 PRINTED = {
-    "ball_speed": (0.44704, 1), "smash": (1.0, 3), "launch": (math.pi / 180, 1), "azimuth": (math.pi / 180, 1),
-    "backspin": (math.pi / 30, 0), "sidespin": (math.pi / 30, 0), "total_spin": (math.pi / 30, 0),
-    "spin_axis": (math.pi / 180, 1), "carry": (0.9144, 1), "side": (0.9144, 1), "apex": (0.9144, 1),
-    "landing_angle": (math.pi / 180, 1), "contact_time": (1e-6, 0), "peak_force": (1e3, 1),
+    "ball_speed": ("ball speed", 0.44704, 1), "smash": ("smash factor", 1.0, 3),
+    "launch": ("launch angle", math.pi / 180, 1), "azimuth": ("launch direction", math.pi / 180, 1),
+    "backspin": ("backspin", math.pi / 30, 0), "sidespin": ("sidespin", math.pi / 30, 0),
+    "total_spin": ("total spin", math.pi / 30, 0), "spin_axis": ("spin axis", math.pi / 180, 1),
+    "carry": ("carry", 0.9144, 1), "side": ("side", 0.9144, 1), "total": ("total", 0.9144, 1),
+    "apex": ("apex", 0.9144, 1), "landing_angle": ("landing angle", math.pi / 180, 1),
+    "contact_time": ("contact time", 1e-6, 0), "peak_force": ("peak force", 1e3, 1),
 }  # fmt: skip
-COLUMNS = [name for name in PRINTED if name not in ("apex", "landing_angle")]
+COLUMNS = [name for name in PRINTED if name not in ("total", "apex", "landing_angle")]
 OFF_CENTRE = ["shot", "driver", "--speed", "113 mph", "--toe", "8 mm", "--face", "-4 deg"]
 
 
@@ -89,24 +92,21 @@ def expected(model):
     shot = clubface.impact("driver", speed="113 mph", toe="8 mm", face="-4 deg", model=model)
     flight = clubface.fly(shot)
     of = {name: shot if name in shot.quantities() else flight for name in PRINTED}
-    return {name: getattr(of[name], name) / factor for name, (factor, _) in PRINTED.items()}
+    return {name: getattr(of[name], name) / factor for name, (_, factor, _) in PRINTED.items()}
 
 
 def test_every_number_of_the_list_is_the_librarys_in_the_unit_beside_it(clubface_):
     lines = clubface_(*OFF_CENTRE, "--model", "rings").out.splitlines()[2:]
-    told = {line.split("  ")[0].replace(" ", "_"): line.split("  ")[-1].split() for line in lines if "  " in line}
-    assert list(told) == list(PRINTED)
-    for name, value in expected("rings").items():
+    shown = {line.split("  ")[0]: line.split("  ")[-1].split() for line in lines if "  " in line}
+    assert list(shown) == [label for label, _, _ in PRINTED.values()]
+    values = expected("rings")
+    for name, (label, _, digits) in PRINTED.items():
         # The number is rounded to the digits printed.
-        assert float(told[name][0]) == pytest.approx(value, abs=0.5001 * 10.0 ** -PRINTED[name][1]), name
-    words = {name: " ".join(cells[1:]) for name, cells in told.items()}
-    side = {name: f"to the {'right' if expected('rings')[name] > 0.0 else 'left'}" for name in told}
-    assert words == {
-        "ball_speed": "mph", "smash": "", "launch": "deg", "azimuth": f"deg {side['azimuth']}", "backspin": "rpm",
-        "sidespin": f"rpm {side['sidespin']}", "total_spin": "rpm", "spin_axis": f"deg {side['spin_axis']}",
-        "carry": "yd", "side": f"yd {side['side']}", "apex": "yd", "landing_angle": "deg", "contact_time": "µs",
-        "peak_force": "kN",
-    }  # fmt: skip
+        assert float(shown[label][0]) == pytest.approx(values[name], abs=0.5001 * 10.0**-digits), name
+    side = {name: "right" if values[name] > 0.0 else "left" for name in ("azimuth", "sidespin", "spin_axis", "side")}
+    assert {name: shown[PRINTED[name][0]][2] for name in side} == side
+    units_shown = [shown[label][1] for label, _, _ in PRINTED.values() if label != "smash factor"]
+    assert units_shown == ["mph", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "yd", "yd", "deg", "µs", "kN"]
 
 
 def test_every_number_of_the_table_is_the_librarys_in_the_unit_of_its_column(clubface_, monkeypatch):
@@ -118,8 +118,8 @@ def test_every_number_of_the_table_is_the_librarys_in_the_unit_of_its_column(clu
         # A model of the impulse has neither contact time nor force.
         names = COLUMNS if model == "rings" else COLUMNS[:-2]
         for name, cell in zip(names, cells, strict=True):
-            assert float(cell) == pytest.approx(of[name], abs=0.5001 * 10.0 ** -PRINTED[name][1]), (model, name)
-    units_row = ["model", "mph", "smash", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "µs", "kN"]
+            assert float(cell) == pytest.approx(of[name], abs=0.5001 * 10.0 ** -PRINTED[name][2]), (model, name)
+    units_row = ["model", "mph", "factor", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "µs", "kN"]
     assert head.splitlines()[-2].split() == units_row
 
 
@@ -131,14 +131,14 @@ def test_an_option_left_out_takes_the_clubs_own_value_or_zero(clubface_):
 
 @pytest.mark.parametrize("attack", ["-1.3 deg", "-1.3deg", "-0.022689280275926284"])
 def test_a_negative_value_is_no_option(clubface_, attack):
-    (row,) = clubface_("shot", "driver", "--speed", "113 mph", "--attack", attack, "--json").json
+    (row,) = clubface_("shot", "driver", "--speed", "113 mph", "--attack", attack, "--json").rows()
     shot = clubface.impact("driver", speed="113 mph", attack="-1.3 deg")
     assert row["launch_deg"] == pytest.approx(shot.get("launch", "deg"), rel=1e-12)
 
 
 def test_a_bare_number_is_si_and_said_to_be(clubface_):
     ran = clubface_("shot", "driver", "--speed", "50", "--json")
-    assert ran.json[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
+    assert ran.rows()[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
     assert ran.err == "clubface: note: --speed 50 has no unit and is taken in m/s\n"
 
 
@@ -159,19 +159,19 @@ def test_a_bare_number_that_no_shot_has_in_si_is_asked_for_its_unit(clubface_, g
 
 
 def test_models_are_chosen_by_commas_or_repetition_in_the_order_asked(clubface_):
-    commas = clubface_("shot", "driver", "--speed", "50 m/s", "--model", "rings,standard", "--json").json
+    commas = clubface_("shot", "driver", "--speed", "50 m/s", "--model", "rings,standard", "--json").rows()
     repeated = clubface_(
         "shot", "driver", "--speed", "50 m/s", "--model", "rings", "--model", "standard", "--json"
-    ).json
+    ).rows()
     assert [row["model"] for row in commas] == ["rings", "standard"]
     assert commas == repeated
 
 
 def test_a_left_handed_shot_is_the_mirror_image(clubface_):
-    right = clubface_("shot", "driver", "--speed", "50 m/s", "--face", "2 deg", "--toe", "5 mm", "--json").json
+    right = clubface_("shot", "driver", "--speed", "50 m/s", "--face", "2 deg", "--toe", "5 mm", "--json").rows()
     left = clubface_(
         "shot", "driver", "--speed", "50 m/s", "--face", "-2 deg", "--toe", "5 mm", "--hand", "left", "--json"
-    ).json
+    ).rows()
     for one, other in zip(right, left, strict=True):
         # Mirrored arithmetic differs by rounding only.
         assert one["backspin_rpm"] == pytest.approx(other["backspin_rpm"], rel=1e-9)
@@ -181,8 +181,8 @@ def test_a_left_handed_shot_is_the_mirror_image(clubface_):
 
 def test_a_setting_changes_the_models_that_have_it(clubface_):
     every = ["shot", "driver", "--speed", "50 m/s", "--model", "all", "--json"]
-    plain = clubface_(*every).json
-    changed = clubface_(*every, "--set", "friction=0.2").json
+    plain = clubface_(*every).rows()
+    changed = clubface_(*every, "--set", "friction=0.2").rows()
     differ = {a["model"] for a, b in zip(plain, changed, strict=True) if a != b}
     assert differ == {"response", "volumetric", "rings", "area"}
 
@@ -191,10 +191,10 @@ def test_parameters_come_from_a_file_or_by_the_name_of_a_published_set(clubface_
     file = write(clubface.ParameterSet.builtin("standard", "driver").replace(cor="0.7").to_toml(), "mine.toml")
     place = list(clubface.models()).index("standard")
     every = ["shot", "driver", "--speed", "50 m/s", "--model", "all", "--json"]
-    rows = clubface_(*every, "--parameters", str(file)).json
+    rows = clubface_(*every, "--parameters", str(file)).rows()
     shot = clubface.impact("driver", speed=50.0, model="standard", parameters={"cor": 0.7})
     assert rows[place]["ball_speed_mps"] == shot.ball_speed
-    named = clubface_(*every, "--parameters", "penner").json
+    named = clubface_(*every, "--parameters", "penner").rows()
     shot = clubface.impact("driver", speed=50.0, model="standard", parameters="penner")
     assert named[place]["ball_speed_mps"] == shot.ball_speed
     assert [row for row in named if row != named[place]] == [row for row in rows if row != rows[place]]
@@ -202,17 +202,17 @@ def test_parameters_come_from_a_file_or_by_the_name_of_a_published_set(clubface_
 
 def test_the_air_is_one_text_or_single_options(clubface_):
     shot = ["shot", "driver", "--speed", "50 m/s", "--json"]
-    text = clubface_(*shot, "--air", "temperature=30 degC, altitude=1600 m, wind=-5 m/s").json
-    single = clubface_(*shot, "--temperature", "30 degC", "--altitude", "1600 m", "--wind", "-5 m/s").json
+    text = clubface_(*shot, "--air", "temperature=30 degC, altitude=1600 m, wind=-5 m/s").rows()
+    single = clubface_(*shot, "--temperature", "30 degC", "--altitude", "1600 m", "--wind", "-5 m/s").rows()
     launch = clubface.impact("driver", speed=50.0)
     flown = clubface.fly(launch, air={"temperature": "30 degC", "altitude": "1600 m"}, wind=("-5 m/s", 0, 0))
     assert text == single
     assert text[0]["carry_m"] == flown.carry
-    assert text[0]["carry_m"] != clubface_(*shot).json[0]["carry_m"]
+    assert text[0]["carry_m"] != clubface_(*shot).rows()[0]["carry_m"]
 
 
 def test_a_crosswind_blows_to_the_right(clubface_):
-    (row,) = clubface_("shot", "driver", "--speed", "50 m/s", "--wind", "0, 5 m/s", "--json").json
+    (row,) = clubface_("shot", "driver", "--speed", "50 m/s", "--wind", "0, 5 m/s", "--json").rows()
     assert row["side_m"] > 5.0
 
 
@@ -230,36 +230,33 @@ def test_a_loft_that_was_not_given_is_said_to_be_the_clubs_own(clubface_):
     assert "static loft" not in clubface_(*face, "--loft", "14 deg").out
 
 
-def test_one_line_under_the_table_says_where_the_caveats_of_the_models_stand(clubface_):
-    shot = ["shot", "driver", "--speed", "50 m/s", "--loft", "12 deg"]
-    table, note = clubface_(*shot, "--model", "adjusted").out.rsplit("\n", 2)[:2]
-    assert note == "Caveats: clubface models adjusted"
-    assert table.splitlines()[-1].startswith("landing angle ")
-    assert clubface_(*shot, "--model", "all").out.endswith("clubface models NAME\n")
-    assert clubface_(*shot, "--model", "slip").out.splitlines()[-1].startswith("landing angle ")  # has no caveats
-    assert "clubface models" not in clubface_(*shot, "--json").out
+def test_a_note_says_where_the_caveats_of_the_models_stand(clubface_):
+    shot = ["shot", "driver", "--speed", "50 m/s", "--loft", "12 deg", "--json"]
+    assert clubface_(*shot, "--model", "adjusted").notes("caveats-listed") == [{"model": "adjusted"}]
+    assert clubface_(*shot, "--model", "all").notes("caveats-listed") == [{"model": "NAME"}]
+    assert clubface_(*shot, "--model", "slip").notes() == []  # has no caveats
     text = " ".join(clubface_("models", "adjusted").out.split())
     assert text.count("lowers backspin by about 600 rpm") == 1
 
 
-def test_the_line_under_the_table_names_the_models_whose_spin_is_beyond_the_aerodynamic_data(clubface_):
+def test_a_note_names_the_models_whose_spin_is_beyond_the_aerodynamic_data(clubface_):
     # The aerodynamics were fitted to spin parameters up to 1: a putt-like speed at a wedge's loft is beyond.
-    slow = ["shot", "pitching-wedge", "--speed", "3 m/s", "--loft", "65 deg", "--model", "standard,slip"]
-    (note,) = clubface_(*slow).out.splitlines()[-1:]
-    assert note == "Spin leaves the aerodynamic data in flight: standard, slip. Caveats: clubface models standard"
+    slow = ["shot", "pitching-wedge", "--speed", "3 m/s", "--loft", "65 deg", "--model", "standard,slip", "--json"]
+    assert clubface_(*slow).notes("outside-aerodynamic-data") == [{"models": ["standard", "slip"]}]
+    assert clubface_(*slow).notes("caveats-listed") == [{"model": "standard"}]
 
 
 def test_the_accuracy_is_passed_on(clubface_):
     shot = ["shot", "driver", "--speed", "50 m/s", "--model", "volumetric", "--json"]
     fine = clubface.impact("driver", speed=50.0, model="volumetric", accuracy=1e-10)
-    assert clubface_(*shot, "--accuracy", "1e-10").json[0]["backspin_rpm"] == fine.get("backspin", "rpm")
+    assert clubface_(*shot, "--accuracy", "1e-10").rows()[0]["backspin_rpm"] == fine.get("backspin", "rpm")
 
 
 def test_a_plot_is_written_and_json_stays_alone(clubface_, tmp_path):
     pytest.importorskip("matplotlib")
     file = tmp_path / "shot.svg"
     ran = clubface_("shot", "driver", "--speed", "50 m/s", "--model", "standard,area", "--plot", str(file), "--json")
-    assert len(ran.json) == 2
+    assert len(ran.rows()) == 2
     assert file.read_bytes().startswith(b"<?xml")
 
 
@@ -297,7 +294,7 @@ def test_outside_its_range_the_default_model_says_so_in_one_line(clubface_):
         f"clubface: note: outside the range of {DEFAULT_MODEL}: clubhead speed 146.4 mph (22.37 to"
     )
     assert "angle between path and face normal 73 deg (0 to 72 deg)" in ran.err
-    assert len(ran.json) == 1
+    assert len(ran.rows()) == 1
 
 
 def test_published_sets_outside_theirs_and_a_model_without_gear_effect_share_one_line(clubface_):
@@ -314,9 +311,9 @@ def test_published_sets_outside_theirs_and_a_model_without_gear_effect_share_one
 def test_the_total_of_a_low_shot_is_an_interval(clubface_):
     """Of a ball that comes down at 12 degrees no measured run is published; of the average drive on tour it is."""
     options = ("flight", "--ball-speed", "145 mph", "--launch", "6.4 deg", "--backspin", "1106 rpm")
-    assert "from a soft to a firm fairway" in " ".join(clubface_(*options).out.split())
-    totals = clubface_(*options, "--json").json
+    ran = clubface_(*options, "--json")
+    totals = ran.values
+    assert ran.notes("run-not-measured")[0]["soft_total_m"] == totals["total_soft_m"]
     assert totals["total_soft_m"] < totals["total_m"] < totals["total_firm_m"]
     drive = ("flight", "--ball-speed", "171 mph", "--launch", "10.4 deg", "--backspin", "2545 rpm")
-    assert "firm fairway" not in " ".join(clubface_(*drive).out.split())
-    assert "total_soft_m" not in clubface_(*drive, "--json").json
+    assert "total_soft_m" not in clubface_(*drive, "--json").values

@@ -19,6 +19,21 @@ class Ran:
     def json(self):
         return json.loads(self.out, parse_constant=lambda name: pytest.fail(f"{name} is not JSON"))
 
+    def rows(self, table=None):
+        """The rows of a table of the JSON document, the first unless named."""
+        tables = self.json["tables"]
+        return tables[table or next(iter(tables))]["rows"]
+
+    @property
+    def values(self):
+        """The single values of the JSON document."""
+        return self.json["values"]
+
+    def notes(self, code=None):
+        """The data of the notes of the JSON document that have a code, or the codes of all."""
+        notes = self.json["notes"]
+        return [each["code"] for each in notes] if code is None else [n["data"] for n in notes if n["code"] == code]
+
 
 def process(*arguments, **options):
     """Run a command line in a process of its own."""

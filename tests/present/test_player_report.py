@@ -12,8 +12,8 @@ import clubface
 from clubface.errors import InputError
 from clubface.present import club_summary, player_report, player_sentences
 from clubface.present.club_summary import figure, figures_of
+from clubface.present.document import Picture, as_markdown
 from clubface.present.player_report import blocks, figures_by_club, write_report
-from clubface.present.report import Picture, as_markdown
 from clubface.shots.recorded import RecordedShots
 
 pytest.importorskip("matplotlib")

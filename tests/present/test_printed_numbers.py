@@ -8,10 +8,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from clubface.present.shot_report import shot_blocks
 
 import clubface
-from clubface.present.report import Bullets, Data, Heading, Paragraph, Picture, Table, as_html, as_markdown, origin
-from clubface.present.shot_report import shot_blocks
+from clubface.present.document import Bullets, Data, Heading, Paragraph, Picture, Table, as_html, as_markdown
+from clubface.present.report import provenance_blocks
+from clubface.simulation.provenance import provenance_of
 
 # Exact by definition: the mile of 1609.344 m, the yard of 0.9144 m.
 SIZES = {
@@ -121,7 +123,9 @@ def test_headings_stand_one_below_the_other(two):
     assert levels[0] == 1
     assert levels.count(1) == 1
     assert all(later - before <= 1 for before, later in pairwise(levels))
-    with_caveats = of_kind(origin([clubface.impact("driver", {"speed": 48.0}, model="standard")]), Heading)
+    with_caveats = of_kind(
+        provenance_blocks(provenance_of([clubface.impact("driver", {"speed": 48.0}, model="standard")])), Heading
+    )
     assert [(each.level, each.text) for each in with_caveats] == [
         (2, "How this was computed"), (3, "Sources"), (3, "What to keep in mind")
     ]  # fmt: skip

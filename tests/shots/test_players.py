@@ -10,8 +10,8 @@ import clubface
 from clubface import shots as launch_monitor
 from clubface.inference.evaluation.evaluation import evaluate
 from clubface.inference.identification.problem import prepared_shots
+from clubface.present.document import Heading
 from clubface.present.player_report import blocks, figures_by_club
-from clubface.present.report import Heading
 from clubface.shots.session_summary import summarised
 
 DATA = Path(__file__).parents[1] / "data" / "launch_monitors"

@@ -210,8 +210,8 @@ def report(
 
     import numpy as np
 
+    from clubface.present.document import ENDINGS
     from clubface.present.player_report import write_report
-    from clubface.present.report import ENDINGS
 
     output.check_target("--output", target, ENDINGS, [*files, texts["mapping"]])
     import clubface.plots  # noqa: F401  (a missing library is told before any work)

@@ -78,7 +78,7 @@ def repeated_in(blocks: list[Any]) -> Iterator[None]:
 def repeat_table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Add a table to the report that repeats what is printed, if there is one."""
     if (blocks := _REPEATED.get()) is not None:
-        from clubface.present.report import Data, Heading, Table, file_name
+        from clubface.present.document import Data, Heading, Table, file_name
 
         if title:
             blocks.append(Heading(3, title))
@@ -88,7 +88,7 @@ def repeat_table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]
 
 def _repeat_texts(texts: Sequence[str], *, bullets: bool) -> None:
     if (blocks := _REPEATED.get()) is not None and texts:
-        from clubface.present.report import Bullets, Paragraph
+        from clubface.present.document import Bullets, Paragraph
 
         blocks.append(Bullets(texts) if bullets else Paragraph(texts))
 
@@ -136,7 +136,7 @@ def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None
 def check_report(target: str | None, inputs: Iterable[str | None] = ()) -> None:
     """Refuse a report to write in the same way."""
     if target is not None:
-        from clubface.present.report import ENDINGS
+        from clubface.present.document import ENDINGS
 
         check_target("--report", target, ENDINGS, inputs)
         import clubface.plots  # noqa: F401  (a missing library is told before any work)

@@ -52,7 +52,9 @@ def write(
         Texts of descriptions that are not in a file the command reads, by name.
     """
     from clubface.plots import svg
-    from clubface.present.report import Block, Data, Heading, Paragraph, Picture, file_name, origin, write_document
+    from clubface.present.document import Block, Data, Heading, Paragraph, Picture, file_name, write_document
+    from clubface.present.report import provenance_blocks
+    from clubface.simulation.provenance import provenance_of
 
     data = Data(file_name(title), list(columns), list(zip(*columns.values(), strict=True)))
     blocks: list[Block] = [Heading(1, title), Paragraph(tuple(words))]
@@ -62,27 +64,27 @@ def write(
     blocks.append(Heading(2, "All figures"))
     with output.repeated_in(blocks), redirect_stdout(io.StringIO()):
         show()
-    blocks += origin(launches, given={**given, **flown(conditions)}, sources=sources)
+    blocks += provenance_blocks(provenance_of(launches, {**given, **flown(conditions)}, sources))
     write_document([*blocks, *repeat(files or {})], target)
 
 
 def named(text: str) -> str:
     """Return words as the name of a file."""
-    from clubface.present.report import file_name
+    from clubface.present.document import file_name
 
     return file_name(text)
 
 
 def flown(conditions: Mapping[str, Any] | None) -> dict[str, str]:
     """Return the conditions of flight in words, by name; nothing where no ball flies."""
-    from clubface.present.shot_report import flight_conditions
+    from clubface.simulation.provenance import flight_conditions
 
     return {} if conditions is None else flight_conditions(**conditions)
 
 
 def repeat(files: Mapping[str, str] | None = None) -> list[Any]:
     """Return the end of a report: the command that was typed, the files that it read, and other ``files`` by name."""
-    from clubface.present.report import Heading, Listing, Paragraph, Table
+    from clubface.present.document import Heading, Listing, Paragraph, Table
 
     read = [each for each in recorded_files() if not each.shipped]
     names = short_names([each.path for each in read])

@@ -107,7 +107,7 @@ class Output:
 
             save(draw(result.pictures()[0], self.units), self.plot)
         if self.report is not None:
-            from clubface.present.result_report import write_report
+            from clubface.present.report import write_report
 
             write_report(result, self.report, units=self.units, command=app.command())
         if self.as_json:

@@ -59,7 +59,7 @@ def _flown(study: str) -> dict[str, Any]:
     """Return air, wind and ground of a study of impacts, and the sources of its club and ball."""
     from clubface.equipment.balls import ball
     from clubface.equipment.clubs import CLUB_NAMES, club
-    from clubface.present.report import equipment_sources
+    from clubface.simulation.provenance import equipment_sources
 
     if not (table := _asked(study)):
         return {}

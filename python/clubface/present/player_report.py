@@ -18,8 +18,7 @@ import numpy as np
 from clubface.errors import InputError
 from clubface.present import player_sentences
 from clubface.present.club_summary import ClubFigures, Figure, figure, figures_of
-from clubface.present.player_sentences import NAMES, SIDES, amount, unit_of
-from clubface.present.report import (
+from clubface.present.document import (
     Block,
     Bullets,
     Data,
@@ -29,12 +28,13 @@ from clubface.present.report import (
     Table,
     check_ending,
     file_name,
-    origin,
     write_document,
 )
-from clubface.present.shot_report import flight_conditions
+from clubface.present.player_sentences import NAMES, SIDES, amount, unit_of
+from clubface.present.report import provenance_blocks
 from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, in_order, session_labels
+from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.units import from_si, size
 
 SHOWN = ("speed", "ball_speed", "launch", "total_spin", "carry", "side", "azimuth", "face", "path", "attack")
@@ -179,7 +179,8 @@ def blocks(clubs: list[ClubFigures], shots: RecordedShots) -> Iterator[Block]:
     hands = "" if shots.hand is None else " and ".join(sorted(set(map(str, shots.hand))))
     given = {"file": sources, "read as": shots.format, "shots": str(len(shots)),
              "rows that gave no shot": str(len(shots.rejected)), "hand": hands or "not told"}  # fmt: skip
-    yield from origin([each.launch for each in clubs if each.launch is not None], given=given | flight_conditions())
+    launches = [each.launch for each in clubs if each.launch is not None]
+    yield from provenance_blocks(provenance_of(launches, given | flight_conditions()))
 
 
 def write_report(shots: RecordedShots, path: str | os.PathLike[str], *, more: Iterable[Block] = ()) -> Path:

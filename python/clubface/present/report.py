@@ -1,308 +1,29 @@
-"""Reports as one file, HTML or Markdown: their pieces, and what they were computed from.
-
-A report as one file, HTML or Markdown, which needs no other: pictures and data are inside.
-
-The pieces that a report is made of.
-
-The end of a report: what it was computed from, by which versions, after which sources.
-"""
+"""A result as a report: what came out in words, pictures, tables with their data, and what it all was computed from."""
 
 from __future__ import annotations
 
-import base64
-import csv
-import html
-import io
 import os
-import platform
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-import numpy as np
-
-from clubface.equipment.backends import MODULES
-from clubface.equipment.balls import Ball
-from clubface.equipment.clubs import Club
-from clubface.errors import LINES, InputError, legible
-from clubface.simulation.launch import Launch
-from clubface.simulation.results import inputs
-from clubface.support.files import write_text
-from clubface.support.version import __version__
-from clubface.units import display_unit, show, show_range
-
-
-class Data(NamedTuple):
-    """Numbers behind a picture or table, which a reader can save as CSV.
-
-    Attributes
-    ----------
-    name
-        Name of the file, without an ending.
-    headings
-        One a column, with its unit: "carry (yd)".
-    rows
-        Numbers, texts, or None for what is not known.
-    """
-
-    name: str
-    headings: Sequence[str]
-    rows: Sequence[Sequence[Any]]
-
-    def as_csv(self) -> str:
-        """Return the data as the text of a CSV file, numbers with all their digits."""
-        kept = io.StringIO()
-        writer = csv.writer(kept, lineterminator="\n")
-        writer.writerow(self.headings)
-        writer.writerows(["" if cell is None or cell != cell else cell for cell in row] for row in self.rows)
-        return kept.getvalue()
-
-
-class Heading(NamedTuple):
-    """A heading; the one of level 1 is the title of the report."""
-
-    level: int
-    text: str
-
-
-class Paragraph(NamedTuple):
-    """Running text, a sentence an entry."""
-
-    texts: Sequence[str]
-
-
-class Bullets(NamedTuple):
-    """A list of sentences."""
-
-    texts: Sequence[str]
-
-
-class Table(NamedTuple):
-    """A table of texts; ``data`` has its numbers, or None."""
-
-    headings: Sequence[str]
-    rows: Sequence[Sequence[str]]
-    data: Data | None = None
-
-
-class Picture(NamedTuple):
-    """A picture: what it shows, in words, the text of its SVG, and the numbers it draws, or None."""
-
-    shows: str
-    svg: str
-    data: Data | None = None
-
-
-class Listing(NamedTuple):
-    """The text of a file that went in, which a reader can save under its ``name``."""
-
-    name: str
-    text: str
-
-
-Block = Heading | Paragraph | Bullets | Table | Picture | Listing
-
-
-ENDINGS = (".html", ".md")
-_STYLE = (
-    "body{font:17px/1.55 Georgia,serif;max-width:46em;margin:2em auto;padding:0 1em;color:#222}"
-    "h1,h2,h3,table{font-family:system-ui,sans-serif}h1,h2,h3{line-height:1.2}"
-    "h2{border-bottom:2px solid #0072B2;margin-top:2em}"
-    "img{max-width:100%}figure{margin:1.5em 0}figcaption,.save{font:14px system-ui,sans-serif;color:#555}"
-    ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
-    "th,td{padding:.25em .7em;border-bottom:1px solid #ddd;text-align:right;vertical-align:top}"
-    "th:first-child,td:first-child,.text{text-align:left}thead th{border-bottom:2px solid #0072B2}"
-    "td{white-space:nowrap}td.text{white-space:normal;overflow-wrap:anywhere}.paper{display:none}"
-    "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
-    "a{color:#005a8f}"
-    "@page{margin:18mm}"
-    "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt}a{color:inherit;text-decoration:none}"
-    ".wide{overflow:visible}.screen{display:none}.paper{display:block;margin-bottom:1em}"
-    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
-    "thead{display:table-header-group}h1,h2,h3{break-after:avoid}}"
+from clubface.present.document import (
+    Block,
+    Bullets,
+    Data,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Table as TextTable,
+    file_name,
+    write_document,
 )
-PRINTED = 9.0
-"""Size of the letters of a table in print [pt]."""
-SMALLEST = 6.0
-"""The least to which they shrink [pt] before a table is printed in parts."""
-PAPER = 480.0
-"""Width between the margins of a sheet of A4, with something to spare [pt]."""
-LETTER, GAP = 0.66, 0.8
-"""Width of a digit of the widest usual type, and of the space round a cell, over the size of the letters."""
-NUMBER = 24
-"""Letters of a cell beyond which it is no number, and its column stands to the left."""
-_ADDRESS = re.compile(
-    r"(?P<url>https?://[^\s<>()\"]+)|doi:? ?(?P<doi>10\.\d{4,9}/[^\s<>()\",;]+)"
-    r"|(?P<page>\b(?:[a-z0-9-]+\.)+(?:com|org|net|edu|gov|io|ca|uk)/[^\s<>()\",;:]+)"
-)
-"""What is an address in a text: a whole one, a DOI, or that of a page without https."""
-
-
-def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Path:
-    """Write a report to one file, HTML or Markdown by its ending; return its path."""
-    target = check_ending(path)
-    return write_text(target, as_html(blocks) if target.suffix.lower() == ".html" else as_markdown(blocks))
-
-
-def check_ending(path: str | os.PathLike[str]) -> Path:
-    """Refuse a report of another kind, before any work."""
-    target = Path(path)
-    if target.suffix.lower() not in ENDINGS:
-        raise InputError("output", str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
-    return target
-
-
-def as_html(blocks: Sequence[Block]) -> str:
-    """Return a report as one HTML document without scripts."""
-    title = next((html.escape(each.text) for each in blocks if isinstance(each, Heading)), "Report")
-    head = (
-        '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-        f"<title>{title}</title><style>{_STYLE}</style>"
-    )
-    body = "\n".join(_html(each) for each in blocks)
-    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{body}\n</main></body></html>\n'
-
-
-def as_markdown(blocks: Sequence[Block]) -> str:
-    """Return a report as Markdown, its pictures as data in it."""
-    return "\n\n".join(_markdown(each) for each in blocks) + "\n"
-
-
-def _html(block: Block) -> str:
-    if isinstance(block, Heading):
-        return f"<h{block.level}>{html.escape(block.text)}</h{block.level}>"
-    if isinstance(block, Paragraph):
-        return f"<p>{_linked(' '.join(block.texts))}</p>"
-    if isinstance(block, Bullets):
-        return "<ul>" + "".join(f"<li>{_linked(text)}</li>" for text in block.texts) + "</ul>"
-    if isinstance(block, Listing):
-        source = _in_the_page(block.text, "text/plain")
-        saved = _saved([_link(source, block.name, "the file")])
-        return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
-    if isinstance(block, Table):
-        return _html_table(block) + _saved([] if block.data is None else [_link_to_csv(block.data)])
-    name = block.data.name if block.data is not None else file_name(block.shows)
-    source = _in_the_page(block.svg, "image/svg+xml")
-    links = [_link(source, f"{name}.svg", "the picture (SVG)")]
-    if block.data is not None:
-        links.append(_link_to_csv(block.data))
-    shows = html.escape(block.shows)
-    return f'<figure><img alt="{shows}" src="{source}"><figcaption>{shows}</figcaption>{_saved(links)}</figure>'
-
-
-def _html_table(table: Table) -> str:
-    """Return a table that scrolls on a screen, and on paper is as small as its width asks, or in parts.
-
-    Numbers are never broken. Every part repeats the first column.
-    """
-    texts = [any(len(row[place]) > NUMBER for row in table.rows) for place in range(len(table.headings))]
-    widths = [_width(table, place, text=text) for place, text in enumerate(texts)]
-    parts = _parts(widths)
-
-    def rows_of(places: Sequence[int]) -> str:
-        def row(cells: Sequence[str], tag: str) -> str:
-            kinds = (' class="text"' * texts[place] for place in places)
-            inside = (
-                f"<{tag}{kind}>{html.escape(cells[place])}</{tag[:2]}>"
-                for kind, place in zip(kinds, places, strict=True)
-            )
-            return f"<tr>{''.join(inside)}</tr>"
-
-        head = row(table.headings, 'th scope="col"')
-        return f"<thead>{head}</thead><tbody>{''.join(row(each, 'td') for each in table.rows)}</tbody>"
-
-    def sized(places: Sequence[int]) -> str:
-        size = min(PRINTED, PAPER / sum(widths[place] for place in places))
-        style = "" if size == PRINTED else f' style="--print:{size:.1f}pt"'
-        return f"<table{style}>{rows_of(places)}</table>"
-
-    whole = range(len(widths))
-    if len(parts) == 1:
-        return f'<div class="wide">{sized(whole)}</div>'
-    paper = "".join(f'<div class="paper" aria-hidden="true">{sized(places)}</div>' for places in parts)
-    return f'<div class="wide screen"><table>{rows_of(whole)}</table></div>{paper}'
-
-
-def _width(table: Table, place: int, *, text: bool) -> float:
-    """Return the least width of a column over the size of its letters; words may be broken, numbers not."""
-    letters = max(map(len, table.headings[place].split()), default=1)
-    cells = max((len(row[place]) for row in table.rows), default=1)
-    return LETTER * max(letters, min(cells, NUMBER) if text else cells) + GAP
-
-
-def _parts(widths: Sequence[float]) -> list[list[int]]:
-    """Return the columns that are printed together, in order: all, or as many as fit, with the first before each."""
-    most = PAPER / SMALLEST
-    parts, room = [[0]], most - widths[0]
-    for place, width in enumerate(widths[1:], 1):
-        if width > room and len(parts[-1]) > 1:
-            parts.append([0])
-            room = most - widths[0]
-        parts[-1].append(place)
-        room -= width
-    return parts
-
-
-def _markdown(block: Block) -> str:
-    if isinstance(block, Heading):
-        return f"{'#' * block.level} {_plain(block.text)}"
-    if isinstance(block, Paragraph):
-        return _plain(" ".join(block.texts))
-    if isinstance(block, Bullets):
-        return "\n".join(f"* {_plain(text)}" for text in block.texts)
-    if isinstance(block, Listing):
-        fence = "`" * max(3, 1 + max(map(len, re.findall("`+", block.text)), default=0))
-        return f"### {_plain(block.name)}\n\n{fence}\n{block.text.rstrip()}\n{fence}"
-    if isinstance(block, Table):
-        lines = [block.headings, ["---", *["---:"] * (len(block.headings) - 1)], *block.rows]
-        return "\n".join("| " + " | ".join(_cell(text) for text in line) + " |" for line in lines)
-    return f"![{_plain(block.shows)}]({_in_the_page(block.svg, 'image/svg+xml')})"
-
-
-def file_name(text: str) -> str:
-    """Return words as the name of a file: small letters, digits and hyphens."""
-    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")[:60] or "picture"
-
-
-def _plain(text: str) -> str:
-    """Return a text in one line that Markdown shows as it is, without tags, links and pictures of its own."""
-    one = " ".join(text.split())
-    return re.sub(r"[\\`\[\]]", r"\\\g<0>", one.replace("&", "&amp;").replace("<", "&lt;"))
-
-
-def _cell(text: str) -> str:
-    return _plain(text).replace("|", "\\|")
-
-
-def _linked(text: str) -> str:
-    """Return a text as HTML, the addresses in it as links."""
-    found, end = [], 0
-    for each in _ADDRESS.finditer(text):
-        told = each[0].rstrip(".,;:")
-        address = each["url"] or (f"https://doi.org/{each['doi']}" if each["doi"] else f"https://{each['page']}")
-        found += [html.escape(text[end : each.start()]), f'<a href="{html.escape(address.rstrip(".,;:"))}">']
-        found.append(f"{html.escape(told)}</a>")
-        end = each.start() + len(told)
-    return "".join(found) + html.escape(text[end:])
-
-
-def _in_the_page(text: str, kind: str) -> str:
-    return f"data:{kind};base64,{base64.b64encode(legible(text, LINES).encode()).decode()}"
-
-
-def _link(address: str, name: str, what: str) -> str:
-    file = html.escape(name)
-    return f'<a download="{file}" href="{address}" aria-label="Save {what} as {file}">{what}</a>'
-
-
-def _link_to_csv(data: Data) -> str:
-    return _link(_in_the_page(data.as_csv(), "text/csv"), f"{data.name}.csv", "the data (CSV)")
-
-
-def _saved(links: Sequence[str]) -> str:
-    return f'<p class="save">Save {" or ".join(links)}</p>' if links else ""
-
+from clubface.present.terminal import headings_and_rows, values_of
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Table
 
 WORKS = {
     "Caldwell and McPhee|Three-dimensional golf clubhead": "Caldwell and McPhee (2023): Three-dimensional golf "
@@ -318,81 +39,98 @@ WORKS = {
 """Works that other sources name in short, in full, by a pattern of the short name."""
 
 
-def origin(
-    launches: Iterable[Launch], *, given: Mapping[str, str] | None = None, sources: Iterable[str] = ()
-) -> Iterator[Block]:
-    """Yield inputs, versions and sources of what was computed from ``launches``.
-
-    ``given`` tells in words what else went in, by name: "air", "golfer"; ``sources`` are those of all but the launches.
-    """
-    found = list(launches)
-    yield Heading(2, "How this was computed")
-    rows = [*_deliveries(found), *(given or {}).items()]
-    if rows:
-        yield Table(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
-    yield Paragraph(tuple(_by(found)))
-    told = list(dict.fromkeys((*_sources(found), *sources)))
-    named = " ".join([*told, *(given or {}).values()])
-    if told := told + [work for short, work in WORKS.items() if re.search(short, named)]:
-        yield Heading(3, "Sources")
-        yield Bullets(told)
-    if caveats := list(dict.fromkeys(_caveats(found))):
-        yield Heading(3, "What to keep in mind")
-        yield Bullets(caveats)
+def write_report(
+    result: Result, path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None, command: str = ""
+) -> Path:
+    """Write a result as one file, HTML or Markdown by its ending; ``command`` is what computes it again."""
+    return write_document(list(report_blocks(result, units=units, command=command)), path)
 
 
-def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
-    """Yield the values of deliveries that all launches share, and the range of those that differ."""
-    for name in launches[0].delivery if launches else ():
-        values = np.concatenate([np.ravel(each.input(name)) for each in launches])
-        values = values[np.isfinite(values)]
-        if not values.any():
+def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, command: str = "") -> Iterator[Block]:
+    """Yield the pieces of the report on a result."""
+    yield Heading(1, result.title)
+    if result.summary:
+        yield Paragraph(tuple(each.sentence for each in result.summary))
+    yield from picture_blocks(result, units)
+    yield Heading(2, "All figures")
+    yield from table_blocks(result, units)
+    if notes := [each.sentence for each in result.notes]:
+        yield Bullets(list(dict.fromkeys(notes)))
+    yield from provenance_blocks(result.provenance)
+    yield from _repeat_blocks(result.provenance, command)
+
+
+def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
+    """Yield the pictures of a result with the numbers behind them."""
+    pictures = result.pictures()
+    if not pictures:
+        return
+    from clubface.plots import svg
+    from clubface.present.drawing import draw, picture_data
+
+    for each in pictures:
+        headings, rows = picture_data(each)
+        yield Picture(each.caption, svg(draw(each, units)), Data(each.name, headings, rows))
+
+
+def table_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
+    """Yield the values and tables of a result as people read them, each with its numbers as CSV."""
+    if result.values:
+        rows = [(name, number, rest) for name, number, rest in values_of(result.values, units)]
+        table = Table(result.kind, result.values)
+        yield TextTable(("quantity", "value", "unit"), rows, _data(table))
+    for each in result.tables:
+        if not len(each):
             continue
-        unit = "mph" if name == "speed" else display_unit(name, inputs()[name].unit)
-        low, high = float(values.min()), float(values.max())
-        yield name.replace("_", " "), show(low, unit) if low == high else show_range(low, high, unit)
+        if each.title:
+            yield Heading(3, each.title)
+        if each.layout == "list":
+            rows = values_of(each.columns, units)
+            yield TextTable(("quantity", "value", "unit"), rows, _data(each))
+            continue
+        heads, cells = headings_and_rows(each, units)
+        yield TextTable([f"{words} ({unit})" if unit else words for words, unit in heads], cells, _data(each))
 
 
-def _by(launches: Sequence[Launch]) -> Iterator[str]:
-    for club, hand, ball, model, parameters in dict.fromkeys(
-        (each.club.name, each.club.hand, each.ball.name, each.model, each.parameters.name) for each in launches
-    ):
-        head = f"{club}, left-handed," if hand < 0 else club
-        yield f"Club {head} and ball {ball}, by the model {model} with the parameters {parameters}."
-    yield versions()
+def provenance_blocks(of: Provenance) -> Iterator[Block]:
+    """Yield inputs, versions, sources and caveats."""
+    yield Heading(2, "How this was computed")
+    if of.inputs:
+        rows = list(of.inputs.items())
+        yield TextTable(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
+    yield Paragraph(tuple(_computed(of)))
+    named = " ".join([*of.sources, *of.inputs.values()])
+    if sources := [*of.sources, *(work for short, work in WORKS.items() if re.search(short, named))]:
+        yield Heading(3, "Sources")
+        yield Bullets(sources)
+    if of.caveats:
+        yield Heading(3, "What to keep in mind")
+        yield Bullets(of.caveats)
 
 
-def versions() -> str:
-    """Return a sentence with the versions of what computed a report."""
-    return f"Computed by clubface {__version__}, Python {platform.python_version()} and numpy {np.__version__}."
+def _computed(of: Provenance) -> Iterator[str]:
+    for each in of.computations:
+        head = f"{each.club}, left-handed," if each.hand == "left" else each.club
+        yield (f"Club {head} and ball {each.ball}, by the model {each.model} with the parameters {each.parameters}.")
+    versions = [f"{'Python' if name == 'python' else name} {version}" for name, version in of.versions.items()]
+    yield f"Computed by {', '.join(versions[:-1])} and {versions[-1]}."
 
 
-def _sources(launches: Sequence[Launch]) -> Iterator[str]:
-    for each in launches:
-        made = each.provenance
-        for what, told in (("model", made["model"]), ("parameters", made["parameters"])):
-            text = " ".join(dict.fromkeys(str(told[key]) for key in ("source", "reference") if told.get(key)))
-            if text:
-                yield f"{what.capitalize()} {told['name']}: {text}"
-        yield from equipment_sources(each.club, each.ball)
+def _repeat_blocks(of: Provenance, command: str) -> Iterator[Block]:
+    """Yield the end of a report: the command, the files that it read, and their texts."""
+    if not (command or of.files or of.descriptions):
+        return
+    yield Heading(2, "To compute it again")
+    if command:
+        yield Listing("The command", command)
+    if of.files:
+        yield Paragraph(("It reads these files.",))
+        yield TextTable(("file", "bytes", "SHA-256"), [(each.name, str(each.bytes), each.sha256) for each in of.files])
+    texts = {**of.descriptions, **{each.name: each.text for each in of.files if each.text is not None}}
+    for name, content in texts.items():
+        yield Listing(name, content)
 
 
-def equipment_sources(*things: Club | Ball) -> Iterator[str]:
-    """Yield where the values of clubs and balls come from, those of one source together."""
-    for thing in things:
-        by_source: dict[str, list[str]] = {}
-        for name, source in thing.sources.items():
-            by_source.setdefault(source, []).append(name.replace("_", " "))
-        for source, names in by_source.items():
-            yield f"{type(thing).__name__} {thing.name}, {', '.join(names)}: {source}"
-
-
-def _caveats(launches: Sequence[Launch]) -> Iterator[str]:
-    for each in launches:
-        # A club that keeps a mesh has it as its head; reduced models know the rigid club alone.
-        if hasattr(each.club, "head") and not each.club.characteristic_time and each.model not in MODULES:
-            yield (
-                f"The face of {each.club.name} is taken as rigid by the model {each.model}: finite elements alone"
-                " strike its mesh, and its file gives no characteristic time."
-            )
-        yield from (str(text) for text in each.provenance["parameters"]["caveats"])
+def _data(table: Table) -> Data:
+    rows: Sequence[Sequence[Any]] = list(table.csv_rows())
+    return Data(file_name(table.name), rows[0], rows[1:])

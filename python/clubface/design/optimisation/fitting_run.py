@@ -27,7 +27,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Told
 from clubface.jobs.resuming import Store, unfinished
-from clubface.present.report import Data, file_name
+from clubface.present.document import Data, file_name
 
 STARTS = 3
 """Starts of a combination's adjustment; it has at most two numbers, loft and lie."""
