@@ -73,7 +73,7 @@ def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
     assert row["contact_time_us"] == shot.get("contact_time", "us")
 
 
-# What is printed: label, SI by definition of the unit, and the digits printed. Each number is compared with the library's.
+# What is printed: label, SI by definition of the unit, and digits. Each number is compared with the library's.
 PRINTED = {
     "ball_speed": ("ball speed", 0.44704, 1), "smash": ("smash factor", 1.0, 3),
     "launch": ("launch angle", math.pi / 180, 1), "azimuth": ("launch direction", math.pi / 180, 1),

@@ -8,22 +8,23 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from clubface.present.shot_report import shot_blocks
 
 import clubface
 from clubface.present.document import Bullets, Data, Heading, Paragraph, Picture, Table, as_html, as_markdown
-from clubface.present.report import provenance_blocks
+from clubface.present.report import provenance_blocks, report_blocks
 from clubface.simulation.provenance import provenance_of
+from clubface.simulation.shot_result import shot_result
 
 # Exact by definition: the mile of 1609.344 m, the yard of 0.9144 m.
 SIZES = {
-    "mph": 1609.344 / 3600.0, "yd": 0.9144, "deg": math.pi / 180.0, "rpm": 2.0 * math.pi / 60.0, "us": 1e-6,
+    "mph": 1609.344 / 3600.0, "yd": 0.9144, "deg": math.pi / 180.0, "rpm": 2.0 * math.pi / 60.0, "µs": 1e-6,
     "kN": 1e3, "": 1.0,
 }  # fmt: skip
 PRINTED = {
-    "ball speed": ("mph", 1), "smash": ("", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
-    "sidespin": ("rpm", 0), "spin axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1), "total": ("yd", 1),
-    "apex": ("yd", 1), "landing angle": ("deg", 1), "contact time": ("us", 0), "peak force": ("kN", 1),
+    "ball_speed": ("mph", 1), "smash": ("", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
+    "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
+    "total": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1), "contact_time": ("µs", 0),
+    "peak_force": ("kN", 1),
 }  # fmt: skip
 """What fitters read these quantities in, and how many digits they can use."""
 
@@ -32,8 +33,7 @@ def shot(models=("response",), **delivery):
     launches = {name: clubface.impact("7-iron", {"speed": 40.0, **delivery}, model=name) for name in models}
     flights = {name: clubface.fly(each) for name, each in launches.items()}
     places = {"response": np.asarray(clubface.trajectory(launches["response"]).position)}
-    blocks = list(shot_blocks(launches, flights, clubface.plots.shot_figure(places), places))
-    return launches, flights, blocks
+    return launches, flights, list(report_blocks(shot_result(launches, flights, paths=lambda: (places, {}))))
 
 
 def of_kind(blocks, kind):
@@ -57,21 +57,20 @@ def test_every_number_of_the_words(place):
     launches, flights, blocks = shot(face=face)
     launch, flight = launches["response"], flights["response"]
     words = " ".join(of_kind(blocks, Paragraph)[0].texts).replace("7-iron", "club")
-    told = [
+    wanted = [
         (launch.delivery["speed"], "mph", 1), (launch.delivery["loft"], "deg", 1), (launch.ball_speed, "mph", 1),
         (launch.launch, "deg", 1), (launch.total_spin, "rpm", 0), (flight.carry, "yd", 0),
         *([] if place == "on the line" else [(abs(flight.side), "yd", 0)]), (flight.apex, "yd", 0),
         (flight.landing_angle, "deg", 0),
     ]  # fmt: skip
-    numbers = re.findall(r"\d+(?:\.\d+)?", words)
-    assert numbers == [f"{value / SIZES[unit]:.{digits}f}" for value, unit, digits in told]
+    assert re.findall(r"(\d+(?:\.\d+)?) (mph|deg|rpm|yd)", words) == [
+        (f"{value / SIZES[unit]:.{digits}f}", unit) for value, unit, digits in wanted
+    ]
     assert place in words
-    units = re.findall(r"\d (mph|degrees|rpm|yd)", words)
-    assert units == [{"deg": "degrees"}.get(unit, unit) for _, unit, _ in told]
 
 
-class Aside:
-    """A flight that ends a stated way beside the line."""
+class Offline:
+    """A flight that ends a stated way off the line."""
 
     def __init__(self, flight, yards):
         self._flight, self.side = flight, yards * 0.9144
@@ -86,36 +85,23 @@ class Aside:
 )
 def test_what_rounds_to_no_yard_is_on_the_line(two, yards, place):
     launches, flights, _ = two
-    beside = {name: Aside(each, yards) for name, each in flights.items()}
-    texts = next(each.texts for each in shot_blocks(launches, beside, None, {}) if isinstance(each, Paragraph))
-    assert place in texts[-1]
+    moved = {name: Offline(each, yards) for name, each in flights.items()}
+    assert place in shot_result(launches, moved).summary[2].sentence
 
 
 def test_every_number_of_the_table(two):
     launches, flights, blocks = two
     table = of_kind(blocks, Table)[0]
-    assert table.headings == ("quantity", "response", "slip")
-    assert len(table.rows) == len(PRINTED)
-    for row, exact, (name, (unit, digits)) in zip(table.rows, table.data.rows, PRINTED.items(), strict=True):
-        assert row[0] == exact[0] == (f"{name} ({unit})" if unit else name)
-        attribute = name.replace(" ", "_")
-        for model, cell, number in zip(launches, row[1:], exact[1:], strict=True):
-            of = launches[model] if hasattr(launches[model], attribute) else flights[model]
-            si = float(getattr(of, attribute))
-            assert number == pytest.approx(si / SIZES[unit], rel=1e-14, nan_ok=True)
+    assert [row[0] for row in table.rows] == ["response", "slip"]
+    printed = {name: each for name, each in PRINTED.items() if name not in ("total", "apex", "landing_angle")}
+    for model, row in zip(launches, table.rows, strict=True):
+        for heading, cell, (name, (unit, digits)) in zip(table.headings[1:], row[1:], printed.items(), strict=True):
+            assert heading.endswith(f"({unit})") or not unit
+            si = float(getattr(launches[model] if hasattr(launches[model], name) else flights[model], name))
             assert cell == ("" if math.isnan(si) else f"{si / SIZES[unit]:.{digits}f}")
     # The model slip has no contact that lasts; nothing else is missing.
-    assert [row[0] for row in table.rows if "" in row] == ["contact time (us)", "peak force (kN)"]
-    assert of_kind(blocks, Paragraph)[1].texts[0].startswith("These are the figures of the model response;")
-    assert "others" not in " ".join(text for each in of_kind(shot()[2], Paragraph) for text in each.texts)
-
-
-def test_the_points_of_the_flight_are_in_yards_to_a_thousandth(two):
-    launches, _, blocks = two
-    (picture,) = of_kind(blocks, Picture)
-    assert picture.data.headings == ("model", "forward (yd)", "height (yd)", "right (yd)")
-    path = np.asarray(clubface.trajectory(launches["response"]).position) / 0.9144
-    assert [row[1:] for row in picture.data.rows] == [tuple(round(float(each), 3) for each in row) for row in path]
+    assert [place for place, cell in enumerate(table.rows[1]) if not cell] == [11, 12]
+    assert not any(cell == "" for cell in table.rows[0])
 
 
 def test_headings_stand_one_below_the_other(two):
@@ -123,9 +109,8 @@ def test_headings_stand_one_below_the_other(two):
     assert levels[0] == 1
     assert levels.count(1) == 1
     assert all(later - before <= 1 for before, later in pairwise(levels))
-    with_caveats = of_kind(
-        provenance_blocks(provenance_of([clubface.impact("driver", {"speed": 48.0}, model="standard")])), Heading
-    )
+    launch = clubface.impact("driver", {"speed": 48.0}, model="standard")
+    with_caveats = of_kind(provenance_blocks(provenance_of([launch])), Heading)
     assert [(each.level, each.text) for each in with_caveats] == [
         (2, "How this was computed"), (3, "Sources"), (3, "What to keep in mind")
     ]  # fmt: skip
@@ -133,7 +118,7 @@ def test_headings_stand_one_below_the_other(two):
 
 def test_what_nothing_was_given_for_is_not_listed(two):
     inputs = of_kind(two[2], Table)[1]
-    assert [row[0] for row in inputs.rows] == ["speed", "loft", "face"]
+    assert [row[0] for row in inputs.rows] == ["speed", "loft", "face", "air", "wind", "ground"]
     assert inputs.data.rows == inputs.rows
 
 
