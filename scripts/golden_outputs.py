@@ -15,7 +15,6 @@ from __future__ import annotations
 import argparse
 import base64
 import csv
-import difflib
 import hashlib
 import html
 import io
@@ -33,12 +32,12 @@ import sys
 import tempfile
 import time
 import tomllib
-from bisect import bisect_left
-from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
+
+from golden_comparison import compare, read_tree
 
 ROOT = Path(__file__).resolve().parents[1]
 RUNS = Path(__file__).with_name("golden_runs.toml")
@@ -244,11 +243,6 @@ def free_port() -> int:
         return one.getsockname()[1]
 
 
-def read_tree(folder: Path) -> dict[str, bytes]:
-    """Return the content of every file in a folder by its path in it."""
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
-
-
 PICTURES = {".png", ".pdf", ".gif"}
 EMBEDDED = re.compile(r"data:([\w/+-]+)(?:;charset=[\w-]+)?;base64,([A-Za-z0-9+/=]+)")
 DOWNLOAD = re.compile(r'download="([^"]*)" href="data:[\w/+-]+(?:;charset=[\w-]+)?;base64,([A-Za-z0-9+/=]+)"')
@@ -360,7 +354,7 @@ def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     package, version = subprocess.run(
         [sys.executable, "-c", asked], capture_output=True, text=True, check=True
     ).stdout.splitlines()
-    told = [
+    normalised = [
         (re.escape(package), "PACKAGE"),
         (rf"\b{re.escape(version)}(\+\S+)?(?![\d.])", "VERSION"),
         (r"\b(Python|numpy|scipy|matplotlib) \d+\.\d+(\.\d+)?", r"\1 VERSION"),
@@ -370,7 +364,7 @@ def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (r"0x[0-9a-f]{8,}", "ADDRESS"),
         (r"golden-\w{8}", "golden"),
     ]
-    return tuple((re.compile(pattern), other) for pattern, other in told)
+    return tuple((re.compile(pattern), other) for pattern, other in normalised)
 
 
 def record(target: Path, *, jobs: int, with_long: bool, only: list[str], inputs: Path | None) -> int:
@@ -400,406 +394,6 @@ def record(target: Path, *, jobs: int, with_long: bool, only: list[str], inputs:
         print(f"{taken:7.1f} s  {name}")
     print(f"{len(seconds)} runs in {time.monotonic() - started:.0f} s: {target}")
     return 0
-
-
-# --- Numbers ----------------------------------------------------------------------------------------------------------
-
-SAME = 1e-12
-"""Relative difference up to which a number under the same key is the same."""
-KEPT = 1e-9
-"""Relative difference up to which a number occurs elsewhere."""
-UNITS = {
-    "deg": math.pi / 180, "rpm": math.pi / 30, "mph": 0.44704, "km/h": 1 / 3.6, "yd": 0.9144, "ft": 0.3048,
-    "in": 0.0254, "%": 1e-2, "milli": 1e-3, "micro": 1e-6, "kilo": 1e3, "mega": 1e6, "giga": 1e9, "hecto": 1e2,
-    "g cm2": 1e-7, "mm2": 1e-6, "cm3": 1e-6, "t/mm3": 1e12, "yd2": 0.9144**2, "mph/deg": 0.44704 / (math.pi / 180),
-    "1000 rpm/mm": math.pi / 30 / 1e-3,
-}  # fmt: skip
-"""Sizes of units in SI: a number that was in one of them may be in SI later, or the other way round."""
-FACTORS = {
-    factor
-    for one in (1.0, *UNITS.values())
-    for other in (1.0, *UNITS.values())
-    for factor in (one, 1.0 / one, one / other)
-}
-NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
-
-
-@dataclass(frozen=True)
-class Number:
-    """A number of a recording.
-
-    Attributes
-    ----------
-    value
-        Its value.
-    place
-        Key, column or line under which it stands.
-    digits
-        Size of half a unit in its last digit, by which it may be rounded; 0 for a number that was not rounded.
-    """
-
-    value: float
-    place: str
-    digits: float = 0.0
-
-
-def number_of(text: str, place: str) -> Number | None:
-    """Return the number that a text is, or None."""
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    if not math.isfinite(value):
-        return None
-    mantissa, _, exponent = text.strip().lower().partition("e")
-    decimals = len(mantissa.partition(".")[2])
-    full = len(re.sub(r"^[-+0.]+|\.", "", mantissa)) >= 12
-    return Number(value, place, 0.0 if full else 0.5 * 10.0 ** (int(exponent or 0) - decimals))
-
-
-class Pool:
-    """Numbers in which others are looked up, each of which stands for one other at most."""
-
-    def __init__(self, numbers: Iterable[float]) -> None:
-        self.values = sorted(numbers)
-        self.used = [False] * len(self.values)
-
-    def take(self, value: float, slack: float) -> bool | None:
-        """Use up a number within ``slack``; return None if there are only used ones, and False if there is none."""
-        start, some = bisect_left(self.values, value - slack), False
-        for place in range(start, len(self.values)):
-            if self.values[place] > value + slack:
-                break
-            some = True
-            if not self.used[place]:
-                self.used[place] = True
-                return True
-        return None if some else False
-
-
-@dataclass
-class Kept:
-    """What became of the numbers of BEFORE.
-
-    Attributes
-    ----------
-    same
-        How many occur in AFTER as they were.
-    converted
-        How many occur in another unit.
-    refined
-        How many were rounded, and occur with more digits.
-    fewer
-        Those that occur, but not as often.
-    lost
-        Those that do not occur.
-    """
-
-    same: int = 0
-    converted: int = 0
-    refined: int = 0
-    fewer: list[Number] = field(default_factory=list)
-    lost: list[Number] = field(default_factory=list)
-
-
-def keep_numbers(before: Iterable[Number], after: Iterable[Number]) -> Kept:
-    """Look up every number of BEFORE in AFTER: as it is, then in other units, then as the rounding of one in AFTER."""
-    kept, pool = Kept(), Pool(each.value for each in after)
-    waiting = []
-    for each in before:
-        found = pool.take(each.value, KEPT * abs(each.value))
-        if found:
-            kept.same += 1
-        else:
-            waiting.append((each, found is None))
-    for each, known in waiting:
-        if each.value != 0.0 and convert(pool, each):
-            kept.converted += 1
-        elif each.digits and round_off(pool, each):
-            kept.refined += 1
-        else:
-            (kept.fewer if known else kept.lost).append(each)
-    return kept
-
-
-def convert(pool: Pool, each: Number) -> bool:
-    """Whether a number occurs times a ratio of units, or as a temperature in the other scale."""
-    if each.digits and abs(each.value) < 100 * each.digits:
-        return False  # two digits fit anything
-    values = (each.value * factor for factor in FACTORS)
-    return any(pool.take(value, KEPT * abs(value)) for value in (*values, each.value + 273.15, each.value - 273.15))
-
-
-def round_off(pool: Pool, each: Number) -> bool:
-    """Whether a number is the rounding of one that occurs, in SI or in the unit it was printed in."""
-    sizes = (1.0, *UNITS.values()) if abs(each.value) >= 100 * each.digits else (1.0,)
-    return any(pool.take(each.value * size, 1.001 * each.digits * size) for size in sizes)
-
-
-# --- Comparison -------------------------------------------------------------------------------------------------------
-
-
-@dataclass
-class Difference:
-    """How one output of a run differs.
-
-    Attributes
-    ----------
-    output
-        Stream or file, as in ``1.out`` or ``files/map.csv``.
-    kind
-        "json", "csv", "text", "status", "missing" or "new".
-    changed
-        Numbers under the same key that differ, with both values.
-    moved
-        The same where the number of BEFORE occurs elsewhere in the document, so that it only changed place.
-    keys
-        Keys or columns that were removed and added.
-    kept
-        What became of the numbers.
-    elsewhere
-        How many of the numbers that this output lost stand in another output of the run.
-    lines
-        Difference of the texts, line by line.
-    bad
-        Whether a number is lost from a JSON document or from all outputs of the run, a number of a document or table
-        changed under its key, a status changed or a file is missing.
-    """
-
-    output: str
-    kind: str
-    changed: list[str] = field(default_factory=list)
-    moved: list[str] = field(default_factory=list)
-    removed: list[str] = field(default_factory=list)
-    added: list[str] = field(default_factory=list)
-    texts: list[str] = field(default_factory=list)
-    kept: Kept = field(default_factory=Kept)
-    elsewhere: int = 0
-    lines: list[str] = field(default_factory=list)
-    bad: bool = False
-
-
-def flatten(value: object, place: str = "") -> Iterator[tuple[str, object]]:
-    """Yield the leaves of a JSON document with their keys."""
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            yield from flatten(inner, f"{place}.{key}" if place else str(key))
-    elif isinstance(value, list):
-        for number, inner in enumerate(value):
-            yield from flatten(inner, f"{place}[{number}]")
-    else:
-        yield place, value
-
-
-def read_json(text: str) -> dict[str, object] | None:
-    """Return the leaves of a text that is a JSON document, or one a line; None of any other text."""
-    if not text.lstrip().startswith(("{", "[")):
-        return None
-    try:
-        return dict(flatten(json.loads(text)))
-    except ValueError:
-        pass
-    try:
-        return dict(flatten([json.loads(line) for line in text.splitlines() if line.strip()]))
-    except ValueError:
-        return None
-
-
-def is_number(value: object) -> bool:
-    """Whether a leaf is a finite number."""
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-
-
-def numbers_of(output: str, text: str) -> list[Number]:
-    """Return every number of an output."""
-    leaves = read_json(text)
-    if leaves is not None:
-        return [Number(float(value), place) for place, value in leaves.items() if is_number(value)]  # pyright: ignore[reportArgumentType]
-    if output.endswith(".csv"):
-        cells = read_table(text)[1]
-        found = (number_of(cell, place) for place, cell in cells.items())
-        return [each for each in found if each]
-    lines = enumerate(text.splitlines(), 1)
-    found = (number_of(each[0], f"line {line}") for line, row in lines for each in NUMBER.finditer(row))
-    return [each for each in found if each]
-
-
-def read_table(text: str) -> tuple[list[str], dict[str, str]]:
-    """Return the columns of a CSV file, and each cell by its column and row."""
-    rows = list(csv.reader(io.StringIO(text)))
-    heads = rows[0] if rows else []
-    return heads, {
-        f"{heads[place] if place < len(heads) else place}[{number}]": cell
-        for number, row in enumerate(rows[1:])
-        for place, cell in enumerate(row)
-    }
-
-
-def close(one: object, other: object) -> bool:
-    """Whether two leaves are the same."""
-    if is_number(one) and is_number(other):
-        return math.isclose(one, other, rel_tol=SAME, abs_tol=1e-300)  # pyright: ignore[reportArgumentType]
-    return one == other
-
-
-def compare_leaves(found: Difference, before: dict[str, object], after: dict[str, object]) -> None:
-    """Compare two documents key by key: keys, values under the same key, and texts that went."""
-    found.removed = collapse(key for key in before if key not in after)
-    found.added = collapse(key for key in after if key not in before)
-    values = Pool(float(value) for value in after.values() if is_number(value))  # pyright: ignore[reportArgumentType]
-    for key in before:
-        if key in after and is_number(before[key]) and not close(before[key], after[key]):
-            one = float(before[key])  # pyright: ignore[reportArgumentType]
-            elsewhere = values.take(one, SAME * abs(one)) is not False
-            (found.moved if elsewhere else found.changed).append(f"{key}: {before[key]!r} -> {after[key]!r}")
-    texts = Counter(value for value in before.values() if isinstance(value, str))
-    texts -= Counter(value for value in after.values() if isinstance(value, str))
-    found.texts = list(texts)
-
-
-def collapse(keys: Iterable[str]) -> list[str]:
-    """Return keys with the numbers of their lists left out, each once."""
-    return list(dict.fromkeys(re.sub(r"\[\d+\]", "[]", key) for key in keys))
-
-
-def compare_output(output: str, before: str, after: str, rest: list[Number]) -> Difference | None:
-    """Return how an output differs, None if it does not; ``rest`` are the numbers of all outputs of AFTER's run."""
-    if before == after:
-        return None
-    one, other = read_json(before), read_json(after)
-    if one is not None and other is not None:
-        found = Difference(output, "json")
-        compare_leaves(found, one, other)
-    elif output.endswith(".csv"):
-        found = Difference(output, "csv")
-        (heads, cells), (new_heads, new_cells) = read_table(before), read_table(after)
-        compare_leaves(found, numeric(cells), numeric(new_cells))
-        found.removed = [each for each in heads if each not in new_heads]
-        found.added = [each for each in new_heads if each not in heads]
-        rows = before.count("\n"), after.count("\n")
-        found.texts += [f"{rows[0]} lines, now {rows[1]}"] if rows[0] != rows[1] else []
-    else:
-        found = Difference(output, "text" if one is None else "json that is none now")
-    found.kept = keep_numbers(numbers_of(output, before), numbers_of(output, after))
-    found.elsewhere = len(found.kept.lost) - len(keep_numbers(found.kept.lost, rest).lost)
-    if found.kind != "csv" or len(before) < 20_000:
-        lines = difflib.unified_diff(before.splitlines(), after.splitlines(), lineterm="", n=1)
-        found.lines = [line for line in lines if not line.startswith(("---", "+++"))]
-    lost = len(found.kept.lost) - (0 if found.kind == "json" else found.elsewhere)
-    # The data of a report may get more digits under the same heading; other tables may not change.
-    found.bad = lost > 0 or (bool(found.changed) and ".saved/" not in output)
-    return found
-
-
-def numeric(cells: dict[str, str]) -> dict[str, object]:
-    """Return cells with those that are numbers as numbers."""
-    found = {place: number_of(cell, place) for place, cell in cells.items()}
-    return {place: each.value if each else cells[place] for place, each in found.items()}
-
-
-def compare_run(before: Path, after: Path) -> list[Difference]:
-    """Return how the outputs of a run differ."""
-    one, other = ({key: text.decode() for key, text in read_tree(each).items()} for each in (before, after))
-    statuses = [json.loads(each.pop("commands.json")) for each in (one, other)]
-    found = []
-    for old, new in zip(*statuses, strict=False):
-        if old != new:
-            found.append(Difference("status", "status", lines=[f"-{old}", f"+{new}"], bad=True))
-    if len(statuses[0]) != len(statuses[1]):
-        found.append(Difference("status", "status", lines=["another number of commands"], bad=True))
-    rest = [number for output, text in other.items() for number in numbers_of(output, text)] if one != other else []
-    for output in sorted(one.keys() | other.keys()):
-        if output not in other:
-            kept = keep_numbers(numbers_of(output, one[output]), rest)
-            # Data inside a report may get another name; a file that was asked for has the name that it was given.
-            bad = bool(kept.lost) or ".saved/" not in output
-            found.append(Difference(output, "missing", kept=kept, lines=one[output].splitlines()[:3], bad=bad))
-        elif output not in one:
-            found.append(Difference(output, "new", lines=other[output].splitlines()[:3]))
-        elif difference := compare_output(output, one[output], other[output], rest):
-            found.append(difference)
-    return found
-
-
-def run_names(folder: Path) -> list[str]:
-    """Return the runs of a recording."""
-    return sorted(str(path.parent.relative_to(folder)) for path in folder.rglob("commands.json"))
-
-
-def compare(before: Path, after: Path, report: Path, most: int) -> int:
-    """Print a table of all runs and write their differences; return 1 if a number or an output is lost or changed."""
-    names, others = run_names(before), run_names(after)
-    differences = {name: compare_run(before / name, after / name) for name in names if name in others}
-    gone, new = [each for each in names if each not in others], [each for each in others if each not in names]
-    parts = [f"# Outputs of {before} and {after}\n", summary(differences, gone, new)]
-    for name, found in differences.items():
-        if found:
-            parts.append(f"## {name}\n")
-            parts += [describe(each, most) for each in found]
-    report.write_text("\n".join(parts), encoding="utf-8")
-    print(summary(differences, gone, new))
-    print(f"All differences: {report}")
-    return int(bool(gone) or any(each.bad for found in differences.values() for each in found))
-
-
-def summary(differences: dict[str, list[Difference]], gone: list[str], new: list[str]) -> str:
-    """Return counts, and a table of the runs that differ."""
-    different = {name: found for name, found in differences.items() if found}
-    every = [each for found in different.values() for each in found]
-    kept = [each.kept for each in every]
-    lines = [
-        f"{len(differences)} runs in both: {len(differences) - len(different)} the same to the last byte, "
-        f"{sum(not any(each.bad for each in found) for found in different.values())} with every number kept, "
-        f"{sum(any(each.bad for each in found) for found in different.values())} to look at.",
-        f"In outputs that differ, {sum(each.same for each in kept)} numbers occur as they were, "
-        f"{sum(each.converted for each in kept)} in another unit, {sum(each.refined for each in kept)} with more "
-        f"digits, {sum(len(each.fewer) for each in kept)} less often, and {sum(len(each.lost) for each in kept)} are "
-        f"lost, {sum(each.elsewhere for each in every)} of them to another output of the run.",
-        *([f"Runs that are gone: {', '.join(gone)}"] if gone else []),
-        *([f"Runs that are new: {', '.join(new)}"] if new else []),
-        "",
-    ]
-    if different:
-        lines += ["| run | outputs that differ | status | changed | moved | converted | refined | fewer | lost | |",
-                  "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"]  # fmt: skip
-    for name, found in sorted(different.items(), key=lambda pair: not any(each.bad for each in pair[1])):
-        cells = [
-            len(found),
-            sum(each.kind in ("status", "missing") for each in found),
-            sum(len(each.changed) for each in found),
-            sum(len(each.moved) for each in found),
-            sum(each.kept.converted for each in found),
-            sum(each.kept.refined for each in found),
-            sum(len(each.kept.fewer) for each in found),
-            sum(len(each.kept.lost) for each in found),
-        ]
-        names = [each.output for each in found if each.bad]
-        bad = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-        lines.append(f"| {name} | {' | '.join(map(str, cells))} | {bad} |")
-    return "\n".join(lines) + "\n"
-
-
-def describe(found: Difference, most: int) -> str:
-    """Return what is different in one output, with at most so many items of each kind."""
-    lines = [f"### {found.output}: {found.kind}{', to look at' if found.bad else ''}\n"]
-    items = {
-        "keys removed": found.removed, "keys added": found.added, "texts that went": found.texts,
-        "numbers changed under their key": found.changed, "numbers that only changed place": found.moved,
-        f"numbers lost, {found.elsewhere} of them to another output": shown(found.kept.lost),
-        "numbers that occur less often": shown(found.kept.fewer),
-    }  # fmt: skip
-    for title, each in items.items():
-        if each:
-            lines.append(f"* {len(each)} {title}: " + "; ".join(f"`{one}`" for one in each[:most]))
-    if found.lines:
-        rest = [f"... {len(found.lines) - most} more lines"] if len(found.lines) > most else []
-        lines += ["", "````diff", *(line[:240] for line in found.lines[:most]), *rest, "````"]
-    return "\n".join(lines) + "\n"
-
-
-def shown(numbers: list[Number]) -> list[str]:
-    """Return numbers with their places."""
-    return [f"{each.place}: {each.value!r}" for each in numbers]
 
 
 def main() -> int:
