@@ -9,7 +9,9 @@ pytest.importorskip("matplotlib")
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from clubface.design.pictures import COMPARISON_BARS, MAPPED_QUANTITIES, comparison_figure, face_map_figure
+from clubface.design.comparison import comparison_picture
+from clubface.design.pictures import MAPPED_QUANTITIES, face_map_figure
+from clubface.present.drawing import draw
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -32,27 +34,22 @@ def assert_apart(figure):
 def test_a_comparison_shows_flights_and_the_largest_contributions():
     swing = {**DRIVE, "toe": "12 mm"}
     clubs = ("driver", "3-wood")
-    found = clubface.compare({name: {"club": name, "delivery": swing} for name in clubs})
-    figure = comparison_figure(found, units={"carry": "m"})
-    assert_apart(figure)
-    side, above, *bars = panels(figure)
-    assert side.get_xlabel() == "distance along the target line (m)"
-    for line, name in zip(side.lines, clubs, strict=True):
-        assert line.get_xdata()[-1] == pytest.approx(found.value(name, "carry"), rel=0.01)
-    assert len(above.lines) == len(clubs) + 1  # and the target line
-    labels = [each.get_text() for each in bars[0].get_yticklabels()]
-    assert len(labels) == COMPARISON_BARS + 2
-    assert labels[-1] == "remainder"
-    carry = next(axes for axes in bars if axes.get_title(loc="left").startswith("carry"))
-    difference = found.difference("3-wood", "carry")
-    assert carry.get_title(loc="left") == f"carry {difference:+.1f} m"
-    # All bars together are the difference.
-    assert sum(bar.get_width() for bar in carry.patches) == pytest.approx(difference, rel=1e-9)
+    compared = clubface.compare({name: {"club": name, "delivery": swing} for name in clubs})
+    picture = comparison_picture(compared)
+    assert_apart(draw(picture, {"carry": "m"}))
+    (side, above), bars = picture.rows
+    for mark, name in zip(side.marks, clubs, strict=True):
+        assert mark.x[-1] == pytest.approx(compared.value(name, "carry"), rel=0.01)
+    assert len(above.marks) == len(clubs) + 1  # and the target line
+    assert bars[0].y.names[-2:] == ["remainder", "difference"]
+    *parts, difference = next(panel for panel in bars if panel.title == "carry").marks[0].x
+    assert difference == pytest.approx(compared.difference("3-wood", "carry"), rel=1e-12)
+    assert sum(parts) == pytest.approx(difference, rel=1e-9)
 
 
 def test_a_comparison_without_contributions_shows_the_flights_alone():
-    found = clubface.compare({name: {"club": name, "delivery": DRIVE} for name in ("driver", "3-wood")}, split=False)
-    assert len(panels(comparison_figure(found))) == 2
+    sides = {name: {"club": name, "delivery": DRIVE} for name in ("driver", "3-wood")}
+    assert len(comparison_picture(clubface.compare(sides, split=False)).rows) == 1
 
 
 @pytest.fixture(scope="module")

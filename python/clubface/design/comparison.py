@@ -1,31 +1,36 @@
-"""Shots side by side: alternatives, one or many from the rows of a file, and their differences.
-
-Shots side by side: clubs, balls, models, parameters or deliveries, their differences and what makes them.
-
-Deliveries to compare, one from each row of a file.
-"""
+"""Shots side by side: clubs, balls, models, parameters or deliveries, their differences and what makes them."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
-from clubface.design.contributions import QUANTITIES, Contributions, Stage, contributions, quantities, symbol, values
+from clubface.design.contributions import QUANTITIES, Contributions, Stage, contributions, symbol, values
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
-from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.models import DEFAULT_MODEL, model
 from clubface.errors import FileError, InputError, RangeWarning, ShotError, Told
+from clubface.quantities import Quantity, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import check_units, delivery_words, layout, plain_name
 from clubface.shots.tables.reader import open_table
-from clubface.simulation.flight import Flight, fly
+from clubface.simulation.flight import Flight, fly, trajectory
 from clubface.simulation.impact import impact, warn_if_outside
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
+from clubface.simulation.provenance import flight_conditions, provenance_of
+from clubface.simulation.sensitivity import FEW, OF_THE_BALL
 from clubface.support.checks import check_choice, check_count, check_name, check_names, without_warnings
 from clubface.units import to_si
 
@@ -62,7 +67,7 @@ class Alternative:
         return found
 
 
-class Compared:
+class Compared(Described):
     """Shots that were compared; differences are from the first of them.
 
     Attributes
@@ -73,67 +78,247 @@ class Compared:
         By name.
     contributions
         What makes the difference of each from the first, by name; empty where it was not asked for.
+    conditions
+        Air, wind and ground of the flights.
     """
 
     def __init__(
         self,
         launches: Mapping[str, Launch],
         flights: Mapping[str, Flight],
-        found: Mapping[str, Contributions],
-        levels: Mapping[str, Any],
+        split: Mapping[str, Contributions],
+        conditions: Mapping[str, Any],
     ) -> None:
         self.names = tuple(launches)
-        self.launches, self.flights, self.contributions = dict(launches), dict(flights), dict(found)
-        self._levels = levels
+        self.launches, self.flights, self.contributions = dict(launches), dict(flights), dict(split)
+        self.conditions = dict(conditions)
+        self._levels = {name: values(each, flights[name]) for name, each in launches.items()}
 
     def value(self, name: str, quantity: str, unit: str | None = None) -> float:
         """Return a quantity of one alternative: in SI, or in ``unit``."""
         check_choice("alternative", name, self.names)
         check_choice("quantity", quantity, QUANTITIES)
-        found = float(self._levels[name][QUANTITIES.index(quantity)])
-        return found if unit is None else float(units.from_si(found, symbol(quantity, unit)))
+        value = float(self._levels[name][QUANTITIES.index(quantity)])
+        return value if unit is None else float(units.from_si(value, symbol(quantity, unit)))
 
     def difference(self, name: str, quantity: str, unit: str | None = None) -> float:
         """Return by how much a quantity of one alternative exceeds that of the first: in SI, or in ``unit``."""
-        found = self.value(name, quantity) - self.value(self.names[0], quantity)
-        return found if unit is None else found / units.size(symbol(quantity, unit))
+        value = self.value(name, quantity) - self.value(self.names[0], quantity)
+        return value if unit is None else value / units.size(symbol(quantity, unit))
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a long table [SI]: values, differences, contributions and remainders, one row each.
+        """Return all figures [SI]: values, differences, contributions and remainders, one row each.
 
         The first three entries of a row say of which ``alternative``, which ``part``, and for a contribution by which
         ``change``.
         """
-        found = []
-        for name in self.names:
-            found.append(_row(name, "value", "", self._levels[name]))
+        rows = [("value", name, "", self._levels[name]) for name in self.names]
         for name in self.names[1:]:
-            found.append(_row(name, "difference", "", self._levels[name] - self._levels[self.names[0]]))
-            if (made := self.contributions.get(name)) is None or made.left_out:
-                continue
-            for change, part in zip(made.changes, made.si, strict=True):
-                found.append(_row(name, "contribution", change.name, part))
-            found.append(_row(name, "remainder", "", made.remainder))
-        return found
+            rows.append(("difference", name, "", self._differences(name)))
+            if (made := self.contributions.get(name)) is not None and not made.left_out:
+                names = [each.name for each in made.changes]
+                rows += [("contribution", name, *each) for each in zip(names, made.si, strict=True)]
+                rows.append(("remainder", name, "", made.remainder))
+        return [
+            {"alternative": name, "part": part, "change": change,
+             **dict(zip(QUANTITIES, map(float, numbers), strict=True))}
+            for part, name, change, numbers in rows
+        ]  # fmt: skip
 
-    def to_pandas(self) -> Any:
-        """Return :meth:`rows` as a table; ``attrs`` holds the units and what each alternative was computed with."""
-        import pandas
+    def all_figures(self) -> Table:
+        """Return :meth:`rows` as a table."""
+        rows = self.rows()
+        names = [text(key, [row[key] for row in rows]) for key in ("alternative", "part", "change")]
+        return Table("figures", (*names, *(column(key, [row[key] for row in rows]) for key in QUANTITIES)))
 
-        frame = pandas.DataFrame(self.rows())
-        frame.attrs = {
-            "units": {name: each.unit for name, each in quantities().items()},
-            "provenance": {name: each.provenance for name, each in self.launches.items()},
-        }
+    def to_pandas(self, name: str | None = None) -> Any:
+        """Return :meth:`rows`, or a table of :meth:`to_result`; ``attrs`` has units and provenance."""
+        frame = self.all_figures().to_pandas() if name is None else self.to_result().to_pandas(name)
+        frame.attrs["provenance"] = {name: each.provenance for name, each in self.launches.items()}
         return frame
+
+    def to_result(self) -> Result:
+        """Return the alternatives, their differences and what makes them as a result."""
+        first, *others = self.names
+        split = {name: each for name, each in self.contributions.items() if each.changes}
+        differences = [text("alternative", others), text("compared_with", [first] * len(others), printed=False)]
+        differences += _quantity_columns([self._differences(name) for name in others])
+        tables = [self._alternatives(), Table("differences", tuple(differences), "differences", layout="transposed")]
+        if split:
+            tables.append(self._contributions(split))
+        return Result(
+            kind="comparison", title=f"{' and '.join(self.names)} compared", tables=tuple(tables),
+            summary=tuple(self._summary()), notes=tuple(self._notes()),
+            provenance=provenance_of(self.launches.values(), flight_conditions(**self.conditions)),
+            draw=lambda: [comparison_picture(self)],
+        )  # fmt: skip
+
+    def _differences(self, name: str) -> NDArray[Any]:
+        return self._levels[name] - self._levels[self.names[0]]
+
+    def _alternatives(self) -> Table:
+        launches = self.launches.values()
+        named = {
+            "club": [each.club.name for each in launches], "ball": [each.ball.name for each in launches],
+            "model": [each.model for each in launches], "parameters": [each.parameters.name for each in launches],
+        }  # fmt: skip
+        delivered = dict.fromkeys(name for each in launches for name in each.delivery)
+        columns = [
+            text("alternative", self.names),
+            *(text(name, each, printed=False) for name, each in named.items()),
+            *(column(name, [each.delivery.get(name) for each in launches], printed=False) for name in delivered),
+        ]
+        columns += _quantity_columns([self._levels[name] for name in self.names], differences=False)
+        return Table("alternatives", tuple(columns), layout="transposed")
+
+    def _contributions(self, split: Mapping[str, Contributions]) -> Table:
+        rows: list[_Row] = []
+        for name, each in split.items():
+            rows += _split_rows(name, self.launches[name], each, self._differences(name))
+        alone = len(split) == 1
+        title = f"What makes {next(iter(split))} differ" if alone else "What makes the differences"
+        of = [each.quantity for each in rows]
+        columns = (
+            text("alternative", [each.alternative for each in rows], printed=not alone),
+            text("part", [each.part for each in rows], printed=False),
+            text("change", [each.change for each in rows], printed=False),
+            text("what changes", [each.label for each in rows], in_files=False),
+            Column("from", [each.start for each in rows], of, digits=-6),
+            Column("to", [each.end for each in rows], of, digits=-6),
+            *_quantity_columns([each.numbers for each in rows], printed=SPLIT),
+        )
+        return Table(
+            "contributions", columns, f"{title} from {self.names[0]}", summary=alone,
+            shown_rows=[place for place, each in enumerate(rows) if not each.hidden],
+        )  # fmt: skip
+
+    def _summary(self) -> Iterator[Note]:
+        for name in self.names[1:]:
+            changes = {key: self.difference(name, key) for key in ("ball_speed", "backspin", "carry")}
+            yield note("comparison-difference", first=self.names[0], name=name, **changes)
+            if (made := self.contributions.get(name)) is not None and made.changes:
+                carries = made.si[:, QUANTITIES.index("carry")]
+                most = int(np.argmax(np.abs(carries)))
+                change = made.changes[most].name.replace("_", " ")
+                if carries[most]:
+                    yield note("comparison-main-cause", change=change, carry=float(carries[most]))
+
+    def _notes(self) -> Iterator[Note]:
+        for name, made in self.contributions.items():
+            if made.left_out:
+                yield note("comparison-not-split", name=name, first=self.names[0], reason=made.left_out)
+            elif not made.changes:
+                yield note("comparison-same", name=name, first=self.names[0])
 
     def __repr__(self) -> str:
         shown = {"ball_speed": "mph", "launch": "deg", "backspin": "rpm", "carry": "yd", "side": "yd"}
         lines = [f"{len(self.names)} alternatives, compared with {self.names[0]}"]
         for name in self.names:
-            told = ", ".join(f"{key} {self.value(name, key, unit):.5g} {unit}" for key, unit in shown.items())
-            lines.append(f"  {name}: {told}")
+            figures = ", ".join(f"{key} {self.value(name, key, unit):.5g} {unit}" for key, unit in shown.items())
+            lines.append(f"  {name}: {figures}")
         return "\n".join(lines)
+
+
+SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
+"""Quantities whose contributions are printed; files and JSON have all."""
+
+
+class _Row(NamedTuple):
+    """A row of the table of contributions; ``hidden`` are the coefficients of a fit, which are printed together."""
+
+    alternative: str
+    part: str
+    change: str
+    label: str
+    numbers: NDArray[Any]
+    quantity: Quantity | None = None
+    start: float | None = None
+    end: float | None = None
+    hidden: bool = False
+
+
+def _split_rows(name: str, launch: Launch, made: Contributions, difference: NDArray[Any]) -> Iterator[_Row]:
+    parameters = {each.name: each.unit for each in model(launch.model).parameters}
+    fitted = {each for each in parameters if len(parameters) > FEW and each not in OF_THE_BALL}
+    together = np.zeros(len(QUANTITIES))
+    coefficients = 0
+    for change, numbers in zip(made.changes, made.si, strict=True):
+        of = quantity(change.name, parameters.get(change.name)) if change.derivative else None
+        hidden = change.name in fitted
+        if hidden:
+            together, coefficients = together + numbers, coefficients + 1
+        label = change.name if of is None else of.label
+        yield _Row(name, "contribution", change.name, label, numbers, of, change.start, change.end, hidden)
+    if coefficients:
+        yield _Row(name, "coefficients", "", f"{coefficients} coefficient{'s' * (coefficients > 1)} of {launch.model}",
+                   together)  # fmt: skip
+    yield _Row(name, "remainder", "", "remainder", made.remainder)
+    yield _Row(name, "difference", "", "difference", difference)
+
+
+def _quantity_columns(
+    rows: Sequence[NDArray[Any]], *, differences: bool = True, printed: Sequence[str] = QUANTITIES
+) -> list[Column]:
+    """Return a column for each of ``QUANTITIES``; differences have a digit more."""
+    return [
+        column(
+            name, [float(each[place]) for each in rows], difference=differences, printed=name in printed,
+            digits=quantity(name).golf.digits + 1 if differences else None,
+        )
+        for place, name in enumerate(QUANTITIES)
+    ]  # fmt: skip
+
+
+_DRAWN = ("ball_speed", "backspin", "carry", "side")
+"""Quantities whose differences are drawn."""
+_MOST_BARS = 9
+"""Contributions that are drawn one by one, the largest; the others are one bar."""
+
+
+def comparison_picture(of: Compared) -> Picture:
+    """Return the picture of a comparison: the flights, and below them what makes each difference."""
+    side, above = [], []
+    for place, (name, launch) in enumerate(of.launches.items()):
+        path = trajectory(launch, **of.conditions).position
+        side.append(Mark("line", path[:, 0], path[:, 1], style=place, label=name))
+        above.append(Mark("line", path[:, 2], path[:, 0], style=place, label=name))
+    reach = 1.05 * max(float(np.abs(mark.x).max()) for mark in above)
+    flights: list[Panel | None] = [
+        Panel(side, axis("carry", "distance along the target line", limits=(0.0, None)),
+              axis("apex", "height", limits=(0.0, None)), "from the side"),
+        Panel([*above, Mark("rule", x=0.0, style=-1)], axis("side", "right", limits=(-reach, reach)),
+              axis("carry", "distance", limits=(0.0, None)), "from above, stretched sideways"),
+    ]  # fmt: skip
+    rows, heights = [flights], [2.5]
+    for name, made in of.contributions.items():
+        if made.changes:
+            rows.append(_contribution_panels(of, name, made))
+            heights.append(0.9 + 0.19 * (min(len(made.changes), _MOST_BARS + 1) + 2))
+    return Picture(
+        "comparison", "Flights, and what makes the differences", rows, heights=heights,
+        height=sum(heights) + 0.3 * len(heights), legend=True,
+    )  # fmt: skip
+
+
+def _contribution_panels(of: Compared, name: str, made: Contributions) -> list[Panel | None]:
+    places = [QUANTITIES.index(each) for each in _DRAWN]
+    numbers = made.si[:, places]
+    # The share of a contribution in all of a quantity, so that speeds, spins and lengths count alike.
+    weight = (np.abs(numbers) / np.maximum(np.abs(numbers).sum(axis=0), 1e-300)).max(axis=1)
+    order = np.argsort(-weight, kind="stable").tolist()
+    labels = [made.changes[place].name.replace("_", " ") for place in order[:_MOST_BARS]]
+    bars = [numbers[place] for place in order[:_MOST_BARS]]
+    if others := order[_MOST_BARS:]:
+        labels.append(f"{len(others)} others")
+        bars.append(numbers[others].sum(axis=0))
+    labels += ["remainder", "difference"]
+    table = np.array([*bars, made.remainder[places], of._differences(name)[places]])
+    panels: list[Panel | None] = []
+    for place, key in enumerate(_DRAWN):
+        y = axis(label=name, names=labels, reversed=True) if not panels else axis(reversed=True, ticks=False)
+        marks = [Mark("bars", table[:, place], np.arange(len(table)), style=-1), Mark("rule", x=0.0, style=-2)]
+        panels.append(Panel(marks, axis(key, "change"), y, quantity(key).label))
+    return panels
 
 
 def compare(
@@ -190,17 +375,15 @@ def compare(
     with without_warnings(RangeWarning):
         launches = {name: _launch(name, each) for name, each in asked.items()}
         flights = {name: fly(each, **conditions) for name, each in launches.items()}
-        levels = {name: values(each, flights[name]) for name, each in launches.items()}
-        found = {}
         first, *others = asked
+        parts = {}
         for place, name in enumerate(others if split else ()):
-            told = progress and _counted(progress, place, len(others))
-            found[name] = contributions(
+            parts[name] = contributions(
                 _stages(asked[first], asked[name], launches[first], launches[name]), launches[name], conditions,
-                ball=asked[name].ball, nodes=nodes, progress=told,
+                ball=asked[name].ball, nodes=nodes, progress=progress and _counted(progress, place, len(others)),
             )  # fmt: skip
     warn_if_outside(launches.values())
-    return Compared(launches, flights, found, levels)
+    return Compared(launches, flights, parts, conditions)
 
 
 def _launch(name: str, alternative: Alternative) -> Launch:
@@ -260,15 +443,6 @@ def _meshed(which: Any) -> Any:
     from clubface.support.fingerprint import fingerprint
 
     return fingerprint(ball(which).values())
-
-
-def _row(name: str, part: str, change: str, numbers: Any) -> dict[str, Any]:
-    return {
-        "alternative": name,
-        "part": part,
-        "change": change,
-        **dict(zip(QUANTITIES, map(float, numbers), strict=True)),
-    }
 
 
 NAMES = ("name", "label", "delivery", "shot")

@@ -37,12 +37,12 @@ def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figu
         for place, panel in enumerate(row):
             if panel is None:
                 continue
-            whole = len(row) == 1 and columns > 1
+            span = columns // len(row)
             shared = {
-                "sharex": first_of_column.get(place) if picture.share_x and not whole else None,
+                "sharex": first_of_column.get(place) if picture.share_x and span == 1 else None,
                 "sharey": first_of_row.get(line) if picture.share_y else None,
             }
-            axes = figure.add_subplot(grid[line, :] if whole else grid[line, place], **shared)
+            axes = figure.add_subplot(grid[line, place * span : (place + 1) * span], **shared)
             first_of_row.setdefault(line, axes)
             first_of_column.setdefault(place, axes)
             _draw_panel(figure, axes, panel)

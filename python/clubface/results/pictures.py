@@ -140,7 +140,7 @@ class Picture:
     caption
         What it shows, in words.
     rows
-        Its panels, row by row; None leaves a place empty. A row of one panel reaches across all columns.
+        Its panels, row by row; None leaves a place empty. The panels of a shorter row are wider.
     title
         Above it.
     heights, widths

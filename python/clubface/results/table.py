@@ -49,7 +49,7 @@ class Column:
 
     name: str
     values: Sequence[Any]
-    quantity: Quantity | Sequence[Quantity] | None = None
+    quantity: Quantity | Sequence[Quantity | None] | None = None
     label: str = ""
     unit: str | None = None
     digits: int | None = None

@@ -3,9 +3,11 @@
 One file a subject; :mod:`clubface.results.notes` explains the placeholders.
 """
 
+from clubface.results.catalogue.design import SENTENCES as _DESIGN
 from clubface.results.catalogue.shot import SENTENCES as _SHOT
 
 SENTENCES: dict[str, str] = {
     "text": "{text}",
+    **_DESIGN,
     **_SHOT,
 }
