@@ -108,7 +108,7 @@ strike-height: dev ## what a low strike changes in the spin of an iron, cause by
 
 BALL ?= modern
 response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour
-	$(PYTHON) -m clubface.fem.response $(BALL) studies/response
+	$(PYTHON) studies/response_fit.py $(BALL) studies/response
 
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
 	$(PYTHON) -m pytest -m study tests/inference/identification/test_coverage.py -s

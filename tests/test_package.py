@@ -21,7 +21,7 @@ def test_importing_the_package_loads_neither_numpy_nor_anything_slow():
     assert result.stdout.strip() == "[]"
 
 
-HEAVY = {"numpy", "pandas", "xarray", "scipy", "matplotlib", "pyarrow", "pymoo", "meshio", "ezc3d", "rich", "typer"}
+HEAVY = {"numpy", "pandas", "xarray", "scipy", "matplotlib", "pyarrow", "pymoo", "meshlane", "ezc3d", "rich", "typer"}
 
 
 def test_a_reduced_model_needs_numpy_alone():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 pytest.importorskip("ezc3d")
-pytest.importorskip("meshio")
+pytest.importorskip("meshlane")
 
 from fuzz_readers import READERS
 from toml_types import flaw_of, must_be_refused, variants

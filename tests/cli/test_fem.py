@@ -91,7 +91,7 @@ def test_a_sweep_is_a_table_and_a_picture(clubface_, paper_like, tmp_path):
 
 @pytest.mark.parametrize(("form", "ending"), [("lsdyna", "mine.k"), ("vtu", "mine.pvd")])
 def test_an_export_tells_the_file_to_open(clubface_, tmp_path, form, ending):
-    pytest.importorskip("meshio")
+    pytest.importorskip("meshlane")
     ran = clubface_("fem", "export", str(write_case(tmp_path)), "--format", form, "-o", str(tmp_path / "out"))
     assert ran.status == 0
     assert ran.err.startswith(f"clubface: wrote {tmp_path / 'out' / ending}\n")

@@ -74,7 +74,7 @@ def test_a_full_disk_ends_shapes_of_finite_elements_and_the_findings_in_one_line
     clubface_, capsys, full, monkeypatch, command
 ):
     if command == "vtu":
-        pytest.importorskip("meshio")
+        pytest.importorskip("meshlane")
         quick = cases.case("paper").replace(settings={"duration": 5e-6, "frames": 2})
         monkeypatch.setattr(cases, "case", lambda _: quick)
         ran = clubface_("fem", "export", "paper", "-o", "shapes")

@@ -74,10 +74,10 @@ def test_a_ball_on_a_plane_is_pressed_where_it_touches():
 
 
 def test_paraview_gets_stress_in_the_axes_of_the_world(tmp_path):
-    meshio = pytest.importorskip("meshio")
+    meshlane = pytest.importorskip("meshlane")
     found = shells_case(frames=4, fields=True, duration="300 us").run()
     path = files.write_series(found, tmp_path, "fields")[2]
-    cells = meshio.read(path).cell_data
+    cells = meshlane.read(path).cell_data
     for body, told in enumerate((found.fields, found.head_fields)):
         assert told is not None
         stress = told.stress[2] if body == 0 else told.stress[2, :, 0]

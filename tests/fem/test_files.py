@@ -25,14 +25,14 @@ def volumes(points, cells):
 
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
 def test_shapes_read_back_as_they_were(tmp_path, run):
-    meshio = pytest.importorskip("meshio")
+    meshlane = pytest.importorskip("meshlane")
     found = run()
     *shapes, collection = files.write_series(found, tmp_path, "an impact: first")
     assert 4 <= len(shapes) == len(found.frames) <= 5  # the last step ends a little before the simulated time
     places = found.world_positions()
     nodes = places.shape[1]
     for path, place in zip(shapes, places, strict=True):
-        mesh = meshio.read(path)
+        mesh = meshlane.read(path)
         cells = mesh.cells_dict["hexahedron"]
         assert len(cells) == found.ball.elements
         moved = mesh.points + mesh.point_data["displacement"]

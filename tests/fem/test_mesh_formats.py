@@ -35,7 +35,7 @@ pytestmark = [pytest.mark.filterwarnings("ignore::clubface.errors.MeshWarning"),
 
 def needs(name):
     if "binary.msh" in name or name.endswith(".vtk"):
-        pytest.importorskip("meshio")
+        pytest.importorskip("meshlane")
 
 
 def read(path, groups=GROUPS, **changes):
@@ -70,7 +70,7 @@ def test_every_format_gives_the_same_head(tmp_path, name):
 @pytest.mark.parametrize("what", ["triangles", "mixed", "with_edge_nodes"])
 def test_triangles_and_elements_of_second_order_are_taken(tmp_path, name, what):
     if name == "gmsh2-binary.msh" and what == "with_edge_nodes":
-        pytest.skip("written by meshio from corners")
+        pytest.skip("written by meshlane from corners")
     needs(name)
     walls = coarse_walls()
     if what == "mixed":

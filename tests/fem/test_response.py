@@ -6,13 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-import clubface
-from clubface import fem
-from clubface.fem.response.design import PARTS, strikes
-from clubface.fem.response.fit import (
+from response_fit import (
     COLUMNS,
     LIGHT,
+    PARTS,
     TARGETS,
     effective_mass,
     figure,
@@ -22,9 +19,13 @@ from clubface.fem.response.fit import (
     run,
     scales,
     simulated,
+    strikes,
     summary,
     weights,
 )
+
+import clubface
+from clubface import fem
 
 STUDY = Path(__file__).parents[2] / "studies" / "response"
 DEFAULTS = {each.name: each.default for each in clubface.models()["response"].parameters}

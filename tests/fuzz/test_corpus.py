@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("pyarrow")
 pytest.importorskip("pandas")
 pytest.importorskip("ezc3d")
-pytest.importorskip("meshio")
+pytest.importorskip("meshlane")
 
 from fuzz_input import content, finding
 from fuzz_readers import READERS

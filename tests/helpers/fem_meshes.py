@@ -264,12 +264,12 @@ def lsdyna(walls):
     return "\n".join([*lines, "*END"]) + "\n"
 
 
-def by_meshio(walls, form, **options):
-    """Return what meshio writes, which is another program than the readers."""
+def by_meshlane(walls, form, **options):
+    """Return what meshlane writes, which is another program than the readers."""
     import tempfile
     from pathlib import Path
 
-    import meshio
+    import meshlane
 
     cells, tags = [], []
     for place, rows in enumerate(walls.parts.values(), 1):
@@ -279,16 +279,16 @@ def by_meshio(walls, form, **options):
                 tags.append(np.full(len(some), place))
     data = {"gmsh:physical": tags, "gmsh:geometrical": tags} if form.startswith("gmsh") else {"group": tags}
     fields = {name: np.array([place, 2]) for place, name in enumerate(walls.parts, 1)}
-    mesh = meshio.Mesh(walls.nodes, cells, cell_data=data, field_data=fields if form.startswith("gmsh") else {})
+    mesh = meshlane.Mesh(walls.nodes, cells, cell_data=data, field_data=fields if form.startswith("gmsh") else {})
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "mesh"
-        meshio.write(path, mesh, form, **options)
+        meshlane.write(path, mesh, form, **options)
         return path.read_bytes()
 
 
 FORMATS = {
     "gmsh2.msh": gmsh_2,
-    "gmsh2-binary.msh": lambda walls: by_meshio(walls, "gmsh22", binary=True),
+    "gmsh2-binary.msh": lambda walls: by_meshlane(walls, "gmsh22", binary=True),
     "gmsh4.msh": gmsh_4,
     "gmsh4-binary.msh": lambda walls: gmsh_4(walls, binary=True),
     "abaqus.inp": abaqus,
@@ -297,7 +297,7 @@ FORMATS = {
     "large.fem": lambda walls: nastran(walls, 16),
     "text.stl": stl_text,
     "dyna.k": lsdyna,
-    "unstructured.vtk": lambda walls: by_meshio(walls, "vtk"),
+    "unstructured.vtk": lambda walls: by_meshlane(walls, "vtk"),
 }
 """Writers by the name of a file."""
 

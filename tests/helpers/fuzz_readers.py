@@ -348,7 +348,7 @@ def _study(path: Path) -> None:
 MESHES = (
     ("gmsh", "msh", "gmsh2.msh"), ("gmsh-4", "msh", "gmsh4.msh"), ("gmsh-binary", "msh", "gmsh?-binary.msh"),
     ("abaqus", "inp", "abaqus.inp"), ("nastran", "bdf", "*.[bnf][dae][fsm]"), ("stl", "stl", "*.stl"),
-    ("lsdyna", "k", "*.k"), ("meshio", "vtk", "*.vtk"),
+    ("lsdyna", "k", "*.k"), ("meshlane", "vtk", "*.vtk"),
 )  # fmt: skip
 """Readers of meshes: name, ending and what examples are called."""
 

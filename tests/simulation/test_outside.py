@@ -5,6 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
+from response_fit import heads
 
 import clubface
 from clubface import Prior
@@ -12,7 +13,6 @@ from clubface.capture.rotations import delivered, face_axes
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.parameters import RANGES, ParameterSet
 from clubface.errors import FileError, RangeWarning
-from clubface.fem.response.design import heads
 from clubface.simulation.impact import Tally
 from clubface.support.checks import without_warnings
 from clubface.validation import validate

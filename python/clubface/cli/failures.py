@@ -20,7 +20,7 @@ EXTRAS = {
     "xarray": "tables",
     "pyarrow": "tables",
     "openpyxl": "excel",
-    "meshio": "fem",
+    "meshlane": "fem",
     "ezc3d": "capture",
     "pymoo": "fit",
     "scipy": "fit",

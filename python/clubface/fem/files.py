@@ -155,20 +155,20 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     InputError
         The run kept no shapes.
     """
-    import meshio
+    import meshlane
 
     if not len(found.frames):
         raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
-    mesh = found.ball.mesh
+    ball = found.ball.mesh
     shapes = found.world_positions()
-    cells: list[Any] = [("hexahedron", np.asarray(mesh["elements"], dtype=np.int32))]
+    cells: list[Any] = [("hexahedron", np.asarray(ball["elements"], dtype=np.int32))]
     of_cells: dict[str, list[Any]] = {
-        "piece": [np.asarray(mesh["piece"], dtype=np.int32)],
-        "thickness": [np.zeros(len(mesh["elements"]))],
+        "piece": [np.asarray(ball["piece"], dtype=np.int32)],
+        "thickness": [np.zeros(len(ball["elements"]))],
     }
     if found.head is not None:
         kind, corners, parts, thickness = _cells(found.head)
-        cells.append((kind, corners.astype(np.int32) + len(mesh["nodes"])))
+        cells.append((kind, corners.astype(np.int32) + len(ball["nodes"])))
         of_cells["piece"].append((parts + len(found.ball.pieces)).astype(np.int32))
         of_cells["thickness"].append(thickness)
         shapes = np.concatenate([shapes, found.world_positions(found.head_frames)], axis=1)
@@ -179,7 +179,8 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
         path = target / f"{stem}-{number:04d}.vtu"
         data = of_cells | _felt(found, number)
         with whole_file(path) as file:
-            meshio.write(file.name, meshio.Mesh(shapes[0], cells, point_data=moved, cell_data=data), file_format="vtu")
+            grid = meshlane.Mesh(shapes[0], cells, point_data=moved, cell_data=data)
+            meshlane.write(file.name, grid, file_format="vtu")
         written.append(path)
     return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
 

@@ -48,7 +48,7 @@ class MeshHead:
     name, description
         Name and description for tables.
     file
-        A mesh of triangles and quadrilaterals, of Gmsh, Abaqus, Nastran, LS-DYNA, STL, or in a format of meshio.
+        A mesh of triangles and quadrilaterals, of Gmsh, Abaqus, Nastran, LS-DYNA, STL, or in a format of meshlane.
     groups
         The groups; every element belongs to one of them.
     loft

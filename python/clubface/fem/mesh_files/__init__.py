@@ -1,4 +1,4 @@
-"""Mesh files as mesh generators write them: Gmsh, Abaqus, Nastran, LS-DYNA and STL; other formats through meshio."""
+"""Mesh files as mesh generators write them: Gmsh, Abaqus, Nastran, LS-DYNA and STL; other formats through meshlane."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Mesh files of any kind: the reader for each, and those for STL and for what meshio reads.
+"""Mesh files of any kind: the reader for each, and those for STL and for what meshlane reads.
 
 The reader of each kind of mesh file, by what stands in it and by the ending of its name.
 
-Other formats, such as VTK and PLY, read through meshio.
+Other formats, such as VTK and PLY, read through meshlane.
 
 STL, text and binary: triangles and nothing else.
 """
@@ -21,7 +21,7 @@ from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder
 from clubface.support.files import as_local_file, input_file, read_input
 from clubface.support.processes import IsolatedError, IsolatedProcess
 
-LIBRARY = IsolatedProcess(Path(__file__).with_name("meshio_library.py"))
+LIBRARY = IsolatedProcess(Path(__file__).with_name("meshlane_library.py"))
 MEMORY = 200
 """Bytes that the library may take for a byte of the file; it takes some 20."""
 SPEED = 1e5
@@ -33,7 +33,7 @@ LINES = ("vertex", "line", "line3")
 
 
 def read_other(path: str) -> Mesh:
-    """Read a mesh through meshio; elements have no numbers in such files and are counted from 1."""
+    """Read a mesh through meshlane; elements have no numbers in such files and are counted from 1."""
     size = input_file(path).size
     with as_local_file(path) as local:
         try:

@@ -1,4 +1,4 @@
-"""What meshio finds in a mesh file; run in a process of its own, see :mod:`clubface.support.processes`."""
+"""What meshlane finds in a mesh file; run in a process of its own, see :mod:`clubface.support.processes`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 from typing import Any
 
-import meshio
+import meshlane
 
 
 def contents(path: str) -> dict[str, Any]:
@@ -16,7 +16,7 @@ def contents(path: str) -> dict[str, Any]:
     printed, notes = StringIO(), StringIO()
     try:
         with redirect_stdout(printed), redirect_stderr(notes):
-            mesh = meshio.read(path)
+            mesh = meshlane.read(path)
     except SystemExit:
         # All readers for this kind of name have tried, and printed why they gave up.
         ending = os.path.splitext(path)[1]
