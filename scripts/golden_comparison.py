@@ -33,6 +33,12 @@ FACTORS = {
     for other in (1.0, *UNITS.values())
     for factor in (one, 1.0 / one, one / other)
 }
+TIMES = (
+    (re.compile(r'("(?:\w+_)?(?:wall|elapsed|seconds_per_shot)(?:_s)?": )[-+.\de]+'), r"\1null"),
+    (re.compile(r"(Processor time a shot)(?:[ |]+[\d.]+ [mu]?s)+"), r"\1 TIME"),
+    (re.compile(r"(stable one|impacts), [\d.]+ s\b"), r"\1, TIME"),
+)
+"""Times that a computation took, which differ from one recording to the next, with what they are replaced by."""
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
 
 
@@ -311,7 +317,7 @@ def numeric(cells: dict[str, str]) -> dict[str, object]:
 
 def compare_run(before: Path, after: Path) -> list[Difference]:
     """Return how the outputs of a run differ."""
-    one, other = ({key: text.decode() for key, text in read_tree(each).items()} for each in (before, after))
+    one, other = (read_outputs(each) for each in (before, after))
     statuses = [json.loads(each.pop("commands.json")) for each in (one, other)]
     changes = []
     for old, new in zip(*statuses, strict=False):
@@ -336,6 +342,17 @@ def compare_run(before: Path, after: Path) -> list[Difference]:
 def read_tree(folder: Path) -> dict[str, bytes]:
     """Return the content of every file in a folder by its path in it."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def read_outputs(folder: Path) -> dict[str, str]:
+    """Return the outputs of a run by their names, without the times that computations took."""
+    outputs = {}
+    for name, content in read_tree(folder).items():
+        text = content.decode("utf-8")
+        for pattern, replacement in TIMES:
+            text = pattern.sub(replacement, text)
+        outputs[name] = text
+    return outputs
 
 
 def run_names(folder: Path) -> list[str]:

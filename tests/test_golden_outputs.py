@@ -71,7 +71,7 @@ def test_recordings_are_compared_run_by_run(tmp_path):
         folder = tmp_path / name / "shot" / "json"
         folder.mkdir(parents=True)
         (folder / "commands.json").write_text(json.dumps([{"command": "shot driver", "status": status}]))
-        (folder / "1.out").write_text(json.dumps({"speed": speed}))
+        (folder / "1.out").write_text(json.dumps({"speed": speed, "wall_s": len(name)}))
     for other, status, words in (("two", 0, "1 the same to the last byte"), ("three", 1, "1 to look at")):
         asked = [
             sys.executable,
