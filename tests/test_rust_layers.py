@@ -16,9 +16,10 @@ CRATES = Path(__file__).parent.parent / "crates"
 LAYERS = {
     "clubface-math": ("scalar", "elementary", "vec3", "mat3", "quat", "dual", "pack", "ode"),
     "clubface-impact": (
-        "error", "fault", "description", "unit", "quantity", "ball", "face", "club", "delivery", "shot", "face_spring", "inertia_check",
-        "check", "launch", "first_touch", "guided_mass", "giving_face", "impact", "columns", "parallel", "contact",
-        "rings", "model", "models", "kernels", "impact_model", "registry", "batch", "sensitivity", "flight",
+        "error", "fault", "description", "unit", "quantity", "ball", "face", "club", "delivery", "shot", "face_spring",
+        "inertia_check", "check", "launch", "first_touch", "guided_mass", "giving_face", "impact", "columns",
+        "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch", "sensitivity",
+        "flight",
     ),
     "clubface-fem": (
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",

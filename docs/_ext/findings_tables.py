@@ -15,6 +15,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.inference.evaluation.model_errors import published
 from clubface.inference.evaluation.tables import TITLES, duration, percent
 from clubface.inference.findings import bias_of, bias_of_magnitudes
+from clubface.quantities import display_unit
 from clubface.shots.measured import QUANTITIES
 
 SOURCES = {
@@ -167,7 +168,7 @@ class Parameters(CoreTable):
             printed = ParameterSet.builtin(model, club).values
             has_own = own is not None
             for name in fit["free"]:
-                unit = units.display_unit(name, model_named(model).parameter(name).unit)
+                unit = display_unit(name, model_named(model).parameter(name).unit)
 
                 def write(value: float, unit: str = unit) -> str:
                     return f"{float(units.from_si(value, unit)):.4g}"

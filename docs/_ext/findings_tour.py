@@ -13,6 +13,7 @@ from sphinx.application import Sphinx
 from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.inference.findings import FREE
+from clubface.quantities import display_unit
 
 
 def tour_means(of: dict[str, Any], kind: str) -> dict[str, float]:
@@ -32,7 +33,7 @@ class TourSets(CoreTable):
             fit, left = tour_means(found, "errors"), tour_means(found, "left_out")
             values = []
             for name in found["free"]:
-                unit = units.display_unit(name, model_named(model).parameter(name).unit)
+                unit = display_unit(name, model_named(model).parameter(name).unit)
                 values.append(f"{name} {units.show(found['parameters'][name], unit, 3)}")
             carry = float(np.mean(np.abs(found["carry"])))
             rows.append(

@@ -14,7 +14,17 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import UnknownNameError
 
-__all__ = ["Quantity", "Reading", "format_number", "format_value", "quantities", "quantity", "register_quantity"]
+__all__ = [
+    "Quantity",
+    "Reading",
+    "display_unit",
+    "file_unit",
+    "format_number",
+    "format_value",
+    "quantities",
+    "quantity",
+    "register_quantity",
+]
 
 
 class Reading(NamedTuple):
@@ -74,6 +84,8 @@ class Quantity(NamedTuple):
 
 
 _OWN: dict[str, Quantity] = {}
+_HEAD_PREFIXES = ("shape_", "thickness_", "target_", "grooves_")
+"""How lengths of a head begin, which people read in millimetres."""
 
 
 def register_quantity(name: str, unit: str = "1", **fields: Any) -> Quantity:
@@ -123,6 +135,26 @@ def quantity(name: str, unit: str | None = None) -> Quantity:
         raise UnknownNameError("quantity", name, quantities())
     metric, golf = _dimension_readings()[units.unit(unit).dimension]
     return Quantity(name, unit, metric, golf, name.replace("_", " "))
+
+
+def display_unit(name: str, unit: str) -> str:
+    """Return the unit people read the quantity called ``name`` in, which is held in the SI ``unit``."""
+    return _reading_of(name, unit).golf.unit
+
+
+def file_unit(name: str, unit: str) -> str:
+    """Return the unit that files have the quantity called ``name`` in, which is held in the SI ``unit``."""
+    return _reading_of(name, unit).metric.unit
+
+
+def _reading_of(name: str, unit: str) -> Quantity:
+    if unit == "m" and (name.startswith(_HEAD_PREFIXES) or name.endswith(("_toe", "_high"))):
+        return quantity("toe")
+    base = quantities().get(
+        name.rpartition("_")[0]
+    )  # what is computed of a quantity, such as toe_mean, is read as it is
+    known = quantity(name, unit)
+    return base if known.name == name and name not in quantities() and base and base.unit == unit else known
 
 
 def format_number(value: float | None, digits: int = 1, *, signed: bool = False) -> str:

@@ -210,7 +210,7 @@ def test_values_that_no_shot_can_have_are_not_measured_when_the_shot_arrives():
     shots = recorded([found, *(from_json(changed(BallData=polar, ClubData=club)) for club in ({}, {"Speed": 300}))])
     assert shots.notes == (
         "values that no shot can have were taken as not measured: speed in 2 of 3 shots, such as 500 mph; "
-        "total_spin in 1 of 3 shots, such as -21474836480 rpm; carry in 1 of 3 shots, such as 822.96 m",
+        "total_spin in 1 of 3 shots, such as -21474836480 rpm; carry in 1 of 3 shots, such as 900 yd",
     )
     assert np.isnan(shots.launches["total_spin"][0])
     nothing = {"Speed": 999, "HLA": 170, "VLA": 95, "TotalSpin": 0, "SpinAxis": 999, "CarryDistance": 900}

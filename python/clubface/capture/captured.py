@@ -24,6 +24,7 @@ from clubface.capture.rotations import Array
 from clubface.capture.tracking import Track
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError
+from clubface.quantities import display_unit
 from clubface.simulation.inputs import OF_CLUB, Delivery
 from clubface.support.checks import MOST_SEED, check_choice, check_count, without_warnings
 from clubface.support.processes import check_request
@@ -174,7 +175,7 @@ class CapturedDelivery:
     def __repr__(self) -> str:
         lines = [f"{self.source}: {self.club.name}, {self.estimator}, first touch {units.fixed(self.time, 'ms', 3)}"]
         for name in QUANTITIES:
-            unit = units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
+            unit = display_unit(name, units.SI_UNITS[OF_CLUB[name]])
             value, deviation = self.get(name, unit)
             lines.append(f"  {name:<10} {value:10.3f} ± {deviation:.3f} {unit}")
         return "\n".join([*lines, *(f"  {known}" for known in self.geometry), *(f"  * {note}" for note in self.notes)])

@@ -33,12 +33,13 @@ from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import FileError
 from clubface.jobs.resuming import Store
+from clubface.quantities import display_unit
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.checks import without_warnings
 
 UNITS = {
-    name: "m/s" if name == "speed" else units.display_unit(name, units.SI_UNITS[dimension])
+    name: "m/s" if name == "speed" else display_unit(name, units.SI_UNITS[dimension])
     for name, dimension in OF_CLUB.items()
 }
 """In which errors are told: m/s, deg, mm, deg/s."""

@@ -26,9 +26,10 @@ from clubface.cli.output import print_numbers, print_words
 from clubface.cli.recorded import READING, Files, read_shots
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.jobs.lock import Lock
+from clubface.quantities import display_unit
 from clubface.support.checks import check_count
 from clubface.support.files import same_file, whole_file
-from clubface.units import display_unit, from_si, parse, size
+from clubface.units import from_si, parse, size
 
 if TYPE_CHECKING:
     from clubface.shots.loft_origin import LoftOrigin

@@ -32,6 +32,7 @@ from clubface import units
 from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.quantities import display_unit
 from clubface.shots.club_names import club_kind
 from clubface.shots.measured import QUANTITIES
 from clubface.simulation.inputs import OF_CLUB
@@ -350,7 +351,7 @@ def unit_of(name: str) -> str:
     """Return the unit a quantity of a launch or a delivery is read in."""
     if name in QUANTITIES:
         return QUANTITIES[name]
-    return "mph" if name == "speed" else units.display_unit(name, units.SI_UNITS[OF_CLUB[name]])
+    return "mph" if name == "speed" else display_unit(name, units.SI_UNITS[OF_CLUB[name]])
 
 
 def unreachable(measured: Mapping[str, float], expected: Expectation, who: str) -> UnreachableLaunchError:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from clubface import units
 from clubface.present.club_summary import ClubFigures, Figure
+from clubface.quantities import display_unit
 from clubface.shots.formats import CONTACT
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import outputs
@@ -39,7 +40,7 @@ def unit_of(name: str) -> str:
     """Return the unit in which players read a quantity."""
     if name in UNITS:
         return UNITS[name]
-    return units.display_unit(name, units.SI_UNITS[DIMENSIONS[name]] if name in DIMENSIONS else outputs()[name].unit)
+    return display_unit(name, units.SI_UNITS[DIMENSIONS[name]] if name in DIMENSIONS else outputs()[name].unit)
 
 
 def amount(value: float, name: str, *, signed: bool = False, digits: int | None = None) -> str:

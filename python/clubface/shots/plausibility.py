@@ -20,11 +20,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.quantities import display_unit
 from clubface.shots.club_names import club_kind
 from clubface.shots.tables.headings import shot_words
 from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
-from clubface.units import SI_UNITS, display_unit, show, size, to_si, unit
+from clubface.units import SI_UNITS, show, size, to_si, unit
 
 _SPEED = to_si(200.0, "mph")
 """The fastest clubs of long drive contests reach about 160 mph."""

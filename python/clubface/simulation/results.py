@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from clubface import units
 from clubface.errors import ShotError
+from clubface.quantities import display_unit
 from clubface.simulation import core
 from clubface.support.checks import Frozen, check_choice
 
@@ -273,7 +274,7 @@ class Result:
         if self._found:
             lines.append(f"  {len(self._found)} without a result; the first: {self._found[0][2]}")
         for name, each in self.quantities().items():
-            unit = units.display_unit(name, each.unit)
+            unit = display_unit(name, each.unit)
             values = units.from_si(self._values[self._rows()[name]], unit)
             values = values[values == values]
             if values.size:

@@ -19,6 +19,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
 from clubface.errors import InputError, Told, UnitError
+from clubface.quantities import display_unit
 from clubface.results.notes import note
 from clubface.results.result import Result
 from clubface.results.table import Table, text
@@ -303,7 +304,7 @@ def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -
         if name in given:
             shown[name] = _checked(each, given[name])
         else:
-            shown[name] = _SPEED if each.dimension == "speed" else units.display_unit(name, each.unit)
+            shown[name] = _SPEED if each.dimension == "speed" else display_unit(name, each.unit)
     return shown
 
 

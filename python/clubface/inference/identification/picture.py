@@ -14,6 +14,7 @@ from clubface import units
 from clubface.equipment.models import model
 from clubface.inference.identification.intervals import CHI_SQUARE_95
 from clubface.plots import COLOURS, WIDTH, legend_above, styled
+from clubface.quantities import display_unit
 from clubface.support.arrays import Floats
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def identification_figure(of: Identification) -> Figure:
 
 
 def _draw(axes: Axes, of: Identification, place: int, name: str) -> None:
-    unit = units.display_unit(name, model(of.model).parameter(name).unit)
+    unit = display_unit(name, model(of.model).parameter(name).unit)
     low, high = (float(units.from_si(end, unit)) for end in of.intervals[name])
     value = float(units.from_si(of.parameters.values[name], unit))
     axes.axvspan(low, high, color=COLOURS[1], alpha=0.18, linewidth=0.0)

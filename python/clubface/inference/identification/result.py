@@ -22,12 +22,13 @@ from clubface.errors import InputError
 from clubface.inference.identification.intervals import Identifiability, Profile, identifiability, outside
 from clubface.inference.identification.problem import FreeParameters
 from clubface.inference.identification.simulator import Simulator
+from clubface.quantities import display_unit
 from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RejectedRow
 from clubface.simulation.results import outputs
 from clubface.support.arrays import Floats
-from clubface.units import display_unit, from_si
+from clubface.units import from_si
 
 PARAMETER_HEADS = ("parameter", "value", "from", "to", "profile", "identified")
 DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "before", "bias", "std")
@@ -217,7 +218,7 @@ class Identification:
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
         """Return a value of a parameter as text, in the unit in which people read it."""
-        unit = units.display_unit(name, model_named(self.model).parameter(name).unit)
+        unit = display_unit(name, model_named(self.model).parameter(name).unit)
         return units.show(value, unit, digits)
 
     def __repr__(self) -> str:
@@ -412,7 +413,7 @@ def worse(deviations: Mapping[str, Deviation], before: str) -> list[str]:
     told = []
     for name, each in deviations.items():
         if each.mae > (1.0 + WORSE) * each.mae_before + NOTHING * each.mean:
-            unit = QUANTITIES.get(name) or units.display_unit(name, outputs()[name].unit)
+            unit = QUANTITIES.get(name) or display_unit(name, outputs()[name].unit)
             after, then = (units.from_si(value, unit) for value in (each.mae, each.mae_before))
             told.append(f"{name} (MAE {after:.3g} {unit}, {then:.3g} {unit} before)")
     if not told:
@@ -429,7 +430,7 @@ def _bounds(free: FreeParameters, point: Floats) -> list[str]:
     for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
         side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
         if _meets(place):
-            shown = units.show(float(bound), units.display_unit(each.name, each.unit), 4)
+            shown = units.show(float(bound), display_unit(each.name, each.unit), 4)
             found.append(f"{each.name} meets its {side} bound, {shown}: the best value may lie beyond it")
     return found
 

@@ -53,6 +53,7 @@ from clubface.inference.identification.result import (
 from clubface.inference.identification.search import Population, refine, search
 from clubface.inference.identification.simulator import Cost, Effort, Simulator, cost_of, noise_of
 from clubface.jobs.resuming import Store
+from clubface.quantities import display_unit
 from clubface.shots.measured import DELIVERY
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.impact import Parameters
@@ -338,7 +339,7 @@ class Stages:
 
 
 def _span(of: Parameter, interval: tuple[float, float]) -> str:
-    unit = units.display_unit(of.name, of.unit)
+    unit = display_unit(of.name, of.unit)
     return " to ".join(units.show(end, unit, 4) for end in interval)
 
 

@@ -18,6 +18,7 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.inference.evaluation.noise import MONITOR
 from clubface.inference.identification.problem import FreeParameters, PreparedShots
+from clubface.quantities import display_unit
 from clubface.simulation import core
 from clubface.simulation.launch_conditioned import solve_angles
 from clubface.simulation.results import outputs
@@ -342,7 +343,7 @@ def _normalisers(
     means = np.abs(values.sum(axis=1) / there.sum(axis=1))
     for name, mean, least in zip(quantities, means, noise, strict=True):
         if mean < least:
-            symbol = units.display_unit(name, outputs()[name].unit)
+            symbol = display_unit(name, outputs()[name].unit)
             what = "|measured|" if normaliser == "absolute" else "measured values"
             advice = "leave the quantity out" + (", or take the absolute normaliser" if normaliser == "signed" else "")
             shown = units.show(float(mean), symbol, 3)

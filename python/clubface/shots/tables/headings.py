@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 from clubface import units
 from clubface.errors import FileError, UnitError, shortened
+from clubface.quantities import file_unit
 from clubface.simulation.results import flight_outputs, input_dimensions, inputs, outputs
 from clubface.support.checks import check_choice
 from clubface.units import unit
@@ -521,7 +522,7 @@ def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
 
 def heading_of(name: str, si_unit: str) -> tuple[str, str]:
     """Return the heading of a column and its unit."""
-    shown = "mph" if si_unit == "m/s" else units.display_unit(name, si_unit)
+    shown = "mph" if si_unit == "m/s" else file_unit(name, si_unit)
     spelled = "club_speed" if name == "speed" else name
     if shown == "1":
         return spelled, shown
