@@ -25,46 +25,50 @@ def test_a_map_tells_extremes_sweet_spot_and_what_a_spread_costs(clubface_):
     ran = clubface_("map", "driver", *SHOT, "--spread", "12 mm x 9 mm")
     assert ran.status == 0, ran.err
     found = clubface.map_face("driver", DRIVE)
-    line = next(each for each in ran.out.splitlines() if each.startswith("carry, yd"))
-    cells = [float(each) for each in line.removeprefix("carry, yd").split()]
-    carries = found.get("carry", "yd")
-    assert cells[1] == pytest.approx(np.nanmin(carries), abs=0.051)
-    assert cells[4] == pytest.approx(np.nanmax(carries), abs=0.051)
+    tables = clubface_("map", "driver", *SHOT, "--spread", "12 mm x 9 mm", "--json").json["tables"]
+    (row,) = (each for each in tables["extremes"]["rows"] if each["quantity"] == "carry")
+    carries = found.get("carry")
+    assert (row["least"], row["greatest"], row["unit"]) == (np.nanmin(carries), np.nanmax(carries), "m")
     up, across = np.unravel_index(np.nanargmin(carries), carries.shape)
-    assert cells[2:4] == pytest.approx([1e3 * found.toe[across], 1e3 * found.high[up]], abs=0.51)
+    place = [row["least_toe_mm"], row["least_high_mm"]]
+    assert place == pytest.approx([1e3 * found.toe[across], 1e3 * found.high[up]])
+    (row,) = tables["best_points"]["rows"]
     best = found.best()
-    assert (
-        f"{abs(1e3 * best.toe):.1f} mm towards the heel and {abs(1e3 * best.high):.1f} mm below the centre" in ran.out
-    )
-    assert f"{1e6 * found.area():.0f} of the {1e6 * found.outline.area():.0f} mm2" in " ".join(ran.out.split())
+    assert [row["sweet_spot_toe_mm"], row["sweet_spot_high_mm"]] == pytest.approx([1e3 * best.toe, 1e3 * best.high])
+    assert row["effective_area_mm2"] == pytest.approx(1e6 * found.area())
+    assert row["face_area_mm2"] == pytest.approx(1e6 * found.outline.area())
+    assert row["outline"] == "assumed: an ellipse of 105 mm by 55 mm"
     spread = found.forgiveness(("12 mm", "9 mm"))
-    line = next(each for each in reversed(ran.out.splitlines()) if each.startswith("carry, yd"))
-    mean, deviation, loss = (float(each) for each in line.removeprefix("carry, yd").split())
-    assert [mean, deviation, loss] == pytest.approx(
-        [each / 0.9144 for each in (spread.mean["carry"], spread.deviation["carry"], spread.loss["carry"])], abs=0.051
-    )
-    assert "assumed: an ellipse of 105 mm by 55 mm" in ran.out
+    assert [each["quantity"] for each in tables["scatter"]["rows"]][5] == "carry"
+    row = tables["scatter"]["rows"][5]
+    parts = [spread.mean["carry"], spread.deviation["carry"], spread.loss["carry"]]
+    assert [row["mean"], row["deviation"], row["loss"]] == pytest.approx(parts)
+    line = next(each for each in reversed(ran.out.splitlines()) if each.startswith("carry"))
+    assert [float(each) for each in line.split()[2:]] == pytest.approx([each / 0.9144 for each in parts], abs=0.051)
 
 
 def test_json_has_the_maps_asked_for(clubface_):
     document = clubface_("map", "driver", *SHOT, "--grid", "21x11", "--quantity", "carry,sidespin", "--json").json
     found = clubface.map_face("driver", DRIVE, grid=(21, 11))
-    assert set(document["map"]) == {"carry_m", "sidespin_rpm"}
-    assert document["grid"] == [21, 11]
-    values = np.array(document["map"]["carry_m"], dtype=float)
+    assert {name for name in document["tables"] if name.startswith("map")} == {"map_carry", "map_sidespin"}
+    assert document["provenance"]["inputs"]["points of the face"] == "21 towards the toe, 11 upwards"
+    rows = document["tables"]["map_carry"]["rows"]
+    values = np.array([each["carry_m"] for each in rows], dtype=float).reshape(11, 21)[::-1]
     np.testing.assert_allclose(values, found.get("carry"), rtol=1e-12)
-    assert document["clubs"][0]["area_98_mm2"] == pytest.approx(1e6 * found.area())
+    assert document["tables"]["best_points"]["rows"][0]["effective_area_mm2"] == pytest.approx(1e6 * found.area())
 
 
 def test_a_difference_is_told_for_both_clubs(clubface_, stable):
     ran = clubface_("map", stable, "--minus", "driver", *SHOT, "--quantity", "ball_speed", "--spread", "12 mm x 9 mm")
     assert ran.status == 0, ran.err
     assert ran.out.startswith("stable less driver")
-    assert "stable: the sweet spot" in ran.out
-    assert "driver: the sweet spot" in ran.out
+    rows = clubface_(
+        "map", stable, "--minus", "driver", *SHOT, "--quantity", "ball_speed", "--spread", "12 mm x 9 mm", "--json"
+    ).json["tables"]
+    assert [each["club"] for each in rows["best_points"]["rows"]] == ["stable", "driver"]
+    assert {each["club"] for each in rows["scatter"]["rows"]} == {"stable", "driver"}
     # More inertia is nowhere slower.
-    line = next(each for each in ran.out.splitlines() if each.startswith("ball speed, mph"))
-    assert float(line.removeprefix("ball speed, mph").split()[1]) >= 0.0
+    assert rows["extremes"]["rows"][0]["least"] >= 0.0
 
 
 def test_file_and_picture_are_written(clubface_, stable, tmp_path):

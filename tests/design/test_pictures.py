@@ -10,7 +10,7 @@ pytest.importorskip("matplotlib")
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from clubface.design.comparison import comparison_picture
-from clubface.design.pictures import MAPPED_QUANTITIES, face_map_figure
+from clubface.design.face_map_result import LISTED, face_map_picture
 from clubface.present.drawing import draw
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -58,34 +58,31 @@ def driver():
 
 
 def test_a_map_has_a_panel_for_each_quantity_with_centre_and_sweet_spot(driver):
-    figure = face_map_figure(driver)
+    picture = face_map_picture(driver)
+    figure = draw(picture)
     assert_apart(figure)
-    shown = panels(figure)
-    assert len(shown) == len(MAPPED_QUANTITIES)
-    assert [axes.get_title(loc="left") for axes in shown[:2]] == ["ball speed (mph)", "launch (deg)"]
-    assert "start line (deg), right is positive" in [axes.get_title(loc="left") for axes in shown]
-    levels, speeds = shown[0].collections[0].levels, driver.get("ball_speed", "mph")
+    assert [panel.values.quantity.name for panel in picture.panels()] == list(LISTED)
+    levels, speeds = panels(figure)[0].collections[0].levels, driver.get("ball_speed", "mph")
     assert levels[0] <= np.nanmin(speeds) < levels[1]
     assert levels[-2] < np.nanmax(speeds) <= levels[-1]
     best = driver.best()
-    for axes in shown:
-        centre, spot = (line.get_xydata()[0] for line in axes.lines[-2:])
-        np.testing.assert_allclose(centre, 0.0)
-        np.testing.assert_allclose(spot, [1e3 * best.toe, 1e3 * best.high])
-        (outline,) = axes.patches
-        np.testing.assert_allclose(np.ptp(outline.get_path().vertices, axis=0), [105.0, 55.0], rtol=1e-6)
-    assert "assumed: an ellipse" in figure.get_suptitle()
+    for panel in picture.panels():
+        _, outline, centre, spot = panel.marks
+        assert (*centre.x, *centre.y) == (0.0, 0.0)
+        assert (*spot.x, *spot.y) == (best.toe, best.high)
+        np.testing.assert_allclose([np.ptp(outline.x), np.ptp(outline.y)], [0.105, 0.055], rtol=1e-6)
+    assert "assumed: an ellipse" in picture.title
 
 
 def test_a_difference_of_two_faces_is_drawn_with_zero_in_the_middle_of_its_colours(driver):
     other = clubface.map_face(clubface.club("driver").replace(mass="210 g"), DRIVE, points=(driver.toe, driver.high))
-    figure = face_map_figure(clubface.FaceMapDifference(other, driver), units={"carry": "m"})
-    (axes,) = panels(figure)
+    picture = face_map_picture(clubface.FaceMapDifference(other, driver), ["carry"])
+    (axes,) = panels(draw(picture, {"carry": "m"}))
     filled = axes.collections[0]
     assert filled.norm.vmin == -filled.norm.vmax
-    assert "less driver" in figure.get_suptitle()
+    assert "less driver" in picture.title
 
 
 def test_a_map_that_is_the_same_everywhere_can_be_drawn(driver):
     change = clubface.FaceMapDifference(driver, driver)
-    assert len(panels(face_map_figure(change, units={"carry": "m", "side": "m", "smash": "1"}))) == 3
+    assert len(panels(draw(face_map_picture(change, ["carry", "side", "smash"])))) == 3

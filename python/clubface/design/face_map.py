@@ -1,17 +1,10 @@
-"""A face struck everywhere: maps, their differences, the best point and forgiveness.
-
-A face struck everywhere: launch and flight over it, its best point, and what a spread of impacts costs.
-
-One face less another: what a change of the club does at each point.
-
-What impacts that scatter over a face cost: the mean and the spread of their launches and flights.
-"""
+"""A face struck everywhere: launch and flight over it, its best point, what scattered impacts cost, two faces."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -19,11 +12,14 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.contributions import QUANTITIES, quantities, symbol
+from clubface.design.face_map_result import face_map_result, points_table
 from clubface.design.face_surface import Outline, Struck, Surface, outline_of, run_points, surface_of
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, RunError, Told
+from clubface.results.result import Described, Result
+from clubface.results.table import Table
 from clubface.simulation.flight import check_conditions
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
@@ -145,7 +141,50 @@ class Best(NamedTuple):
     value: float
 
 
-class FaceMap:
+class _Mapped(Described):
+    """What a map and the difference of two have in common."""
+
+    toe: NDArray[Any]
+    high: NDArray[Any]
+    outline: Outline
+
+    @property
+    def maps(self) -> list[FaceMap]:
+        """The map, or the two whose difference it is."""
+        raise NotImplementedError
+
+    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+        """Return a quantity over the grid, in SI or in ``unit``."""
+        raise NotImplementedError
+
+    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face."""
+        raise NotImplementedError
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
+        toe, high = np.meshgrid(self.toe, self.high)
+        inside = self.outline.holds(toe, high)
+        return {"toe": toe[inside], "high": high[inside], **{name: self.get(name)[inside] for name in QUANTITIES}}
+
+    def all_points(self) -> Table:
+        """Return :meth:`columns` as a table."""
+        return points_table(self)
+
+    def to_result(self, quantities: Sequence[str] = (), scatter: Sequence[Forgiveness] = ()) -> Result:
+        """Return the map as a result.
+
+        Parameters
+        ----------
+        quantities
+            Those that are listed, drawn and given over the grid; left out, eight are listed and drawn.
+        scatter
+            What scattered impacts cost, from :meth:`FaceMap.forgiveness` of each map.
+        """
+        return face_map_result(self, quantities, scatter)
+
+
+class FaceMap(_Mapped):
     """Launch and flight over a face, SI; arrays have the shape (high, toe), NaN beside the face.
 
     Attributes
@@ -163,12 +202,17 @@ class FaceMap:
 
     def __init__(
         self, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any], outline: Outline, surface: Surface,
-        centre: Launch,
+        centre: Launch, conditions: Mapping[str, Any] | None = None,
     ) -> None:  # fmt: skip
         self.toe, self.high, self.outline, self.centre = toe, high, outline, centre
-        self.surface = surface
+        self.surface, self.conditions = surface, dict(conditions or {})
         self._table = table
         self.interpolated = surface.interpolated
+
+    @property
+    def maps(self) -> list[FaceMap]:
+        """This map."""
+        return [self]
 
     def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
         """Return a quantity over the grid, in SI or in ``unit``."""
@@ -220,12 +264,10 @@ class FaceMap:
         toe, high, table = self.surface.box()
         return toe, high, table[QUANTITIES.index(name)]
 
-    def columns(self) -> dict[str, NDArray[Any]]:
-        """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
-        return on_face(self)
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a dataset over ``high`` and ``toe`` [SI], with units, meanings and what it was computed with."""
+    def to_xarray(self, name: str | None = None) -> xarray.Dataset:
+        """Return a dataset over ``high`` and ``toe`` [SI] with its provenance, or a table of :meth:`to_result`."""
+        if name is not None:
+            return super().to_xarray(name)
         import xarray
 
         variables = {
@@ -243,13 +285,6 @@ class FaceMap:
             f"map of the face of {self.centre.club.name} by {self.centre.model}, {len(self.toe)} by {len(self.high)}:"
             f" greatest ball speed of its points {units.fixed(float(speeds[up, across]), 'mph', 1)} at {place}"
         )
-
-
-def on_face(of: Any) -> dict[str, NDArray[Any]]:
-    """Return ``toe``, ``high`` and every quantity [SI] of a map, or of a difference, at the points of the face."""
-    toe, high = np.meshgrid(of.toe, of.high)
-    inside = of.outline.holds(toe, high)
-    return {"toe": toe[inside], "high": high[inside], **{name: of.get(name)[inside] for name in QUANTITIES}}
 
 
 def map_face(
@@ -346,7 +381,7 @@ def map_face(
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     if not np.isfinite(table).any():
         raise RunError("no point of the face has a shot")
-    return FaceMap(toe, high, table, outline, surface, centre)
+    return FaceMap(toe, high, table, outline, surface, centre, conditions)
 
 
 def checked_grid(grid: Any) -> tuple[int, int]:
@@ -381,7 +416,7 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[ND
     return toe, high
 
 
-class FaceMapDifference:
+class FaceMapDifference(_Mapped):
     """The map of one face less that of another, over the points they share.
 
     Attributes
@@ -404,6 +439,11 @@ class FaceMapDifference:
         self.first, self.second = first, second
         self.toe, self.high, self.outline = first.toe, first.high, first.outline
 
+    @property
+    def maps(self) -> list[FaceMap]:
+        """The two maps."""
+        return [self.first, self.second]
+
     def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
         """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either has no shot."""
         found = self.first.get(name) - self.second.get(name)
@@ -423,7 +463,3 @@ class FaceMapDifference:
         if not np.array_equal(self.outline.corners, self.second.outline.corners):
             found = np.where(self.second.outline.holds(across, up), found, np.nan)
         return toe, high, found
-
-    def columns(self) -> dict[str, NDArray[Any]]:
-        """Return a long table [SI]: ``toe``, ``high`` and the difference of every quantity, a row for each point."""
-        return on_face(self)

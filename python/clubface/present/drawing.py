@@ -11,6 +11,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
+from matplotlib.ticker import MaxNLocator
 
 from clubface import units
 from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, look, marker, styled
@@ -244,14 +245,23 @@ def _steps(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str
 
 
 def _contour(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    values = np.ma.masked_invalid(_drawn(mark.values, panel.values or Axis()))
-    extent = _extent(mark, panel)
-    low, high = (float(each) for each in (extent["vmin"], extent["vmax"]))
-    levels = np.linspace(low, high if high > low else low + 1e-9, 12)
+    """Fill between round levels, cut along an outline where there is one."""
+    low, high = _ends(mark, panel)
+    if not high - low > 1e-9 * max(abs(low), abs(high), 1e-9):
+        low, high = low - 0.5, high + 0.5
+    levels = MaxNLocator(11).tick_values(low, high)
+    extent = _extent(mark, panel, (levels[0], levels[-1]))
+    values = np.ma.masked_invalid(np.clip(_drawn(mark.values, panel.values or Axis()), levels[0], levels[-1]))
     x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
-    shown = axes.contourf(x, y, values, levels=levels, cmap=extent["cmap"], extend="neither")
-    lines = axes.contour(x, y, values, levels=levels, colors="0.25", linewidths=0.4)
-    axes.clabel(lines, fontsize=6.0)
+    shown = axes.contourf(x, y, values, levels=levels, **extent)
+    lines = axes.contour(x, y, values, levels=levels[1:-1], colors="0.15", linewidths=0.4)
+    if mark.within is not None:
+        corners = np.asarray(mark.within)
+        points = np.column_stack([_drawn(corners[:, 0], panel.x), _drawn(corners[:, 1], panel.y)])
+        cut = Polygon(points, facecolor="none", edgecolor="none", transform=axes.transData)
+        axes.add_patch(cut)
+        for each in (shown, lines):
+            each.set_clip_path(cut)
     _colour_bar(figure, axes, shown, panel)
 
 
@@ -313,14 +323,19 @@ def _shade(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str
     axes.axvspan(*ends, color="0.80", zorder=0, linewidth=0.0)
 
 
-def _extent(mark: Mark, panel: Panel) -> dict[str, Any]:
-    """Return the map of colours and its ends."""
+def _ends(mark: Mark, panel: Panel) -> tuple[float, float]:
+    """Return the least and the greatest value of a mark, unless the axis of values has limits."""
     axis = panel.values or Axis()
-    values = _drawn(mark.values, axis)
+    values = np.asarray(_drawn(mark.values, axis))
     low, high = (None if each is None else float(_drawn(each, axis)) for each in axis.limits)
     finite = values[np.isfinite(values)]
     low = low if low is not None else float(finite.min(initial=np.inf) if finite.size else 0.0)
-    high = high if high is not None else float(finite.max(initial=-np.inf) if finite.size else 1.0)
+    return low, high if high is not None else float(finite.max(initial=-np.inf) if finite.size else 1.0)
+
+
+def _extent(mark: Mark, panel: Panel, ends: tuple[float, float] | None = None) -> dict[str, Any]:
+    """Return the map of colours and its ends."""
+    low, high = ends or _ends(mark, panel)
     if panel.diverging:
         most = max(abs(low), abs(high), 1e-12)
         low, high = -most, most

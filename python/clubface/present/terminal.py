@@ -106,7 +106,9 @@ def headings_and_rows(
         line, head, value = columns[:3]
         heads, lines = (list(dict.fromkeys(each.values[row] for row in count)) for each in (head, line))
         cells = {(line.values[row], head.values[row]): value.shown(row, units) for row in count}
-        return [("", ""), *((each, "") for each in heads)], [
+        unit = value.printed_unit_at(0, units) if len(table) else "1"
+        corner = ("", "") if unit == "1" else ("", _WRITTEN.get(unit, unit))
+        return [corner, *((each, "") for each in heads)], [
             [each, *(cells.get((each, other), "") for other in heads)] for each in lines
         ]
     heads = []

@@ -12,7 +12,7 @@ from clubface.errors import UnknownNameError
 from clubface.quantities import Quantity, format_value, quantity
 from clubface.results.catalogue import SENTENCES
 
-_WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>\S+)(?: (?P<digits>\d+))?")
+_WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?: (?P<digits>\d+))?")
 
 
 class Note(NamedTuple):

@@ -84,6 +84,8 @@ class Mark:
         Number of a dash pattern; that of the style unless given.
     hollow, faint
         How points or areas are filled.
+    within
+        Corners, shape [n, 2], of the outline along which a contour is cut.
     """
 
     kind: MarkKind
@@ -102,6 +104,7 @@ class Mark:
     dash: int | None = None
     hollow: bool = False
     faint: bool = False
+    within: Any = None
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,250 @@
+"""Maps of faces as results: extremes, best points, what scattered impacts cost, and contours over the outline."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.design.contributions import QUANTITIES
+from clubface.quantities import Quantity, format_number, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.provenance import flight_conditions, provenance_of
+from clubface.units import fixed
+
+if TYPE_CHECKING:
+    from clubface.design.face_map import FaceMap, Forgiveness, _Mapped as Mapped
+
+LISTED = ("ball_speed", "launch", "backspin", "sidespin", "azimuth", "carry", "side", "total")
+"""Quantities that are listed and drawn unless others are asked for."""
+LEAST_MISSED = 5e-5
+"""Share of swings that miss the face above which a note says so."""
+OFF_CENTRE = 0.02
+"""Distance from the centre of the strikes in the summary [m]."""
+PRINTED_POINTS = (9, 7)
+"""Points of a printed table towards the toe and upwards."""
+DRAWN_POINTS = 61
+"""Points along a side from which contours are drawn, at most."""
+
+
+def face_map_result(of: Mapped, names: Sequence[str] = (), spreads: Sequence[Forgiveness] = ()) -> Result:
+    """Return a map, or the difference of two, as a result; ``names`` are the quantities listed, drawn and tabulated."""
+    listed, maps = tuple(names) or LISTED, of.maps
+    clubs = " less ".join(each.centre.club.name for each in maps)
+    first = maps[0]
+    title = (
+        f"{clubs}, ball {first.centre.ball.name}, by {first.centre.model}: {len(of.toe)} by {len(of.high)} points of "
+        "the face"
+    )
+    inputs = {"points of the face": f"{len(of.toe)} towards the toe, {len(of.high)} upwards"}
+    tables = [_extremes(of, listed), *(_grid_table(of, name) for name in names), _best_table(maps)]
+    if spreads:
+        tables.append(_spread_table(maps, spreads, listed))
+        inputs["impacts that scatter"] = _spread_words(spreads[0])
+    return Result(
+        kind="face-map", title=title, tables=tuple(tables), summary=tuple(_summary(maps)),
+        notes=tuple(_notes(maps, spreads)), hints=() if spreads else (note("map-spread-option"),),
+        provenance=provenance_of(
+            [each.centre for each in maps], {**inputs, **flight_conditions(**first.conditions)}
+        ),
+        draw=lambda: [face_map_picture(of, listed)],
+    )  # fmt: skip
+
+
+def points_table(of: Mapped) -> Table:
+    """Return every quantity at every point of the face as a table, a row a point."""
+    values, difference = of.columns(), len(of.maps) > 1
+    columns = [column(name, values[name]) for name in ("toe", "high")]
+    for name in QUANTITIES:
+        columns.append(_value(f"difference_{name}" if difference else name, name, values[name], difference))
+    return Table("map", tuple(columns))
+
+
+def _value(name: str, of: str, values: Any, difference: bool) -> Column:
+    return column(name, values, of, label=quantity(of).label, difference=difference)
+
+
+def _finer(name: str, difference: bool) -> Quantity:
+    """Return a quantity, with a digit more for differences."""
+    of = quantity(name)
+    return of._replace(golf=of.golf._replace(digits=of.golf.digits + 1)) if difference else of
+
+
+def _extremes(of: Mapped, names: Sequence[str]) -> Table:
+    difference = len(of.maps) > 1
+    middles = [each.at(0.0, 0.0) for each in of.maps]
+    centre = [float(middles[0][name] - (middles[1][name] if difference else 0.0)) for name in names]
+    ends: dict[str, list[tuple[float | None, float | None, float | None]]] = {"least": [], "greatest": []}
+    for name in names:
+        values = of.get(name)
+        for end, pick in zip(ends, (np.nanargmin, np.nanargmax), strict=True):
+            if np.isfinite(values).any():
+                up, across = np.unravel_index(pick(values), values.shape)
+                ends[end].append((float(values[up, across]), float(of.toe[across]), float(of.high[up])))
+            else:
+                ends[end].append((None, None, None))
+    kinds = [_finer(name, difference) for name in names]
+    columns = [
+        text("quantity", names, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        Column("centre", centre, kinds, "at the centre", difference=difference),
+    ]  # fmt: skip
+    for end, rows in ends.items():
+        values, toe, high = zip(*rows, strict=True)
+        columns += [
+            Column(end, values, kinds, difference=difference),
+            column(f"{end}_toe", toe, label="toe", digits=0), column(f"{end}_high", high, label="high", digits=0),
+        ]  # fmt: skip
+    return Table("extremes", tuple(columns))
+
+
+def _some(count: int, most: int) -> NDArray[Any]:
+    """Return evenly spread places among ``count``, both ends with them."""
+    return np.unique(np.round(np.linspace(0, count - 1, min(most, count))).astype(int))
+
+
+def _grid_table(of: Mapped, name: str) -> Table:
+    """Return a quantity over the grid; a few of the points are printed, the highest first."""
+    difference = len(of.maps) > 1
+    toe, high = np.meshgrid(of.toe, of.high[::-1])
+    across, up = (_some(len(each), most) for each, most in zip((of.toe, of.high), PRINTED_POINTS, strict=True))
+    rows = (len(of.high) - 1 - up[::-1])[:, None] * len(of.toe) + across
+    columns = (
+        text("up", [f"{format_number(1e3 * each, 1)} mm high" for each in high.ravel()], in_files=False),
+        text("across", [f"{format_number(1e3 * each, 0)} mm" for each in toe.ravel()], in_files=False),
+        _value(f"difference_{name}" if difference else name, name, of.get(name)[::-1], difference),
+        column("toe", toe, printed=False), column("high", high, printed=False),
+    )  # fmt: skip
+    title = f"{quantity(name).label} over places towards the toe"
+    return Table(f"map_{name}", columns, title, layout="pivot", shown_rows=rows.ravel().tolist())
+
+
+def _best_table(maps: Sequence[FaceMap]) -> Table:
+    speeds, carries = [each.best() for each in maps], [each.best("carry") for each in maps]
+    columns = [
+        text("club", [each.centre.club.name for each in maps]),
+        *(
+            text(name, [getattr(each.centre, name).name for each in maps], printed=False)
+            for name in ("ball", "parameters")
+        ),
+        text("model", [each.centre.model for each in maps], printed=False),
+        text("outline", [each.outline.told for each in maps], printed=False),
+        text("interpolated", [each.interpolated for each in maps], printed=False),
+    ]
+    for what, label, points, name in (
+        ("sweet_spot", "sweet spot", speeds, "ball_speed"), ("longest", "longest carry", carries, "carry"),
+    ):  # fmt: skip
+        columns += [
+            column(f"{what}_toe", [each.toe for each in points], "toe", label=f"{label}, towards the toe"),
+            column(f"{what}_high", [each.high for each in points], "high", label=f"{label}, up the face"),
+            column(f"{what}_{name}", [each.value for each in points], name, label=f"{label}, {quantity(name).label}"),
+        ]
+    columns += [
+        column(
+            "effective_area", [each.area() for each in maps], "face_area", label="area within 2 % of the sweet spot"
+        ),
+        column("face_area", [each.outline.area() for each in maps], label="area of the face"),
+    ]
+    return Table("best_points", tuple(columns), "Best points", layout="transposed")
+
+
+def _spread_words(of: Forgiveness) -> str:
+    deviations = " by ".join(fixed(each, "mm", 1) for each in (of.toe_deviation, of.high_deviation))
+    about = ", ".join(f"{name} {fixed(each, 'mm', 1)}" for name, each in (("toe", of.toe), ("high", of.high)))
+    return f"{deviations} about {about if of.toe or of.high else 'the face centre'}"
+
+
+def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], listed: Sequence[str]) -> Table:
+    names = [*listed, *(name for name in QUANTITIES if name not in listed)]
+    rows = [(of.centre.club.name, each, name) for of, each in zip(maps, spreads, strict=True) for name in names]
+    kinds, finer = ([_finer(name, more) for _, _, name in rows] for more in (False, True))
+    columns = (
+        text("club", [club for club, _, _ in rows], printed=len(maps) > 1),
+        text("quantity", [name for _, _, name in rows], printed=False),
+        text("what", [each.label for each in kinds], in_files=False),
+        Column("mean", [each.mean[name] for _, each, name in rows], kinds),
+        Column("deviation", [each.deviation[name] for _, each, name in rows], finer, "standard deviation"),
+        Column("loss", [each.loss[name] for _, each, name in rows], finer, "lost by scatter", difference=True),
+        *(
+            column(name, [getattr(each, name) for _, each, _ in rows], of, printed=False)
+            for name, of in (("toe", "toe"), ("high", "high"), ("toe_deviation", "m"), ("high_deviation", "m"))
+        ),
+        text("missed", [each.missed for _, each, _ in rows], printed=False),
+    )  # fmt: skip
+    return Table(
+        "scatter", columns, f"Impacts that scatter by {_spread_words(spreads[0])}",
+        shown_rows=[place for place, row in enumerate(rows) if row[2] in listed],
+    )  # fmt: skip
+
+
+def _summary(maps: Sequence[FaceMap]) -> Iterator[Note]:
+    for each in maps:
+        club, middle = each.centre.club.name, each.at(0.0, 0.0)
+        yield note("map-centre", club=club, ball_speed=float(middle["ball_speed"]), carry=float(middle["carry"]))
+        for toe, place in ((OFF_CENTRE, "toe"), (-OFF_CENTRE, "heel")):
+            if each.outline.holds(toe, 0.0):
+                there = each.at(toe, 0.0)
+                carry = float(there["carry"] - middle["carry"])
+                yield note("map-off-centre", toe=OFF_CENTRE, place=place, carry=carry, side=float(there["side"]))
+        best, longest = each.best(), each.best("carry")
+        yield note(
+            "map-sweet-spot", club=club, toe=best.toe, high=best.high, ball_speed=best.value, carry=longest.value,
+            carry_toe=longest.toe, carry_high=longest.high,
+        )  # fmt: skip
+
+
+def _notes(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness]) -> Iterator[Note]:
+    for of, each in zip(maps, spreads, strict=False):
+        if each.missed >= LEAST_MISSED:
+            yield note("map-missed", club=of.centre.club.name, missed=each.missed)
+    for each in maps:
+        yield note("map-outline", club=each.centre.club.name, outline=each.outline.told)
+    if maps[0].interpolated:
+        yield note("map-interpolated")
+
+
+def face_map_picture(of: Mapped, names: Sequence[str] = LISTED) -> Picture:
+    """Return contours over a face, the toe on the right: a right-hander's face as seen through the head from behind.
+
+    A cross marks the face centre, and a ring the point of the greatest ball speed (of the first club).
+    """
+    first = of.maps[0]
+    best = first.best()
+    columns = min(2, len(names))
+    panels: list[Panel | None] = [_contours(of, name, (best.toe, best.high)) for name in names]
+    panels += [None] * (-len(panels) % columns)
+    rows = [panels[start : start + columns] for start in range(0, len(panels), columns)]
+    wide, tall = of.outline.greatest - of.outline.least
+    title = " less ".join(each.centre.club.name for each in of.maps)
+    interpolated = "; interpolated" if first.interpolated else ""
+    return Picture(
+        "face-map", "Contours on the outline of the face", rows, share_x=True, share_y=True, legend=True,
+        title=f"{title}, ball {first.centre.ball.name}, by {first.centre.model}; outline {first.outline.told}"
+        f"{interpolated}",
+        height=len(rows) * ((7.2 / columns - 0.9) * float(tall / wide) + 0.42) + 1.0,
+    )  # fmt: skip
+
+
+def _contours(of: Mapped, name: str, best: tuple[float, float]) -> Panel:
+    toe, high, values = of.box(name)
+    across, up = (_some(len(each), DRAWN_POINTS) for each in (toe, high))
+    inside = np.where(of.outline.holds(*np.meshgrid(toe, high)), values, np.nan)
+    limits = (float(np.nanmin(inside)), float(np.nanmax(inside)))
+    kind, corners = quantity(name), of.outline.corners
+    low, top = of.outline.least, of.outline.greatest
+    marks = [
+        Mark("contour", toe[across], high[up], values=values[np.ix_(up, across)], within=corners),
+        Mark("outline", corners[:, 0], corners[:, 1], style=-2, size=1.0),
+        Mark("points", [0.0], [0.0], label="centre of the face", symbol="+", style=-2, size=6.0),
+        Mark("points", [best[0]], [best[1]], label="greatest ball speed", style=-2, size=5.0, hollow=True),
+    ]
+    return Panel(
+        marks, axis("toe", "← heel   from the centre   toe →", limits=(float(low[0]), float(top[0]))),
+        axis("high", "up the face", limits=(float(low[1]), float(top[1]))),
+        f"{kind.label}{', right is positive' if kind.sides == ('left', 'right') else ''}", equal=True, grid=False,
+        values=axis(name, limits=limits), diverging=len(of.maps) > 1 or kind.sides == ('left', 'right'),
+    )  # fmt: skip
