@@ -16,11 +16,12 @@ from pathlib import Path
 from typing import Any
 
 from clubface import studies
+from clubface.jobs.shards import Shard
+from clubface.jobs.workers import in_processes
 from clubface.studies.axes import Axis
-from clubface.studies.chunks import StudyStore
 from clubface.studies.designs import Grid, Samples
-from clubface.studies.pool import Pool
-from clubface.studies.running import Shard, Tallied, opened, order
+from clubface.studies.running import order
+from clubface.studies.store import StudyStore, open_store
 
 EMPTY = """
 [study]
@@ -45,12 +46,6 @@ loft = { from = "8 deg", to = "14 deg" }
 toe = { from = "-20 mm", to = "20 mm" }
 high = { from = "-10 mm", to = "10 mm" }
 """
-ANSWERS = """
-import sys
-for line in sys.stdin:
-    print('{"chunk": %s, "did": "kept", "failed": [0], "outside": [{}, []]}' % line.strip(), flush=True)
-"""
-"""A worker that does nothing."""
 
 
 def measured(run: Callable[[], object]) -> tuple[float, float]:
@@ -96,7 +91,7 @@ def empty_chunks(folder: Path, count: int) -> None:
     """Empty chunks: what each costs when it is written, and when it is only handed out."""
     path = empty(folder, "empty", count, 0.0)
     clock, used = measured(lambda: studies.run(path, workers=2))
-    size = opened(path).size() / count
+    size = open_store(path).size() / count
     print(f"{count} empty chunks: {1e3 * used / count:.2f} ms of a processor each, {1e3 * clock / count:.2f} ms of a")
     print(f"  clock with two workers; {size:.0f} bytes a part")
     clock, used = measured(lambda: studies.run(path, workers=2))
@@ -107,14 +102,7 @@ def handed_out(folder: Path) -> None:
     """A million chunks, none of them there, handed out to workers that do nothing."""
     many = 1_000_000
     store = StudyStore(folder / "none", {"count": many, "chunk": 1, "content": {}})
-    worker = [sys.executable, "-c", ANSWERS]
-    tally = Tallied()
-
-    def hand_out() -> None:
-        with Pool(worker, 2) as pool:
-            pool.work(order(store, Shard(1, 1)), tally.add)
-
-    _, used = measured(hand_out)
+    _, used = measured(lambda: sum(1 for _ in in_processes(order(store, Shard(1, 1)), abs, workers=2)))
     print(f"{many} chunks handed out to workers that do nothing: {1e6 * used / many:.0f} us of a processor each")
 
 
@@ -123,7 +111,7 @@ def shots(folder: Path) -> None:
     path = folder / "shots.toml"
     path.write_text(SHOTS)
     _, used = measured(lambda: studies.run(path, workers=2))
-    found = opened(path)
+    found = open_store(path)
     print(f"{found.count} shots with flight, {found.record['chunk']} a chunk: {1e6 * used / found.count:.1f} us of a")
     print(f"  processor each, {found.size() / found.count:.0f} bytes")
     _, used = measured(lambda: studies.join(path, folder / "shots.parquet"))

@@ -326,8 +326,10 @@ def together(
     wrong = [
         f"{command.name}, three at a time: status {child.returncode}: {said[child].strip()}"
         for child in children
-        if child is not killed and child.returncode
+        if child is not killed and child.returncode and not (child.returncode == 2 and "is writing this" in said[child])
     ]
+    if results(command, folder) != whole:  # where the one that was killed was the one that wrote
+        start(command, folder, False).communicate()
     if results(command, folder) != whole:
         wrong.append(f"{command.name}, three at a time: the results differ")
     start(command, folder, False).communicate()  # what one that was killed has left

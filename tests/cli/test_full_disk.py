@@ -11,7 +11,7 @@ import pytest
 from clubface.errors import FileError
 from clubface.fem import case as cases, files
 from clubface.inference import findings
-from clubface.jobs import resuming
+from clubface.jobs import store
 from clubface.shots.prediction import predict
 from command_line import MAIN
 from deliveries import HEAD
@@ -90,7 +90,7 @@ def test_a_full_disk_ends_shapes_of_finite_elements_and_the_findings_in_one_line
 
 def test_a_run_that_met_a_full_disk_goes_on_to_the_same_bytes(monkeypatch, tmp_path):
     """Some of the pieces fit. Each is as long as the others: a limit on the length of files does not show it."""
-    monkeypatch.setattr(resuming, "OFTEN", 0.0)
+    monkeypatch.setattr(store, "FLUSH_INTERVAL", 0.0)
     monkeypatch.chdir(tmp_path)
     Path("in.csv").write_text(ROWS)
     sync, left = os.fsync, [20]

@@ -79,7 +79,7 @@ def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
     with subprocess.Popen([*command, "-o", str(target)], stderr=subprocess.PIPE, text=True) as child:
         started = time.monotonic()
         while (
-            not list(tmp_path.glob("out.csv.unfinished/*/parts/*.json"))
+            not (tmp_path / "out.csv.unfinished" / "values.jsonl").exists()
             and child.poll() is None
             and time.monotonic() - started < 30
         ):

@@ -291,7 +291,7 @@ def test_points_by_finite_elements_are_kept_when_they_are_interrupted(tmp_path):
         clubface.map_face("driver", DRIVE, progress=stop, **shot)
     seen = []
     found = clubface.map_face("driver", DRIVE, progress=lambda done, whole: seen.append(done), **shot)
-    assert seen[0] == 5
+    assert seen[:2] == [4, 5]
     again = clubface.map_face("driver", DRIVE, **{**shot, "output": None})
     assert np.array_equal(found.get("carry"), again.get("carry"), equal_nan=True)
 

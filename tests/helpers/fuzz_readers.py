@@ -390,7 +390,7 @@ def _messages(path: Path) -> None:
 
 
 CHECKPOINT = {"set of shots": "these"}
-VALUES = "*/parts/*.json"
+VALUES = "values.jsonl"
 """Where the values of a store are."""
 
 
@@ -525,9 +525,9 @@ READERS = {
     "messages": Reader("json", _messages, lambda: [json.dumps(MESSAGE).encode() * 2], 4),
     "checkpoint": Reader("json", _checkpoint, _checkpoints, 2),
     "sweep": Reader("csv", _sweep, _sweeps, 2),
-    "resumed-prediction": _resumed("prediction", "*/parts/*.csv", _go_on),
+    "resumed-prediction": _resumed("prediction", "parts/*.csv", _go_on),
     "resumed-prediction-record": _resumed("prediction", VALUES, _go_on),
-    "resumed-prediction-content": _resumed("prediction", "*/record.json", _go_on),
+    "resumed-prediction-content": _resumed("prediction", "job.json", _go_on),
     "resumed-inference-record": _resumed("inference", VALUES, _go_on_inferring),
     **{name: Reader("json", read, _recipes(make), share, make) for name, (read, make, share) in ORACLES.items()},
 }  # fmt: skip

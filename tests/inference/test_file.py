@@ -83,7 +83,7 @@ def test_an_interrupted_file_is_resumed_to_the_same_bytes(tmp_path):
         if done == 2:
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt, match=r"2 finished shots are in .*again\.csv\.unfinished"):
+    with pytest.raises(KeyboardInterrupt, match=r"^2 of \d+ shots are done; they are in .*again\.csv\.unfinished"):
         files.infer_shots(launches(), again, progress=stop, **OPTIONS)
     with pytest.raises(FileError, match="another club, prior or option"):
         files.infer_shots(launches(), again, resume=True, **{**OPTIONS, "seed": 1})

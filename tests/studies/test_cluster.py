@@ -7,14 +7,14 @@ import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import CancelledError
+from concurrent.futures import Future
 from contextlib import contextmanager, suppress
 
 import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, LinkError
-from clubface.studies import cluster
+from clubface.jobs import workers as jobs_workers
 from study_files import squares, sums
 
 pytest.importorskip("pyarrow")
@@ -64,7 +64,7 @@ def at(count, act):
 
 
 def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path, monkeypatch, in_this_process):
-    monkeypatch.setattr(cluster, "PATIENCE", 4.0)
+    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 4.0)
     whole, path = squares(tmp_path, name="whole.toml"), squares(tmp_path, seconds=0.005)
     studies.run(whole)
     with scheduler(tmp_path) as (address, boss), workers(address, 2) as (first, _):
@@ -81,7 +81,7 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
 
 
 def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
-    monkeypatch.setattr(cluster, "PATIENCE", 1.0)
+    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 1.0)
     with pytest.raises(LinkError, match=r"127.0.0.1:9 is no scheduler that answers"):
         studies.run(squares(tmp_path), scheduler="127.0.0.1:9")
 
@@ -89,7 +89,7 @@ def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
 @pytest.mark.parametrize("says", [None, b"HTTP/1.0 400 Bad Request\r\n\r\n", b"\x01" + bytes(7) + b"\xff" * 8])
 def test_a_server_that_is_no_scheduler_is_told_in_time(tmp_path, monkeypatch, says):
     """One that says nothing, one of the web, and one that announces a message of 2^64 bytes."""
-    monkeypatch.setattr(cluster, "PATIENCE", 1.0)
+    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 1.0)
     server = socket.create_server(("127.0.0.1", 0))
 
     def serve():
@@ -131,42 +131,32 @@ class Lost:
     def nthreads(self):
         return {"one": 1}
 
-    def submit(self, function, *arguments, **options):
-        chunk = arguments[-1]
+    def get_executor(self, **options):
+        return self
+
+    def submit(self, function, chunk):
         self.given.append(chunk)
         self.losses[chunk] = left = self.losses.get(chunk, 0) - 1
-        return Future(chunk, left >= 0)
+        return self.ended(chunk, left >= 0)
 
-
-class Future:
-    def __init__(self, chunk, lost):
-        self._chunk, self._lost = chunk, lost
-
-    def done(self):
-        return True
-
-    def add_done_callback(self, call):
-        call(self)
-
-    def release(self):
-        pass
-
-    def result(self, timeout):
-        if self._lost:
-            raise CancelledError
-        return self._chunk
+    def ended(self, chunk, lost):
+        future = Future()
+        if lost:
+            future.cancel()
+            future.set_running_or_notify_cancel()
+        else:
+            future.set_result(chunk)
+        return future
 
 
 def computed_by(client):
-    done = {}
-    cluster._Cluster(client, "here", ("study", "store", "identity"), done.__setitem__).run(iter(range(5)))
-    return done
+    return dict(jobs_workers._on_client(client, range(5), abs, "here"))
 
 
 def test_a_chunk_that_the_scheduler_has_lost_is_given_to_it_again():
-    client = Lost({1: 2, 4: cluster.TRIES - 1})
+    client = Lost({1: 2, 4: jobs_workers.MAX_LOSSES - 1})
     assert computed_by(client) == {chunk: chunk for chunk in range(5)}
-    assert sorted(client.given) == [0, 1, 1, 1, 2, 3, *[4] * cluster.TRIES]
+    assert sorted(client.given) == [0, 1, 1, 1, 2, 3, *[4] * jobs_workers.MAX_LOSSES]
 
 
 def test_a_chunk_over_which_worker_after_worker_is_lost_is_given_up():
@@ -177,17 +167,15 @@ def test_a_chunk_over_which_worker_after_worker_is_lost_is_given_up():
 class Silent(Lost):
     """A client that hears nothing of its chunks."""
 
-    def submit(self, *arguments, **options):
-        future = super().submit(*arguments, **options)
-        future.done = lambda: False
-        return future
+    def ended(self, chunk, lost):
+        return Future()
 
 
 def test_a_scheduler_that_is_silent_for_a_while_is_waited_for(monkeypatch):
     away = Lost({})
     away.status = "connecting"
     assert computed_by(away) == {chunk: chunk for chunk in range(5)}
-    monkeypatch.setattr(cluster, "PATIENCE", 0.3)
+    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 0.3)
     silent = Silent({})
     silent.status = "connecting"
     begun = time.monotonic()
@@ -198,7 +186,7 @@ def test_a_scheduler_that_is_silent_for_a_while_is_waited_for(monkeypatch):
 
 def test_a_scheduler_that_has_closed_is_not_waited_for(monkeypatch):
     """A minute would be: nothing of this takes as long on any machine."""
-    monkeypatch.setattr(cluster, "PATIENCE", 60.0)
+    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 60.0)
     silent = Silent({})
     silent.status = "closed"
     begun = time.monotonic()

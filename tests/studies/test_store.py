@@ -8,10 +8,10 @@ import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, FileError, RunError
-from clubface.studies import chunks, running
-from clubface.studies.chunks import KEPT, Chunks, checked_part, read_part
+from clubface.studies import chunks, running, store
+from clubface.studies.chunks import KEPT, Chunks
 from clubface.studies.kinds.kind import Computed
-from clubface.studies.running import opened
+from clubface.studies.store import open_store
 from clubface.studies.study import read_study
 from clubface.support.files import whole_file
 from study_files import shots, squares, sums
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.usefixtures("in_this_process")
 
 
 def part(path, chunk):
-    return opened(path).path(chunk)
+    return open_store(path).path(chunk)
 
 
 def test_the_sums_of_columns_do_not_depend_on_chunks_and_workers(tmp_path):
@@ -48,7 +48,7 @@ def test_two_workers_that_compute_the_same_chunk_write_the_same_bytes(tmp_path):
     studies.run(path, workers=1)
     before = part(path, 2).read_bytes()
     part(path, 2).unlink()
-    Chunks(read_study(path), opened(path)).ensure(2)
+    Chunks(read_study(path), open_store(path)).ensure(2)
     assert part(path, 2).read_bytes() == before
 
 
@@ -62,11 +62,11 @@ def test_a_run_that_another_tidies_up_after_while_it_writes_finds_the_part_there
         with whole_file(target) as file:
             yield file
             monkeypatch.undo()
-            Chunks(read_study(path), opened(path)).ensure(2)
-            opened(path).tidy()
+            Chunks(read_study(path), open_store(path)).ensure(2)
+            open_store(path).tidy()
 
-    monkeypatch.setattr(chunks, "whole_file", overtaken)
-    assert Chunks(read_study(path), opened(path)).ensure(2)["did"] == KEPT
+    monkeypatch.setattr(store, "whole_file", overtaken)
+    assert Chunks(read_study(path), open_store(path)).ensure(2)["done"] == KEPT
     assert studies.status(path, check=True).damaged == ()
 
 
@@ -78,7 +78,7 @@ def test_an_interrupted_run_counts_what_earlier_runs_have_finished(tmp_path, mon
         def stop(*rest, error=error, **options):
             raise error
 
-        monkeypatch.setattr(running.Pool, "work", stop)
+        monkeypatch.setattr(running, "in_processes", stop)
         with pytest.raises((KeyboardInterrupt, ClubfaceError), match="5 of 20 chunks are done and kept"):
             studies.run(path, workers=1)
 
@@ -91,7 +91,7 @@ def test_a_run_without_a_result_leaves_what_others_have_finished(tmp_path, monke
         studies.run(path, workers=1, shard="1/4")
         raise RunError("no task that was tried has a result")
 
-    monkeypatch.setattr(running.Pool, "work", stop)
+    monkeypatch.setattr(running, "in_processes", stop)
     with pytest.raises(ClubfaceError, match="no task that was tried has a result"):
         studies.run(path, workers=1, shard="2/4")
     assert studies.status(path, check=True).done == 5
@@ -153,7 +153,7 @@ def test_a_part_tells_where_it_comes_from_to_any_program(tmp_path):
     table = pyarrow.parquet.read_table(part(path, 1))
     assert table.column_names == ["loft", "toe", "attack", "ball_speed", "backspin", "carry", "side"]
     assert table.schema.field("loft").metadata == {b"unit": b"rad"}
-    _, told = read_part(part(path, 1))
+    _, told = open_store(path).read(1)
     assert (told["first"], told["tasks"], told["name"], told["kind"]) == (5, 5, "shots", "impact")
     assert told["inputs"]["held"] == {"speed": "105 mph"}
     assert told["clubface_version"]
@@ -278,7 +278,7 @@ def test_pandas_reads_all_parts_as_one_table(tmp_path):
 def test_parts_are_found_by_what_checks_them(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1)
-    columns, _ = checked_part(opened(path), 19)
+    columns, _ = open_store(path).read(19)
     assert columns["x"][-1] == 1.0
     assert columns["square"].tolist() == (columns["x"] ** 2).tolist()
 
@@ -308,10 +308,10 @@ class Slow:
 )
 def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, count, size):
     clock = [0.0]
-    monkeypatch.setattr(running.time, "process_time", lambda: clock[0])
+    monkeypatch.setattr(chunks.time, "process_time", lambda: clock[0])
     path = tmp_path / "study.toml"
     path.write_text(f'[study]\nkind = "empty"\n[sweep]\nx = {{ from = 0, to = 1, count = {count} }}\n')
-    assert running.chunk_size(read_study(path), Slow(clock, loading, each)) == size
+    assert chunks.chunk_size(read_study(path), Slow(clock, loading, each)) == size
 
 
 def test_a_pipe_in_the_place_of_a_part_is_refused_and_not_waited_for(tmp_path):

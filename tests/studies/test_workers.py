@@ -10,8 +10,7 @@ import time
 import pytest
 
 from clubface import studies
-from clubface.errors import ClubfaceError, RunError
-from clubface.studies.pool import Pool
+from clubface.errors import ClubfaceError
 from study_files import shots, squares, started, sums
 
 pytest.importorskip("pyarrow")
@@ -38,11 +37,6 @@ def undisturbed(tmp_path_factory):
     path = squares(tmp_path_factory.mktemp("undisturbed"))
     studies.run(path, workers=1)
     return sums(path)
-
-
-def compute(command, numbers):
-    with Pool(command, 1) as pool:
-        pool.work(numbers, print)
 
 
 def children(pid):
@@ -103,18 +97,6 @@ def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
     done = studies.run(path, workers=1)
     assert 0 < done.computed < 20
     assert sums(path) == undisturbed
-
-
-def test_a_chunk_that_kills_its_workers_is_given_up(tmp_path):
-    worker = f"read n; echo $n >> {tmp_path}/begun; kill -9 $$"
-    with pytest.raises(RunError, match="3 workers died over chunk 5; the last was ended by SIGKILL"):
-        compute(["sh", "-c", worker], [5])
-    assert (tmp_path / "begun").read_text() == "5\n" * 3
-
-
-def test_a_worker_that_cannot_start_is_told(tmp_path):
-    with pytest.raises(RunError, match="ended with status 3: no disk"):
-        compute(["sh", "-c", "echo no disk >&2; exit 3"], [5])
 
 
 def test_what_a_chunk_cannot_do_ends_the_run_and_keeps_the_others(tmp_path):

@@ -27,15 +27,13 @@ NO_INPUTS = {
     "fem/sweep.py": "finished runs of the same work",
     "published_data.py": "published tables, which come with the package",
     "simulation/own_law.py": "the source of a law of contact of one's own",
-    "studies/chunks.py": "finished parts of a study; inputs that a study keeps",
-    "jobs/store.py": "records of long work",
-    "jobs/lock.py": "who works on a file; the time at which a process began",
+    "studies/store.py": "finished parts of a study, and inputs that it keeps",
+    "jobs/store.py": "finished parts of long work",
+    "jobs/lock.py": "who works on a file",
     "support/processes.py": "the memory of the machine; the processor of the machine",
-    "jobs/resuming.py": "finished parts of long work",
     "shots/tables/writer.py": "pieces of what is written",
     "cli/app.py": "the device for messages that nobody reads",
     "support/isolated_script.py": "the pipe to the process of a library",
-    "studies/worker.py": "the pipe to the process of a study",
 }
 """The modules that open something which is no input of a computation, and what."""
 

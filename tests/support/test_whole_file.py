@@ -3,8 +3,6 @@
 import ast
 import errno
 import os
-import resource
-import shutil
 import stat
 from pathlib import Path
 
@@ -12,9 +10,6 @@ import pytest
 
 import clubface
 from clubface.errors import FileError
-from clubface.jobs.lock import Lock
-from clubface.jobs.resuming import Store
-from clubface.jobs.store import PartStore
 from clubface.support.files import whole_file, whole_text, write_text
 from clubface.support.fingerprint import fingerprint
 
@@ -108,130 +103,13 @@ def test_files_are_written_in_one_place():
     # The others open a lock, devices and pipes in the place of an output, or copy inputs for a library that opens files
     # itself: none of them makes a file of results.
     pipes = {"cli/app.py", "cli/failures.py", "fem/heads/mesh_file.py", "support/isolated_script.py"}
-    assert found <= {"support/files.py", "jobs/lock.py", *pipes}
+    assert found <= {"support/files.py", "jobs/lock.py", "jobs/store.py", *pipes}
     assert "support/files.py" in found
 
 
 @pytest.mark.parametrize("text", ["p.open('w')", "open(p, 'xb')", "p.write_text('a')", "os.replace(a, b)"])
 def test_another_writer_is_seen(text):
     assert list(writers(ast.parse(text)))
-
-
-def test_a_store_keeps_what_is_finished(tmp_path):
-    folder = tmp_path / "out.unfinished"
-    with Store(folder, {"speed": 1.0}) as store:
-        store.keep("a", [0.1, float("nan"), None])
-    with Store(folder, {"speed": 1.0}) as store:
-        assert store.resumed == ("a",)
-        assert store["a"][::2] == [0.1, None]
-        assert store.once("b", lambda: 2) == store.once("b", lambda: 3) == 2
-    with pytest.raises(FileError, match="begun with another speed; start again without resuming"):
-        Store(folder, {"speed": 2.0})
-    (record,) = folder.glob("*/record.json")
-    whole = record.read_text()
-    record.write_text(whole[:-9])
-    with pytest.raises(FileError, match="begun as other work, whose record is damaged; start again without resuming"):
-        Store(folder, {"speed": 2.0})
-    record.write_text(whole)
-    with Store(folder, {"speed": 2.0}, resume=False) as store:
-        assert not len(store)
-    assert not folder.exists()  # nothing was kept
-
-
-def test_two_stores_of_the_same_work_lose_nothing_of_each_other(tmp_path):
-    """They keep values in other groups; the second goes on after the first has ended and removed the folder."""
-    folder, target = tmp_path / "out.unfinished", tmp_path / "out"
-    one, other = (Store(folder, {"speed": 1.0}, of=target) for _ in range(2))
-    for name, store in (("a", one), ("b", one), ("a", other)):
-        store.keep(name, name)
-        if name == "a":
-            store.flush()
-    one.flush()
-    assert sorted(Store(folder, {"speed": 1.0}, of=target).resumed) == ["a", "b"]
-    one.write_result(target, lambda file: file.write(b"whole"))
-    one.remove()
-    assert not folder.exists()
-    other.keep("c", "c")
-    other.flush()
-    assert Store(folder, {"speed": 1.0}, of=target).resumed == ("c",)
-    other.write_result(target, lambda file: file.write(b"whole"))
-    other.remove()
-    assert target.read_bytes() == b"whole"
-    assert not folder.exists()
-
-
-def test_a_part_is_written_though_another_run_removes_the_store_just_then(tmp_path, monkeypatch):
-    folder, prepare, removed = tmp_path / "out.unfinished", PartStore.prepare, []
-
-    def prepared(store, path):
-        prepare(store, path)
-        if not removed:
-            removed.append(shutil.rmtree(folder))
-        return path
-
-    monkeypatch.setattr(PartStore, "prepare", prepared)
-    with Store(folder, {}) as store:
-        store.keep("a", 1)
-    assert removed
-    assert Store(folder, {}).resumed == ("a",)
-
-
-def test_a_result_for_which_parts_are_gone_is_an_error_unless_another_run_has_made_it(tmp_path):
-    folder, target = tmp_path / "out.unfinished", tmp_path / "out"
-    target.write_text("of an earlier day")
-
-    def without_parts(store):
-        store.keep_part("piece", b"part")
-        store.file("piece").unlink()
-
-        def write(file):
-            file.write(b"half")
-            raise FileError(str(target), None, "a part is gone")
-
-        store.write_result(target, write)
-
-    with Store(folder, {}, of=target) as store, pytest.raises(FileError, match="a part is gone"):
-        without_parts(store)
-    assert target.read_text() == "of an earlier day"
-    one, other = (Store(folder, {}, of=target) for _ in range(2))
-    one.write_result(target, lambda file: file.write(b"whole"))
-    one.remove()
-    shutil.rmtree(folder, ignore_errors=True)
-    without_parts(other)
-    other.remove()
-    assert target.read_bytes() == b"whole"
-
-
-def test_a_full_disk_costs_no_more_than_what_is_being_written(tmp_path):
-    folder = tmp_path / "out.unfinished"
-    with Store(folder, {}) as store:
-        store.keep("a", 1)
-    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    try:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, limits[1]))
-        with pytest.raises(FileError, match="cannot be written: File too large"), Store(folder, {}) as store:
-            store.keep("b", "b" * 5000)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-    with Store(folder, {}) as store:
-        assert store.resumed == ("a",)
-
-
-def test_a_lock_is_free_once_its_process_is_dead(tmp_path):
-    path = tmp_path / "lock"
-    ready, told = os.pipe()
-    child = os.fork()
-    if not child:
-        Lock(path, path)
-        os.write(told, b"x")
-        os.read(os.pipe()[0], 1)
-    os.read(ready, 1)
-    with pytest.raises(FileError, match=f"process {child} is writing this"):
-        Lock(path, path)
-    os.kill(child, 9)
-    os.waitpid(child, 0)
-    Lock(path, path).close()
-    assert not path.exists()
 
 
 def test_a_fingerprint_sees_every_number_and_refuses_what_it_cannot_see():

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -32,7 +31,7 @@ from clubface.capture.synthetic.synthetic_swing import LAUNCH, random_swing
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import FileError
-from clubface.jobs.resuming import Store
+from clubface.jobs import Finished, Job, Store, run
 from clubface.quantities import display_unit
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import OF_CLUB
@@ -43,7 +42,7 @@ UNITS = {
     for name, dimension in OF_CLUB.items()
 }
 """In which errors are told: m/s, deg, mm, deg/s."""
-OTHERWISE = "finish that study, or name another folder"
+REMEDY = "finish that study, or name another folder"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -185,18 +184,9 @@ def study(
     content = {"club": made.club.inputs(), "laboratory": seen, "estimator": [names, roughness], "seed": seed}
 
     read = partial(read_swing, seed=seed, club=made.club, cameras=seen, ready=tuple(ready.values()))
-    rows = []
-    with nullcontext() if checkpoint is None else Store(Path(checkpoint), content, otherwise=OTHERWISE) as store:
-        try:
-            for number in range(count):
-                rows.append(read(number) if store is None else store.once(str(number), partial(read, number)))
-                if progress is not None:
-                    progress(number + 1, count)
-        except KeyboardInterrupt:
-            kept = "" if checkpoint is None else f"; they are in {checkpoint}, and the same command goes on after them"
-            raise KeyboardInterrupt(f"{len(rows)} of {count} swings are read{kept}") from None
-        if store is not None:
-            store.remove()
+    with Finished() if checkpoint is None else Store(Path(checkpoint), content, remedy=REMEDY) as store:
+        rows = run(Job("swings", range(count), read), store=store, progress=progress).values()
+        store.remove()
     truths, errors, deviations, touches = (np.array(each) for each in zip(*rows, strict=True))
     return Study(
         club=made.club,

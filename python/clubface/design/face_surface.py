@@ -10,8 +10,8 @@ The outline of a face: that of a meshed head, or one assumed from the width and 
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Callable, Mapping
-from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
@@ -25,7 +25,9 @@ from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import turn_to_sole
 from clubface.errors import RangeWarning, RunError, ShotError
-from clubface.jobs.resuming import Store, unfinished
+from clubface.jobs.engine import Job, run
+from clubface.jobs.store import Finished, store_for, unfinished_folder
+from clubface.jobs.workers import in_threads, worker_count
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import outputs
@@ -115,15 +117,14 @@ def run_points(
     progress
         Called with the number of points done and the number of points.
     """
-    from clubface.fem.run import side_by_side, strike, workers_of
+    from clubface.fem.run import strike
     from clubface.fem.settings import Settings
 
-    workers_of(workers)
+    worker_count(workers)
     places = list(zip(toe.tolist(), high.tolist(), strict=True))
     friction = struck.parameters.values["friction"]
-    found: dict[tuple[float, float], list[float | None]] = {}
 
-    def run(
+    def compute(
         place: tuple[float, float], keep_going: Callable[[float, float], object], threads: int
     ) -> list[float | None]:
         try:
@@ -139,23 +140,9 @@ def run_points(
         return [_or_none(float(launch.get(name))) for name in outputs()]
 
     with _store(output, struck, places) as store:
-        if store is not None:
-            found = {place: store[_name(place)] for place in places if _name(place) in store}
-
-        def ended(place: tuple[float, float], row: list[float | None]) -> None:
-            found[place] = row
-            if store is not None:
-                store.keep(_name(place), row)
-            if progress is not None:
-                progress(len(found), len(places))
-
-        try:
-            side_by_side([place for place in places if place not in found], run, ended, workers=workers)
-        except KeyboardInterrupt:
-            kept = f"; they are in {store.folder}, and the same command goes on after them" if store else ""
-            raise KeyboardInterrupt(f"{len(found)} of {len(places)} points are done{kept}") from None
-    table = np.array([[np.nan if each is None else each for each in found[place]] for place in places]).T
-    return _with_flights(struck, table)
+        job = Job("points", places, compute, lambda place: f"{place[0]!r},{place[1]!r}")
+        rows = run(job, partial(in_threads, workers=workers), store=store, progress=progress)
+    return _with_flights(struck, np.array([rows[place] for place in places], dtype=float).T)
 
 
 def _told(progress: Callable[[int], object], before: int, done: int) -> None:
@@ -164,10 +151,8 @@ def _told(progress: Callable[[int], object], before: int, done: int) -> None:
 
 def finished(output: str | os.PathLike[str] | None) -> None:
     """Remove what was kept of the points of a file that is written."""
-    if output is not None and (folder := unfinished(Path(output))).exists():
-        import shutil
-
-        shutil.rmtree(folder, ignore_errors=True)
+    if output is not None:
+        shutil.rmtree(unfinished_folder(Path(output)), ignore_errors=True)
 
 
 def _with_flights(struck: Struck, table: NDArray[Any]) -> NDArray[Any]:
@@ -186,16 +171,11 @@ def _with_flights(struck: Struck, table: NDArray[Any]) -> NDArray[Any]:
     return found
 
 
-def _store(
-    output: str | os.PathLike[str] | None, struck: Struck, places: list[tuple[float, float]]
-) -> AbstractContextManager[Store | None]:
-    """Return what keeps the points that are done, or nothing where no file is written."""
-    if output is None:
-        return nullcontext()
+def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[tuple[float, float]]) -> Finished:
+    """Return what keeps the points that are done."""
     from clubface.fem.balls import ball
     from clubface.fem.heads.meshed import mesh_of
 
-    folder = unfinished(Path(output))
     head = mesh_of(struck.club)
     content = {
         "club": [struck.club.inputs(), None if head is None else head.values()],
@@ -204,11 +184,8 @@ def _store(
         "parameters": dict(struck.parameters.values),
         "grid": places,
     }
-    return Store(folder, content, of=Path(output), otherwise=f"finish that with the same command, or remove {folder}")
-
-
-def _name(place: tuple[float, float]) -> str:
-    return f"{place[0]!r},{place[1]!r}"
+    folder = None if output is None else unfinished_folder(Path(output))
+    return store_for(output, content, remedy=f"finish that with the same command, or remove {folder}")
 
 
 def _or_none(value: float) -> float | None:

@@ -23,9 +23,10 @@ from clubface.fem.heads import MeshedHead, head, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
-from clubface.fem.run import AnyBall, strike, workers_of
+from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 from clubface.fem.sweep import ResumableTable
+from clubface.jobs.workers import worker_count
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
 
@@ -234,7 +235,7 @@ def face_map(
     ShotError
         A point lies outside the face.
     """
-    workers_of(workers)
+    worker_count(workers)
     made, struck = head(which), ball(with_ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:

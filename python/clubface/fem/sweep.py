@@ -11,7 +11,7 @@ import csv
 import io
 import os
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -21,8 +21,9 @@ from clubface.fem import paper
 from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
-from clubface.fem.run import side_by_side, workers_of
-from clubface.jobs.resuming import Store, unfinished
+from clubface.jobs.engine import Job, run as run_job
+from clubface.jobs.store import Finished, Store, unfinished_folder
+from clubface.jobs.workers import in_threads, worker_count
 from clubface.support.files import prepared_folder
 from clubface.support.fingerprint import fingerprint
 
@@ -95,7 +96,7 @@ class ResumableTable:
         places
             What is run, and the values of the first two columns of its row.
         run
-            As for :func:`clubface.fem.run.side_by_side`; returns a row.
+            As for :func:`clubface.jobs.workers.in_threads`; returns a row.
         what
             What is run, in the plural, for people.
         workers
@@ -105,61 +106,38 @@ class ResumableTable:
         is_of
             Whether a row that is there is of what is run now; if not, it is run again.
         """
-        with self._store(places, is_of) as store:
-            if store is not None:
-                for name in store:
-                    self._keep(store[name])
-            rows = {point: self._row(point, place, is_of) for point, place in places.items()}
-
-            def ended(point: P, row: dict[str, Any]) -> None:
-                rows[point] = row
+        rows = {point: self._rows[_key(place)] for point, place in places.items() if _key(place) in self._rows}
+        rows = {point: row for point, row in rows.items() if is_of(point, row)}
+        with self._store(len(rows) == len(places)) as store:
+            job = Job(what, list(places), run, lambda point: ",".join(map(repr, places[point])), is_of)
+            rows = run_job(job, partial(in_threads, workers=workers), store=store, finished=rows, progress=progress)
+            for name in store:
+                self._keep(store[name])
+            for row in rows.values():
                 self._keep(row)
-                if store is not None:
-                    store.keep(",".join(map(repr, places[point])), row)
-                if progress is not None:
-                    progress(sum(row is not None for row in rows.values()), len(rows))
+            if self._path is not None and store.folder is not None:
+                store.write_result(self._path, lambda file: file.write(self._text(list(rows.values()))))
+                store.remove()
+        return list(rows.values())
 
-            try:
-                side_by_side([point for point, row in rows.items() if row is None], run, ended, workers=workers)
-            except KeyboardInterrupt:
-                kept = f"; they are in {store.folder}, and the same command goes on after them" if store else ""
-                done = sum(row is not None for row in rows.values())
-                raise KeyboardInterrupt(f"{done} of {len(rows)} {what} are done{kept}") from None
-            found = [row for row in rows.values() if row is not None]
-            if store:
-                self._write(found, store)
-        return found
-
-    def _row(
-        self, point: P, place: tuple[float, float], is_of: Callable[[P, Mapping[str, Any]], bool]
-    ) -> dict[str, Any] | None:
-        """Return the row of a place, None where there is none or one of something else."""
-        row = self._rows.get(_key(place))
-        return row if row is not None and is_of(point, row) else None
-
-    def _store(
-        self, places: Mapping[P, tuple[float, float]], is_of: Callable[[P, Mapping[str, Any]], bool]
-    ) -> AbstractContextManager[Store | None]:
-        """Return the store of what is not in the table yet, or None."""
+    def _store(self, complete: bool) -> Finished:
+        """Return the store of what is not in the table yet."""
         if self._path is None:
-            return nullcontext()
-        folder = unfinished(self._path)
-        if not folder.exists() and all(self._row(*each, is_of) is not None for each in places.items()):
-            return nullcontext()
-        otherwise = f"finish that with the same command, or remove {folder}"
-        return Store(folder, self._content, of=self._path, otherwise=otherwise)
+            return Finished()
+        folder = unfinished_folder(self._path)
+        if complete and not folder.exists():
+            return Finished()
+        remedy = f"finish that with the same command, or remove {folder}"
+        return Store(folder, self._content, output=self._path, remedy=remedy)
 
-    def _write(self, first: Sequence[dict[str, Any]], store: Store) -> None:
-        """Write the table, some rows first."""
-        assert self._path is not None
+    def _text(self, first: Sequence[dict[str, Any]]) -> bytes:
+        """Return the table, some rows first."""
         text = io.StringIO()
         out = csv.writer(text, lineterminator="\n")
         keys = dict.fromkeys([*map(self._key_of, first), *self._rows])
         for row in (self._rows[key] for key in keys):
             out.writerow([row[name] if isinstance(row[name], str) else repr(row[name]) for name in self._columns])
-        whole = f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}"
-        store.write_result(self._path, lambda file: file.write(whole.encode()))
-        store.remove()
+        return f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}".encode()
 
     def _keep(self, row: dict[str, Any]) -> None:
         self._rows[self._key_of(row)] = row
@@ -232,7 +210,7 @@ def sweep(
         One mapping of ``COLUMNS`` for each run, in the order of speeds, then lofts.
     """
     base = case(which)
-    workers_of(workers)
+    worker_count(workers)
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:
         raise InputError("the number of runs of a sweep", len(points), f"1 to {MOST}")

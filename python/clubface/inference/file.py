@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import math
 import os
+import pickle
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,13 +24,16 @@ from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, RangeWarning
 from clubface.inference.prior import UnreachableLaunchError, prior_of, unit_of
 from clubface.inference.run import Inference
-from clubface.jobs.resuming import Store, unfinished
+from clubface.jobs.engine import Job, run
+from clubface.jobs.store import Store, unfinished_folder
+from clubface.jobs.workers import in_processes, in_sequence
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.tables.writer import csv_lines
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.checks import without_warnings
 from clubface.support.files import input_file, is_path
+from clubface.support.processes import processors
 
 REMARK = "remark"
 SAMPLES = 400
@@ -188,24 +192,35 @@ def infer_shots(
         "point of measurement": [shots.speed_at, shots.face_at],
         "club, prior or option": {name: _with_content(value) for name, value in rows.options.items()},
     }
-    folder = unfinished(target, [shots.source])
-    with Store(folder, content, of=target, resume=resume) as store:
-        resumed = len(store)
-        try:
-            for place in range(len(shots)):
-                store.once(str(place), partial(rows.of, place))
-                if progress is not None:
-                    progress(place + 1, len(shots))
-        except KeyboardInterrupt:
-            message = f"interrupted: {len(store)} finished shots are in {folder}; the same command goes on after them"
-            raise KeyboardInterrupt(message) if len(store) else KeyboardInterrupt from None
-        written = [store[str(place)] for place in range(len(shots))]
+    folder = unfinished_folder(target, [shots.source])
+    with Store(folder, content, output=target, resume=resume) as store:
+        job = Job("shots", range(len(shots)), rows.of)
+        if len(shots) - len(store) >= FEWEST_FOR_PROCESSES and processors() > 1:
+            job, how = replace(job, compute=partial(_row, pickle.dumps((shots, rows.options)))), in_processes
+        else:
+            how = in_sequence
+        written = list(run(job, how, store=store, progress=progress).values())
         text = csv_lines([rows.headings, *written], ",")
         store.write_result(target, lambda file: file.write(text))
         store.remove()
     without = sum(row[-2] == "" for row in written)
     warned = sum(bool(row[-1]) for row in written) - without
-    return InferReport(str(target), len(written), resumed, without, warned, tuple(rows.club))
+    return InferReport(str(target), len(written), len(store.resumed), without, warned, tuple(rows.club))
+
+
+FEWEST_FOR_PROCESSES = 100
+"""Shots from which on it pays to start processes: they take a few seconds by themselves."""
+
+
+def _row(data: bytes, place: int) -> list[Any]:
+    """Return the cells of one shot in a worker process, from the pickled arguments of :class:`Rows`."""
+    return _rows(data).of(place)
+
+
+@lru_cache(maxsize=1)
+def _rows(data: bytes) -> Rows:
+    shots, options = pickle.loads(data)
+    return Rows(shots, **{**options, "threads": 1})
 
 
 def _with_content(value: Any) -> Any:

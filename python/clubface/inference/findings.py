@@ -49,7 +49,7 @@ from clubface.inference.evaluation.evaluation import Evaluation, evaluate
 from clubface.inference.evaluation.statistics import Resamples, interval
 from clubface.inference.identification.result import Identification
 from clubface.inference.identification.run import identify
-from clubface.jobs.resuming import Store
+from clubface.jobs import Store
 from clubface.shots.measured import QUANTITIES
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
@@ -350,7 +350,7 @@ def run(folder: Path, *, threads: int | None = None, progress: Progress | None =
     content = {
         "set of shots": of, "every": EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES,
     }  # fmt: skip
-    with Store(folder, content, otherwise="give a new folder") as store:
+    with Store(folder, content, remedy="give a new folder") as store:
         tour = {model: store.once(f"tour-{model}", lambda model=model: plain(_tour(model))) for model in FREE}
         # The quick models of both clubs before the slow ones of either.
         fits = {club: {} for club in CLUBS}

@@ -1,12 +1,8 @@
-"""Stores of long work: parts that are finished, and records that tell damage.
+"""Finished parts of a long computation, kept in a folder until its result is written, so that it can be resumed.
 
-A store of what is finished: a record of what it is of, and parts. Studies and every other long work keep theirs so.
-
-The store is the truth. A part is written under another name, synced and renamed, and its name says what is in it: a
-part that is there and whole is done, whoever computed it. Nobody keeps a list, and nothing is locked: two runs that
-compute the same part write the same content.
-
-Small records in JSON that are written whole and synced, and that tell damage by a sum.
+The folder holds ``job.json``, which says what the parts belong to; ``values.jsonl``, a line for each finished value,
+with a checksum; ``parts``, for parts that are files; and ``lock``, which one process holds while it works. A damaged
+value counts as not finished.
 """
 
 from __future__ import annotations
@@ -15,105 +11,314 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Iterator, Mapping
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO, Self
 
 from clubface.errors import FileError
-from clubface.support.files import prepared_folder, synced, write_text
+from clubface.jobs.lock import Lock
+from clubface.support.files import place_of, prepared_folder, same_file, synced, unwritable, whole_file, write_text
+from clubface.support.fingerprint import check_same, fingerprint, fingerprints
 
-RECORD, PARTS = "record.json", "parts"
+__all__ = ["Finished", "Store", "prepare_parent", "read_record", "store_for", "unfinished_folder", "write_record"]
+
+RECORD, VALUES, PARTS, LOCK = "job.json", "values.jsonl", "parts", "lock"
+FOREIGN = "this is no record of unfinished work; move it away, or give another name"
+DAMAGED = "this record of unfinished work is damaged"
+START_AGAIN = "start again without resuming"
+FLUSH_INTERVAL = 0.5
+"""A finished value is on the disk after this time [s] at most; small values are written together."""
 
 
-@dataclass(frozen=True)
-class PartStore:
-    """The store in a folder.
+def unfinished_folder(path: Path, inputs: Iterable[str | os.PathLike[str]] = ()) -> Path:
+    """Return the folder that keeps the finished parts of a file until it is complete; no input may lie in it."""
+    folder = path.with_name(path.name + ".unfinished")
+    for each in inputs:
+        place = Path(place_of(each))
+        if Path(place_of(folder)) in (place, *place.parents):
+            message = f"the finished parts of {path} go to {folder}; give another name for one of the files"
+            raise FileError(os.fspath(each), None, message)
+    return folder
+
+
+def store_for(output: str | os.PathLike[str] | None, content: Mapping[str, Any], **options: Any) -> Finished:
+    """Return what keeps the finished parts of an output file; where no file is written, they are kept for this run.
+
+    The options are those of :class:`Store`.
+    """
+    if output is None:
+        return Finished()
+    return Store(unfinished_folder(Path(output)), content, output=Path(output), **options)
+
+
+class Finished:
+    """The finished values of one computation, by name, kept for this run alone.
 
     Attributes
     ----------
-    folder
-        Where it is.
-    record
-        What it is of: ``content`` (see :func:`.fingerprints`), and what the work says of itself besides.
+    resumed
+        The names of the values that an earlier run has finished.
     """
 
-    folder: Path
-    record: dict[str, Any]
+    resumed: tuple[str, ...] = ()
+
+    def __init__(self) -> None:
+        self._values: dict[str, Any] = {}
 
     @property
-    def parts(self) -> Path:
-        """The folder of the parts."""
-        return self.folder / PARTS
+    def folder(self) -> Path | None:
+        """The folder in which they are kept, if any."""
+        return None
 
-    def prepare(self, path: Path) -> Path:
-        """Return the path of a part that is to be written, in a folder that is on the disk."""
-        if not path.parent.is_dir():
-            prepared_folder(path.parent)
-            synced(path.parent.parent)
-        return path
+    def __enter__(self) -> Self:
+        return self
 
-    def files(self) -> Iterator[os.DirEntry[str]]:
-        """Yield all files among the parts, those in folders of folders too."""
-        yield from _files(os.fspath(self.parts))
+    def __exit__(self, kind: object, *rest: object) -> None:
+        try:
+            self.close()
+        except FileError:
+            if kind is None:
+                raise
 
-    def size(self) -> int:
-        """Return the bytes of all parts."""
-        total = 0
-        for each in self.files():
-            with suppress(OSError):
-                total += each.stat().st_size
-        return total
+    def __contains__(self, name: str) -> bool:
+        return name in self._values
 
-    def tidy(self) -> None:
-        """Remove what killed runs have left; to be called when all parts are there and nobody writes."""
-        for each in self.files():
-            if each.name.startswith("."):
-                with suppress(OSError):
-                    os.unlink(each.path)
+    def __getitem__(self, name: str) -> Any:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def keep(self, name: str, value: Any) -> None:
+        """Keep a value that JSON can hold; its numbers keep all their digits."""
+        self._values[name] = value
+
+    def once(self, name: str, compute: Callable[[], Any]) -> Any:
+        """Return a value: the kept one, or one that is computed and kept now."""
+        if name not in self._values:
+            self.keep(name, compute())
+        return self._values[name]
+
+    def write_result(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
+        """Write the result of the computation, whole or not at all."""
+        with whole_file(path) as file:
+            write(file)
 
     def remove(self) -> None:
-        """Remove all of it at once for everybody else: another run may be about to begin in the same place."""
-        gone = self.folder.with_name(f".{self.folder.name}-{os.urandom(6).hex()}")
+        """Forget the values: the computation is finished."""
+        self._values = {}
+
+    def close(self) -> None:
+        """Keep the values for another run, where there is a folder."""
+
+
+class Store(Finished):
+    """The finished values of one computation, by name, and parts that are files, in a folder.
+
+    Parameters
+    ----------
+    folder
+        The folder; its parent must exist.
+    content
+        The inputs of the computation, by what a person calls them: source, options, accuracy. The version always
+        counts as one of them.
+    output
+        What the computation makes, for messages.
+    resume
+        Whether to refuse to begin where another computation was interrupted. Otherwise its parts are removed.
+    remedy
+        What to do where the folder belongs to another computation, for that message.
+
+    Raises
+    ------
+    FileError
+        The folder belongs to another computation or is something else, or another process is using it.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        content: Mapping[str, Any],
+        *,
+        output: Path | None = None,
+        resume: bool = True,
+        remedy: str = START_AGAIN,
+    ) -> None:
+        super().__init__()
+        self._folder = folder
+        self._output = output or folder
+        self._content = fingerprints(content)
+        self._identity = fingerprint(self._content)
+        self._fresh: dict[str, Any] = {}
+        self._written = time.monotonic()
+        self._finished = False
+        if not folder.parent.is_dir():
+            raise FileError(str(self._output), None, f"there is no folder {str(folder.parent)!r}")
+        _check_folder(folder)
+        self._lock = Lock(folder / LOCK, self._output)
+        try:
+            self._values = self._read_values()
+            self._claim_folder(resume, remedy)
+        except BaseException:
+            self._remove_if_empty()
+            self._lock.release()
+            raise
+        self.resumed = tuple(self._values)
+
+    @property
+    def folder(self) -> Path:
+        """The folder."""
+        return self._folder
+
+    def _claim_folder(self, resume: bool, remedy: str) -> None:
+        """Make the folder that of this computation; refuse or remove the parts of another one."""
+        record, begun = self._folder / RECORD, dict[str, str]()
+        with suppress(FileError):
+            begun = read_record(record, DAMAGED)
+        if begun == self._content:
+            return
+        if (record.exists() or (self._folder / VALUES).exists()) and not self._values:
+            if resume:
+                check_same(self._folder, self._content, begun, remedy)
+            (self._folder / VALUES).unlink(missing_ok=True)
+            shutil.rmtree(self._folder / PARTS, ignore_errors=True)
+        write_record(record, self._content)
+
+    def _read_values(self) -> dict[str, Any]:
+        """Return the values whose lines are whole and belong to this computation."""
+        try:
+            lines = (self._folder / VALUES).read_bytes().split(b"\n")
+        except OSError:
+            return {}
+        values = {}
+        for line in lines:
+            with suppress(ValueError, RecursionError):
+                if line[:64].decode() == self._checksum(line[65:]):
+                    name, value = json.loads(line[65:])
+                    values[name] = value
+        return values
+
+    def _checksum(self, text: bytes) -> str:
+        return hashlib.sha256(self._identity.encode() + text).hexdigest()
+
+    def keep(self, name: str, value: Any) -> None:
+        """Keep a value that JSON can hold; its numbers keep all their digits."""
+        self._values[name] = self._fresh[name] = value
+        if time.monotonic() - self._written > FLUSH_INTERVAL:
+            self.flush()
+
+    def flush(self) -> None:
+        """Write all values to the disk."""
+        if self._fresh:
+            texts = [json.dumps(each).encode() for each in self._fresh.items()]
+            lines = [b"%b %b\n" % (self._checksum(each).encode(), each) for each in texts]
+            try:
+                with open(self._folder / VALUES, "ab") as file:
+                    # A line that a full disk or a power cut has left half written ends here.
+                    file.write(b"\n" + b"".join(lines))
+                    file.flush()
+                    os.fsync(file.fileno())
+            except OSError as error:
+                raise unwritable(self._output, error) from None
+            self._fresh = {}
+        self._written = time.monotonic()
+
+    def file(self, name: str) -> Path:
+        """Return the path of a part that the caller writes, such as the store of a computation within this one."""
+        return prepare_parent(self._folder / PARTS / name)
+
+    def keep_part(self, name: str, content: bytes) -> str:
+        """Keep bytes as a file; return their checksum, for :meth:`part`."""
+        with whole_file(self.file(name)) as file:
+            file.write(content)
+        return hashlib.sha256(content).hexdigest()
+
+    def part(self, name: str, checksum: str) -> Path | None:
+        """Return the file of a part with this checksum, or None where it is missing or damaged."""
+        path = self._folder / PARTS / name
+        with suppress(OSError), open(path, "rb") as file:
+            return path if hashlib.file_digest(file, "sha256").hexdigest() == checksum else None
+        return None
+
+    def write_result(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
+        """Write the result as :func:`.whole_file` does; until it is whole, it lies in the folder of the store."""
+        self.flush()
+        sibling = same_file(path.parent, self._folder.parent)
+        with whole_file(path, folder=self._folder if sibling else None) as file:
+            write(file)
+
+    def remove(self) -> None:
+        """Remove the folder: the computation is finished."""
+        self._fresh, self._values, self._finished = {}, {}, True
         with suppress(OSError):
-            self.folder.rename(gone)
-        shutil.rmtree(gone, ignore_errors=True)
+            for each in self._folder.iterdir():
+                if each.is_dir():
+                    shutil.rmtree(each, ignore_errors=True)
+                elif each.name != LOCK:
+                    each.unlink()
+        self._lock.close()
+        with suppress(OSError):  # another process may have begun in it
+            self._folder.rmdir()
+
+    def close(self) -> None:
+        """Write all values to the disk, for another run; an empty folder is removed."""
+        try:
+            self.flush()
+        finally:
+            self._remove_if_empty()
+            self._lock.release()
+
+    def _remove_if_empty(self) -> None:
+        parts = self._folder / PARTS
+        with suppress(OSError):
+            parts.rmdir()
+        if not self._finished and not parts.exists() and not (self._folder / VALUES).exists():
+            self.remove()
 
 
-def _files(folder: str) -> Iterator[os.DirEntry[str]]:
+def _check_folder(folder: Path) -> None:
+    """Refuse a folder that holds anything but unfinished work."""
     try:
-        with os.scandir(folder) as found:
-            entries = sorted(found, key=lambda each: each.name)
+        names = [each.name for each in folder.iterdir() if each.name[0] != "."]
     except FileNotFoundError:
         return
-    for each in entries:
-        if each.is_dir(follow_symlinks=False):
-            yield from _files(each.path)
-        else:
-            yield each
+    except NotADirectoryError:
+        raise FileError(str(folder), None, FOREIGN) from None
+    except OSError as error:
+        raise unwritable(folder, error) from None
+    if not set(names) <= {RECORD, VALUES, PARTS, LOCK}:
+        raise FileError(str(folder), None, FOREIGN)
 
 
-LARGEST = 64_000_000
-"""Bytes of a record."""
+def prepare_parent(path: Path) -> Path:
+    """Return a path that is to be written, whose folder exists on the disk."""
+    if not path.parent.is_dir():
+        prepared_folder(path.parent)
+        synced(path.parent.parent)
+    return path
 
 
-def write_checked(path: Path, values: Mapping[str, Any], *, new: bool = False) -> None:
-    """Write what JSON has with a sum over it; a ``new`` file that is there already is an error."""
+MAX_RECORD_BYTES = 64_000_000
+
+
+def write_record(path: Path, values: Mapping[str, Any], *, new: bool = False) -> None:
+    """Write a small JSON file with a checksum; a ``new`` file that exists already is an error."""
     text = json.dumps(values)
-    write_text(path, f'{{"sum": "{_sum(text)}", "values": {text}}}', new=new)
+    checksum = hashlib.sha256(text.encode()).hexdigest()
+    write_text(path, f'{{"sum": "{checksum}", "values": {text}}}', new=new)
 
 
-def read_checked(path: Path, damaged: str) -> dict[str, Any]:
-    """Return what :func:`write_checked` wrote; anything else is a :class:`FileError` that says ``damaged``."""
+def read_record(path: Path, damaged: str) -> dict[str, Any]:
+    """Return what :func:`write_record` wrote; anything else is a :class:`FileError` with the message ``damaged``."""
     try:
-        found = json.loads(path.read_bytes()) if path.stat().st_size <= LARGEST else {}
-        if found["sum"] == _sum(json.dumps(found["values"])):
-            return found["values"]
+        record = json.loads(path.read_bytes()) if path.stat().st_size <= MAX_RECORD_BYTES else {}
+        if record["sum"] == hashlib.sha256(json.dumps(record["values"]).encode()).hexdigest():
+            return record["values"]
     except (OSError, ValueError, KeyError, TypeError, RecursionError, OverflowError):
         pass
     raise FileError(str(path), None, damaged)
-
-
-def _sum(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()

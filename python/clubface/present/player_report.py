@@ -11,13 +11,15 @@ import math
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from clubface.errors import InputError
+from clubface.jobs.workers import in_processes, in_sequence
 from clubface.present import player_sentences
-from clubface.present.club_summary import ClubFigures, Figure, figure, figures_of
+from clubface.present.club_summary import MOST_INFERRED, ClubFigures, Figure, figure, figures_of
 from clubface.present.document import (
     Block,
     Bullets,
@@ -35,6 +37,7 @@ from clubface.present.report import provenance_blocks
 from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, in_order, session_labels
 from clubface.simulation.provenance import flight_conditions, provenance_of
+from clubface.support.processes import processors
 from clubface.units import from_si, size
 
 SHOWN = ("speed", "ball_speed", "launch", "total_spin", "carry", "side", "azimuth", "face", "path", "attack")
@@ -201,9 +204,19 @@ def figures_by_club(shots: RecordedShots) -> list[ClubFigures]:
         of = shots.select(places)
         names = [""] if of.clubs is None else dict.fromkeys(of.clubs)
         groups += [(player, str(name), of if of.clubs is None else of.select(of.clubs == name)) for name in names]
-    return [
-        replace(figures_of(theirs, name or CLUBLESS, len(groups)), player=player) for player, name, theirs in groups
-    ]
+    many = sum(min(len(each), MOST_INFERRED) for _, _, each in groups) >= FEWEST_FOR_PROCESSES
+    how = in_processes if many and len(groups) > 1 and processors() > 1 else in_sequence
+    found = {number: each for (number, _), each in how(enumerate(groups), partial(_figures, len(groups)))}
+    return [found[number] for number in range(len(groups))]
+
+
+FEWEST_FOR_PROCESSES = 200
+"""Shots from which on it pays to start processes: their deliveries take a few seconds."""
+
+
+def _figures(clubs: int, group: tuple[int, tuple[str, str, RecordedShots]]) -> ClubFigures:
+    player, name, shots = group[1]
+    return replace(figures_of(shots, name or CLUBLESS, clubs), player=player)
 
 
 def _only_player(shots: RecordedShots) -> str:

@@ -22,7 +22,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import FileError, InputError, RangeWarning, Told
-from clubface.jobs.resuming import Store, unfinished
+from clubface.jobs.store import Store, unfinished_folder
 from clubface.shots.prediction_source import open_source
 from clubface.shots.recorded import SIDES
 from clubface.shots.summary_rows import summaries_in
@@ -188,8 +188,8 @@ def run(
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
     source, target, aside = paths
     form, rejects_form = _form(target, reader, task), RejectsForm(task.columns.headings, reader)
-    folder = unfinished(target, [source, aside])
-    with Store(folder, task.content_of(source), of=target, resume=resume) as store:
+    folder = unfinished_folder(target, [source, aside])
+    with Store(folder, task.content_of(source), output=target, resume=resume) as store:
         names = _kept(store, target.suffix)
         resumed = done = sum(store[each]["rows"] for each in names)
         try:

@@ -1,10 +1,11 @@
-"""All parts of a study as one table in the order of the tasks, and the sums that tell whether two runs are the same."""
+"""All parts of a study as one table in the order of the tasks, and checksums by which two runs are compared."""
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,14 +13,15 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from clubface.errors import FileError
 from clubface.shots.tables.headings import heading_of
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
-from clubface.studies.chunks import TOLD, ColumnSum, Names, StudyStore, Values, arrow_array, checked_part, encoding
-from clubface.studies.running import Tallied, opened
+from clubface.studies.running import ChunkTally
+from clubface.studies.store import METADATA, Names, StudyStore, Values, arrow_array, encoding, open_store
 from clubface.support.files import whole_file
 from clubface.units import from_si
+
+__all__ = ["Joined", "join"]
 
 Write = Callable[[Values], object]
 
@@ -40,7 +42,7 @@ class Joined:
     failed
         Tasks without a result, and the first reason.
     remark
-        What is to be said of shots outside the range of their model, or "".
+        The note on shots outside the range of their model, or "".
     processors
         The kinds of processors, where results depend on them in their last digits.
     """
@@ -53,28 +55,8 @@ class Joined:
     processors: tuple[str, ...]
 
 
-def parts(store: StudyStore) -> Iterator[tuple[Values, dict[str, Any]]]:
-    """Yield columns and what is told of every part, in the order of the tasks.
-
-    Raises
-    ------
-    FileError
-        A part is missing or damaged.
-    """
-    if missing := store.present().count(0):
-        message = f"{missing} of {store.chunks} chunks are not done yet; clubface study run computes them"
-        raise FileError(str(store.folder), None, message)
-    for chunk in range(store.chunks):
-        try:
-            yield checked_part(store, chunk)
-        except FileNotFoundError:
-            raise FileError(str(store.path(chunk)), None, "this part has been removed meanwhile") from None
-        except FileError as error:
-            raise FileError(error.path, None, f"{error.message}; clubface study run computes it again") from None
-
-
 def join(
-    which: str | os.PathLike[str],
+    study: str | os.PathLike[str],
     output: str | os.PathLike[str] | None = None,
     *,
     store: str | os.PathLike[str] | None = None,
@@ -84,7 +66,7 @@ def join(
 
     Parameters
     ----------
-    which
+    study
         The file of the study, or the folder of its store.
     output
         A Parquet file, whose columns are SI and carry their units; or a CSV file, whose headings name practical units.
@@ -94,28 +76,34 @@ def join(
     progress
         Called with the parts joined and the parts in all.
     """
-    found = opened(which, store)
+    opened = open_store(study, store)
     target = None if output is None else Path(output)
-    sums: dict[str, ColumnSum] = {}
-    tally, tasks, processors = Tallied(), 0, dict[str, None]()
-    with _written(target, found) as write:
-        for number, (columns, told) in enumerate(parts(found), 1):
+    sums = {name: hashlib.sha256() for name in opened.columns}
+    tally, tasks, processors = ChunkTally(), 0, dict[str, None]()
+    with _writer(target, opened) as write:
+        for number, (columns, metadata) in enumerate(opened.parts(), 1):
             for name, each in columns.items():
-                sums.setdefault(name, ColumnSum()).add(each)
+                sums[name].update(_summed_bytes(each))
             write(columns)
-            tally.notes(told)
-            tasks += told["tasks"]
-            processors |= dict.fromkeys([told["processor"]] if "processor" in told else ())
+            tally.add_notes(metadata)
+            tasks += metadata["tasks"]
+            processors |= dict.fromkeys([metadata["processor"]] if "processor" in metadata else ())
             if progress is not None:
-                progress(number, found.chunks)
+                progress(number, opened.chunks)
     return Joined(
         output=None if target is None else str(target), tasks=tasks,
-        sums={name: each.text() for name, each in sums.items()}, failed=(tally.failed, tally.reason),
-        remark=tally.remark, processors=tuple(processors),
+        sums={name: each.hexdigest() for name, each in sums.items()}, failed=tally.failed, remark=tally.remark,
+        processors=tuple(processors),
     )  # fmt: skip
 
 
-def _written(path: Path | None, store: StudyStore) -> AbstractContextManager[Write]:
+def _summed_bytes(values: NDArray[Any] | Names) -> bytes:
+    if isinstance(values, Names):
+        return "".join(f"{values.choices[code]}\n" for code in values.codes.tolist()).encode()
+    return values.astype("<f8", copy=False).tobytes()
+
+
+def _writer(path: Path | None, store: StudyStore) -> AbstractContextManager[Write]:
     """Return what takes the columns of each part: a file, or nothing where there is none."""
     if path is None:
         return nullcontext(lambda columns: None)
@@ -126,26 +114,23 @@ def _written(path: Path | None, store: StudyStore) -> AbstractContextManager[Wri
 def _parquet(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write Parquet, a row group a part."""
     arrow = pyarrow_for(path)
-    names = [each["name"] for each in store.record["axes"] if each["unit"] is None]
-    how = encoding(_order(store), names)
-    units = _units(store)
-    kinds = {name: arrow.dictionary(arrow.int32(), arrow.string()) for name in names}
+    text = arrow.dictionary(arrow.int32(), arrow.string())
     fields = [
-        arrow.field(name, kinds.get(name, arrow.float64()), metadata={"unit": units[name]} if name in units else None)
-        for name in _order(store)
+        arrow.field(name, text if unit is None else arrow.float64(), metadata=unit and {"unit": unit})
+        for name, unit in store.columns.items()
     ]
-    schema = arrow.schema(fields, {TOLD: json.dumps(store.record["provenance"]).encode()})
-
-    with whole_file(path) as file, arrow.parquet.ParquetWriter(file, schema, **how) as writer:
+    schema = arrow.schema(fields, {METADATA: json.dumps(store.record["provenance"]).encode()})
+    options = encoding(store.columns, [name for name, unit in store.columns.items() if unit is None])
+    with whole_file(path) as file, arrow.parquet.ParquetWriter(file, schema, **options) as writer:
         yield lambda columns: writer.write_table(
-            arrow.Table.from_arrays([arrow_array(arrow, columns[name]) for name in _order(store)], schema=schema)
+            arrow.Table.from_arrays([arrow_array(arrow, columns[name]) for name in store.columns], schema=schema)
         )
 
 
 @contextmanager
 def _csv(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write CSV in practical units."""
-    headings = {name: heading_of(name, unit) for name, unit in _units(store).items()}
+    headings = {name: heading_of(name, unit) if unit else (name, "1") for name, unit in store.columns.items()}
     delimiter = delimiter_of(path)
 
     def cells(name: str, each: NDArray[Any] | Names) -> list[str]:
@@ -153,20 +138,8 @@ def _csv(path: Path, store: StudyStore) -> Iterator[Write]:
             return [each.choices[code] for code in each.codes.tolist()]
         return number_cells(from_si(each, headings[name][1]))
 
-    def lines(columns: Values) -> bytes:
-        return csv_lines(zip(*(cells(name, columns[name]) for name in _order(store)), strict=True), delimiter)
-
     with whole_file(path) as file:
-        file.write(csv_lines([[headings[name][0] if name in headings else name for name in _order(store)]], delimiter))
-        yield lambda columns: file.write(lines(columns))
-
-
-def _order(store: StudyStore) -> Sequence[str]:
-    """Return the names of the columns: what is swept, then what is computed."""
-    return [*(each["name"] for each in store.record["axes"]), *store.record["columns"]]
-
-
-def _units(store: StudyStore) -> dict[str, str]:
-    """Return the SI units of the columns that hold numbers."""
-    axes = {each["name"]: each["unit"] for each in store.record["axes"] if each["unit"] is not None}
-    return {**axes, **{name: unit for name, (unit, _) in store.record["columns"].items()}}
+        file.write(csv_lines([[heading for heading, _ in headings.values()]], delimiter))
+        yield lambda columns: file.write(
+            csv_lines(zip(*(cells(name, columns[name]) for name in headings), strict=True), delimiter)
+        )

@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.shots.tables.headings import heading_of
-from clubface.studies.chunks import Names
-from clubface.studies.joining import parts
-from clubface.studies.running import Tallied, opened
+from clubface.studies.running import ChunkTally
+from clubface.studies.store import Names, open_store
 from clubface.support.checks import check_names
 
 MOST_LEVELS = 40
@@ -176,7 +175,7 @@ class _Levels:
 
 
 def summary(
-    which: str | os.PathLike[str],
+    study: str | os.PathLike[str],
     *,
     quantities: Sequence[str] | None = None,
     store: str | os.PathLike[str] | None = None,
@@ -186,7 +185,7 @@ def summary(
 
     Parameters
     ----------
-    which
+    study
         The file of the study, or the folder of its store.
     quantities
         The quantities to sum up; all unless given.
@@ -197,33 +196,35 @@ def summary(
     """
     if isinstance(quantities, str) or not isinstance(quantities, Iterable | None):
         raise InputError("quantities", quantities, 'a list of quantities, as in ["carry"]')
-    found = opened(which, store)
-    known = {name: unit for name, (unit, _) in found.record["columns"].items()}
+    opened = open_store(study, store)
+    known = {name: unit for name, (unit, _) in opened.record["columns"].items()}
     names = list(dict.fromkeys(quantities if quantities is not None else known))
     check_names("quantity of the study", names, known)
     if not names:
         raise InputError("quantities", names, "at least one")
-    along = [_Levels(each["name"], each["unit"], each["choices"]) for each in found.record["axes"]]
-    for number, (columns, _) in enumerate(parts(found), 1):
+    along = [_Levels(each["name"], each["unit"], each["choices"]) for each in opened.record["axes"]]
+    for number, (columns, _) in enumerate(opened.parts(), 1):
         for each in along:
             each.look(columns[each.name])
         if progress is not None:
-            progress(number, 2 * found.chunks)
+            progress(number, 2 * opened.chunks)
     overall = _Sums(1, len(names))
     sums = [_Sums(len(each.levels), len(names)) for each in along]
-    tally = Tallied()
-    for number, (columns, told) in enumerate(parts(found), 1):
+    tally = ChunkTally()
+    for number, (columns, metadata) in enumerate(opened.parts(), 1):
         values = np.stack([columns[name] for name in names])  # pyright: ignore[reportArgumentType, reportCallIssue]
-        overall.add(np.zeros(told["tasks"], dtype=np.int64), values)
+        overall.add(np.zeros(metadata["tasks"], dtype=np.int64), values)
         for each, levels in zip(sums, along, strict=True):
             each.add(levels.places(columns[levels.name]), values)
-        tally.notes(told)
+        tally.add_notes(metadata)
         if progress is not None:
-            progress(found.chunks + number, 2 * found.chunks)
+            progress(opened.chunks + number, 2 * opened.chunks)
     return Summary(
-        name=found.record["name"], tasks=found.count, quantities={name: known[name] for name in names},
-        overall=overall.figures()[0], failed=(tally.failed, tally.reason), remark=tally.remark,
-        along=[Along(of.name, of.unit, of.levels, each.figures()) for of, each in zip(along, sums, strict=True)],
+        name=opened.record["name"], tasks=opened.count, quantities={name: known[name] for name in names},
+        overall=overall.figures()[0], failed=tally.failed, remark=tally.remark,
+        along=[
+            Along(each.name, each.unit, each.levels, levels.figures()) for each, levels in zip(along, sums, strict=True)
+        ],
     )  # fmt: skip
 
 

@@ -120,12 +120,13 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
     with pytest.raises(FileError, match="another set of shots"):
         clubface.identify(recorded(25, "slip", noise=1.0, seed=9), checkpoint=path, resume=True, **SMALL)
     # Damage, of what it is of and of what is finished: deep nesting and letters of another encoding as well.
-    for name in ("record.json", "parts/*.json"):
+    record = (path / "job.json").read_bytes()
+    for name in ("job.json", "values.jsonl"):
         for content in (b"", b"[1]", b"\xff", b"[" * 100_000):
-            (damaged,) = path.glob(f"*/{name}")
-            damaged.write_bytes(content)
+            (path / name).write_bytes(content)
             with pytest.raises(FileError, match="begun as other work, whose record is damaged"):
                 small(checkpoint=path, resume=True, seed=4)
+    (path / "job.json").write_bytes(record)
     assert answer(small(checkpoint=path, resume=True)) == answer(small())
     path = tmp_path / "mine.json"
     path.write_text("{}")

@@ -11,7 +11,7 @@ import pytest
 import clubface
 from clubface import shots as launch_monitor
 from clubface.errors import FileError, InputError
-from clubface.jobs.resuming import unfinished
+from clubface.jobs.store import unfinished_folder
 from clubface.shots.prediction import predict
 
 TRACKMAN = Path(__file__).parents[2] / "data" / "launch_monitors" / "trackman.csv"
@@ -139,7 +139,7 @@ def test_an_interrupted_run_over_chosen_rows_goes_on_where_it_stopped(write, tmp
     target = tmp_path / f"parts.{ending}"
     with pytest.raises(KeyboardInterrupt):
         predict(source, output=target, chunk_rows=3, progress=stop, **said)
-    assert unfinished(target).exists()
+    assert unfinished_folder(target).exists()
     report = predict(source, output=target, chunk_rows=4, resume=True, **said)
     assert (report.written, report.rejected) == (15, 1)
     assert report.resumed >= 5

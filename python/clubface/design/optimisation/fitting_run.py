@@ -26,7 +26,8 @@ from clubface.design.optimisation.variables import Variables
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Told
-from clubface.jobs.resuming import Store, unfinished
+from clubface.jobs.engine import Job, run
+from clubface.jobs.store import Finished, store_for
 from clubface.present.document import Data, file_name
 
 STARTS = 3
@@ -75,13 +76,11 @@ def fit(
         The file is none of a fitting, or some club can play no shot of the golfers.
     """
     of = fitting(of)
-    if output is None:
-        return _ranked(of, _all(of, None, progress))
-    output = Path(output)
-    with Store(unfinished(output), _content(of), of=output, resume=resume) as store:
+    with store_for(output, _content(of), resume=resume) as store:
         found = _ranked(of, _all(of, store, progress))
-        store.write_result(output, lambda file: file.write(table(of, found).as_csv().encode()))
-        store.remove()
+        if output is not None:
+            store.write_result(Path(output), lambda file: file.write(table(of, found).as_csv().encode()))
+            store.remove()
     return found
 
 
@@ -125,18 +124,15 @@ def _content(of: Fitting) -> dict[str, Any]:
     return {"study": found, "order of the settings": list(of.settings)}
 
 
-def _all(of: Fitting, store: Store | None, progress: Callable[[int, int], object] | None) -> list[_Tried]:
-    combinations, tried = of.names(), []
-    samples = of.samples()
-    for done, (head, ball, setting) in enumerate(combinations):
-        if progress is not None:
-            progress(done, len(combinations))
+def _all(of: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
+    combinations, samples = of.names(), of.samples()
 
-        def compute(head: Club = head, ball: Ball | None = ball, setting: str = setting) -> list[Any]:
-            return list(_tried(of, head, ball, setting, samples))
+    def compute(place: int) -> list[Any]:
+        head, ball, setting = combinations[place]
+        return list(_tried(of, head, ball, setting, samples))
 
-        tried.append(_Tried(*(compute() if store is None else store.once(f"combination {done}", compute))))
-    return tried
+    job = Job("combinations", range(len(combinations)), compute, lambda place: f"combination {place}")
+    return [_Tried(*each) for each in run(job, store=store, progress=progress).values()]
 
 
 def landings(of: Fitting, found: Combination) -> list[Any]:

@@ -28,7 +28,7 @@ from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
 from clubface.design.optimisation.solve import Problem, Solution, agreeing, best, refused, solve, starts
 from clubface.design.optimisation.study import DesignStudy, design_study
 from clubface.errors import RangeWarning, RuleWarning
-from clubface.jobs.resuming import kept_beside
+from clubface.jobs.store import Finished, store_for
 from clubface.support.checks import without_warnings
 
 STARTS = 6
@@ -157,10 +157,10 @@ def optimise(
         a club within all limits.
     """
     study = design_study(study)
-    store = kept_beside(output, {"study": _content(study)}, resume=resume)
+    store = store_for(output, {"study": _content(study)}, resume=resume)
     with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
         found = _Run(study, kept, progress).result()
-        if output is not None and kept is not None:
+        if output is not None:
             kept.write_result(Path(output), lambda file: file.write(found.built.to_toml().encode()))
             kept.remove()
         return found
@@ -174,7 +174,7 @@ def _content(study: DesignStudy) -> Any:
 
 
 class _Run:
-    def __init__(self, study: DesignStudy, kept: Any, progress: Progress | None) -> None:
+    def __init__(self, study: DesignStudy, kept: Finished, progress: Progress | None) -> None:
         self.study, self._kept, self._progress = study, kept, progress
         two = len(study.objectives) == 2
         self._whole = (
@@ -187,7 +187,7 @@ class _Run:
         if self._progress is not None:
             self._progress(self._done, self._whole, words)
         self._done += 1
-        return compute() if self._kept is None else self._kept.once(name, compute)
+        return self._kept.once(name, compute)
 
     def result(self) -> Optimum:
         study = self.study

@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from statistics import fmean
 from typing import Any
 
@@ -30,10 +31,12 @@ from clubface.fem.core import Progress
 from clubface.fem.head_tests import striker
 from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.meshed import ShellHead
-from clubface.fem.run import side_by_side, strike
+from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.fem.stress import INTERVAL
-from clubface.jobs.resuming import Store
+from clubface.jobs.engine import Job, run as run_job
+from clubface.jobs.store import Finished
+from clubface.jobs.workers import in_threads
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
@@ -86,9 +89,8 @@ class Engine:
         Number of runs that judgements took, with those that were found in the store.
     """
 
-    def __init__(self, study: ShellStudy, kept: Store | None, workers: int | None) -> None:
+    def __init__(self, study: ShellStudy, kept: Finished, workers: int | None) -> None:
         self._study, self._kept, self._workers = study, kept, workers
-        self._known: dict[str, dict[str, float]] = {} if kept is None else {key: kept[key] for key in kept}
         self.runs = 0
 
     def __call__(self, designs: Sequence[DriverHead]) -> list[dict[str, float]]:
@@ -99,26 +101,15 @@ class Engine:
             tasks += [("blow", place) for place in range(len(study.hardest.points))]
         heads = [design.mesh() for design in designs]
         names = [fingerprint(design) for design in designs]
-        keys = {
-            (number, task): f"{names[number]} {task[0]} {task[1]}" for number in range(len(heads)) for task in tasks
-        }
-        todo = [point for point, key in keys.items() if key not in self._known]
-        self.runs += len(keys)
+        points = [(number, task) for number in range(len(heads)) for task in tasks]
+        self.runs += len(points)
 
-        def run(point: tuple[int, Task], going: Progress, threads: int) -> dict[str, float]:
+        def compute(point: tuple[int, Task], going: Progress, threads: int) -> dict[str, float]:
             return self._run(heads[point[0]], point[1], going, threads)
 
-        side_by_side(todo, run, lambda point, found: self._keep(keys[point], found), workers=self._workers)
-        return [
-            _together(head, [self._known[keys[number, task]] for task in tasks]) for number, head in enumerate(heads)
-        ]
-
-    def _keep(self, key: str, found: dict[str, float]) -> None:
-        self._known[key] = found
-        if self._kept is not None:
-            self._kept.keep(key, found)
-            # A run is worth more than the time of a write.
-            self._kept.flush()
+        job = Job("runs", points, compute, lambda point: f"{names[point[0]]} {point[1][0]} {point[1][1]}")
+        values = run_job(job, partial(in_threads, workers=self._workers), store=self._kept)
+        return [_together(head, [values[number, task] for task in tasks]) for number, head in enumerate(heads)]
 
     def _run(self, head: ShellHead, task: Task, going: Progress, threads: int) -> dict[str, float]:
         """Return what one run finds; empty if it failed."""

@@ -24,7 +24,7 @@ from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver
 from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.read import from_text
-from clubface.jobs.resuming import kept_beside
+from clubface.jobs.store import store_for
 from clubface.support.checks import without_warnings
 
 DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
@@ -131,7 +131,7 @@ def improve(
     with (
         without_warnings(TargetWarning),
         without_warnings(RangeWarning),
-        kept_beside(output, {"study": study}, resume=resume) as kept,
+        store_for(output, {"study": study}, resume=resume) as kept,
     ):
         engine, fast = Engine(study, kept, workers), FastModel(study)
         searches = tuple(
@@ -149,7 +149,7 @@ def improve(
             )
         judged = design_of(study, chosen.best, chosen.metal)
         head = replace(judged, metal=chosen.metal.metal)
-        if output is not None and kept is not None:
+        if output is not None:
             # The models that take the head as rigid learn from this line how its face gives.
             text = driver.text(head, characteristic_time=chosen.best.values["characteristic_time"])
             kept.write_result(Path(output), lambda file: file.write(text.encode()))

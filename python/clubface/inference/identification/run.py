@@ -52,7 +52,7 @@ from clubface.inference.identification.result import (
 )
 from clubface.inference.identification.search import Population, refine, search
 from clubface.inference.identification.simulator import Cost, Effort, Simulator, cost_of, noise_of
-from clubface.jobs.resuming import Store
+from clubface.jobs import Finished, Store
 from clubface.quantities import display_unit
 from clubface.shots.measured import DELIVERY
 from clubface.shots.recorded import RecordedShots
@@ -80,8 +80,6 @@ class Checkpoint:
 
     Attributes
     ----------
-    parts
-        What is finished: its value, the evaluations and impacts it took, and the time until then.
     resumed
         Whether something was read.
     """
@@ -90,11 +88,10 @@ class Checkpoint:
         self, folder: str | os.PathLike[str] | None, content: Mapping[str, Any], effort: Effort, *, resume: bool = False
     ) -> None:
         self._effort = effort
-        self._store = None if folder is None else Store(Path(folder), content, resume=resume)
-        self.parts: dict[str, dict[str, Any]] = {} if self._store is None else {n: self._store[n] for n in self._store}
-        self._before = max((part["seconds"] for part in self.parts.values()), default=0.0)
+        self._parts = Finished() if folder is None else Store(Path(folder), content, resume=resume)
+        self._before = max((self._parts[name]["seconds"] for name in self._parts), default=0.0)
         self._began = time.monotonic()
-        self.resumed = bool(self.parts)
+        self.resumed = bool(self._parts.resumed)
 
     @property
     def seconds(self) -> float:
@@ -104,36 +101,36 @@ class Checkpoint:
     @property
     def spent(self) -> Effort:
         """What the finished parts took, by earlier runs as well."""
-        return Effort(*(sum(part[key] for part in self.parts.values()) for key in ("evaluations", "impacts")))
+        parts = [self._parts[name] for name in self._parts]
+        return Effort(*(sum(part[key] for part in parts) for key in ("evaluations", "impacts")))
 
     def keep(self, name: str, value: Any, spent: Effort) -> None:
         """Record a finished part, made of what JSON has, and what it took."""
-        told = {"value": value, "evaluations": spent.evaluations, "impacts": spent.impacts, "seconds": self.seconds}
-        self.parts[name] = told
-        if self._store is not None:
-            self._store.keep(name, told)
+        effort = {"evaluations": spent.evaluations, "impacts": spent.impacts, "seconds": self.seconds}
+        self._parts.keep(name, {"value": value, **effort})
 
     def value(self, name: str) -> Any:
         """Return the value of a part, None where it is not finished."""
-        return self.parts[name]["value"] if name in self.parts else None
+        return self._parts[name]["value"] if name in self._parts else None
 
     def once(self, name: str, compute: Callable[[], Any]) -> Any:
         """Return the value of a part: as recorded, or computed and recorded now."""
-        if name not in self.parts:
+        if name not in self._parts:
             before = Effort(self._effort.evaluations, self._effort.impacts)
             value = compute()
             self.keep(name, value, self._effort.since(before))
-        return self.parts[name]["value"]
+        return self._parts[name]["value"]
+
+    def __len__(self) -> int:
+        return len(self._parts)
 
     def remove(self) -> None:
-        """Remove the store: the work is done."""
-        if self._store is not None:
-            self._store.remove()
+        """Remove what is kept: the work is done."""
+        self._parts.remove()
 
     def close(self) -> None:
         """Keep what is finished for another time."""
-        if self._store is not None:
-            self._store.close()
+        self._parts.close()
 
 
 FEWEST_GROUPS = 10
@@ -528,7 +525,7 @@ def identify(
         found = stages.result(tuple(notes))
         kept.remove()
     except KeyboardInterrupt:
-        if checkpoint is None or not kept.parts:
+        if checkpoint is None or not len(kept):
             raise
         message = f"interrupted: what is finished is kept in {os.fspath(checkpoint)}; the same command goes on after it"
         raise KeyboardInterrupt(message) from None

@@ -1,0 +1,370 @@
+"""Where the parts of a job are computed: in this thread, on several threads or processes, or on a Dask cluster.
+
+Each function here takes parts and what computes one, and yields every part with its result as it is finished. Leaving
+the loop, as Ctrl-C does, stops what is still running.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import sys
+import threading
+import time
+import warnings
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    CancelledError,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, suppress
+from contextvars import copy_context
+from itertools import islice
+from multiprocessing import parent_process
+from multiprocessing.context import SpawnContext, SpawnProcess
+from types import ModuleType
+from typing import Any, TypeVar
+
+from clubface.errors import ClubfaceError, LinkError, RunError
+from clubface.support.checks import check_count
+from clubface.support.processes import processors
+
+__all__ = ["KeepGoing", "in_processes", "in_sequence", "in_threads", "on_cluster", "worker_count"]
+
+P = TypeVar("P")
+R = TypeVar("R")
+KeepGoing = Callable[[float, float], object]
+"""Called by a computation with the time that it has reached and its end; it raises an error where it must stop."""
+MAX_WORKERS = 1024
+POLL_INTERVAL = 0.05
+"""Time [s] after which Ctrl-C and lost connections are noticed, at most."""
+MAX_TRIES = 3
+"""Processes that may die over a part before it is given up."""
+THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+def worker_count(workers: int | None) -> int:
+    """Return how many parts are computed at a time: as many as asked for, or one for each processor."""
+    return processors() if workers is None else check_count("workers", workers, 1, MAX_WORKERS)
+
+
+def in_sequence(parts: Iterable[P], compute: Callable[[P], R]) -> Iterator[tuple[P, R]]:
+    """Compute one part after the other in this thread."""
+    for part in parts:
+        yield part, compute(part)
+
+
+def in_threads(
+    parts: Iterable[P], compute: Callable[[P, KeepGoing, int], R], *, workers: int | None = None
+) -> Iterator[tuple[P, R]]:
+    """Compute several parts at a time on threads, for what is compiled and lets other threads run.
+
+    ``compute`` takes a part, a function to call as it proceeds, and the number of threads it may use itself. That is
+    one, except for the last parts where there are fewer of them than workers.
+    """
+    count, todo = worker_count(workers), list(parts)
+    last, cores = len(todo) % count, min(count, processors())
+    numbered = iter(enumerate(todo))
+    stopped = threading.Event()
+
+    def keep_going(time: float, end: float) -> None:
+        if stopped.is_set():
+            raise KeyboardInterrupt
+
+    with ThreadPoolExecutor(count) as pool:
+
+        def submit(item: tuple[int, P]) -> Future[R]:
+            number, part = item
+            threads = max(cores // last, 1) if number >= len(todo) - last else 1
+            return pool.submit(copy_context().run, compute, part, keep_going, threads)
+
+        try:
+            for (_, part), future in _completed(numbered, submit, lambda: count):
+                yield part, future.result()
+        finally:
+            stopped.set()
+
+
+def in_processes(parts: Iterable[P], compute: Callable[[P], R], *, workers: int | None = None) -> Iterator[tuple[P, R]]:
+    """Compute several parts at a time on processes of this machine, each on one thread.
+
+    A part whose process dies is given to another one. ``compute``, parts and results are pickled.
+
+    Raises
+    ------
+    RunError
+        Several processes died over a part, or there is not enough memory for one.
+    """
+    count, again, deaths = worker_count(workers), deque[tuple[int, P]](), Counter[int]()
+    idle: list[_Process] = []
+    busy: dict[Future[R], _Process] = {}
+
+    def submit(item: tuple[int, P]) -> Future[R]:
+        process = idle.pop() if idle else _Process()
+        try:
+            future = process.executor.submit(compute, item[1])
+        except BrokenProcessPool:  # it has died while it was idle
+            process.end()
+            process = _Process()
+            future = process.executor.submit(compute, item[1])
+        busy[future] = process
+        return future
+
+    try:
+        for (number, part), future in _completed(enumerate(parts), submit, lambda: count, again=again):
+            process = busy.pop(future)
+            try:
+                result = future.result()
+            except BrokenProcessPool:
+                ending = process.end()
+                deaths[number] += 1
+                if deaths[number] >= MAX_TRIES:
+                    name = part if isinstance(part, int) else number
+                    raise RunError(f"{MAX_TRIES} workers died over chunk {name}; the last {ending}") from None
+                again.append((number, part))
+            except MemoryError:
+                name = part if isinstance(part, int) else number
+                message = f"not enough memory for chunk {name}; give smaller chunks, or fewer workers"
+                raise RunError(message) from None
+            else:
+                idle.append(process)
+                yield part, result
+    finally:
+        for process in (*idle, *busy.values()):
+            process.kill()
+        for process in (*idle, *busy.values()):
+            process.end()
+
+
+def _completed(
+    parts: Iterator[P],
+    submit: Callable[[P], Future[R]],
+    width: Callable[[], int],
+    *,
+    again: deque[P] | None = None,
+    check: Callable[[], object] = lambda: None,
+) -> Iterator[tuple[P, Future[R]]]:
+    """Yield each part whose computation has ended, with its future; ``width()`` of them are computed at a time.
+
+    Parts that are put into ``again`` are submitted once more, before the others.
+    """
+    running: dict[Future[R], P] = {}
+    while True:
+        room = max(width() - len(running), 0)
+        repeated = [again.popleft() for _ in range(min(room, len(again)))] if again else []
+        for part in (*repeated, *islice(parts, room - len(repeated))):
+            running[submit(part)] = part
+        if not running:
+            return
+        ended, _ = wait(running, timeout=POLL_INTERVAL, return_when=FIRST_COMPLETED)
+        for future in ended:
+            yield running.pop(future), future
+        check()
+
+
+class _Process:
+    """An executor on one process, so that the death of one costs the others nothing."""
+
+    def __init__(self) -> None:
+        self._context = _Context()
+        self.executor = ProcessPoolExecutor(1, self._context, initializer=_begin_worker)
+
+    def kill(self) -> None:
+        """End the process at once: what it has finished is kept already."""
+        for process in self._context.started:
+            with suppress(ValueError, OSError):
+                process.kill()
+
+    def end(self) -> str:
+        """Wait until the process has ended; return how."""
+        self.executor.shutdown(cancel_futures=True)
+        code = next((each.exitcode for each in self._context.started), None)
+        if code is not None and code < 0:
+            with suppress(ValueError):
+                return f"was ended by {signal.Signals(-code).name}"
+        return f"ended with status {code}"
+
+
+class _Context(SpawnContext):
+    """Starts processes that import this package alone, not the program that runs; Ctrl-C does not reach them.
+
+    Attributes
+    ----------
+    started
+        The processes.
+    """
+
+    def __init__(self) -> None:
+        self.started: list[SpawnProcess] = []
+
+    def Process(self, *arguments: Any, **options: Any) -> SpawnProcess:  # noqa: N802  # pyright: ignore[reportIncompatibleVariableOverride]
+        process = _WorkerProcess(*arguments, **options)
+        self.started.append(process)
+        return process
+
+
+class _WorkerProcess(SpawnProcess):
+    def start(self) -> None:
+        with _for_worker():
+            super().start()
+
+
+@contextmanager
+def _for_worker() -> Iterator[None]:
+    """Change for a while what a process that starts takes over from this one."""
+    program, variables = sys.modules["__main__"], {name: os.environ.get(name) for name in THREAD_VARIABLES}
+    # Otherwise a script without `if __name__ == "__main__"` would run again in each process.
+    sys.modules["__main__"] = ModuleType("__main__")
+    # Libraries read these when they are loaded, before anything can be called in the process.
+    os.environ.update(dict.fromkeys(THREAD_VARIABLES, "1"))
+    masks = hasattr(signal, "pthread_sigmask")
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if masks else set()
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = program
+        for name, value in variables.items():
+            os.environ.pop(name, None) if value is None else os.environ.update({name: value})
+        if masks:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _begin_worker() -> None:
+    """Prepare a worker process: no Ctrl-C, nothing printed, no warnings, and no life without the main process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.dup2(2, 1)
+    warnings.simplefilter("ignore")
+    main = parent_process()
+    if main is not None:
+        threading.Thread(target=lambda: (main.join(), os._exit(1)), daemon=True).start()
+
+
+CHUNKS_PER_THREAD = 3
+"""Parts in flight for each thread of the cluster, so that no worker waits for the next."""
+MAX_LOSSES = 5
+"""How often the scheduler may lose a part before it is given up."""
+SCHEDULER_TIMEOUT = 15.0
+"""Time [s] to wait for the scheduler."""
+FIRST_WORKER_TIMEOUT = 60.0
+"""Time [s] to wait for the first worker."""
+RECOUNT_INTERVAL = 2.0
+"""Time [s] after which the threads of the cluster are counted again, since workers come and go."""
+LOGGERS = ("distributed", "distributed.client", "distributed.comm", "distributed.core", "tornado", "asyncio")
+
+
+def on_cluster(parts: Iterable[P], compute: Callable[[P], R], *, address: str) -> Iterator[tuple[P, R]]:
+    """Compute parts on the workers of a Dask cluster, which need this version of clubface.
+
+    Parameters
+    ----------
+    parts, compute
+        The parts, and what computes one; results should be small.
+    address
+        Of the scheduler, as in "tcp://10.0.0.1:8786".
+
+    Raises
+    ------
+    LinkError
+        The scheduler does not answer, is gone, or has no workers.
+    """
+    from dask import config
+    from distributed import Client
+
+    with _without_logs(), config.set({"distributed.comm.timeouts.connect": SCHEDULER_TIMEOUT}):
+        _check_scheduler(address)
+        client = Client(address, timeout=SCHEDULER_TIMEOUT, set_as_default=False)
+        try:
+            yield from _on_client(client, parts, compute, address)
+        finally:
+            with suppress(Exception):
+                client.close(timeout=1.0)
+
+
+def _on_client(client: Any, parts: Iterable[P], compute: Callable[[P], R], address: str) -> Iterator[tuple[P, R]]:
+    from distributed import KilledWorker
+
+    again, losses = deque[P](), Counter[P]()
+    executor, threads = client.get_executor(pure=False, retries=0), _threads(client, address)
+    counted = answered = time.monotonic()
+
+    def width() -> int:
+        nonlocal threads, counted
+        if time.monotonic() - counted > RECOUNT_INTERVAL:
+            with suppress(OSError, TimeoutError):
+                threads = sum(client.nthreads().values()) or threads
+            counted = time.monotonic()
+        return CHUNKS_PER_THREAD * threads
+
+    def check() -> None:
+        nonlocal answered
+        if client.status == "running":
+            answered = time.monotonic()
+        elif time.monotonic() - answered > SCHEDULER_TIMEOUT or client.status == "closed":
+            raise LinkError(address, "is gone, the scheduler of the cluster")
+
+    completed = _completed(iter(parts), lambda part: executor.submit(compute, part), width, again=again, check=check)
+    for part, future in completed:
+        try:
+            yield part, future.result()
+        except ClubfaceError:
+            raise
+        except ModuleNotFoundError as error:
+            message = f"has a worker without {error.name}; install the same clubface there, with its extra tables"
+            raise LinkError(address, message) from None
+        except (KilledWorker, CancelledError, TimeoutError, OSError):
+            check()
+            losses[part] += 1
+            if losses[part] >= MAX_LOSSES:
+                raise LinkError(address, f"has lost the workers of chunk {part} {MAX_LOSSES} times") from None
+            again.append(part)
+
+
+def _threads(client: Any, address: str) -> int:
+    """Return the threads of all workers; wait for the first of these."""
+    ends = time.monotonic() + FIRST_WORKER_TIMEOUT
+    while time.monotonic() < ends:
+        with suppress(OSError, TimeoutError):
+            if count := sum(client.nthreads().values()):
+                return count
+        time.sleep(POLL_INTERVAL)
+    raise LinkError(address, f"has had no worker for {FIRST_WORKER_TIMEOUT:.0f} s; start some")
+
+
+def _check_scheduler(address: str) -> None:
+    """Refuse an address at which no scheduler answers: Dask's client waits without end for a server of another kind."""
+    from distributed import rpc
+    from distributed.utils import LoopRunner
+
+    async def identity() -> str:
+        async with rpc(address, timeout=SCHEDULER_TIMEOUT) as peer:
+            answer: Any = await peer.identity()
+            return answer["type"]
+
+    try:
+        kind = LoopRunner(asynchronous=False).run_sync(lambda: asyncio.wait_for(identity(), SCHEDULER_TIMEOUT + 1.0))
+    except Exception as error:  # whatever an answer that is none is taken for
+        reason = str(error).splitlines()[0] if str(error) else f"{SCHEDULER_TIMEOUT:.0f} s have passed"
+        raise LinkError(address, f"is no scheduler that answers: {reason}") from None
+    if kind != "Scheduler":
+        raise LinkError(address, f"is a {kind.lower()} of the cluster; give the address of its scheduler")
+
+
+@contextmanager
+def _without_logs() -> Iterator[None]:
+    """Keep Dask's log of lost connections off the screen: one message says what they mean."""
+    before = {name: logging.getLogger(name).level for name in LOGGERS}
+    for name in LOGGERS:
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    try:
+        yield
+    finally:
+        for name, level in before.items():
+            logging.getLogger(name).setLevel(level)

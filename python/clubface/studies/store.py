@@ -1,0 +1,366 @@
+"""The finished chunks of a study: a folder with one Parquet file each, which any program reads.
+
+A part is written under another name and renamed once it is whole, so that a part that is there and whole is finished,
+whoever computed it. Nothing is locked: two runs that compute the same chunk write the same bytes. The metadata of a
+part's schema holds, under ``clubface``, where its numbers come from; and under ``clubface-sum`` the SHA-256 of the file
+as it is with ``HOLE`` in place of that sum.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+
+from clubface.errors import FileError
+from clubface.jobs.store import prepare_parent, read_record, write_record
+from clubface.shots.tables.parquet import pyarrow_for
+from clubface.studies.study import StudyFile, read_study
+from clubface.support.files import InputFile, count_as_read, prepared_folder, whole_file
+from clubface.support.fingerprint import check_same, fingerprint, fingerprints, first_difference
+
+__all__ = ["Names", "StudyStore", "Values", "begin", "open_folder", "open_store", "store_folder"]
+
+RECORD, PARTS, INPUTS, SUFFIX = "record.json", "parts", "inputs", ".parquet"
+PARTS_PER_FOLDER = 1000
+"""File systems slow down with very many files in a folder."""
+METADATA, CHECKSUM = b"clubface", b"clubface-sum"
+HOLE = b"the sum of the file as it is with this text in the place of it".ljust(64, b".")
+DAMAGED_RECORD = (
+    "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
+)
+REMEDY = "give another folder with --store, or remove this one"
+
+
+@dataclass(frozen=True)
+class Names:
+    """A column of names.
+
+    Attributes
+    ----------
+    choices
+        The names there are.
+    codes
+        The place of each among them, int64.
+    """
+
+    choices: tuple[str, ...]
+    codes: NDArray[Any]
+
+    def __len__(self) -> int:
+        return len(self.codes)
+
+
+Values = Mapping[str, "NDArray[Any] | Names"]
+"""Columns by name: numbers, or names."""
+
+
+@dataclass(frozen=True)
+class StudyStore:
+    """The store of a study.
+
+    Attributes
+    ----------
+    folder
+        The folder.
+    record
+        ``content`` (the fingerprints of the study), ``name``, ``count`` and ``chunk`` (tasks in all and in a chunk),
+        ``axes``, ``columns``, and ``provenance``, which every part repeats.
+    """
+
+    folder: Path
+    record: Mapping[str, Any]
+
+    @property
+    def count(self) -> int:
+        """The tasks of the study."""
+        return self.record["count"]
+
+    @property
+    def chunks(self) -> int:
+        """The chunks of the study."""
+        return -(-self.count // self.record["chunk"])
+
+    @property
+    def identity(self) -> str:
+        """A text that is the same only for the same study in chunks of the same size."""
+        return fingerprint([self.record["content"], self.record["chunk"]])[:16]
+
+    @property
+    def inputs(self) -> Path:
+        """The folder of the files that the study reads, each under its checksum: workers read nothing else."""
+        return self.folder / INPUTS
+
+    @property
+    def columns(self) -> dict[str, str | None]:
+        """The SI units of the columns, of what is swept and then of what is computed; None for names."""
+        swept = {each["name"]: each["unit"] for each in self.record["axes"]}
+        return {**swept, **{name: unit for name, (unit, _) in self.record["columns"].items()}}
+
+    def tasks(self, chunk: int) -> range:
+        """Return the tasks of a chunk."""
+        size = self.record["chunk"]
+        return range(chunk * size, min((chunk + 1) * size, self.count))
+
+    def path(self, chunk: int) -> Path:
+        """Return the file of a chunk."""
+        return self.folder / PARTS / f"{chunk // PARTS_PER_FOLDER:04d}" / f"{chunk:08d}{SUFFIX}"
+
+    def write(self, chunk: int, columns: Values, notes: Mapping[str, Any]) -> None:
+        """Write the part of a chunk: its columns, and notes of what JSON has."""
+        tasks = self.tasks(chunk)
+        metadata = {"study": self.identity, "first": tasks.start, "tasks": len(tasks)}
+        metadata |= {**notes, **self.record["provenance"]}
+        content = _parquet(columns, self.columns, metadata)
+        with whole_file(prepare_parent(self.path(chunk))) as file:
+            file.write(content)
+
+    def read(self, chunk: int) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
+        """Return the columns and the metadata of a chunk's part.
+
+        Raises
+        ------
+        FileNotFoundError
+            There is none.
+        FileError
+            It is damaged, or the part of another chunk or study.
+        """
+        path, tasks = self.path(chunk), self.tasks(chunk)
+        columns, metadata = _read_parquet(path)
+        expected = (self.identity, tasks.start, len(tasks))
+        lengths = {len(each) for each in columns.values()}
+        if tuple(map(metadata.get, ("study", "first", "tasks"))) != expected or lengths != {len(tasks)}:
+            raise FileError(str(path), None, "this part belongs to another study")
+        return columns, metadata
+
+    def parts(self) -> Iterator[tuple[Values, dict[str, Any]]]:
+        """Yield the columns and the metadata of every part, in the order of the tasks; all parts must be there."""
+        if missing := self.present().count(0):
+            message = f"{missing} of {self.chunks} chunks are not done yet; clubface study run computes them"
+            raise FileError(str(self.folder), None, message)
+        for chunk in range(self.chunks):
+            try:
+                yield self.read(chunk)
+            except FileNotFoundError:
+                raise FileError(str(self.path(chunk)), None, "this part has been removed meanwhile") from None
+            except FileError as error:
+                raise FileError(error.path, None, f"{error.message}; clubface study run computes it again") from None
+
+    def present(self) -> bytearray:
+        """Return for each chunk whether a part is there (1) or not (0); no part is read."""
+        present = bytearray(self.chunks)
+        for each in self._files():
+            stem = each.name.partition(".")[0]
+            if each.name.endswith(SUFFIX) and stem.isdecimal() and int(stem) < len(present) and each.is_file():
+                present[int(stem)] = 1
+        return present
+
+    def size(self) -> int:
+        """Return the bytes of all parts."""
+        total = 0
+        for each in self._files():
+            with suppress(OSError):
+                total += each.stat().st_size
+        return total
+
+    def _files(self) -> Iterator[os.DirEntry[str]]:
+        with suppress(FileNotFoundError):
+            for folder in sorted(os.scandir(self.folder / PARTS), key=lambda each: each.name):
+                if folder.is_dir(follow_symlinks=False):
+                    yield from os.scandir(folder)
+
+    def tidy(self) -> None:
+        """Remove what killed runs have left; to be called when all parts are there."""
+        for each in self._files():
+            if each.name.startswith("."):
+                with suppress(OSError):
+                    os.unlink(each.path)
+
+    def remove(self) -> None:
+        """Remove the store at once for every other run, which may be about to begin in the same place."""
+        removed = self.folder.with_name(f".{self.folder.name}-{os.urandom(6).hex()}")
+        with suppress(OSError):
+            self.folder.rename(removed)
+        shutil.rmtree(removed, ignore_errors=True)
+
+    def keep_input(self, given: InputFile) -> None:
+        """Keep a file that the study has read; one too large to be kept is read in its own place."""
+        path = self.inputs / given.sha256
+        if given.content is not None and not path.exists():
+            with whole_file(prepare_parent(path)) as file:
+                file.write(given.content)
+
+    def input(self, checksum: str) -> bytes | None:
+        """Return the file that was read with a checksum, None where it is not kept."""
+        with suppress(OSError):
+            return (self.inputs / checksum).read_bytes()
+        return None
+
+    def check(self, study: StudyFile) -> None:
+        """Refuse the store of another study; of a file that has changed the message says where."""
+        before = self.record["provenance"]["files"]
+        now = {f"file {name}": checksum for name, checksum in study.files().items()}
+        contents = {each.sha256: each.content for each in study.inputs.files if not each.shipped}
+
+        def change(name: str) -> str:
+            key = name.removeprefix("file ")
+            if name not in now or key not in before:
+                return (
+                    "" if name not in {*now, *(f"file {each}" for each in before)} else " (named in one of them alone)"
+                )
+            return first_difference(self.input(before[key]), contents.get(now[name]))
+
+        check_same(self.folder, fingerprints(study.content()), self.record["content"], REMEDY, change)
+
+
+def store_folder(path: Path) -> Path:
+    """Return the folder of the store of a study's file, unless another is named."""
+    return path.with_name(f"{path.stem}.store")
+
+
+def open_store(study: str | os.PathLike[str], store: str | os.PathLike[str] | None = None) -> StudyStore:
+    """Return the store of a study that is named by its file or by the folder of the store itself.
+
+    Raises
+    ------
+    FileError
+        There is none, or it belongs to another study.
+    """
+    path = Path(study)
+    if path.is_dir():
+        opened = open_folder(path)
+        files = opened.record["provenance"]["files"].items()
+        kept = [(name, checksum, opened.input(checksum)) for name, checksum in files]
+        count_as_read(
+            InputFile(name, os.fspath(opened.inputs / checksum), len(content), checksum, False, content)
+            for name, checksum, content in kept
+            if content is not None
+        )
+        return opened
+    described = read_study(path)
+    folder = Path(store) if store is not None else store_folder(path)
+    if not folder.exists():
+        raise FileError(str(folder), None, f"nothing of this study is done yet; clubface study run {path} begins it")
+    opened = open_folder(folder)
+    opened.check(described)
+    return opened
+
+
+def open_folder(folder: Path) -> StudyStore:
+    """Return the store in a folder."""
+    record = read_record(folder / RECORD, DAMAGED_RECORD) if (folder / RECORD).is_file() else {}
+    if "chunk" not in record:  # nothing, or the store of another computation
+        raise FileError(str(folder), None, "this folder holds no study")
+    return StudyStore(folder, record)
+
+
+def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> StudyStore:
+    """Return the store of a study in a folder, which is made unless it is there.
+
+    Parameters
+    ----------
+    folder
+        The folder.
+    study
+        The study.
+    describe
+        Called for the rest of the record where there is none yet. The size of a chunk is part of it: whoever comes
+        first decides it, since workers on other machines must cut the study into the same chunks.
+
+    Raises
+    ------
+    FileError
+        The store belongs to another study, or the folder is something else.
+    """
+    if not (folder / RECORD).exists():
+        seen = [each.name for each in folder.iterdir() if each.name[0] != "."] if folder.is_dir() else []
+        if folder.exists() and (not folder.is_dir() or not {*seen} <= {PARTS, INPUTS}):
+            raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
+        content = fingerprints(study.content())
+        record = {"content": content, "name": study.name, "count": study.design.count, **describe()}
+        prepared_folder(folder)
+        try:
+            write_record(folder / RECORD, record, new=True)
+        except FileError:
+            if not (folder / RECORD).exists():
+                raise
+    opened = open_folder(folder)
+    opened.check(study)
+    for each in study.inputs.files:
+        if not each.shipped:
+            opened.keep_input(each)
+    return opened
+
+
+def arrow_array(pyarrow: Any, column: NDArray[Any] | Names) -> Any:
+    """Return a column as Parquet files have it: numbers, or a dictionary of names."""
+    if isinstance(column, Names):
+        codes = pyarrow.array(column.codes.astype("int32"))
+        return pyarrow.DictionaryArray.from_arrays(codes, pyarrow.array(column.choices))
+    return pyarrow.array(column)
+
+
+def encoding(columns: Iterable[str], names: Sequence[str]) -> dict[str, Any]:
+    """Return the options that write Parquet fast and small: few numbers are equal, but many share their first bytes."""
+    numbers = [name for name in columns if name not in names]
+    return {
+        "compression": "snappy",
+        "write_statistics": False,
+        "use_dictionary": list(names),
+        "use_byte_stream_split": numbers,
+    }
+
+
+def _parquet(columns: Values, units: Mapping[str, str | None], metadata: Mapping[str, Any]) -> bytes:
+    """Return a Parquet file of columns, with units, metadata and its checksum."""
+    pyarrow = pyarrow_for("")
+    arrays = [arrow_array(pyarrow, each) for each in columns.values()]
+    fields = [
+        pyarrow.field(name, each.type, metadata={"unit": unit} if (unit := units.get(name)) else None)
+        for name, each in zip(columns, arrays, strict=True)
+    ]
+    schema = pyarrow.schema(fields, {METADATA: json.dumps(metadata).encode(), CHECKSUM: HOLE})
+    stream = pyarrow.BufferOutputStream()
+    names = [name for name, each in columns.items() if isinstance(each, Names)]
+    table = pyarrow.Table.from_arrays(arrays, schema=schema)
+    pyarrow.parquet.write_table(table, stream, **encoding(columns, names))
+    content = stream.getvalue().to_pybytes()
+    place, checksum = content.rindex(HOLE), hashlib.sha256(content).hexdigest().encode()
+    return content[:place] + checksum + content[place + len(HOLE) :]
+
+
+def _read_parquet(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
+    """Return the columns and the metadata of a part; one that is damaged is a :class:`FileError`."""
+    pyarrow = pyarrow_for(path)
+    if path.exists() and not path.is_file():  # such as a pipe, at which reading would wait
+        raise FileError(str(path), None, "this is not a file; remove it")
+    try:
+        content = path.read_bytes()  # as a whole: another process may replace the file meanwhile
+        file = pyarrow.parquet.ParquetFile(pyarrow.BufferReader(content))
+        metadata = file.metadata.metadata  # the Arrow schema within it has a copy with the hole
+        place = content.rindex(metadata[CHECKSUM])
+        whole = content[:place] + HOLE + content[place + len(HOLE) :]
+        if hashlib.sha256(whole).hexdigest().encode() == metadata[CHECKSUM]:
+            table = file.read()
+            columns = {name: _values(table.column(name).combine_chunks()) for name in table.column_names}
+            return columns, json.loads(metadata[METADATA])
+    except FileNotFoundError:
+        raise
+    except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError, pyarrow.ArrowException):
+        pass
+    raise FileError(str(path), None, "this part is damaged")
+
+
+def _values(column: Any) -> NDArray[Any] | Names:
+    if hasattr(column, "dictionary"):
+        codes = column.indices.to_numpy(zero_copy_only=False).astype("int64")
+        return Names(tuple(column.dictionary.to_pylist()), codes)
+    return column.to_numpy(zero_copy_only=False)

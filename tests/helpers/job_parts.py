@@ -1,0 +1,36 @@
+"""What jobs of tests compute, in a module that worker processes can import."""
+
+import os
+import signal
+import time
+from pathlib import Path
+
+
+def square(number):
+    return [number, number**2 / 7.0]
+
+
+def square_slowly(number):
+    time.sleep(0.02)
+    return square(number)
+
+
+def dies_once(folder, number):
+    """Return a square, by the second process that tries: the first one is killed, as for lack of memory."""
+    mark = Path(folder) / str(number)
+    if number % 3 == 0 and not mark.exists():
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return square(number)
+
+
+def dies(number):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def lacks_memory(number):
+    raise MemoryError
+
+
+def environment(name):
+    return os.environ.get(name), os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN
