@@ -224,7 +224,7 @@ def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, told):
 def test_a_number_in_degrees_or_miles_is_not_taken_for_si(part, given, name):
     text = 'title = "x"\n[mean]\nspeed = "90 mph"\n[spread]\nface = "2 deg"\n'
     text = text.replace('speed = "90 mph"\n', "") if name == "speed" and part == "mean" else text
-    with pytest.raises(FileError, match=rf":\d+: {name} is .*unit"):
+    with pytest.raises(FileError, match=rf":\d+: {part}.{name} is .*unit"):
         from_document(Document(text.replace(f"[{part}]\n", f"[{part}]\n{given}\n"), "x.toml"), "x")
 
 

@@ -43,7 +43,7 @@ def test_a_shot_of_the_tour_gains_about_nothing():
 def test_what_is_no_hole_is_refused():
     with pytest.raises(InputError, match="length"):
         Hole(length="-3 yd")
-    with pytest.raises(InputError, match="above 0 to 2000 m"):
+    with pytest.raises(InputError, match="at most 2000 m and above 0 m"):
         Hole(length="0 yd")
     assert Hole(length="400 yd", rough="0 yd").rough == 0.0
     with pytest.raises(UnknownNameError, match="fairway"):

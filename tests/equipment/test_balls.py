@@ -83,8 +83,14 @@ def test_the_values_of_a_ball_stand_where_nobody_chose_one():
         (SLIP.replace('inertia = "81 g cm2"\n', 'inertia = "81 g cm2"\nfriction = -1\n'), "<text>:5: friction is -1"),
         (PIECES.replace('density = "950 kg/m3"', ""), "<text>:9: density of cover is missing"),
         (PIECES.replace("1.8 mm", "1.8 g"), "<text>:12: thickness"),
-        (PIECES.replace("1.8 mm", "30 mm"), "<text>:12: the layers leave no core"),
-        (PIECES.replace("45.6 g", "4 g"), "<text>:3: the layers around it leave the core no mass"),
+        (
+            PIECES.replace("1.8 mm", "30 mm"),
+            "<text>:12: thickness is '30 mm'; it must be such that the layers leave a core",
+        ),
+        (
+            PIECES.replace("45.6 g", "4 g"),
+            "<text>:3: mass is '4 g'; it must be more: the layers around it leave the core no mass",
+        ),
     ],
 )
 def test_a_mistake_in_a_file_is_told_with_its_line(text, told):

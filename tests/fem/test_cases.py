@@ -90,10 +90,10 @@ MISTAKES = [
     ('mass = "46 g"', 'mass = "46 mm"', "ball.toml:3: mass"),
     ('mass = "46 g"', 'mass = "8 g"', "ball.toml:3: mass is '8 g'; it must be such that the core"),
     ('law = "linear"', 'law = "lineer"', "did you mean linear?"),
-    ("cube = 4", "cube = 5", "ball.toml:4: cube is 5; it must be even"),
+    ("cube = 4", "cube = 5", "ball.toml:4: cube is 5; it must be an even whole number"),
     ("cube = 4", "kube = 4", "ball.toml:4: unknown key 'kube' (did you mean cube?)"),
     ('speed = "35 m/s"', 'sped = "35 m/s"', "case.toml:9: unknown key 'sped' (did you mean speed?)"),
-    ('speed = "35 m/s"', 'speed = "35 deg"', "case.toml:9: speed is '35 deg'; it must be in m/s"),
+    ('speed = "35 m/s"', 'speed = "35 deg"', "case.toml:9: delivery.speed is '35 deg'; it must be in m/s"),
     ('speed = "35 m/s"', 'speed = "0 m/s"', "case.toml:9: speed is '0 m/s'; it must be 0.01 to 150 m/s"),
     ('angle = "11.5 deg"', 'angle = "91 deg"', "case.toml:10: angle is '91 deg'; it must be 0 to 80 deg"),
     ('kind = "plane"', 'kind = "wall"', "case.toml:6: unknown kind of head 'wall'; it must be one of plane, rigid"),
@@ -101,15 +101,19 @@ MISTAKES = [
     ("friction = 0.3", "friction = -1", "case.toml:3: friction is -1.0; it must be 0 to 10"),
     ('ball = "./ball.toml"', 'ball = "papr"', "case.toml:2: unknown ball 'papr'"),
     ('ball = "./ball.toml"', 'ball = "./none.toml"', "none.toml: cannot be read"),
-    ("[run]", "[run]\nbulk_viscosity = -1", "case.toml:13: bulk_viscosity is -1.0; it must be 0 to 1; 0.06 is usual"),
+    (
+        "[run]",
+        "[run]\nbulk_viscosity = -1",
+        "case.toml:13: run.bulk_viscosity is -1.0; it must be 0 to 1; 0.06 is usual",
+    ),
     (
         "[run]",
         '[run]\ncontact = "glue"',
-        "case.toml:13: unknown contact 'glue'; it must be one of penalty, augmented-lagrange",
+        "case.toml:13: unknown run.contact 'glue'; it must be one of penalty, augmented-lagrange",
     ),
-    ("[run]", "[run]\nsafety = 2", "case.toml:13: safety is 2.0; it must be 0.05 to 1, the stable step"),
-    ("[run]", "[run]\nuntil_separation = 3", "case.toml:13: until_separation is 3; it must be true or false"),
-    ('duration = "100 us"', 'duration = "100 mm"', "case.toml:13: duration"),
+    ("[run]", "[run]\nsafety = 2", "case.toml:13: run.safety is 2.0; it must be 0.05 to 1, the stable step"),
+    ("[run]", "[run]\nuntil_separation = 3", "case.toml:13: run.until_separation is 3; it must be true or false"),
+    ('duration = "100 us"', 'duration = "100 mm"', "case.toml:13: run.duration"),
 ]
 
 

@@ -38,7 +38,7 @@ THIN = {'face = "4 mm"': 'face = "1.5 mm"', 'top = "9 mm"': 'top = "1.2 mm"'}
         ("paper", 'x = "-8 mm"', "x = -8", ":48: x of trim sole front is '-8000 mm'; it must be within 300 mm"),
         ("paper", 'most = "60 g"', "most = 0", ":44: most of trim sole is '0 g'; it must be 0.01 to 500 g"),
         ("paper", "elements = [36, 12, 25]", "elements = 36", ":9: elements is 36; it must be a list of three numbers"),
-        ("paper", 'kind = "driver"', "kind = []", ":7: kind must be one of driver, iron, mesh, not []"),
+        ("paper", 'kind = "driver"', "kind = []", ":7: unknown kind []; it must be one of driver, iron, mesh"),
         (
             "paper",
             "[metal]",

@@ -108,7 +108,7 @@ def test_metals_read_their_values():
         (
             'yield = "800 MPa"',
             'yield = "0 MPa"',
-            "mine.toml:10: yield is '0 MPa'; it must be 1 MPa to a tenth of youngs",
+            "mine.toml:10: yield of face is '0 MPa'; it must be 1 MPa to a tenth of youngs",
         ),
         ('yield = "800 MPa"\n', "", "hardening"),
         ('hardening = "1 GPa"', 'hardening = "-1 GPa"', "zero or above"),
@@ -117,7 +117,7 @@ def test_metals_read_their_values():
         ('hardening = "1 GPa"', 'hardening = [[0, "800 MPa"], [0, "900 MPa"]]', "begin at 0 and increase"),
         ('hardening = "1 GPa"', 'hardening = {gain = "1 MPa"}', "give rate as well"),
         ('hardening = "1 GPa"', 'hardening = {modulos = "1 GPa"}', "did you mean modulus?"),
-        ("points = 7", "points = 2", "mine.toml:12: points is 2; it must be a whole number from 3 to 31"),
+        ("points = 7", "points = 2", "mine.toml:12: points of face is 2; it must be a whole number from 3 to 31"),
         ('rule = "lobatto"', 'rule = "labotto"', "did you mean lobatto?"),
     ],
 )

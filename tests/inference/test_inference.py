@@ -195,12 +195,12 @@ def test_a_prior_is_read_from_a_file(write):
 @pytest.mark.parametrize(
     ("old", "new", "words_of_error"),
     [
-        ('"8 mph"', '"8 deg"', "prior.toml:3: speed"),
+        ('"8 mph"', '"8 deg"', "prior.toml:3: spread.speed"),
         ('"8 mph"', '"0 mph"', "prior.toml:3: .*positive"),
-        ('["15 deg", "3 deg"]', '"15 deg"', "prior.toml:4: loft must be a mean"),
+        ('["15 deg", "3 deg"]', '"15 deg"', "prior.toml:4: spread.loft is .* a mean"),
         ("loft = ", "lofft = ", "did you mean loft"),
         ("value = 0.4", "value = 1.4", "between -1 and 1"),
-        ("value = 0.4", 'value = "x"', "has a number"),
+        ("value = 0.4", 'value = "x"', "value is .x.; it must be a finite number"),
         ('of = ["loft", "attack"]', 'of = ["loft", "path"]', "quantity of a correlation"),
         ('speed = ["95 mph", "8 mph"]\n', "", "missing: speed"),
     ],

@@ -140,7 +140,7 @@ def test_a_set_of_ones_own_may_have_a_range(write):
     own = write(text.replace("[set.range]", '[set.range]\nattack = ["1 deg", "2 deg"]'), "bad.toml")
     with pytest.raises(FileError, match=r"bad\.toml:\d+: unknown key 'attack'.* speed, incidence"):
         ParameterSet.from_toml(own)
-    for wrong, said in (("[52.0, 40.0]", "the least first"), ('["1 kg", "2 kg"]', "speed of the range"), ("3", "two")):
+    for wrong, said in (("[52.0, 40.0]", "least and greatest"), ('["1 kg", "2 kg"]', "speed is"), ("3", "two")):
         line = next(each for each in text.splitlines() if each.startswith("speed = "))
         with pytest.raises(FileError, match=said):
             ParameterSet.from_toml(write(text.replace(line, f"speed = {wrong}"), "bad.toml"))

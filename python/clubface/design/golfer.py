@@ -38,7 +38,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -49,12 +49,26 @@ import numpy as np
 from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.described import HANDS
-from clubface.errors import ClubfaceError, InputError, Told
+from clubface.errors import InputError, Told
+from clubface.schema import (
+    TEXT,
+    Choice,
+    Place,
+    Quantity,
+    Record,
+    Reference,
+    Table,
+    Tables,
+    Value,
+    decode,
+    encode,
+    file_key,
+)
 from clubface.shots.plausibility import can_be
-from clubface.simulation.inputs import OF_CLUB, Delivery
+from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, Frozen, check_choice, check_count, check_name, check_text, is_number
-from clubface.support.files import beside, builtin_names, is_path, path_of
+from clubface.support.files import builtin_names, is_path, path_of
 from clubface.support.processes import check_request
 from clubface.support.strict_toml import Document, quoted
 from clubface.units import SI_UNITS
@@ -344,9 +358,70 @@ def _mixed(root: Floats, standard: list[Floats]) -> list[Floats]:
     return found
 
 
-KEYS = ("title", "club", "hand", "mean", "spread", "correlation", "mishit", "sources")
-PARTS = ("mean", "spread", "correlation", "mishits")
-"""What sources may be told of."""
+@dataclass(frozen=True)
+class Figure(Value):
+    """The kind of a mean, or a spread, of one value of a delivery."""
+
+    name: str
+    is_spread: bool = False
+
+    def read(self, given: Any, place: Place) -> float:
+        """Return the figure [SI], if shots can have it."""
+        value = DELIVERY_QUANTITIES[self.name].read(given, place)
+        if self.is_spread and value < 0.0:
+            raise place.invalid(given, "a standard deviation, which must not be negative")
+        # A spread so wide that two of them are no shot, such as 0.9 rad, was meant in another unit, too.
+        if value and not can_be(self.name, 2.0 * value if self.is_spread else value):
+            raise place.invalid(
+                given, f"what shots can have, as text with its unit, such as {UNIT[OF_CLUB[self.name]]}"
+            )
+        return value
+
+    def write(self, value: float) -> str:
+        """Return text."""
+        return quoted(written(value, self.name))
+
+    def json(self) -> dict[str, Any]:
+        """Return text or a number."""
+        return DELIVERY_QUANTITIES[self.name].json()
+
+    def words(self) -> str:
+        """Return the unit."""
+        return DELIVERY_QUANTITIES[self.name].words()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mishit:
+    """How often the golfer mishits, and how far."""
+
+    share: float = file_key(Quantity("1", lower=0, below=1), "share of the shots that are mishits")
+    scale: float = file_key(Quantity("1", 1, WIDEST), "how many times as wide their deviations are")
+
+
+TEXTS = Record(dict.fromkeys(OF_CLUB, TEXT))
+
+
+@dataclass(frozen=True, kw_only=True)
+class GolferFile:
+    """A file of a golfer."""
+
+    title: str = file_key(TEXT, "whom it describes, in a line")
+    club: str = file_key(Reference(os.fspath), "the club the deliveries are of", default="driver")
+    hand: int = file_key(Choice(HANDS), "the hand of the golfer", default=1)
+    mean: Mapping[str, float] = file_key(
+        Record({name: Figure(name) for name in OF_CLUB}, ("speed",)), "means of the delivery"
+    )
+    spread: Mapping[str, float] = file_key(
+        Record({name: Figure(name, True) for name in OF_CLUB}), "standard deviations from shot to shot"
+    )
+    correlation: tuple[Correlation, ...] = file_key(
+        Tables(Table(Correlation)), "correlations of pairs; all others are independent", default=()
+    )
+    mishit: Mishit | None = file_key(Table(Mishit), "shots whose deviations are wider", default=None)
+    sources: Mapping[str, Any] = file_key(
+        Record({"correlation": TEXT, "mishits": TEXT, "mean": TEXTS, "spread": TEXTS}),
+        "where figures come from; `assumed` unless given", default_factory=dict,
+    )  # fmt: skip
 
 
 def read(which: str | os.PathLike[str]) -> Golfer:
@@ -357,129 +432,74 @@ def read(which: str | os.PathLike[str]) -> Golfer:
 
 def from_document(document: Document, name: str) -> Golfer:
     """Return the golfer a document describes; ``name`` is what it is called."""
-    data = document.data
-    document.check_keys(data, KEYS, ("title", "mean", "spread"))
-    document.check_text(data, ("title", "club", "hand"))
-    for table in ("mean", "spread", "mishit", "sources"):
-        if not isinstance(data.get(table, {}), dict):
-            raise document.error(f"[{table}] must be a table", table)
-    document.check_keys(data["mean"], OF_CLUB, ("speed",), "mean")
-    document.check_keys(data["spread"], OF_CLUB, (), "spread")
-    mishit = data.get("mishit", {})
-    document.check_keys(mishit, ("share", "scale"), ("share", "scale") if mishit else (), "mishit")
-    for key, value in mishit.items():
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise document.error(f"{key} must be a number, not {value!r:.60}", key, "mishit")
-    variables = tuple(each for each in OF_CLUB if each in data["mean"] or each in data["spread"])
-    mean, spread = (np.array(_values(document, part, variables)) for part in ("mean", "spread"))
-    if not (spread >= 0.0).all():
-        at = variables[int(np.argmin(spread))]
-        raise document.error(f"{at} is a standard deviation: it must not be negative", at, "spread")
-    if "loft" in variables and "loft" not in data["mean"]:
-        raise document.error("loft has a spread but no mean; give it under [mean]", "loft", "spread")
-    correlation = _correlations(document, variables, spread)
-    with np.errstate(over="ignore"):  # what is too large is refused
-        covariance = correlation * np.outer(spread, spread)
-    try:
-        check_choice("hand", data.get("hand", "right"), HANDS)
-        return Golfer(
-            name=name,
-            title=data["title"],
-            club=os.fspath(beside(data.get("club", "driver"), Path(document.path).parent)),
-            hand=HANDS[data.get("hand", "right")],
-            variables=variables,
-            mean=mean,
-            covariance=covariance,
-            mishit_share=float(mishit.get("share", 0.0)),
-            mishit_scale=float(mishit.get("scale", 1.0)),
-            sources=_sources(document),
-        )
-    except InputError as error:
-        raise document.wrap(_as_written(error)) from error
-
-
-def _as_written(error: InputError) -> InputError:
-    """Return the error with the name of the key as it stands in a file."""
-    return InputError(error.parameter.replace("mishit_", "mishit."), error.value, error.allowed)
-
-
-def _values(document: Document, part: str, variables: tuple[str, ...]) -> list[float]:
-    found = []
-    for name in variables:
-        try:
-            value = units.parse(given := document.data[part].get(name, 0.0), OF_CLUB[name], name=name)
-            # A spread so wide that two of them are no shot, such as 0.9 rad, was meant in another unit, too.
-            if value and not can_be(name, value if part == "mean" else 2.0 * abs(value)):
-                raise InputError(
-                    name, given, f"what shots can have, as text with its unit, such as {UNIT[OF_CLUB[name]]}"
-                )
-            found.append(value)
-        except ClubfaceError as error:
-            raise document.wrap(error, part) from error
-    return found
-
-
-def _correlations(document: Document, variables: tuple[str, ...], spread: Any) -> Any:
-    entries = document.data.get("correlation", [])
-    if not (isinstance(entries, list) and all(isinstance(each, dict) for each in entries)):
-        raise document.error("correlation must be tables, each under [[correlation]]", "correlation")
-    found = np.eye(len(variables))
-    told: set[frozenset[str]] = set()
-    for index, entry in enumerate(entries):
-        document.check_keys(entry, ("of", "value"), ("of", "value"), "correlation", index)
-        pair, value = entry["of"], entry["value"]
-        names = isinstance(pair, list) and len(pair) == 2 and all(each in variables for each in pair)
-        if not names or pair[0] == pair[1]:
-            raise document.error(
-                f"of must name two variables of this golfer: {', '.join(variables)}", "of", "correlation", index
+    file = decode(GolferFile, document)
+    variables = tuple(each for each in OF_CLUB if each in file.mean or each in file.spread)
+    mean, spread = (np.array([part.get(each, 0.0) for each in variables]) for part in (file.mean, file.spread))
+    with Place(document).errors():
+        if "loft" in variables and "loft" not in file.mean:
+            raise InputError(
+                "spread.loft", document.data["spread"]["loft"], "left out, or give the mean of loft as well"
             )
-        if isinstance(value, bool) or not isinstance(value, int | float) or not -1.0 < value < 1.0:
-            raise document.error("value must be a number between -1 and 1", "value", "correlation", index)
-        still = [each for each in pair if spread[variables.index(each)] == 0.0]
-        if still and value:
-            raise document.error(f"{still[0]} does not vary; give it a spread", "of", "correlation", index)
-        if frozenset(pair) in told:
-            raise document.error(f"{' and '.join(pair)} have a correlation already", "of", "correlation", index)
-        told.add(frozenset(pair))
-        one, other = (variables.index(each) for each in pair)
-        found[one, other] = found[other, one] = value
+        correlation = _correlations(Place(document).key("correlation"), file.correlation, variables, spread)
+        with np.errstate(over="ignore"):  # what is too large is refused
+            covariance = correlation * np.outer(spread, spread)
+        mishit = file.mishit or Mishit(share=0.0, scale=1.0)
+        parts = {f"{part} of {one}": text for part in ("mean", "spread")
+                 for one, text in file.sources.get(part, {}).items()}  # fmt: skip
+        return Golfer(
+            name=name, title=file.title, club=file.club, hand=file.hand, variables=variables, mean=mean,
+            covariance=covariance, mishit_share=mishit.share, mishit_scale=mishit.scale,
+            sources=parts | {part: text for part, text in file.sources.items() if isinstance(text, str)},
+        )  # fmt: skip
+
+
+def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[str, ...], spread: Floats) -> Floats:
+    """Return the matrix of the correlations of a file."""
+    found = np.eye(len(variables))
+    seen: set[frozenset[str]] = set()
+    for index, each in enumerate(given):
+        with (at := place.item(index).key("of")).errors():
+            pair = each.of
+            if pair[0] == pair[1] or not set(pair) <= set(variables):
+                raise at.invalid(list(pair), f"two variables of this golfer: {', '.join(variables)}")
+            one, other = (variables.index(name) for name in pair)
+            if each.value and not spread[one] * spread[other]:
+                still = pair[0] if not spread[one] else pair[1]
+                raise at.invalid(list(pair), f"of variables with a spread: {still} does not vary")
+            if frozenset(pair) in seen:
+                raise at.invalid(list(pair), "given once: these two have a correlation already")
+        seen.add(frozenset(pair))
+        found[one, other] = found[other, one] = each.value
     return found
 
 
-def _sources(document: Document) -> dict[str, str]:
-    given = document.data.get("sources", {})
-    document.check_keys(given, PARTS, (), "sources")
-    found = {}
-    for part, told in given.items():
-        if part in ("mean", "spread"):
-            if not isinstance(told, dict):
-                raise document.error(f"sources of the {part} are a table of texts", part, "sources")
-            document.check_keys(told, OF_CLUB, (), f"sources.{part}")
-            document.check_text(told, told, f"sources.{part}")
-            found |= {f"{part} of {name}": text for name, text in told.items()}
-        else:
-            document.check_text(given, (part,), "sources")
-            found[part] = told
-    return found
-
-
-def to_toml(of: Golfer) -> str:
+def to_toml(golfer: Golfer) -> str:
     """Write a golfer as TOML text, which reads back as the same to 12 digits."""
-    hand = "right" if of.hand > 0 else "left"
-    lines = [f"{key} = {quoted(text)}" for key, text in {"title": of.title, "club": of.club, "hand": hand}.items()]
-    for part, values in (("mean", of.mean), ("spread", of.spread)):
-        lines += ["", f"[{part}]"]
-        lines += [
-            f"{name} = {quoted(written(value, name))}"
-            for name, value in zip(of.variables, map(float, values), strict=True)
-        ]
-    for one, name in enumerate(of.variables):
-        for other in range(one):
-            if value := float(of.correlation[one, other]):
-                lines += ["", "[[correlation]]", f'of = ["{name}", "{of.variables[other]}"]', f"value = {value:.12g}"]
-    if of.mishit_share > 0.0:
-        lines += ["", "[mishit]", f"share = {of.mishit_share:.12g}", f"scale = {of.mishit_scale:.12g}"]
-    return "\n".join([*lines, *_source_lines(of.sources)]) + "\n"
+    pairs = [(one, other) for one in range(len(golfer.variables)) for other in range(one)]
+    sources: dict[str, Any] = {}
+    for figure, text in golfer.sources.items():
+        part, _, name = figure.partition(" of ")
+        if part in ("mean", "spread"):
+            sources.setdefault(part, {})[name] = text
+        elif figure in ("correlation", "mishits"):
+            sources[figure] = text
+    file = GolferFile(
+        title=golfer.title,
+        club=golfer.club,
+        hand=golfer.hand,
+        mean=dict(zip(golfer.variables, map(float, golfer.mean), strict=True)),
+        spread=dict(zip(golfer.variables, map(float, golfer.spread), strict=True)),
+        correlation=tuple(
+            Correlation(of=(golfer.variables[one], golfer.variables[other]), value=float(f"{value:.12g}"))
+            for one, other in pairs
+            if (value := float(golfer.correlation[one, other]))
+        ),
+        mishit=Mishit(share=float(f"{golfer.mishit_share:.12g}"), scale=float(f"{golfer.mishit_scale:.12g}"))
+        if golfer.mishit_share > 0.0
+        else None,
+        sources=sources,
+    )
+    return encode(file)
 
 
 def written(value: float, name: str) -> str:
@@ -488,18 +508,6 @@ def written(value: float, name: str) -> str:
     unit = UNIT.get(dimension, SI_UNITS[dimension])
     number = units.from_si(value, unit)
     return f"{0.0 if math.isclose(number, 0.0, abs_tol=1e-14) else number:.12g} {unit}"
-
-
-def _source_lines(sources: Mapping[str, str]) -> list[str]:
-    if not sources:
-        return []
-    lines = ["", "[sources]"]
-    lines += [f"{part} = {quoted(sources[part])}" for part in ("correlation", "mishits") if part in sources]
-    for part in ("mean", "spread"):
-        told = {name: sources[f"{part} of {name}"] for name in OF_CLUB if f"{part} of {name}" in sources}
-        if told:
-            lines += ["", f"[sources.{part}]", *(f"{name} = {quoted(text)}" for name, text in told.items())]
-    return lines
 
 
 def golfers() -> tuple[str, ...]:

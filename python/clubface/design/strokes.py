@@ -15,6 +15,7 @@ import numpy as np
 
 from clubface import published_data, units
 from clubface.errors import InputError, Told
+from clubface.schema import Choice, Quantity, check_values, file_key
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -32,38 +33,23 @@ GREEN_RADIUS = units.parse("12 yd", "length")
 """Radius of a green unless given, about the hole; assumed: a circle of about 420 m2."""
 
 
+WIDTH = Quantity("m", 0, LONGEST)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Hole:
-    """A straight, level hole; values are text with a unit or SI numbers.
+    """A straight, level hole; values are text with a unit or SI numbers."""
 
-    Attributes
-    ----------
-    length
-        From the tee to the hole [m].
-    fairway
-        Width of the fairway [m].
-    rough
-        Width of the rough on either side of the fairway [m]; a ball beyond it is a recovery shot.
-    green
-        Radius of the green about the hole [m].
-    lie
-        What the shot is played from: one of ``LIES``.
-    """
-
-    length: Any
-    fairway: Any = FAIRWAY_WIDTH
-    rough: Any = ROUGH_WIDTH
-    green: Any = GREEN_RADIUS
-    lie: str = "tee"
+    length: float = file_key(Quantity("m", above=0, upper=LONGEST), "from the tee to the hole")
+    fairway: float = file_key(WIDTH, "width of the fairway", default=FAIRWAY_WIDTH)
+    rough: float = file_key(
+        WIDTH, "width of the rough on either side; a ball beyond it is a recovery shot", default=ROUGH_WIDTH
+    )
+    green: float = file_key(WIDTH, "radius of the green about the hole", default=GREEN_RADIUS)
+    lie: str = file_key(Choice(LIES), "what the shot is played from", default="tee")
 
     def __post_init__(self) -> None:
-        for name in ("length", "fairway", "rough", "green"):
-            value = units.parse(getattr(self, name), "length", name=name)
-            least = "above 0" if name == "length" else "from 0"
-            if not 0.0 <= value <= LONGEST or (name == "length" and value == 0.0):
-                raise InputError(name, units.show(value, "m"), f"{least} to {LONGEST:g} m")
-            object.__setattr__(self, name, value)
-        check_choice("lie", self.lie, LIES)
+        check_values(self)
 
     def told(self) -> str:
         """Return the hole in words."""

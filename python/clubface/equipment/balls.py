@@ -9,19 +9,19 @@ What a ball weighs, and how its mass is spread, from the pieces its file describ
 from __future__ import annotations
 
 import math
-import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, ClassVar, NamedTuple, Self
 
 from clubface import units
 from clubface.equipment.core import check_body
-from clubface.equipment.described import Described, Property, set_si, template_lines, to_toml
+from clubface.equipment.described import Described, set_si, sources_of, template_lines, to_toml
 from clubface.equipment.models import model
-from clubface.equipment.parameters import checked, parsed_scalar
-from clubface.errors import ClubfaceError, FileError, InputError, RuleWarning
-from clubface.support.checks import Frozen, check_name, check_text, warn_once, without_warnings
+from clubface.equipment.parameters import ParameterValue
+from clubface.errors import InputError, RuleWarning
+from clubface.schema import NAME, TEXT, Place, Quantity, Record, Simple, Tables, decode, entries, file_key, quantities
+from clubface.support.checks import Frozen, check_name, warn_once, without_warnings
 from clubface.support.files import builtin_names, builtin_path, is_path
 from clubface.support.strict_toml import Document, quoted
 
@@ -56,25 +56,40 @@ class Body(NamedTuple):
     inertia: float
 
 
-def body(document: Document, radius: float, mass: float | None) -> Body:
+def body(document: Document, radius: float, mass: Any) -> Body:
     """Return mass and inertia of the pieces of a file, spheres one around the other.
 
     The core has the density that makes up the mass, or with None its own.
     """
-    core, *around = _tables(document)
+    top = Place(document)
+    with (place := top.key("pieces")).errors():
+        pieces = Tables(Record(Simple()), least=1).read(document.data["pieces"], place)
+
+    def read(index: int, key: str, unit: str) -> float:
+        piece = place.item(index, str(pieces[index].get("name", "the piece"))).key(key)
+        with piece.errors():
+            if key not in pieces[index]:
+                raise piece.invalid(None, "give it")
+            return Quantity(unit).read(pieces[index][key], piece)
+
     outer, total, inertia = radius, 0.0, 0.0
-    for number, piece in reversed(list(enumerate(around, 1))):
-        inner = outer - _number(document, piece, number, "thickness", "length")
-        if not 0.0 < inner < outer:
-            raise document.error("the layers leave no core", "thickness", "pieces", number)
-        density = _number(document, piece, number, "density", "density")
+    for index in range(len(pieces) - 1, 0, -1):
+        thickness, density = read(index, "thickness", "mm"), read(index, "density", "kg/m3")
+        inner = outer - thickness
+        with place.item(index).errors():
+            if not 0.0 < inner < outer:
+                raise InputError("thickness", units.show(thickness, "mm"), "such that the layers leave a core")
         total += density * _volume(inner, outer)
         inertia += density * _second_moment(inner, outer)
         outer = inner
-    left = None if mass is None else (mass - total) / _volume(0.0, outer)
-    density = _number(document, core, 0, "density", "density") if left is None else left
-    if not density > 0.0:
-        raise document.error("the layers around it leave the core no mass", "mass")
+    if mass is None:
+        density = read(0, "density", "kg/m3")
+    else:
+        with top.key("mass").errors():
+            mass = Quantity("g").read(mass, top.key("mass"))
+            density = (mass - total) / _volume(0.0, outer)
+            if not density > 0.0:
+                raise InputError("mass", units.show(mass, "g"), "more: the layers around it leave the core no mass")
     return Body(total + density * _volume(0.0, outer), inertia + density * _second_moment(0.0, outer))
 
 
@@ -92,25 +107,6 @@ def pieces_lines(data: Mapping[str, Any]) -> list[str]:
 def toml_lines(values: Mapping[str, Any]) -> list[str]:
     """Return a line for each key."""
     return [f"{key} = {quoted(value) if isinstance(value, str) else repr(value)}" for key, value in values.items()]
-
-
-def _tables(document: Document) -> Sequence[Mapping[str, Any]]:
-    tables = document.data["pieces"]
-    if not (isinstance(tables, list) and tables and all(isinstance(each, dict) for each in tables)):
-        raise document.error("pieces must be tables, each under [[pieces]]", "pieces")
-    return tables
-
-
-def _number(document: Document, piece: Mapping[str, Any], number: int, key: str, dimension: str) -> float:
-    try:
-        if key not in piece:
-            told = InputError(f"{key} of {piece.get('name', 'the piece')}", None, "give it")
-            raise document.error(str(told), "", "pieces", number)
-        return units.parse(piece[key], dimension, name=key)
-    except FileError:
-        raise
-    except ClubfaceError as error:
-        raise document.wrap(error, "pieces", number) from error
 
 
 def _volume(inner: float, outer: float) -> float:
@@ -132,60 +128,55 @@ BALL_MASS_LIMIT = 45.93e-3
 BALL_DIAMETER_LIMIT = 42.67e-3
 """m, at least (1.680 in); The Equipment Rules."""
 
-BALL_PROPERTIES = {
-    "mass": Property("mass", "g", "mass", "45.93 g"),
-    "radius": Property("length", "mm", "radius", "21.335 mm"),
-    "inertia": Property("inertia", "g cm2", "moment of inertia about the centre", "83.6 g cm2"),
-    "friction": Property(units.DIMENSIONLESS, "1", "of the cover on a clubface", "0.35", required=False),
-}
 RIGID = ("mass", "radius", "inertia")
 """What every model takes."""
+
+
+FRICTION_LIMITS = (0.0, 10.0)
+COVER_FRICTION = Quantity("1", *FRICTION_LIMITS)
+
+
+class ModelParameters(Record):
+    """The kind of a table of parameters of models: a table a model, each value within the bounds the model declares."""
+
+    def read(self, given: Any, place: Place) -> Mapping[str, Mapping[str, float]]:
+        """Return the values [SI]."""
+        found: dict[str, dict[str, float]] = {}
+        for name, values in super().read(given, place).items():
+            found[name] = {}
+            for key, value in values.items():
+                with (at := place.key(name).key(key)).errors():
+                    found[name][key] = ParameterValue(model(name).parameter(key)).read(value, at)
+        return Frozen({name: Frozen(values) for name, values in found.items()})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Ball(Described):
     """A golf ball, SI.
 
-    Attributes
-    ----------
-    name
-        What it is called in tables.
-    mass
-        [kg].
-    radius
-        [m].
-    inertia
-        Moment of inertia about the centre [kg m2].
-    description
-        A sentence for lists.
-    friction
-        Coefficient of friction between cover and clubface, for the models that take it from the ball; None if unknown.
-    parameters
-        Values of parameters [SI], by name of model, that stand where nobody chose a set or the value itself.
-    construction
-        What finite elements mesh: the pieces as their file has them, or a :class:`clubface.fem.Ball`; or None.
-    sources
-        Where each value comes from, by field name.
+    ``parameters`` stand where nobody chose a set or the value itself. ``construction`` is what finite elements mesh:
+    the pieces as their file has them, or a :class:`clubface.fem.Ball`; or None. ``sources`` say where each value comes
+    from, by field name.
     """
 
-    name: str
-    mass: float
-    radius: float
-    inertia: float
-    description: str = ""
-    friction: float | None = None
-    parameters: Mapping[str, Mapping[str, float]] = field(default_factory=dict, hash=False)
+    OTHER_KEYS: ClassVar = dict.fromkeys(Construction.KEYS, Simple())
+
+    name: str = file_key(NAME, "what it is called in tables")
+    description: str = file_key(TEXT, "a sentence for lists", default="")
+    mass: float = file_key(Quantity("g"), "mass", example="45.93 g")
+    radius: float = file_key(Quantity("mm"), "radius", example="21.335 mm", multiples={"diameter": 0.5})
+    inertia: float = file_key(Quantity("g cm2"), "moment of inertia about the centre", example="83.6 g cm2")
+    friction: float | None = file_key(COVER_FRICTION, "of the cover on a clubface", example="0.35", default=None)
+    parameters: Mapping[str, Mapping[str, float]] = file_key(
+        ModelParameters(Record(Simple())), "values of parameters, a table a model", default_factory=dict, hash=False
+    )
+    sources: Mapping[str, str] = file_key(
+        sources_of(lambda: Ball, "diameter", "pieces"), "where each value comes from", default_factory=dict, hash=False
+    )
     construction: Any = field(default=None, hash=False, repr=False)
-    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
-    properties: ClassVar = BALL_PROPERTIES
 
     def __post_init__(self) -> None:
-        set_si(self, BALL_PROPERTIES)
-        check_name(self.name)
-        check_text("description", self.description)
-        if self.friction is not None:
-            check_friction(self.friction)
-        object.__setattr__(self, "parameters", _checked_parameters(self.parameters))
+        set_si(self)
         check_body("ball", self.inputs())
         if self.mass > BALL_MASS_LIMIT * (1.0 + 1e-9):
             warn_once(
@@ -204,11 +195,7 @@ class Ball(Described):
 
     def to_toml(self) -> str:
         """Write the ball as TOML text, which :meth:`from_text` reads back exactly."""
-        text = to_toml(self, BALL_PROPERTIES, {})
-        for name, values in self.parameters.items():
-            text += "\n".join(
-                ["", f"[parameters.{name}]", *(f"{key} = {value!r}" for key, value in values.items()), ""]
-            )
+        text = to_toml(self)
         if not isinstance(self.construction, Construction):
             return text
         # Keys of the file itself cannot follow a table.
@@ -219,18 +206,13 @@ class Ball(Described):
 
     @classmethod
     def from_document(cls, document: Document) -> Self:
-        """Read the ball a TOML document describes."""
-        return cls(**_read(document))
-
-    @classmethod
-    def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """Read what a TOML file describes; see ``template`` for its form."""
-        return cls.from_document(Document.read(path))
-
-    @classmethod
-    def from_text(cls, text: str, path: str = "<text>") -> Self:
-        """Read what TOML text describes; ``path`` names it in errors."""
-        return cls.from_document(Document(text, path))
+        """Read the ball a TOML document describes, from its pieces where it has such."""
+        if "pieces" not in document.data:
+            return decode(cls, document)
+        made = body(document, _read_radius(document), document.data.get("mass"))
+        return decode(
+            cls, document, others=cls.OTHER_KEYS, usual=made._asdict(), construction=Construction.of(document)
+        )
 
     @classmethod
     def builtin(cls, name: str) -> Self:
@@ -243,11 +225,12 @@ class Ball(Described):
         check_name(name)
         head = [
             "# A ball. A value is text with a unit; a bare number is SI (kg, m, kg m2).",
-            f"name = {quoted(name)}",
-            'description = ""',
-            "",
         ]
-        return "\n".join(head + template_lines(BALL_PROPERTIES))
+        return "\n".join(head + template_lines(Ball, {"name": quoted(name), "description": '""'}))
+
+
+BALL_PROPERTIES = quantities(Ball)
+"""The numbers that describe a ball, by field."""
 
 
 def ball(which: Any = None) -> Ball:
@@ -280,71 +263,11 @@ def ball_names() -> tuple[str, ...]:
     return builtin_names(FOLDER)
 
 
-FRICTION_LIMITS = (0.0, 10.0)
-
-
-def check_friction(value: float) -> None:
-    """Refuse what is no coefficient of friction."""
-    if not FRICTION_LIMITS[0] <= value <= FRICTION_LIMITS[1]:
-        raise InputError("friction", value, f"{FRICTION_LIMITS[0]:g} to {FRICTION_LIMITS[1]:g}")
-
-
-def _checked_parameters(given: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Mapping[str, float]]:
-    """Return values of parameters [SI] by model, each within the bounds that the model declares."""
-    found = {}
-    for name, values in given.items():
-        if not isinstance(values, Mapping):
-            raise InputError(f"parameters.{name}", values, "a table of values")
-        declared = {key: model(name).parameter(key) for key in values}
-        found[name] = Frozen({key: checked(parsed_scalar(values[key], of), of) for key, of in declared.items()})
-    return Frozen(found)
-
-
-_KEYS = ("name", "description", "mass", "diameter", "radius", "inertia", "friction", "parameters", "sources")
-KEYS = (*_KEYS, *Construction.KEYS)
-
-
-def _read(document: Document) -> dict[str, Any]:
-    """Return what a TOML document says of a ball, by field; every error carries file and line."""
-    data = dict(document.data)
-    meshed = "pieces" in data
-    size = "diameter" if "diameter" in data else "radius"
-    document.check_keys(data, KEYS if meshed else _KEYS, ("name", size, *(() if meshed else ("mass", "inertia"))))
-    document.check_text(data, ("name", "description"))
-    if "diameter" in data and "radius" in data:
-        raise document.error("give the diameter or the radius, not both", "radius")
-    check_parameters(document)
-    check_sources(document)
-    try:
-        radius = units.parse(data.pop(size), "length", name=size) / (2.0 if size == "diameter" else 1.0)
-        found = {**{key: value for key, value in data.items() if key not in Construction.KEYS}, "radius": radius}
-        if meshed:
-            mass = units.parse(data["mass"], "mass", name="mass") if "mass" in data else None
-            made = body(document, radius, mass)
-            found = {"mass": made.mass, "inertia": made.inertia, **found, "construction": Construction.of(document)}
-        Ball(**found)
-    except FileError:
-        raise
-    except ClubfaceError as error:
-        raise document.wrap(error) from error
-    return found
-
-
-def check_parameters(document: Document) -> None:
-    """Refuse parameters of a ball that are no tables, one a model, of single values within their bounds."""
-    given = document.data.get("parameters", {})
-    if not isinstance(given, dict):
-        raise document.error("parameters must be a table", "parameters")
-    try:
-        _checked_parameters(given)
-    except ClubfaceError as error:
-        raise document.wrap(error) from error
-
-
-def check_sources(document: Document) -> None:
-    """Refuse sources of a ball that are no table of texts."""
-    sources = document.data.get("sources", {})
-    if not isinstance(sources, dict):
-        raise document.error("sources must be a table of texts", "sources")
-    document.check_keys(sources, (*BALL_PROPERTIES, "diameter", "friction", "pieces"), (), "sources")
-    document.check_text(sources, sources, "sources")
+def _read_radius(document: Document) -> float:
+    """Return the radius of a document [m], and refuse what is not a whole ball."""
+    place = Place(document)
+    radius = entries(Ball)["radius"]
+    given = [key for key in (radius.key, *radius.multiples) if key in document.data]
+    place.check_keys(document.data, document.data, ("name", *(given or [radius.key]), "pieces"))
+    with (at := place.key(given[0])).errors():
+        return radius.multiples.get(given[0], 1.0) * radius.value.read(document.data[given[0]], at)

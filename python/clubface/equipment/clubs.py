@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, ClassVar, Self
 
@@ -19,9 +19,10 @@ from clubface import units
 from clubface.equipment.backends import CLUB_FILES
 from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
-from clubface.equipment.described import Described, Property, changed, from_document, set_si, template_lines, to_toml
+from clubface.equipment.described import FLAT, HANDS, Described, changed, set_si, sources_of, template_lines, to_toml
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
-from clubface.support.checks import check_choice, check_name, check_text, warn_once
+from clubface.schema import NAME, TEXT, Choice, Quantity, file_key, quantities
+from clubface.support.checks import check_name, warn_once
 from clubface.support.files import builtin_names, builtin_path, is_path
 from clubface.support.strict_toml import Document, quoted
 
@@ -79,25 +80,8 @@ TIME_LIMIT = 239e-6
 """Characteristic time [s], with ``TIME_TOLERANCE``; The Equipment Rules."""
 TIME_TOLERANCE = 18e-6
 
-CLUB_PROPERTIES = {
-    "mass": Property("mass", "g", "mass of the clubhead", "204 g"),
-    "cg_x": Property("length", "mm", "from the CG to the face centre, towards the target", "42.18 mm"),
-    "cg_y": Property("length", "mm", "the same, up", "4.34 mm"),
-    "cg_z": Property("length", "mm", "the same, to the right of the target line (towards the toe)", "1.0 mm"),
-    "ixx": Property("inertia", "g cm2", "inertia about the CG, same axes, at the static loft", "2843 g cm2"),
-    "iyy": Property("inertia", "g cm2", "about the vertical axis: the MOI the rules limit", "5679 g cm2"),
-    "izz": Property("inertia", "g cm2", "about the heel-toe axis", "4085 g cm2"),
-    "ixy": Property("inertia", "g cm2", "element of the tensor (minus the integral of x y dm)", "-733 g cm2"),
-    "ixz": Property("inertia", "g cm2", "element of the tensor", "530.2 g cm2"),
-    "iyz": Property("inertia", "g cm2", "element of the tensor", "0.5 g cm2"),
-    "loft": Property("angle", "deg", "static loft, 0 to 75 deg", "9.8 deg"),
-    "bulge": Property("length", "mm", 'radius of the face from heel to toe, or "flat"', "305 mm"),
-    "roll": Property("length", "mm", 'radius of the face from sole to crown, or "flat"', "305 mm"),
-    "face_width": Property("length", "mm", "width of the face, heel to toe", "105 mm"),
-    "face_height": Property("length", "mm", "height of the face, along the face", "55 mm"),
-    "characteristic_time": Property("time", "us", "of the face, by the rules' pendulum; 0 is rigid", "250 us", False),
-    "cor": Property("dimensionless", "1", "coefficient of restitution at 160 ft/s, in its place", "0.826", False),
-}  # fmt: skip
+MILLIMETRES, MOMENT = Quantity("mm"), Quantity("g cm2")
+RADIUS = Quantity("mm", special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -106,76 +90,47 @@ class Club(Described):
 
     Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.
 
-    Attributes
-    ----------
-    name
-        What it is called in tables.
-    kind
-        "wood", "hybrid" or "iron".
-    mass
-        [kg].
-    cg_x, cg_y, cg_z
-        Vector from the CG to the face centre [m].
-    ixx, iyy, izz, ixy, ixz, iyz
-        Elements of the inertia tensor about the CG [kg m2].
-    loft
-        Static loft [rad].
-    bulge, roll
-        Radii of the face [m]; ``math.inf`` is flat.
-    face_width, face_height
-        Outline of the face [m].
-    characteristic_time
-        Of the face [s], as the rules measure it; 0 is a rigid face, 20 to 600 us one that gives. Left out, it is that
-        which goes with ``cor``, or 0.
-    hand
-        +1 right, -1 left.
-    parameters
-        The family of parameter sets used by default, "driver" or "7-iron".
-    cor
-        Coefficient of restitution at 160 ft/s that was given in place of the characteristic time, or None.
-    description
-        A sentence for lists.
-    sources
-        Where each value comes from, by field name.
+    Inertia is about the CG. A face is flat where its radius is ``math.inf``. ``hand`` is +1 right, -1 left. The
+    characteristic time, if left out, is that which goes with ``cor``, or 0, a rigid face; one that gives has 20 to 600
+    us. ``sources`` say where each value comes from, by field name. All values are SI.
     """
 
-    name: str
-    kind: str
-    mass: float
-    cg_x: float
-    cg_y: float
-    cg_z: float
-    ixx: float
-    iyy: float
-    izz: float
-    ixy: float
-    ixz: float
-    iyz: float
-    loft: float
-    bulge: float
-    roll: float
-    face_width: float
-    face_height: float
-    characteristic_time: float = None  # pyright: ignore[reportAssignmentType] -- a number from __post_init__ on
-    hand: int = 1
-    parameters: str = ""
-    cor: float | None = None
-    description: str = ""
-    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
-    properties: ClassVar = CLUB_PROPERTIES
+    SOURCE_GROUPS: ClassVar = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
+
+    name: str = file_key(NAME, "what it is called in tables")
+    kind: str = file_key(Choice(KINDS), ", ".join(KINDS), example='"wood"')
+    hand: int = file_key(Choice(HANDS), "right or left; the numbers stay those of the right-handed club", default=1)
+    parameters: str = file_key(Choice(FAMILIES), "published parameter sets to use", default="")
+    description: str = file_key(TEXT, "a sentence for lists", default="")
+    mass: float = file_key(Quantity("g"), "mass of the clubhead", example="204 g")
+    cg_x: float = file_key(MILLIMETRES, "from the CG to the face centre, towards the target", example="42.18 mm")
+    cg_y: float = file_key(MILLIMETRES, "the same, up", example="4.34 mm")
+    cg_z: float = file_key(MILLIMETRES, "the same, to the right of the target line (towards the toe)", example="1.0 mm")
+    ixx: float = file_key(MOMENT, "inertia about the CG, same axes, at the static loft", example="2843 g cm2")
+    iyy: float = file_key(MOMENT, "about the vertical axis: the MOI the rules limit", example="5679 g cm2")
+    izz: float = file_key(MOMENT, "about the heel-toe axis", example="4085 g cm2")
+    ixy: float = file_key(MOMENT, "element of the tensor (minus the integral of x y dm)", example="-733 g cm2")
+    ixz: float = file_key(MOMENT, "element of the tensor", example="530.2 g cm2")
+    iyz: float = file_key(MOMENT, "element of the tensor", example="0.5 g cm2")
+    loft: float = file_key(Quantity("deg", 0, 75), "static loft, 0 to 75 deg", example="9.8 deg")
+    bulge: float = file_key(RADIUS, 'radius of the face from heel to toe, or "flat"', example="305 mm")
+    roll: float = file_key(RADIUS, 'radius of the face from sole to crown, or "flat"', example="305 mm")
+    face_width: float = file_key(MILLIMETRES, "width of the face, heel to toe", example="105 mm")
+    face_height: float = file_key(MILLIMETRES, "height of the face, along the face", example="55 mm")
+    characteristic_time: float = file_key(
+        Quantity("us"), "of the face, by the rules' pendulum; 0 is rigid", example="250 us", default=None
+    )
+    cor: float | None = file_key(
+        Quantity("1"), "coefficient of restitution at 160 ft/s, in its place", example="0.826", default=None
+    )
+    sources: Mapping[str, str] = file_key(
+        sources_of(lambda: Club), "where each value comes from", default_factory=dict, hash=False
+    )
 
     def __post_init__(self) -> None:
-        set_si(self, CLUB_PROPERTIES)
-        check_name(self.name)
-        check_choice("kind", self.kind, KINDS)
         if not self.parameters:
             object.__setattr__(self, "parameters", "7-iron" if self.kind == "iron" else "driver")
-        check_choice("parameters", self.parameters, FAMILIES)
-        if self.hand not in (1, -1):
-            raise InputError("hand", self.hand, "+1 (right) or -1 (left)")
-        check_text("description", self.description)
-        if not 0.0 <= self.loft <= units.to_si(75.0, "deg"):
-            raise InputError("loft", units.show(self.loft, "deg"), "from 0 to 75 deg")
+        set_si(self)
         self._set_face()
         check_body("club", self.inputs())
         self._warn()
@@ -257,9 +212,7 @@ class Club(Described):
 
     def to_toml(self) -> str:
         """Write the club as TOML text, which :meth:`from_text` reads back exactly."""
-        hand = "right" if self.hand > 0 else "left"
-        texts = {"kind": self.kind, "hand": hand, "parameters": self.parameters}
-        return to_toml(self, CLUB_PROPERTIES, texts, () if self.cor is None else ("characteristic_time",))
+        return to_toml(self, () if self.cor is None else ("characteristic_time",))
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Club:
@@ -272,7 +225,7 @@ class Club(Described):
         for key, module in CLUB_FILES.items():
             if key in document.data:
                 return import_module(module).club_of(document)
-        return from_document(cls, document, cls.properties)
+        return cls.from_document(document)
 
     @classmethod
     def builtin(cls, name: str) -> Club:
@@ -287,14 +240,14 @@ class Club(Described):
             "# A clubhead, described as a right-handed club at its static loft.",
             "# Axes: x to the target, y up, z to the right of the target line (the toe side).",
             "# A value is text with a unit; a bare number is SI (kg, m, kg m2, rad).",
-            f"name = {quoted(name)}",
-            f'kind = "wood"            # {", ".join(KINDS)}',
-            'hand = "right"           # right or left; the numbers stay those of the right-handed club',
-            'parameters = "driver"    # the published parameter sets to use: ' + " or ".join(FAMILIES),
-            'description = ""',
-            "",
         ]
-        return "\n".join(head + template_lines(CLUB_PROPERTIES, ("characteristic_time",)))
+        values = {"name": quoted(name), "hand": '"right"', "parameters": '"driver"', "description": '""',
+                  "characteristic_time": "250 us"}  # fmt: skip
+        return "\n".join(head + template_lines(Club, values))
+
+
+CLUB_PROPERTIES = quantities(Club)
+"""The numbers that describe a club, by field."""
 
 
 def club(which: str | os.PathLike[str] | Club) -> Club:

@@ -148,8 +148,13 @@ def model(name: str) -> Model:
     if name in OWN:
         return OWN[name].MODEL
     if name not in MODULES:
-        raise UnknownNameError("model", name, [*models(), *MODULES, *OWN])
+        raise UnknownNameError("model", name, model_names())
     return further_models()[name]
+
+
+def model_names() -> tuple[str, ...]:
+    """Return the names of all models, those of further backends included."""
+    return (*_registered(), *MODULES, *OWN)
 
 
 def reduced_model(name: str, wanted: str) -> Model:

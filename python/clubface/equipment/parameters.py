@@ -37,8 +37,24 @@ from typing import Any, NamedTuple, Self, TypeVar
 
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
-from clubface.equipment.models import Model, Parameter, model
-from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.equipment.models import Model, Parameter, model, model_names
+from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.schema import (
+    FLAG,
+    TEXT,
+    Choice,
+    Interval,
+    Items,
+    Place,
+    Quantity,
+    Record,
+    Simple,
+    Tables,
+    Value,
+    check_values,
+    decode,
+    file_key,
+)
 from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
 from clubface.support.strict_toml import Document, quoted
@@ -53,11 +69,6 @@ def parsed(value: Any, parameter: Parameter) -> Any:
     return units.parse_values(value, _dimension(parameter), name=parameter.name)
 
 
-def parsed_scalar(value: Any, parameter: Parameter) -> float:
-    """Return a single value in SI."""
-    return units.parse(value, _dimension(parameter), name=parameter.name)
-
-
 def checked(value: Any, parameter: Parameter) -> Any:
     """Return ``value`` as float or float64 array, refused where it is outside the bounds of ``parameter``."""
     value = parsed(value, parameter)
@@ -69,6 +80,25 @@ def checked(value: Any, parameter: Parameter) -> Any:
         allowed = f"from {units.show(parameter.lower, symbol)} to {units.show(parameter.upper, symbol)}"
         raise InputError(parameter.name, units.show(float(outside), symbol), allowed)
     return value
+
+
+@dataclass(frozen=True)
+class ParameterValue(Value):
+    """The kind of a single value of a parameter of a model."""
+
+    parameter: Parameter
+
+    def read(self, given: Any, place: Place) -> float:
+        """Return the value [SI], within its bounds."""
+        return checked(units.parse(given, _dimension(self.parameter), name=self.parameter.name), self.parameter)
+
+    def json(self) -> dict[str, Any]:
+        """Return text or a number."""
+        return Quantity(self.parameter.unit).json()
+
+    def words(self) -> str:
+        """Return the bounds with the unit."""
+        return Quantity(self.parameter.unit, self.parameter.lower, self.parameter.upper).words()
 
 
 Range = Mapping[str, tuple[float, float]]
@@ -110,23 +140,10 @@ RANGES: Mapping[str, Range] = {
 easily, and the small heads among the strikes do so as much as the built-in clubs 30 mm beside the face centre."""
 
 
-OF_THE_RANGE = " of the range"
-"""How an error about one quantity of a range names it."""
-
-
-def checked_range(given: Mapping[str, Any]) -> Range:
-    """Return a range in SI from pairs of values, each text with a unit or an SI number."""
-    found = {}
-    for name, ends in given.items():
-        check_choice("quantity of a range", name, QUANTITIES)
-        if not (isinstance(ends, (list, tuple)) and len(ends) == 2):
-            raise InputError(name + OF_THE_RANGE, ends, "two values, the least and the greatest")
-        dimension = units.unit(QUANTITIES[name].unit).dimension
-        least, most = (units.parse(each, dimension, name=name + OF_THE_RANGE) for each in ends)
-        if not least <= most:
-            raise InputError(name + OF_THE_RANGE, list(ends), "two values, the least first")
-        found[name] = (least, most)
-    return Frozen(found)
+RANGE = Record(
+    {name: Interval(Quantity(each.unit), '["101 mph", "118 mph"]', is_range=False) for name, each in QUANTITIES.items()}
+)
+"""The kind of a table of ranges."""
 
 
 def in_words(of: Range) -> str:
@@ -140,50 +157,52 @@ def ends_in_words(name: str, of: Range) -> str:
     return f"{units.show(least, QUANTITIES[name].unit, 4).split()[0]} to {units.show(most, QUANTITIES[name].unit, 4)}"
 
 
-FILE_KEYS = ("title", "reference", "set")
-TEXTS = ("model", "club", "variant", "source")
-FLAGS = {"default": False, "includes_face": True}
-"""Keys of yes or no, and what is taken where they are left out."""
-SET_KEYS = (*TEXTS, *FLAGS, "characteristic_time", "caveats", "range", "values", "value_caveats")
-
-
-def entries(document: Document) -> list[dict[str, Any]]:
-    """Return the tables [[set]] of a document, whose own keys are checked."""
-    data = document.data
-    document.check_keys(data, FILE_KEYS, ("title", "reference", "set"))
-    document.check_text(data, ("title", "reference"))
-    found = data["set"]
-    if not (isinstance(found, list) and found and all(isinstance(each, dict) for each in found)):
-        raise document.error("there must be at least one [[set]]", "set")
-    return found
-
-
-def check_entry(document: Document, entry: dict[str, Any], index: int) -> Model:
-    """Check the keys and kinds of one [[set]], its numbers not yet; return its model."""
-    document.check_keys(entry, SET_KEYS, ("model", "club", "values"), "set", index)
-    document.check_text(entry, TEXTS, "set", index)
-    caveats = entry.get("caveats", [])
-    if not (isinstance(caveats, list) and all(isinstance(each, str) for each in caveats)):
-        raise document.error("caveats must be a list of texts", "caveats", "set", index)
-    for key, usual in FLAGS.items():
-        if not isinstance(entry.get(key, usual), bool):
-            raise document.error(f"{key} must be true or false", key, "set", index)
-    values, value_caveats, within = entry["values"], entry.get("value_caveats", {}), entry.get("range", {})
-    if not all(isinstance(each, dict) for each in (values, value_caveats, within)):
-        raise document.error("values, value_caveats and range must be tables", "values", "set", index)
-    try:
-        declared = model(entry["model"])
-    except ClubfaceError as error:
-        raise document.wrap(error, "set", index) from error
-    names = [each.name for each in declared.parameters]
-    document.check_keys(values, names, names, "set.values", index)
-    document.check_keys(value_caveats, names, (), "set.value_caveats", index)
-    document.check_text(value_caveats, value_caveats, "set.value_caveats", index)
-    document.check_keys(within, QUANTITIES, (), "set.range", index)
-    return declared
-
-
 FAMILIES = ("driver", "7-iron", "any")
+
+
+class SetTable(Record):
+    """The kind of a table [[set]], whose values are those of its model."""
+
+    def read(self, given: Any, place: Place) -> dict[str, Any]:
+        """Return what the table holds, by key."""
+        found = super().read(given, place)
+        kinds = {each.name: ParameterValue(each) for each in model(found["model"]).parameters}
+        found["values"] = Record(kinds, kinds).read(given["values"], place.key("values"))
+        texts = Record(dict.fromkeys(kinds, TEXT))
+        found["value_caveats"] = texts.read(given.get("value_caveats", {}), place.key("value_caveats"))
+        return found
+
+
+SET = SetTable(
+    {
+        "model": Choice(model_names),
+        "club": Choice(FAMILIES),
+        "variant": TEXT,
+        "source": TEXT,
+        "default": FLAG,
+        "includes_face": FLAG,
+        "characteristic_time": Quantity("us"),
+        "caveats": Items(TEXT),
+        "range": RANGE,
+        "values": Record(Simple()),
+        "value_caveats": Record(TEXT),
+    },
+    required=("model", "club", "values"),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParameterFile:
+    """A file of sets of parameters."""
+
+    title: str = file_key(TEXT, "name of the source")
+    reference: str = file_key(TEXT, "the publication, or where the values are from")
+    set: tuple[Mapping[str, Any], ...] = file_key(Tables(SET, least=1), "the sets, each with its model and club")
+
+    def __post_init__(self) -> None:
+        check_values(self)
+
+
 T = TypeVar("T")
 _TOLD = 5
 """How many names of values are told one by one."""
@@ -251,7 +270,9 @@ class ParameterSet:
         object.__setattr__(self, "values", Frozen(ordered))
         object.__setattr__(self, "value_caveats", Frozen(self.value_caveats))
         object.__setattr__(self, "caveats", tuple(self.caveats))
-        object.__setattr__(self, "range", checked_range(self.range or RANGES.get(self.model, {})))
+        object.__setattr__(
+            self, "range", Frozen(RANGE.read(self.range or RANGES.get(self.model, {}), Place(name="range")))
+        )
         if self.model in MODULES:
             object.__setattr__(self, "includes_face", False)
         object.__setattr__(self, "characteristic_time", self._included())
@@ -408,32 +429,14 @@ def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
 
 def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]:
     """Read all sets of a document; ``name`` (else the title) names them."""
-    found = entries(document)
-    return [_read_set(document, each, index, name or document.data["title"]) for index, each in enumerate(found)]
-
-
-def _read_set(document: Document, entry: dict[str, Any], index: int, name: str) -> ParameterSet:
-    declared = check_entry(document, entry, index)
-    variant = f"/{entry['variant']}" if "variant" in entry else ""
-    try:
-        return ParameterSet(
-            model=entry["model"],
-            club=entry["club"],
-            name=name + variant,
-            values={key: parsed_scalar(value, declared.parameter(key)) for key, value in entry["values"].items()},
-            source=entry.get("source", ""),
-            reference=document.data["reference"],
-            caveats=tuple(entry.get("caveats", [])),
-            value_caveats=entry.get("value_caveats", {}),
-            characteristic_time=entry.get("characteristic_time"),
-            range=entry.get("range", {}),
-            **{key: entry.get(key, usual) for key, usual in FLAGS.items()},
-        )
-    except ClubfaceError as error:
-        at = str(getattr(error, "parameter", ""))
-        names = [each.name for each in declared.parameters]
-        table = "set.values" if at in names else "set.range" if at.endswith(OF_THE_RANGE) else "set"
-        raise document.wrap(error, table, index) from error
+    file = decode(ParameterFile, document)
+    sets = []
+    for index, given in enumerate(file.set):
+        variant = f"/{given['variant']}" if "variant" in given else ""
+        values = {key: each for key, each in given.items() if key != "variant"}
+        with Place(document).key("set").item(index).errors():
+            sets.append(ParameterSet(name=(name or file.title) + variant, reference=file.reference, **values))
+    return sets
 
 
 def _choose(sets: list[ParameterSet], document: Document, model_name: str | None, club: str | None) -> ParameterSet:
@@ -443,4 +446,5 @@ def _choose(sets: list[ParameterSet], document: Document, model_name: str | None
     if len(fitting) == 1:
         return fitting[0]
     held = "; ".join(f"{each.model} for {each.club}" for each in sets)
-    raise document.error(f"{'no' if not fitting else 'more than one'} set fits; the file holds: {held}")
+    message = f"{'no' if not fitting else 'more than one'} set fits; the file holds: {held}"
+    raise FileError(document.path, None, message)

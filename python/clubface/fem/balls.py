@@ -21,24 +21,39 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import (
+    COVER_FRICTION,
     DEFAULT_BALL,
     FOLDER,
-    KEYS,
     Ball as RigidBall,
     Construction,
     ball_names as all_names,
-    check_friction,
-    check_parameters,
-    check_sources,
 )
-from clubface.errors import ClubfaceError, InputError
+from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.materials import Material, Maxwell, laws
-from clubface.support.checks import check_choice, check_count, check_name, check_text, without_warnings
+from clubface.schema import (
+    NAME,
+    TEXT,
+    Choice,
+    Place,
+    Quantity,
+    Record,
+    Simple,
+    Table,
+    Tables,
+    Value,
+    check_values,
+    count,
+    decode,
+    entries,
+    file_key,
+)
+from clubface.support.checks import check_count, check_name, is_count, without_warnings
 from clubface.support.files import builtin_path, is_path, path_of
 from clubface.support.strict_toml import Document
 
-MATERIAL_KEYS = ("law", "youngs", "poisson", "density", "maxwell")
+LAYERS = count(1, 48)
+THICKNESS = Quantity("mm", 0.01, 20)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,51 +81,47 @@ class Piece:
         check_name(self.name)
         if not isinstance(self.material, Material):
             raise InputError(f"material of {self.name}", self.material, "a Material")
-        check_count(f"layers of {self.name}", self.layers, 1, 48)
+        LAYERS.read(self.layers, Place(name="layers", label=self.name))
         if self.thickness is not None:
-            value = units.parse(self.thickness, "length", name=f"thickness of {self.name}")
+            value = THICKNESS.read(self.thickness, Place(name="thickness", label=self.name))
             object.__setattr__(self, "thickness", value)
-            if not 1e-5 <= value <= 0.02:
-                raise InputError(f"thickness of {self.name}", units.show(value, "mm"), "0.01 to 20 mm")
 
 
-def read_piece(document: Document, table: dict[str, Any], number: int, branches: int) -> Piece:
-    """Read one of [[pieces]]; ``branches`` is how many of [[pieces.maxwell]] stand above it."""
-    constants = {name for law in laws().values() for name in law.constants}
-    known = ("name", "layers", "thickness", *MATERIAL_KEYS, *sorted(constants))
-    document.check_keys(table, known, ("name", "law", "layers", "poisson"), "pieces", number)
-    try:
-        check_choice("law", table["law"], laws())
-        common = {"density": table.get("density"), "maxwell": _branches(document, table, branches)}
-        if "youngs" in table:
-            if table["law"] != "linear":
-                raise InputError("youngs", table["youngs"], f"leave it out: {table['law']} has constants of its own")
-            also = [name for name in table if name in constants]
-            if also:
-                raise InputError(also[0], table[also[0]], "leave it out, since youngs is given")
-            material = Material.linear(table["youngs"], table["poisson"], **common)
-        else:
-            given = {name: table[name] for name in table if name in constants}
-            material = Material(law=table["law"], constants=given, poisson=table["poisson"], **common)
-        return Piece(name=table["name"], material=material, layers=table["layers"], thickness=table.get("thickness"))
-    except InputError as error:
-        if " of " not in error.parameter:
-            error.parameter += f" of {table['name']}"
-        raise document.wrap(error, "pieces", number) from error
+class PieceTable(Record):
+    """The kind of a table of [[pieces]], whose constants are those of its law."""
+
+    def read(self, given: Any, place: Place) -> Piece:
+        """Return the piece."""
+        values = super().read(given, place)
+        names = {name for law in laws().values() for name in law.constants}
+        constants = {name: values.pop(name) for name in [*values] if name in names}
+        piece = {name: values.pop(name) for name in ("name", "layers", "thickness") if name in values}
+        if "youngs" not in values:
+            return Piece(material=Material(constants=constants, **values), **piece)
+        law, youngs = values.pop("law"), given["youngs"]
+        if law != "linear":
+            raise place.key("youngs").invalid(youngs, f"leave it out: {law} has constants of its own")
+        for name in constants:
+            raise place.key(name).invalid(given[name], "leave it out, since youngs is given")
+        return Piece(material=Material.linear(**values), **piece)
 
 
-def _branches(document: Document, table: dict[str, Any], above: int) -> tuple[Maxwell, ...]:
-    tables = table.get("maxwell", [])
-    if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
-        raise InputError("maxwell", tables, "tables, each under [[pieces.maxwell]]")
-    found = []
-    for number, each in enumerate(tables, above):
-        document.check_keys(each, ("modulus", "time"), ("modulus", "time"), "pieces.maxwell", number)
-        try:
-            found.append(Maxwell(**each))
-        except InputError as error:
-            raise document.wrap(error, "pieces.maxwell", number) from error
-    return tuple(found)
+def _piece_keys() -> dict[str, Value]:
+    """Return the keys of [[pieces]]."""
+    constants = {name: each for law in laws().values() for name, each in law.constants.items()}
+    own = {
+        "name": NAME,
+        "layers": LAYERS,
+        "thickness": THICKNESS,
+        "law": Choice(lambda: tuple(laws())),
+        "youngs": Quantity("MPa"),
+    }
+    more = {"poisson": Quantity("1"), "density": Quantity("kg/m3"), "maxwell": Tables(Table(Maxwell))}
+    return own | more | {name: Quantity(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
+
+
+PIECE = PieceTable(_piece_keys, required=("name", "law", "layers", "poisson"))
+"""The kind of one of [[pieces]]."""
 
 
 FRICTION = 0.35
@@ -124,56 +135,33 @@ ELEMENTS = ("one-point", "full")
 class Ball:
     """A ball for finite elements, in SI units.
 
-    Attributes
-    ----------
-    name
-        Its name in tables.
-    diameter
-        Diameter [m].
-    pieces
-        The pieces, from the core outwards.
-    mass
-        Mass [kg]; the core takes the density that gives it. With None the core keeps the density of its material.
-    element
-        "one-point" (with hourglass control) or "full" (eight integration points, one pressure).
-    cube
-        Number of elements along an edge of the cube inside the core, even. The sphere has 6 cube^2 elements around it.
-    description
-        One sentence, or more if the ball was fitted to something.
-    friction
-        Coefficient of friction between cover and face, where none is given to a run.
+    The core takes the density that gives the ball its mass; with None it keeps the density of its material. Elements
+    are "one-point" (with hourglass control) or "full" (eight integration points, one pressure).
     """
 
-    name: str
-    diameter: float
-    pieces: tuple[Piece, ...]
-    mass: float | None = None
-    cube: int = 12
-    element: str = "one-point"
-    description: str = ""
-    friction: float = FRICTION
+    name: str = file_key(NAME, "its name in tables")
+    description: str = file_key(TEXT, "one sentence, or more if the ball was fitted to something", default="")
+    diameter: float = file_key(Quantity("mm", 10, 200), "diameter", multiples={"radius": 2.0}, example="42.67 mm")
+    mass: float | None = file_key(Quantity("g", 1, 1000), "mass, which sets the density of the core", default=None)
+    cube: int = file_key(
+        Simple("an even whole number from 2 to 96, so that a node stands where ball and face first touch",
+               lambda value: is_count(value, 2, 96) and value % 2 == 0, {"type": "integer", "multipleOf": 2}),
+        "elements along an edge of the cube inside the core; the sphere has 6 cube^2 elements around it", default=12,
+    )  # fmt: skip
+    element: str = file_key(Choice(ELEMENTS), "kind of the elements", default="one-point")
+    friction: float = file_key(COVER_FRICTION, "between cover and face, where none is given to a run", default=FRICTION)
+    pieces: tuple[Piece, ...] = file_key(
+        Tables(PIECE, least=1, most=MAX_PIECES), "core and layers, from the inside out"
+    )
 
     def __post_init__(self) -> None:
-        check_name(self.name)
-        check_text("description", self.description)
-        object.__setattr__(self, "friction", friction_value(self.friction))
-        object.__setattr__(self, "diameter", units.parse(self.diameter, "length", name="diameter"))
         if isinstance(self.pieces, str) or not all(isinstance(piece, Piece) for piece in self.pieces):
             raise InputError("pieces", self.pieces, "Pieces, from the inside out")
         object.__setattr__(self, "pieces", tuple(self.pieces))
+        check_values(self)
         names = [piece.name for piece in self.pieces]
         if len(set(names)) < len(names):
             raise InputError("pieces", names, "each with a name of its own")
-        if not 0.01 <= self.diameter <= 0.2:
-            raise InputError("diameter", units.show(self.diameter, "mm"), "10 to 200 mm")
-        if self.mass is not None:
-            object.__setattr__(self, "mass", units.parse(self.mass, "mass", name="mass"))
-            if not 1e-3 <= self.mass <= 1.0:
-                raise InputError("mass", units.show(self.mass, "g"), "1 to 1000 g")
-        check_count("cube", self.cube, 1, 96)
-        check_choice("element", self.element, ELEMENTS)
-        if self.cube % 2:
-            raise InputError("cube", self.cube, "even, so that a node stands where ball and face first touch")
         if not 1 <= len(self.pieces) <= MAX_PIECES:
             raise InputError("pieces", len(self.pieces), f"1 to {MAX_PIECES}")
         core, *around = self.pieces
@@ -280,9 +268,7 @@ class Ball:
 
 def friction_value(value: Any) -> float:
     """Return a coefficient of friction, checked."""
-    mu = units.parse(value, units.DIMENSIONLESS, name="friction")
-    check_friction(mu)
-    return mu
+    return COVER_FRICTION.read(value, Place(name="friction"))
 
 
 def ball_names() -> tuple[str, ...]:
@@ -330,27 +316,9 @@ def _no_pieces(name: object) -> InputError:
 
 def from_document(document: Document) -> Ball:
     """Read the ball a TOML document describes."""
-    data = dict(document.data)
-    size = "radius" if "radius" in data else "diameter"
-    document.check_keys(data, KEYS, ("name", size, "pieces"))
-    document.check_text(data, ("name", "description"))
-    tables = data.pop("pieces")
     # These are of the other models; the inertia here is that of the pieces.
-    check_parameters(document)
-    check_sources(document)
-    data = {key: value for key, value in data.items() if key not in ("inertia", "parameters", "sources")}
-    if not (isinstance(tables, list) and all(isinstance(each, dict) for each in tables)):
-        raise document.error("pieces must be tables, each under [[pieces]]", "pieces")
-    pieces, branches = [], 0
-    for number, table in enumerate(tables):
-        pieces.append(read_piece(document, table, number, branches))
-        branches += len(pieces[-1].material.maxwell)
-    try:
-        if size == "radius":
-            data["diameter"] = 2.0 * units.parse(data.pop("radius"), "length", name="radius")
-        return Ball(pieces=tuple(pieces), **data)
-    except ClubfaceError as error:
-        raise document.wrap(error) from error
+    others = {name: entries(RigidBall)[name].value for name in ("inertia", "parameters", "sources")}
+    return decode(Ball, document, others=others)
 
 
 def node_masses(mesh: Mapping[str, Any]) -> NDArray[Any]:

@@ -3,31 +3,29 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
+from clubface.equipment.balls import COVER_FRICTION
 from clubface.equipment.clubs import Club, club
-from clubface.errors import ClubfaceError, FileError, InputError, RangeWarning, UnknownNameError
+from clubface.errors import InputError, RangeWarning
 from clubface.fem.balls import Ball, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import friction_of, strike, throw, throw_values
 from clubface.fem.settings import Settings
+from clubface.schema import NAME, TEXT, Choice, Place, Quantity, Record, Reference, Table, Unread, decode, file_key
 from clubface.simulation.impact import impact
-from clubface.simulation.inputs import DIMENSIONS
+from clubface.simulation.inputs import DELIVERY_QUANTITIES, DIMENSIONS
 from clubface.support.checks import check_choice, check_name, check_names, check_text, without_warnings
-from clubface.support.files import builtin_names, is_path, path_of
+from clubface.support.files import builtin_names, path_of
 from clubface.support.strict_toml import Document
 
-T = TypeVar("T")
 FOLDER = "fem_cases"
 PLANE, RIGID, MESHED = "plane", "rigid", "meshed"
 HEADS = (PLANE, RIGID, MESHED)
-KEYS = ("name", "description", "ball", "friction", "head", "delivery", "run")
-HEAD_KEYS = ("kind", "club", "meshed")
 PLANE_KEYS = ("speed", "angle")
 
 
@@ -111,7 +109,7 @@ class Case:
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Case:
         """Read a case from a TOML file; balls and clubs that it names by path are looked for beside it."""
-        return from_document(Document.read(path), Path(os.fspath(path)).parent)
+        return from_document(Document.read(path))
 
 
 def delivery_keys(head: str) -> tuple[str, ...]:
@@ -131,69 +129,52 @@ def case(which: str | os.PathLike[str] | Case) -> Case:
     return Case.from_toml(path_of("case of finite elements", which, FOLDER))
 
 
-def from_document(document: Document, folder: Path) -> Case:
+class HeadOfCase(Record):
+    """The kind of the table [head] of a case, read as kind and club."""
+
+    def read(self, given: Any, place: Place) -> tuple[str, Club | MeshedHead | None]:
+        """Return the kind, and the club or the meshed head that the case names."""
+        values = super().read(given, place)
+        kind, key = values["kind"], "meshed" if "meshed" in values else "club"
+        with (at := place.key(key)).errors():
+            if key == "club":
+                read = Reference(head if kind == MESHED else club).read
+                return kind, read(values["club"], at) if "club" in values else None
+            if kind != RIGID:
+                allowed = f'leave it out of a head of kind {kind}, or set kind = "{RIGID}"'
+                raise InputError("meshed", values["meshed"], allowed)
+            if "club" in values:
+                raise InputError("meshed", values["meshed"], "left out: give club or meshed, not both")
+            return kind, Reference(head).read(values["meshed"], at).club
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseFile:
+    """A file of a case."""
+
+    name: str = file_key(NAME, "its name in tables")
+    description: str = file_key(TEXT, "one sentence", default="")
+    ball: Ball = file_key(Reference(ball), "the ball, made of pieces")
+    friction: Any = file_key(Unread(COVER_FRICTION), "Coulomb friction; that of the ball unless given", default=None)
+    head: tuple[str, Any] = file_key(
+        HeadOfCase({"kind": Choice(HEADS, "kind of head"), "club": TEXT, "meshed": TEXT}, ("kind",)),
+        'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one',
+    )
+    delivery: Mapping[str, Any] = file_key(
+        Record(
+            {key: Unread(each) for key, each in (DELIVERY_QUANTITIES | {"angle": Quantity("deg")}).items()}, ("speed",)
+        ),
+        "delivery of the head; for a plane `speed` and `angle` of the ball",
+    )
+    run: Settings = file_key(Table(Settings), "how to run the case", default_factory=Settings)
+
+
+def from_document(document: Document) -> Case:
     """Read the case a TOML document describes."""
-    data = dict(document.data)
-    document.check_keys(data, KEYS, ("name", "ball", "head", "delivery"))
-    document.check_text(data, ("name", "description", "ball"))
-    tables = {key: data.get(key, {}) for key in ("head", "delivery", "run")}
-    for key, table in tables.items():
-        if not isinstance(table, dict):
-            raise document.error(f"{key} must be a table: [{key}]", key)
-    document.check_keys(tables["head"], HEAD_KEYS, ("kind",), "head")
-    document.check_text(tables["head"], HEAD_KEYS, "head")
-    document.check_keys(tables["run"], tuple(Settings.__dataclass_fields__), (), "run")
-    kind = tables["head"]["kind"]
-    if kind not in HEADS:
-        raise document.error(str(UnknownNameError("kind of head", kind, HEADS)), "kind", "head")
-    document.check_keys(tables["delivery"], delivery_keys(kind), ("speed",), "delivery")
-    try:
-        settings = Settings(**tables["run"])
-    except ClubfaceError as error:
-        raise document.wrap(error, "run") from error
-    try:
+    file = decode(CaseFile, document)
+    kind, chosen = file.head
+    with Place(document).errors():
         return Case(
-            name=data["name"],
-            description=data.get("description", ""),
-            ball=_read(document, ball, data["ball"], folder, "ball", ""),
-            head=kind,
-            club=_head(document, tables["head"], folder),
-            delivery=tables["delivery"],
-            friction=data.get("friction"),
-            settings=settings,
-        )
-    except FileError:
-        raise
-    except InputError as error:
-        table = {"friction": "", "name": "", "description": "", "club": "head"}.get(error.parameter, "delivery")
-        raise document.wrap(error, table) from error
-
-
-def _head(document: Document, table: Mapping[str, Any], folder: Path) -> Club | MeshedHead | None:
-    """Read the club or the meshed head that a case names."""
-    if "meshed" not in table:
-        return _read(document, head if table["kind"] == MESHED else club, table.get("club"), folder, "club", "head")
-    if table["kind"] != RIGID:
-        told = f'a head of kind {table["kind"]} has no meshed; leave it out, or set kind = "{RIGID}"'
-        raise document.error(told, "meshed", "head")
-    if "club" in table:
-        raise document.error("give club or meshed, not both", "meshed", "head")
-    return _read(document, head, table["meshed"], folder, "meshed", "head").club
-
-
-def _read(document: Document, reader: Callable[[str], T], name: str | None, folder: Path, key: str, table: str) -> Any:
-    """Read the ball or club that a case names; files are looked for beside it."""
-    if name is None:
-        return None
-    try:
-        return reader(_beside(name, folder))
-    except FileError as error:
-        if error.line is not None:
-            raise
-        raise document.error(str(error), key, table) from error
-    except ClubfaceError as error:
-        raise document.error(str(error), key, table) from error
-
-
-def _beside(name: str, folder: Path) -> str:
-    return str(folder / name) if is_path(name) else name
+            name=file.name, description=file.description, ball=file.ball, head=kind, club=chosen,
+            delivery=file.delivery, friction=file.friction, settings=file.run,
+        )  # fmt: skip

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import InputError
 from clubface.fem import core
+from clubface.schema import Quantity, check_values, file_key
 from clubface.support.checks import Frozen, check_choice, check_names
 
 
@@ -78,26 +79,18 @@ def laws() -> Mapping[str, Law]:
 
 @dataclass(frozen=True)
 class Maxwell:
-    """One viscoelastic branch beside the elastic law.
+    """One viscoelastic branch beside the elastic law."""
 
-    Attributes
-    ----------
-    modulus
-        Its shear modulus divided by that of the elastic law.
-    time
-        The time in which its stress falls to 1/e [s], or text with a unit.
-    """
-
-    modulus: float
-    time: float
+    modulus: float = file_key(
+        Quantity("1", above=0, upper=1e3, allowed="above 0 and at most 1000 times that of the elastic law"),
+        "its shear modulus divided by that of the elastic law",
+    )
+    time: float = file_key(
+        Quantity("us", 0.1, 1e9, allowed="0.1 us to 1000 s"), "in which its stress falls to 1/e", example="100 us"
+    )
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "modulus", units.parse(self.modulus, units.DIMENSIONLESS, name="modulus"))
-        object.__setattr__(self, "time", units.parse(self.time, "time", name="time"))
-        if not 0.0 < self.modulus <= 1e3:
-            raise InputError("modulus", self.modulus, "above 0 and at most 1000 times that of the elastic law")
-        if not 1e-7 <= self.time <= 1e3:
-            raise InputError("time", units.show(self.time, "us"), "0.1 us to 1000 s")
+        check_values(self)
 
 
 MAX_BRANCHES = 4

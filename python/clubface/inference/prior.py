@@ -31,11 +31,12 @@ import numpy as np
 from clubface import units
 from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import ClubfaceError, InputError, UnknownNameError
+from clubface.errors import InputError, UnknownNameError
 from clubface.quantities import display_unit
+from clubface.schema import TEXT, Items, Place, Record, Table, Tables, decode, file_key
 from clubface.shots.club_names import club_kind
 from clubface.shots.measured import QUANTITIES
-from clubface.simulation.inputs import OF_CLUB
+from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 from clubface.support.files import is_path
@@ -54,6 +55,23 @@ TOUR = "pga-2019"
 """The averages of the prior "tour", the latest with which dynamic lofts are published."""
 SLOWER = 0.87
 """Mean speed of the prior "wide" relative to that of the tour; assumed."""
+
+
+_EXAMPLE = 'a mean and a standard deviation, as in ["1 deg", "2 deg"]'
+
+
+@dataclass(frozen=True, kw_only=True)
+class PriorFile:
+    """A file of a prior."""
+
+    title: str = file_key(TEXT, "its name in reports")
+    spread: Mapping[str, tuple[float, float]] = file_key(
+        Record({name: Items(DELIVERY_QUANTITIES[name], 2, 2, _EXAMPLE) for name in OF_CLUB}, ("speed",)),
+        "mean and standard deviation of what is uncertain",
+    )
+    correlation: tuple[Correlation, ...] = file_key(
+        Tables(Table(Correlation)), "correlations of pairs; all others are independent", default=()
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -127,31 +145,14 @@ class Prior:
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
         """Read a prior from a TOML file."""
         document = Document.read(path)
-        data = document.data
-        document.check_keys(data, ("title", "spread", "correlation"), ("title", "spread"))
-        document.check_text(data, ("title",))
-        if not isinstance(data["spread"], dict):
-            raise document.error("[spread] must be a table", "spread")
-        document.check_keys(data["spread"], OF_CLUB, ("speed",), "spread")
-        found: dict[str, tuple[float, float]] = {}
-        for name, given in data["spread"].items():
-            if not (isinstance(given, list) and len(given) == 2):
-                raise document.error(
-                    f'{name} must be a mean and a standard deviation: ["1 deg", "2 deg"]', name, "spread"
-                )
-            try:
-                found[name] = (units.parse(given[0], OF_CLUB[name]), units.parse(given[1], OF_CLUB[name]))
-            except ClubfaceError as error:
-                raise document.error(f"{name}: {error}", name, "spread") from None
-        try:
+        file = decode(PriorFile, document)
+        with Place(document).errors():
             return cls(
-                name=data["title"],
-                mean={name: each[0] for name, each in found.items()},
-                deviation={name: each[1] for name, each in found.items()},
-                correlations=_pairs_in(document),
+                name=file.title,
+                mean={name: each[0] for name, each in file.spread.items()},
+                deviation={name: each[1] for name, each in file.spread.items()},
+                correlations={each.of: each.value for each in file.correlation},
             )
-        except InputError as error:
-            raise document.error(str(error), error.parameter, "spread") from None
 
 
 def prior_of(given: Prior | str | os.PathLike[str] | None, head: Club) -> Prior:
@@ -258,21 +259,6 @@ def wide(head: Club) -> Prior:
         deviation={name: units.parse(WIDE[name], OF_CLUB[name]) for name in base.mean},
         correlations=base.correlations,
     )
-
-
-def _pairs_in(document: Document) -> dict[tuple[str, str], float]:
-    entries: Any = document.data.get("correlation", [])
-    found = {}
-    for index, entry in enumerate(entries if isinstance(entries, list) else [entries]):
-        if not (isinstance(entry, dict) and set(entry) == {"of", "value"}):
-            raise document.error(
-                '[[correlation]] holds of = ["loft", "attack"] and value = 0.4', "of", "correlation", index
-            )
-        pair, value = entry["of"], entry["value"]
-        if not (isinstance(pair, list) and len(pair) == 2 and isinstance(value, (int, float))):
-            raise document.error("a correlation is of two quantities and has a number", "of", "correlation", index)
-        found[str(pair[0]), str(pair[1])] = float(value)
-    return found
 
 
 DRAWS = 4000

@@ -26,6 +26,7 @@ from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, Told, UnknownNameError
+from clubface.schema import Choice, Items, Quantity, file_key
 from clubface.simulation.results import input_columns, input_dimensions, inputs
 from clubface.support.checks import check_choice, check_names, whole
 from clubface.support.files import is_path
@@ -113,6 +114,20 @@ DIMENSIONS = {
     **OF_CLUB, "ball_backspin": "angular rate", "ball_sidespin": "angular rate", "ball_riflespin": "angular rate",
 }  # fmt: skip
 """The dimension of each value of a delivery, in the order of the core."""
+UNITS = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
+"""The unit in which each dimension of a delivery is read and written."""
+DELIVERY_QUANTITIES = {name: Quantity(UNITS[dimension]) for name, dimension in DIMENSIONS.items()}
+"""The kind of each value of a delivery in a file."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Correlation:
+    """A correlation between two values of a delivery."""
+
+    of: tuple[str, str] = file_key(
+        Items(Choice(tuple(OF_CLUB)), 2, 2, 'two values of a delivery, as in ["loft", "attack"]'), "the two values"
+    )
+    value: float = file_key(Quantity("1", above=-1, below=1, allowed="a number between -1 and 1"), "the correlation")
 
 
 _LOFT, _HAND = "loft", "hand"

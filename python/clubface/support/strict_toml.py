@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterable
+from functools import cached_property
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, UnknownNameError, legible
@@ -94,6 +95,34 @@ class Document:
             if whole.startswith(f"{table}." if table else "") and f".{whole}".replace(".", "_").endswith(f"_{key}"):
                 return number
         return None
+
+    @cached_property
+    def _line_by_path(self) -> dict[tuple[str | int, ...], int]:
+        from clubface.schema.lines import lines_of
+
+        return lines_of(self._text)
+
+    def line_of(self, path: tuple[str | int, ...]) -> int | None:
+        """Return the line (from 1) of the value at a path of keys and indices, or of the nearest table around it."""
+        for length in range(len(path), 0, -1):
+            if path[:length] in self._line_by_path:
+                return self._line_by_path[path[:length]]
+        return None
+
+    def line_like(self, key: str, path: tuple[str | int, ...] = ()) -> int | None:
+        """Return the line of a key at or below a path, whose names may be joined by points or low lines.
+
+        ``shape.loft`` and ``shape_loft`` are ``loft`` in ``[shape]``, and so is ``loft`` alone. Without such a key it
+        is the line of the path.
+        """
+        ending = "_" + key.replace(".", "_")
+        lines: list[tuple[int, int]] = []
+        for each, line in self._line_by_path.items():
+            if each[: len(path)] == path and each:
+                joined = "_" + "_".join(part for part in each if isinstance(part, str)).replace(".", "_")
+                if joined.endswith(ending):
+                    lines.append((len(each), line))
+        return min(lines)[1] if lines else self.line_of(path)
 
     def error(self, message: str, key: str | None = None, table: str = "", occurrence: int = 0) -> FileError:
         """Make a :class:`FileError` at the line of ``key``."""

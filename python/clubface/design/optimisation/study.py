@@ -35,7 +35,6 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -61,14 +60,32 @@ from clubface.design.optimisation.solve import Limit, Problem
 from clubface.design.optimisation.variables import Variables, check_bounds
 from clubface.design.rules import check_rules, rules_of
 from clubface.design.strokes import Hole
-from clubface.equipment.balls import ball as ball_of
+from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.errors import InputError, Told
+from clubface.errors import FileError, InputError, Told
 from clubface.fem.heads.meshed import mesh_of
+from clubface.schema import (
+    FLAG,
+    NAME,
+    TEXT,
+    Choice,
+    Either,
+    Interval,
+    Items,
+    Place,
+    Quantity,
+    Record,
+    Reference,
+    Simple,
+    Table,
+    Tables,
+    Value,
+    count,
+    decode,
+    file_key,
+)
 from clubface.simulation.flight import check_conditions
-from clubface.support.checks import check_choice, check_count, check_names
-from clubface.support.files import beside
 from clubface.support.strict_toml import Document
 
 if TYPE_CHECKING:
@@ -293,14 +310,164 @@ def golfers_of(given: Any) -> tuple[tuple[Golfer, float], ...]:
     return tuple((golfer_of(each["name"]), float(each.get("weight", 1.0))) for each in given)
 
 
-OPEN = "none"
-"""The word for a limit that is not there."""
 COUNTS = {"shots": (1, MOST_SHOTS), "seed": (0, 2**31), "starts": (1, 1000), "points": (3, 200)}
 """Least and greatest value of what is counted."""
 JUDGED = {**{name: each.dimension for name, each in OBJECTIVES.items()}, "strokes": units.DIMENSIONLESS}
-_COMMON = ("title", "golfer", "objective", "model", "shots", "seed", "hole", "air", "wind", "ground")
-_STUDY = (*_COMMON, "club", "ball", "starts", "points", "variables", "head", "limits", "rules", "mass")
-_FIT = (*_COMMON, "fit")
+POSITIVE = ("mass", "bulge", "roll", "ixx", "iyy", "izz")
+"""Fields that are above 0."""
+NO_LIMITS = (-math.inf, math.inf)
+
+
+def _bounds(name: str) -> Interval:
+    """Return the kind of the least and the greatest value of a field that changes."""
+    return Interval(Quantity(UNITS[name], above=0 if name in POSITIVE else None))
+
+
+def _limit_kinds() -> dict[str, Value]:
+    judged = {name: OBJECTIVES[name].unit if name in OBJECTIVES else "1" for name in JUDGED}
+    kinds = {name: UNITS[name] for name in FREE} | judged
+    return {name: Interval(Quantity(unit), no_limits=NO_LIMITS) for name, unit in kinds.items()}
+
+
+VARIABLES = Record({**{name: _bounds(name) for name in FREE}, DISTRIBUTION: Choice(("free",))})
+LIMITS = Record(_limit_kinds())
+NAMED_GOLFERS = Either(
+    {
+        str: Reference(str),
+        list: Tables(Record({"name": Reference(str), "weight": Quantity("1", above=0)}, ("name",)), least=1),
+    },
+    "a name, a file, or tables [[golfer]] with name and weight",
+)
+VECTOR = Items(Quantity("mm"), 3, 3, 'three lengths, as in ["115 mm", "62 mm", "124 mm"]')
+RULES = Record({"conform": FLAG, "tolerance": FLAG})
+SETTING = Record({"name": NAME, **{name: Quantity(UNITS[name]) for name in SETTINGS}}, ("name",))
+_NAMES = "a list of names or files"
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeadTable:
+    """What the head may be, seen from the face centre."""
+
+    shape: str = file_key(Choice(SHAPES), "form of the room for mass", default="box")
+    size: tuple[float, float, float] = file_key(VECTOR, "face to back, sole to crown, heel to toe")
+    centre: tuple[float, float, float] = file_key(VECTOR, "its middle: towards the target, up, towards the toe")
+    volume: float | None = file_key(Quantity("cm3", above=0), "as the rules measure it", default=None)
+    discretionary_mass: float = file_key(
+        Quantity("kg", above=0, below=1, allowed="between 0 and 1 kg"), "the most mass that may be placed freely"
+    )
+    shell: Mapping[str, float] | None = file_key(
+        Record({name: Quantity(UNITS[name]) for name in MASS_PROPERTIES}, MASS_PROPERTIES),
+        "mass properties of what cannot be moved; the club made lighter evenly unless given", default=None,
+    )  # fmt: skip
+
+    def head(self) -> Head:
+        """Return the head."""
+        volume = Volume(shape=self.shape, centre=self.centre, size=self.size)
+        shell = None if self.shell is None else tuple(self.shell.values())
+        return Head(volume=volume, discretionary=self.discretionary_mass, displaced=self.volume, shell=shell)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FitTable:
+    """The parts that a fitting chooses among."""
+
+    clubs: tuple[Club, ...] = file_key(Items(Reference(club_of), 1, allowed=_NAMES), "heads")
+    balls: tuple[Ball | None, ...] = file_key(Items(Reference(ball_of), 1, allowed=_NAMES), "balls", default=(None,))
+    setting: tuple[Mapping[str, Any], ...] = file_key(
+        Tables(SETTING), "settings of the hosel or of weights: a name and the changes that it makes", default=()
+    )
+    loft: tuple[float, float] | None = file_key(_bounds("loft"), "least and greatest change of loft", default=None)
+    lie: tuple[float, float] | None = file_key(_bounds("lie"), "least and greatest change of lie", default=None)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CommonFile:
+    """What the files of studies and fittings share."""
+
+    title: str = file_key(TEXT, "its name in reports")
+    golfer: Any = file_key(NAMED_GOLFERS, "who plays: a name, a file, or tables [[golfer]] with name and weight")
+    model: str = file_key(TEXT, "the model of impact, one with derivatives", default=DEFAULT_MODEL)
+    shots: int = file_key(count(*COUNTS["shots"]), "shots of a golfer", default=10_000)
+    seed: int = file_key(count(*COUNTS["seed"]), "of the shots and of the starts", default=1)
+    hole: Hole | None = file_key(Table(Hole), "for the objective `strokes`", default=None)
+    air: Any = file_key(Record(Simple()), "conditions of the flight", default=None)
+    wind: Any = file_key(Simple(), "conditions of the flight", default=None)
+    ground: Any = file_key(Simple(), "conditions of the flight", default=None)
+
+    def common(self, **setting: Any) -> dict[str, Any]:
+        """Return the arguments that studies and fittings share."""
+        reduced_model(self.model, "one with derivatives")
+        flown = {"air": self.air, "wind": self.wind, "ground": self.ground}
+        check_conditions(**flown)
+        return {
+            "title": self.title, "golfers": golfers_of(self.golfer), "shots": self.shots, "seed": self.seed,
+            "hole": self.hole, "setting": Setting(model=self.model, **setting, **flown),
+        }  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudyFile(CommonFile):
+    """A file of an optimisation."""
+
+    objective: tuple[str, ...] = file_key(
+        Either(
+            {str: Choice(tuple(JUDGED)), list: Items(Choice(tuple(JUDGED)), 1, 2)},
+            "one objective, or a list of two different ones",
+        ),
+        "what is best: one, or two for the front between both",
+    )
+    club: Club = file_key(Reference(club_of), "the club to start from")
+    ball: Ball | None = file_key(Reference(ball_of), "the ball", default=None)
+    starts: int = file_key(count(*COUNTS["starts"]), "starts of the solver", default=8)
+    points: int | None = file_key(count(*COUNTS["points"]), "points of a front between two objectives", default=None)
+    variables: Mapping[str, Any] = file_key(VARIABLES, 'what changes, within bounds; `mass_distribution = "free"`')
+    head: HeadTable | None = file_key(Table(HeadTable), "what the head may be", default=None)
+    limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "of fields and of results", default_factory=dict)
+    rules: Mapping[str, bool] = file_key(RULES, "whether the rules are limits, with tolerances", default_factory=dict)
+    mass: Mapping[str, float] = file_key(
+        Record({"speed_exponent": Quantity("1", 0, 1, allowed="a number from 0 to 1")}),
+        "speed falls as mass to the power `speed_exponent`", default_factory=dict,
+    )  # fmt: skip
+
+    def study(self) -> DesignStudy:
+        """Return the study."""
+        objectives = (self.objective,) if isinstance(self.objective, str) else self.objective
+        if len(set(objectives)) < len(objectives):
+            raise InputError("objective", list(objectives), "one objective, or a list of two different ones")
+        if len(objectives) == 1 and self.points is not None:
+            raise InputError("points", self.points, "leave it out; it is for the front between two objectives")
+        bounds = {name: each for name, each in self.variables.items() if name != DISTRIBUTION}
+        distributed = DISTRIBUTION in self.variables
+        own = [name for name in bounds if distributed and name in MASS_PROPERTIES and name != "mass"]
+        if own:
+            raise InputError(
+                f"variables.{own[0]}", list(bounds[own[0]]), f"under [limits], since {DISTRIBUTION} is free"
+            )
+        exponent = self.mass.get("speed_exponent", SPEED_EXPONENT)
+        points = {} if self.points is None else {"points": self.points}
+        return DesignStudy(
+            **self.common(ball=self.ball, speed_exponent=exponent), club=self.club, objectives=objectives,
+            bounds=bounds, distributed=distributed, head=None if self.head is None else self.head.head(),
+            limits=self.limits, starts=self.starts, **points, **self.rules,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class FittingFile(CommonFile):
+    """A file of a fitting."""
+
+    objective: str = file_key(Choice(tuple(JUDGED)), "what is best")
+    fit: FitTable = file_key(Table(FitTable), "the parts to choose among")
+
+    def fitting(self) -> Fitting:
+        """Return the fitting."""
+        settings = {each["name"]: {name: value for name, value in each.items() if name != "name"}
+                    for each in self.fit.setting}  # fmt: skip
+        bounds = {name: each for name in ("loft", "lie") if (each := getattr(self.fit, name)) is not None}
+        return Fitting(
+            **self.common(speed_exponent=SPEED_EXPONENT), objective=self.objective, clubs=self.fit.clubs,
+            balls=self.fit.balls, settings=settings, bounds=bounds,
+        )  # fmt: skip
 
 
 OTHERS = {
@@ -313,7 +480,7 @@ OTHERS = {
 
 def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
     """Read a study, or a fitting if the file has a table ``[fit]``; files that it names are looked for beside it."""
-    return from_document(Document.read(path), Path(path).parent)
+    return from_document(Document.read(path))
 
 
 def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
@@ -338,192 +505,16 @@ def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
 
 def from_text(text: str) -> DesignStudy | Fitting:
     """Read the same from text; files that it names are looked for in the current folder."""
-    return from_document(Document(text), Path())
+    return from_document(Document(text))
 
 
-def from_document(document: Document, folder: Path) -> DesignStudy | Fitting:
-    """Read the same from a document, whose files are looked for in a folder."""
-    data = document.data
+def from_document(document: Document) -> DesignStudy | Fitting:
+    """Read the same from a document."""
+    place = Place(document)
     for key, (what, advice) in OTHERS.items():
-        if key in data:
-            raise document.error(f"this is {what}; {advice}", key)
-    fits = "fit" in data
-    required = ("title", "golfer", "objective", *(() if fits else ("club", "variables")))
-    document.check_keys(data, _FIT if fits else _STUDY, required)
-    document.check_text(data, ("title", "club", "ball", "model"))
-    for name in ("hole", "air", "variables", "head", "limits", "rules", "mass", "fit"):
-        if name in data and not isinstance(data[name], dict):
-            raise document.error(f"{name} must be a table", name)
-    try:
-        common = _common(document, folder)
-        return _fitting(document, common, folder) if fits else _study(document, common, folder)
-    except InputError as error:
-        raise document.wrap(error) from error
-
-
-def _common(document: Document, folder: Path) -> dict[str, Any]:
-    data = document.data
-    found: dict[str, Any] = {"title": data["title"], "golfers": golfers_of(_golfers(document, folder))}
-    if "hole" in data:
-        document.check_keys(data["hole"], tuple(Hole.__dataclass_fields__), ("length",), "hole")
-        found["hole"] = Hole(**data["hole"])
-    for name, limits in COUNTS.items():
-        if name in data:
-            found[name] = check_count(name, data[name], *limits)
-    model = data.get("model", DEFAULT_MODEL)
-    reduced_model(model, "one with derivatives")
-    flown: dict[str, Any] = {name: data.get(name) for name in ("air", "wind", "ground")}
-    check_conditions(**flown)
-    mass = data.get("mass", {})
-    document.check_keys(mass, ("speed_exponent",), (), "mass")
-    exponent = mass.get("speed_exponent", SPEED_EXPONENT)
-    if isinstance(exponent, bool) or not isinstance(exponent, int | float) or not 0.0 <= exponent <= 1.0:
-        raise InputError("mass.speed_exponent", exponent, "a number from 0 to 1")
-    ball = ball_of(beside(data["ball"], folder)) if "ball" in data else None
-    found["setting"] = Setting(model=model, ball=ball, speed_exponent=float(exponent), **flown)
-    return found
-
-
-def _golfers(document: Document, folder: Path) -> Any:
-    given = document.data["golfer"]
-    if isinstance(given, str):
-        return beside(given, folder)
-    if not (isinstance(given, list) and given and all(isinstance(each, dict) for each in given)):
-        raise document.error("golfer must be a name, a file, or tables [[golfer]] with name and weight", "golfer")
-    for place, each in enumerate(given):
-        document.check_keys(each, ("name", "weight"), ("name",), "golfer", place)
-        document.check_text(each, ("name",), "golfer", place)
-        weight = each.get("weight", 1.0)
-        if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0.0 < weight < math.inf:
-            raise document.error(f"weight must be a positive number, not {weight!r:.40}", "weight", "golfer", place)
-    return [{**each, "name": beside(each["name"], folder)} for each in given]
-
-
-def _study(document: Document, common: dict[str, Any], folder: Path) -> DesignStudy:
-    data = document.data
-    given = data["objective"]
-    objectives = tuple(given) if isinstance(given, list) else (given,)
-    if not 1 <= len(objectives) <= 2 or len(set(map(str, objectives))) < len(objectives):
-        raise InputError("objective", given, "one objective, or a list of two different ones")
-    for name in objectives:
-        check_choice("objective", name, JUDGED)
-    if len(objectives) == 1 and "points" in data:
-        raise InputError("points", data["points"], "leave it out; it is for the front between two objectives")
-    variables = dict(data["variables"])
-    distributed = _is_distributed(variables)
-    bounds = {
-        name: _bounds(f"variables.{name}", each, DIMENSIONS, name, open_=False) for name, each in variables.items()
-    }
-    if distributed:
-        own = [name for name in bounds if name in MASS_PROPERTIES and name != "mass"]
-        if own:
-            raise InputError(f"variables.{own[0]}", variables[own[0]], f"under [limits], since {DISTRIBUTION} is free")
-    known = {**DIMENSIONS, **JUDGED}
-    limits = {}
-    for name, each in data.get("limits", {}).items():
-        check_choice("limit", name, (*FREE, *JUDGED))
-        limits[name] = _bounds(f"limits.{name}", each, known, name, open_=True)
-    rules = data.get("rules", {})
-    document.check_keys(rules, ("conform", "tolerance"), (), "rules")
-    for name, each in rules.items():
-        if not isinstance(each, bool):
-            raise InputError(f"rules.{name}", each, "true or false")
-    return DesignStudy(
-        **common, club=club_of(beside(data["club"], folder)), objectives=objectives, bounds=bounds,
-        distributed=distributed, head=_head(document) if "head" in data else None, limits=limits, **rules,
-    )  # fmt: skip
-
-
-def _is_distributed(variables: dict[str, Any]) -> bool:
-    """Take the word that frees the whole distribution of mass from the variables."""
-    known = (*FREE, DISTRIBUTION)
-    check_names("variable", variables, known)
-    if DISTRIBUTION not in variables:
-        return False
-    word = variables.pop(DISTRIBUTION)
-    check_choice(f"variables.{DISTRIBUTION}", word, ("free",))
-    return True
-
-
-def _bounds(place: str, given: Any, dimensions: Mapping[str, str], name: str, *, open_: bool) -> tuple[float, float]:
-    """Return the least and the greatest of two values with units; with ``open_`` either may be missing."""
-    example = 'two values, least and greatest, as in ["8 deg", "14 deg"]' + (f'; "{OPEN}" is no limit' if open_ else "")
-    if not (isinstance(given, list) and len(given) == 2):
-        raise InputError(place, given, example)
-    found = [
-        side if open_ and each == OPEN else units.parse(each, dimensions[name], name=place)
-        for each, side in zip(given, (-math.inf, math.inf), strict=True)
-    ]
-    if not found[0] < found[1] or found == [-math.inf, math.inf]:
-        raise InputError(place, given, example)
-    if not open_ and name in ("mass", "bulge", "roll", "ixx", "iyy", "izz") and found[0] <= 0.0:
-        raise InputError(place, given, "above 0 at both ends")
-    return found[0], found[1]
-
-
-def _vector(place: str, given: Any) -> tuple[float, float, float]:
-    if not (isinstance(given, list) and len(given) == 3):
-        raise InputError(place, given, 'three lengths, as in ["115 mm", "62 mm", "124 mm"]')
-    one, two, three = (units.parse(each, "length", name=place) for each in given)
-    return one, two, three
-
-
-def _head(document: Document) -> Head:
-    given = document.data["head"]
-    known = ("shape", "size", "centre", "volume", "discretionary_mass", "shell")
-    document.check_keys(given, known, ("size", "centre", "discretionary_mass"), "head")
-    shape = given.get("shape", "box")
-    check_choice("head.shape", shape, SHAPES)
-    volume = Volume(
-        shape=shape, centre=_vector("head.centre", given["centre"]), size=_vector("head.size", given["size"])
-    )
-    displaced = units.parse(given["volume"], "volume", name="head.volume") if "volume" in given else None
-    if displaced is not None and displaced <= 0.0:
-        raise InputError("head.volume", given["volume"], "above 0")
-    budget = units.parse(given["discretionary_mass"], "mass", name="head.discretionary_mass")
-    if not 0.0 < budget < 1.0:
-        raise InputError("head.discretionary_mass", given["discretionary_mass"], "between 0 and 1 kg")
-    shell = None
-    if "shell" in given:
-        document.check_keys(given["shell"], MASS_PROPERTIES, MASS_PROPERTIES, "head.shell")
-        shell = tuple(
-            units.parse(given["shell"][name], DIMENSIONS[name], name=f"head.shell.{name}") for name in MASS_PROPERTIES
-        )
-    return Head(volume=volume, discretionary=budget, displaced=displaced, shell=shell)
-
-
-def _fitting(document: Document, common: dict[str, Any], folder: Path) -> Fitting:
-    data, given = document.data, document.data["fit"]
-    if not isinstance(data["objective"], str):
-        raise InputError("objective", data["objective"], "one objective")
-    check_choice("objective", data["objective"], JUDGED)
-    document.check_keys(given, ("clubs", "balls", "setting", "loft", "lie"), ("clubs",), "fit")
-    bounds = {
-        name: _bounds(f"fit.{name}", given[name], DIMENSIONS, name, open_=False)
-        for name in ("loft", "lie")
-        if name in given
-    }
-    settings, described = {}, given.get("setting", [])
-    for each in described if isinstance(described, list) else [described]:
-        if not isinstance(each, dict) or not isinstance(each.get("name"), str):
-            raise InputError("fit.setting", str(each)[:60], 'tables [[fit.setting]], each with its name: name = "back"')
-        check_names("change of a setting", [name for name in each if name != "name"], SETTINGS)
-        if each["name"] in settings:
-            raise InputError("fit.setting", each["name"], "a name that no other setting has")
-        settings[each["name"]] = {
-            name: units.parse(value, DIMENSIONS[name], name=f"setting.{name}")
-            for name, value in each.items()
-            if name != "name"
-        }
-    clubs = tuple(club_of(beside(each, folder)) for each in _texts("fit.clubs", given["clubs"]))
-    balls: tuple[Any, ...] = (None,)
-    if "balls" in given:
-        balls = tuple(ball_of(beside(each, folder)) for each in _texts("fit.balls", given["balls"]))
-    kept = {name: each for name, each in common.items() if name not in ("starts", "points")}
-    return Fitting(**kept, objective=data["objective"], clubs=clubs, balls=balls, settings=settings, bounds=bounds)
-
-
-def _texts(place: str, given: Any) -> list[str]:
-    if not (isinstance(given, list) and given and all(isinstance(each, str) for each in given)):
-        raise InputError(place, given, "a list of names or files")
-    return given
+        if key in document.data:
+            raise FileError(document.path, document.line_of((key,)), f"this is {what}; {advice}", key)
+    with place.errors():
+        if "fit" in document.data:
+            return decode(FittingFile, document).fitting()
+        return decode(StudyFile, document).study()

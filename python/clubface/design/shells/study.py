@@ -40,25 +40,41 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.design.golfer import golfer as golfer_of
+from clubface.design.golfer import Golfer, golfer as golfer_of
 from clubface.design.rules import rules_of
 from clubface.design.shells.goal import Goal
-from clubface.errors import ClubfaceError, FileError, InputError, ShotError, UnknownNameError
+from clubface.errors import InputError, ShotError
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.read import FOLDER, from_toml
+from clubface.schema import (
+    FLAG,
+    NAME,
+    TEXT,
+    Choice,
+    Interval,
+    Items,
+    Place,
+    Quantity,
+    Record,
+    Reference,
+    Tables,
+    count,
+    decode,
+    entries,
+    file_key,
+)
 from clubface.simulation.impact import impact
-from clubface.simulation.inputs import DIMENSIONS, Delivery
+from clubface.simulation.inputs import DELIVERY_QUANTITIES as DELIVERED, DIMENSIONS, Delivery
 from clubface.support.checks import check_choice, check_count, check_names, without_warnings
-from clubface.support.files import beside, path_of
+from clubface.support.files import path_of
 from clubface.support.strict_toml import Document
 
 SCALED = ("crown", "sole", "skirt")
@@ -256,165 +272,125 @@ def show(name: str, value: float) -> str:
     return units.show(value, "deg" if name == "shape.loft" else "mm")
 
 
-OPEN = "none"
-"""The word for a limit that is not there."""
-KEYS = ("title", "head", "objective", "golfer", "ball", "safety", "rules", "designs", "radius", "neighbours",
-        "variables", "delivery", "hardest", "limits", "metals")  # fmt: skip
-TABLES = ("variables", "delivery", "hardest", "limits")
-METAL = ("name", "source", "youngs", "poisson", "density", "yield")
 MOST_POINTS = 100
+REACH = Quantity("mm", -60, 60, allowed="within 60 mm of the face centre")
+POINTS = Items(
+    Items(REACH, 2, 2, "a distance to the toe and one above the face centre"), 1, MOST_POINTS,
+    f'1 to {MOST_POINTS} points, each to the toe and above the face centre, as in [["0 mm", "0 mm"]]',
+)  # fmt: skip
+_BLOW = {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
+BLOW = Record(_BLOW)
+"""A delivery; where it strikes is told by points."""
+WALL_BOUNDS = Interval(Quantity("mm"), '["2.4 mm", "4.2 mm"]')
+VARIABLE_TABLES = {
+    "thickness": Record(dict.fromkeys(WALLS, WALL_BOUNDS)),
+    "shape": Record({name: Interval(Quantity("deg" if name == "loft" else "mm")) for name in SHAPE}),
+}
+LIMITS = Record(
+    {
+        name: Interval(Quantity(unit, lower=0), f'["none", "... {unit}"]', no_limits=(0.0, math.inf))
+        for name, (_, _, unit) in QUANTITIES.items()
+        if name != "stress"
+    }
+)
+
+
+def _driver(named: Any) -> DriverHead:
+    """Return the design of a driver, by a built-in name or from a file."""
+    head = from_toml(path_of("head of finite elements", named, FOLDER))
+    if not isinstance(head, DriverHead):
+        raise InputError("head", head.name, 'of the kind "driver", whose walls can vary')
+    return head
+
+
+METAL = {key: entries(Metal)[key] for key in ("youngs", "poisson", "density", "yield")}
+
+
+class MetalTable(Record):
+    """The kind of a table [[metals]]."""
+
+    def read(self, given: Any, place: Place) -> NamedMetal:
+        """Return the metal with its name and source."""
+        values = super().read(given, place)
+        metal = Metal(**{each.attribute: values.pop(key) for key, each in METAL.items() if key in values})
+        return NamedMetal(metal=metal, **values)
+
+
+METALS = Tables(
+    MetalTable({"name": NAME, "source": TEXT, **{key: each.value for key, each in METAL.items()}},
+               ("name", "youngs", "poisson", "density"))
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShellFile:
+    """A file of a study of a head of shells."""
+
+    title: str = file_key(TEXT, "for tables")
+    head: DriverHead = file_key(Reference(_driver), "a driver of walls to start from")
+    objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
+    golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
+    ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
+    safety: float = file_key(Quantity("1"), "by what the yield stress is divided", default=1.0)
+    rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
+    designs: int = file_key(count(2, 500), "designs that the engine may judge, for each metal", default=20)
+    radius: float = file_key(Quantity("1"), "half the width of the first region, as a share of the bounds", default=0.3)
+    neighbours: bool = file_key(FLAG, "whether the engine judges neighbours of the start first", default=True)
+    variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what changes, within bounds")
+    delivery: Mapping[str, Any] = file_key(BLOW, "the delivery, and the points that it strikes", default_factory=dict)
+    hardest: Mapping[str, Any] | None = file_key(
+        BLOW, "what is other in the hardest blow, whose stress the face must stand", default=None
+    )
+    limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "least and greatest values", default_factory=dict)
+    metals: tuple[NamedMetal, ...] = file_key(METALS, "to choose from; that of the head unless given", default=())
+
+    def study(self) -> ShellStudy:
+        """Return the study."""
+        usual = self._delivery()
+        hardest = None
+        if self.hardest is not None:
+            changed = _delivered("hardest", self.hardest)
+            points = self.hardest.get("points", usual.points)
+            hardest = Blow(delivery={**usual.delivery, **changed}, points=points)
+        tables = self.variables.items()
+        bounds = {f"{table}.{name}": each for table, values in tables for name, each in values.items()}
+        return ShellStudy(
+            title=self.title, head=self.head, objective=self.objective, delivery=usual, hardest=hardest,
+            bounds=bounds,
+            limits=self.limits, ball=self.ball, safety=self.safety, rules=self.rules, designs=self.designs,
+            radius=self.radius, neighbours=self.neighbours,
+            metals=self.metals,
+        )  # fmt: skip
+
+    def _delivery(self) -> Blow:
+        points = self.delivery.get("points", ((0.0, 0.0),))
+        values = _delivered("delivery", self.delivery)
+        if self.golfer is None:
+            if "speed" not in values:
+                raise InputError("delivery.speed", None, "give it, or a golfer")
+            return Blow(delivery=values, points=points)
+        for name, value in values.items():
+            raise InputError(f"delivery.{name}", value, "left out: the golfer delivers; give points alone")
+        mean = self.golfer.for_hand(1.0).delivery()
+        values = {name: getattr(mean, name) for name in DIMENSIONS if name not in ("toe", "high")}
+        return Blow(delivery={name: float(each) for name, each in values.items() if each is not None}, points=points)
+
+
+def _delivered(table: str, given: Mapping[str, Any]) -> dict[str, float]:
+    """Return the values of a delivery [SI], without points."""
+    values = {name: each for name, each in given.items() if name != "points"}
+    if values:
+        Delivery(**{"speed": "40 m/s", **values})
+    return values
 
 
 def read(path: str | os.PathLike[str]) -> ShellStudy:
     """Read a study; files that it names are looked for beside it."""
-    return from_document(Document.read(path), Path(os.fspath(path)).parent)
+    return from_document(Document.read(path))
 
 
-def from_document(document: Document, folder: Path) -> ShellStudy:
+def from_document(document: Document) -> ShellStudy:
     """Read a study from a document."""
-    data = document.data
-    document.check_keys(data, KEYS, ("title", "head", "objective", "variables"))
-    document.check_text(data, ("title", "head", "objective", "golfer", "ball"))
-    for name in TABLES:
-        if not isinstance(data.get(name, {}), dict):
-            raise document.error(f"{name} must be a table", name)
-    for name in ("rules", "neighbours"):
-        if not isinstance(data.get(name, True), bool):
-            raise document.error(f"{name} must be true or false, not {data[name]!r:.40}", name)
-    try:
-        delivery = _delivery(document, folder)
-        found: dict[str, Any] = {name: data[name] for name in ("rules", "neighbours", "designs") if name in data}
-        for name in ("safety", "radius"):
-            if name in data:
-                found[name] = units.parse(data[name], units.DIMENSIONLESS, name=name)
-        if "ball" in data:
-            found["ball"] = ball_of(beside(data["ball"], folder))
-        return ShellStudy(
-            title=data["title"], head=_head(document, folder), objective=data["objective"], bounds=_variables(document),
-            delivery=delivery, hardest=_hardest(document, delivery) if "hardest" in data else None,
-            limits=_limits(document),
-            metals=_metals(document), **found,
-        )  # fmt: skip
-    except FileError:
-        raise
-    except ClubfaceError as error:
-        raise document.wrap(error) from error
-
-
-def _head(document: Document, folder: Path) -> DriverHead:
-    try:
-        head = from_toml(path_of("head of finite elements", beside(document.data["head"], folder), FOLDER))
-    except ClubfaceError as error:
-        raise document.error(f"head: {error}", "head") from error
-    if not isinstance(head, DriverHead):
-        raise document.error(f'head must be of the kind "driver", whose walls can vary; {head.name} is another', "head")
-    return head
-
-
-def _variables(document: Document) -> dict[str, tuple[float, float]]:
-    given = document.data["variables"]
-    for name in given:
-        if name not in ("thickness", "shape"):
-            told = UnknownNameError("table of variables", name, ("thickness", "shape"))
-            raise document.error(str(told), "", f"variables.{name}")
-    found = {}
-    for table, known in (("thickness", WALLS), ("shape", SHAPE)):
-        values = given.get(table, {})
-        if not isinstance(values, dict):
-            raise document.error(f"variables.{table} must be a table: [variables.{table}]", table, "variables")
-        document.check_keys(values, known, (), f"variables.{table}")
-        for name, each in values.items():
-            place, dimension = f"variables.{table}.{name}", "angle" if name == "loft" else "length"
-            if not (isinstance(each, list) and len(each) == 2):
-                raise InputError(place, each, 'two values, least and greatest, as in ["2.4 mm", "4.2 mm"]')
-            low, high = (units.parse(side, dimension, name=place) for side in each)
-            found[f"{table}.{name}"] = (low, high)
-    return found
-
-
-def _limits(document: Document) -> dict[str, tuple[float, float]]:
-    given = document.data.get("limits", {})
-    document.check_keys(given, [each for each in QUANTITIES if each != "stress"], (), "limits")
-    return {name: _limit(name, each) for name, each in given.items()}
-
-
-def _limit(name: str, given: Any) -> tuple[float, float]:
-    place, dimension = f"limits.{name}", QUANTITIES[name][1]
-    if not (isinstance(given, list) and len(given) == 2):
-        raise InputError(place, given, f'two values, least and greatest, as in ["{OPEN}", "..."]; "{OPEN}" is no limit')
-    low, high = (
-        side if each == OPEN else units.parse(each, dimension, name=place)
-        for each, side in zip(given, (0.0, math.inf), strict=True)
-    )
-    if not 0.0 <= low < high or (low, high) == (0.0, math.inf):
-        raise InputError(place, given, f'the least value, then a greater one; "{OPEN}" is no limit')
-    return low, high
-
-
-def _delivery(document: Document, folder: Path) -> Blow:
-    data = document.data
-    given = dict(data.get("delivery", {}))
-    points = _points("delivery", given.pop("points", None)) or ((0.0, 0.0),)
-    if "golfer" not in data:
-        return Blow(delivery=_values(document, given, "delivery", ("speed",)), points=points)
-    if given:
-        raise InputError(f"delivery.{next(iter(given))}", next(iter(given.values())),
-                         "left out: the golfer delivers; give points alone")  # fmt: skip
-    mean = golfer_of(beside(data["golfer"], folder)).for_hand(1.0).delivery()
-    values = {name: getattr(mean, name) for name in DIMENSIONS if name not in ("toe", "high")}
-    return Blow(delivery={name: float(value) for name, value in values.items() if value is not None}, points=points)
-
-
-def _hardest(document: Document, usual: Blow) -> Blow:
-    given = dict(document.data["hardest"])
-    points = _points("hardest", given.pop("points", None)) or usual.points
-    return Blow(delivery={**usual.delivery, **_values(document, given, "hardest", ())}, points=points)
-
-
-def _values(document: Document, given: Mapping[str, Any], table: str, required: tuple[str, ...]) -> dict[str, float]:
-    """Return the values of a delivery [SI]; where it strikes is told by points."""
-    known = [name for name in DIMENSIONS if name not in ("toe", "high")]
-    document.check_keys(dict(given), known, required, table)
-    values = {name: units.parse(each, DIMENSIONS[name], name=f"{table}.{name}") for name, each in given.items()}
-    if values:
-        try:
-            Delivery(**{"speed": "40 m/s", **values})
-        except InputError as error:
-            raise document.wrap(error, table) from error
-    return values
-
-
-def _points(table: str, given: Any) -> tuple[tuple[float, float], ...] | None:
-    if given is None:
-        return None
-    wanted = f'1 to {MOST_POINTS} points, each to the toe and above the face centre, as in [["0 mm", "0 mm"]]'
-    if not (isinstance(given, list) and 1 <= len(given) <= MOST_POINTS):
-        raise InputError(f"{table}.points", given, wanted)
-    found = []
-    for each in given:
-        if not (isinstance(each, list) and len(each) == 2):
-            raise InputError(f"{table}.points", given, wanted)
-        toe, high = (units.parse(value, "length", name=f"{table}.points") for value in each)
-        if max(abs(toe), abs(high)) > 0.06:
-            raise InputError(f"{table}.points", each, "within 60 mm of the face centre")
-        found.append((toe, high))
-    return tuple(found)
-
-
-def _metals(document: Document) -> tuple[NamedMetal, ...]:
-    given = document.data.get("metals", [])
-    if not (isinstance(given, list) and all(isinstance(each, dict) for each in given)):
-        raise document.error("metals must be tables, each under [[metals]]", "metals")
-    found: list[NamedMetal] = []
-    for place, each in enumerate(given):
-        document.check_keys(each, METAL, ("name", "youngs", "poisson", "density"), "metals", place)
-        document.check_text(each, ("name", "source"), "metals", place)
-        if each["name"] in [other.name for other in found]:
-            raise document.error(f"name: {each['name']!r} is taken; every metal needs its own", "name", "metals", place)
-        values = {name: each[name] for name in ("youngs", "poisson", "density") if name in each}
-        try:
-            metal = Metal(**values, yield_stress=each.get("yield"))
-        except InputError as error:
-            raise document.wrap(error, "metals", place) from error
-        found.append(NamedMetal(name=each["name"], metal=metal, source=each.get("source", "")))
-    return tuple(found)
+    file = decode(ShellFile, document)
+    with Place(document).errors():
+        return file.study()

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
+from clubface.schema import NAME, Place as FilePlace, Quantity, Record, Tables
 
 SPREAD = 8e-3
 """Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
@@ -17,39 +18,42 @@ SPREAD = 8e-3
 REACH = 0.3
 """Farthest place of an added mass along an axis [m]."""
 
-LEAST_TRIM = 1e-5
-"""Least that a trim mass may weigh at most [kg]."""
-
-MASS_KEYS = {"trim": "most", "mass": "mass"}
-"""What the mass of a place is called, by what it is."""
-
 Place = tuple[Any, Any, Any, Any]
 """x, y, z and mass, text with units or SI."""
+_COORDINATE = Quantity(
+    "mm", -1e3 * REACH, 1e3 * REACH,
+    allowed='within 300 mm of the face centre; numbers are metres, "-33 mm" is text',
+)  # fmt: skip
 
 
-def parsed_places(places: Mapping[str, Place], what: str) -> dict[str, tuple[float, float, float, float]]:
-    """Return places [m] and masses [kg], checked; errors speak of such as "x of trim toe", ``what`` being "trim"."""
-    parsed = {}
-    for name, values in places.items():
-        if len(values) != 4:
-            raise InputError(f"{what} {name}", values, "x, y, z and a mass")
-        place = []
-        for axis, value in zip("xyz", values[:3], strict=True):
-            length = units.parse(value, "length", name=f"{axis} of {what} {name}")
-            if not abs(length) <= REACH:
-                allowed = 'within 300 mm of the face centre; numbers are metres, "-33 mm" is text'
-                raise InputError(f"{axis} of {what} {name}", units.show(length, "mm"), allowed)
-            place.append(length)
-        key = f"{MASS_KEYS[what]} of {what} {name}"
-        mass = units.parse(values[3], "mass", name=key)
-        # A trim mass that may weigh nothing is none.
-        least = LEAST_TRIM if what == "trim" else 0.0
-        if not least <= mass <= 0.5:
-            raise InputError(key, units.show(mass, "g"), units.show_range(least, 0.5, "g"))
-        parsed[name] = (*place, mass)
-    return parsed
+class Places(Tables):
+    """The kind of tables of masses at places, read as places [m] and masses [kg] by name."""
+
+    def read(self, given: Any, place: FilePlace) -> dict[str, Place]:
+        """Return x, y, z and mass by name."""
+        return {each.pop("name"): tuple(each.values()) for each in super().read(given, place)}
+
+    def check(self, value: Any, place: FilePlace) -> dict[str, Place]:
+        """Return the same of places by name."""
+        kinds = {key: kind for key, kind in self.table.keys().items() if key != "name"}
+        found = {}
+        for name, given in value.items():
+            label = f"{self.what} {name}"
+            if len(given) != len(kinds):
+                raise InputError(label, given, "x, y, z and a mass")
+            pairs = zip(kinds.items(), given, strict=True)
+            found[name] = tuple(kind.read(each, FilePlace(name=key, label=label)) for (key, kind), each in pairs)
+        return found
 
 
+def places(what: str, mass: str, least: float) -> Places:
+    """Return the kind of tables of masses; ``mass`` is the key of each mass, which is at least that many grams."""
+    keys = {"name": NAME, **dict.fromkeys("xyz", _COORDINATE), mass: Quantity("g", least, 500)}
+    return Places(Record(keys, keys), what)
+
+
+TRIMS, MASSES = places("trim", "most", 0.01), places("mass", "mass", 0.0)
+"""Masses that may be added, of which one that may weigh nothing is none; and masses that are."""
 MOST_CHANGE = 0.2
 """Largest part by which the metal of a wall may be made lighter or heavier, so that moments of the head are exact."""
 TRIES, STEEPEST = 40, 2.0

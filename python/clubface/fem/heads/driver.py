@@ -6,29 +6,41 @@ The TOML file of a parametric driver.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, TargetWarning
 from clubface.fem import core
 from clubface.fem.core import beside
-from clubface.fem.heads.added_mass import Place, parsed_places
-from clubface.fem.heads.meshed import Part, ShellHead, parsed
+from clubface.fem.heads.added_mass import TRIMS, Place
+from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.support.checks import check_name, check_text, is_count, warn_once
+from clubface.schema import NAME, TEXT, Items, Quantity, Record, Table, check_values, count, file_key
+from clubface.support.checks import warn_once
 from clubface.support.strict_toml import quoted
 
-SHAPE = ("loft", "bulge", "roll", "width", "depth", "crown", "sole", "rounding")
-WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
-TARGETS = ("mass", *CENTRE, "cg_above", *INERTIA)
+SHAPES: Mapping[str, Quantity] = {
+    "loft": Quantity("deg", 0, 40),
+    "bulge": Quantity("mm", 100, 10000),
+    "roll": Quantity("mm", 100, 10000),
+    "width": Quantity("mm", 50, 150),
+    "depth": Quantity("mm", 30, 150),
+    "crown": Quantity("mm", 8, 60),
+    "sole": Quantity("mm", 8, 60),
+    "rounding": Quantity("mm", 1, 20),
+}
+"""In the order of the core."""
+SHAPE = tuple(SHAPES)
+WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
+TARGETS: Mapping[str, Quantity] = {
+    "mass": Quantity("g", 50, 500),
+    **dict.fromkeys((*CENTRE, "cg_above"), Quantity("mm")),
+    **dict.fromkeys(INERTIA, Quantity("g cm2")),
+}
 CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
 """The unit in which a target is told, and how near [SI] it counts as met."""
-_LIMITS = {
-    "width": (0.05, 0.15), "depth": (0.03, 0.15), "crown": (0.008, 0.06), "sole": (0.008, 0.06),
-    "rounding": (1e-3, 0.02), "bulge": (0.1, 10.0), "roll": (0.1, 10.0),
-}  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,59 +49,39 @@ class DriverHead:
 
     Attributes
     ----------
-    name, description
-        Name and description for tables.
     shape
         "loft"; "bulge" and "roll", the radii of the face; "width" from heel to toe, "depth" from face to back, "crown"
         above and "sole" below the face centre; "rounding" between face and body.
-    thickness
-        "face_centre", "face_edge", "crown", "sole", "skirt".
     target
         "mass", and where wanted "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (height of the CG
         above the face normal at the face centre), and "ixx", "iyy", "izz" about the CG.
-    metal
-        The metal of all parts.
-    trims
-        Places where mass may be added, by name: (x, y, z, most).
     scales
         Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays as it
         is.
-    elements
-        Numbers of elements from heel to toe, from sole to crown, and from face to back.
     """
 
-    name: str
-    shape: Mapping[str, Any]
-    thickness: Mapping[str, Any]
-    target: Mapping[str, Any]
-    metal: Metal = field(default_factory=Metal)
-    trims: Mapping[str, Place] = field(default_factory=dict)
-    scales: tuple[float, float] = (0.5, 2.0)
-    elements: tuple[int, int, int] = (36, 12, 25)
-    description: str = ""
+    name: str = file_key(NAME, "its name in tables")
+    description: str = file_key(TEXT, "one sentence", default="")
+    elements: tuple[int, int, int] = file_key(
+        Items(count(4, 400), 3, 3, "a list of three numbers"),
+        "numbers of elements from heel to toe, from sole to crown, and from face to back",
+        default=(36, 12, 25),
+    )
+    scales: tuple[float, float] = file_key(
+        Items(Quantity("1", 0.1, 10, allowed="0.1 to 1 and 1 to 10"), 2, 2, "a list of two numbers"),
+        "limits of the factor on crown, sole and skirt by which the mass is met", default=(0.5, 2.0),
+    )  # fmt: skip
+    shape: Mapping[str, float] = file_key(Record(SHAPES, SHAPE), "dimensions")
+    thickness: Mapping[str, float] = file_key(Record(dict.fromkeys(WALLS, Quantity("mm")), WALLS), "thickness of walls")
+    target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "what the head shall have")
+    metal: Metal = file_key(Table(Metal), "the metal of all parts", default_factory=Metal)
+    trims: Mapping[str, Place] = file_key(TRIMS, "places where mass may be added", default_factory=dict)
 
     def __post_init__(self) -> None:
-        check_name(self.name)
-        check_text("description", self.description)
-        shape = parsed("shape", self.shape, SHAPE, SHAPE, lambda key: "angle" if key == "loft" else "length")
-        for key, (least, most) in _LIMITS.items():
-            if not least <= shape[key] <= most:
-                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), units.show_range(least, most, "mm"))
-        if not 0.0 <= shape["loft"] <= units.parse("40 deg", "angle"):
-            raise InputError("shape.loft", units.show(shape["loft"], "deg"), "0 to 40 deg")
-        thickness = parsed("thickness", self.thickness, WALLS, WALLS, lambda _: "length")
-        target = parsed("target", self.target, TARGETS, ("mass",), _target_dimension)
-        if not 0.05 <= target["mass"] <= 0.5:
-            raise InputError("target.mass", units.show(target["mass"], "g"), "50 to 500 g")
-        trims = parsed_places(self.trims, "trim")
+        check_values(self)
         low, high = self.scales
-        if not 0.1 <= low <= 1.0 <= high <= 10.0:
+        if not low <= 1.0 <= high:
             raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")
-        if not all(is_count(value, 4, 400) for value in self.elements):
-            raise InputError("elements", self.elements, "three whole numbers from 4 to 400")
-        changed = {"shape": shape, "thickness": thickness, "target": target, "trims": trims}
-        for key, value in {**changed, "elements": tuple(self.elements)}.items():
-            object.__setattr__(self, key, value)
 
     def mesh(self) -> ShellHead:
         """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
@@ -132,16 +124,12 @@ class DriverHead:
         missed = [
             f"{name} {units.from_si(reached[name], unit):.5g} {unit} instead of {units.from_si(asked, unit):.5g} {unit}"
             for name, asked in self.target.items()
-            for unit, near in [CLOSE[_target_dimension(name)]]
+            for unit, near in [CLOSE[TARGETS[name].dimension]]
             if abs(reached[name] - asked) > near
         ]
         if missed:
             room = "wider `scales` of the walls, or more or larger trims, help"
             warn_once(f"{self.name}: {', '.join(missed)}; {room}", TargetWarning)
-
-
-def _target_dimension(key: str) -> str:
-    return "inertia" if key in INERTIA else "mass" if key == "mass" else "length"
 
 
 def text(head: DriverHead, *, characteristic_time: float | None = None) -> str:

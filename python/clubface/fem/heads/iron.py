@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,20 +12,33 @@ from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
 from clubface.fem.balls import ELEMENTS, element_masses
 from clubface.fem.core import beside
-from clubface.fem.heads.added_mass import Place, note_of, parsed_places, spread
-from clubface.fem.heads.meshed import ROUND, SolidHead, parsed
+from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
+from clubface.fem.heads.meshed import ROUND, SolidHead
 from clubface.fem.heads.metal import Metal
-from clubface.support.checks import check_choice, check_name, check_text, is_count, warn_once
+from clubface.schema import NAME, TEXT, Choice, Items, Quantity, Record, Table, check_values, count, file_key
+from clubface.support.checks import warn_once
 
-LENGTHS = {
-    "length": (0.04, 0.12), "heel_height": (0.01, 0.08), "toe_height": (0.015, 0.1), "face": (1e-3, 0.02),
-    "sole": (1e-3, 0.04), "top": (1e-3, 0.02), "rounding": (0.0, 0.02),
-}  # fmt: skip
-"""Dimensions and their limits [m]."""
-SHAPE = ("loft", "length", "heel_height", "toe_height", "face", "sole", "top", "rim", "rounding")
+SHAPES: Mapping[str, Quantity] = {
+    "loft": Quantity("deg", 0, 70),
+    "length": Quantity("mm", 40, 120),
+    "heel_height": Quantity("mm", 10, 80),
+    "toe_height": Quantity("mm", 15, 100),
+    "face": Quantity("mm", 1, 20),
+    "sole": Quantity("mm", 1, 40),
+    "top": Quantity("mm", 1, 20),
+    "rim": Quantity("1", 0.05, 0.5),
+    "rounding": Quantity("mm", 0, 20),
+}
 """In the order of the core."""
-GROOVES = {"width": (1e-4, 0.02), "depth": (0.0, 2e-3), "pitch": (1e-3, 0.05), "wall": (5e-5, 0.01)}
-"""Dimensions of grooves and their limits [m], in the order of the core."""
+SHAPE = tuple(SHAPES)
+GROOVES: Mapping[str, Quantity] = {
+    "width": Quantity("mm", 0.1, 20),
+    "depth": Quantity("mm", 0, 2),
+    "pitch": Quantity("mm", 1, 50),
+    "wall": Quantity("mm", 0.05, 10),
+}
+"""Dimensions of grooves, in the order of the core."""
+STEEL = Metal(youngs=193e9, poisson=0.29, density=7800.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,57 +47,42 @@ class IronHead:
 
     Attributes
     ----------
-    name, description
-        Name and description for tables.
     shape
         "loft"; "length" of the blade; "heel_height" and "toe_height" of the face; thickness of "face", "sole" and "top"
         line; "rim", the fraction of the blade's height and half length that is as thick, 0.05 to 0.5 (0.5: no cavity);
         "rounding" of the corners of the outline.
-    metal
-        The metal; if left out, a stainless steel.
-    masses
-        Added masses, such as that of the hosel, by name: (x, y, z, mass), the place counted from the face centre.
     grooves
         None for a plain face; otherwise "width" of the grooves from edge to edge, "depth" (less than the thickness of
         the blade), "pitch" from the middle of one groove to that of the next, and "wall", the width of each side wall.
         They run from heel to toe, with a land through the face centre. They act in the contact and are no part of the
         mesh.
-    elements
-        Numbers of elements from heel to toe, from sole to top line, and through the blade.
-    element
-        "one-point" or "full".
     """
 
-    name: str
-    shape: Mapping[str, Any]
-    metal: Metal = field(default_factory=lambda: Metal(youngs=193e9, poisson=0.29, density=7800.0))
-    masses: Mapping[str, Place] = field(default_factory=dict)
-    grooves: Mapping[str, Any] | None = None
-    elements: tuple[int, int, int] = (40, 24, 2)
-    element: str = "one-point"
-    description: str = ""
+    name: str = file_key(NAME, "its name in tables")
+    description: str = file_key(TEXT, "one sentence", default="")
+    elements: tuple[int, int, int] = file_key(
+        Items(count(1, 400), 3, 3, "a list of three numbers"),
+        "numbers of elements from heel to toe, from sole to top line, and through the blade", default=(40, 24, 2),
+    )  # fmt: skip
+    element: str = file_key(Choice(ELEMENTS), "kind of the elements", default="one-point")
+    shape: Mapping[str, float] = file_key(Record(SHAPES, SHAPE), "dimensions")
+    grooves: Mapping[str, float] | None = file_key(Record(GROOVES, GROOVES), "dimensions of grooves", default=None)
+    metal: Metal = file_key(
+        Table(Metal, without=("points", "rule")), "the metal; a stainless steel unless given", default=STEEL
+    )
+    masses: Mapping[str, Place] = file_key(
+        MASSES, "added masses, such as that of the hosel, the place counted from the face centre", default_factory=dict
+    )
 
     def __post_init__(self) -> None:
-        check_name(self.name)
-        check_text("description", self.description)
-        check_choice("element", self.element, ELEMENTS)
-        dimensions = {"loft": "angle", "rim": units.DIMENSIONLESS}
-        shape = parsed("shape", self.shape, SHAPE, SHAPE, lambda key: dimensions.get(key, "length"))
-        for key, (least, most) in LENGTHS.items():
-            if not least <= shape[key] <= most:
-                raise InputError(f"shape.{key}", units.show(shape[key], "mm"), units.show_range(least, most, "mm"))
-        if not 0.0 <= shape["loft"] <= units.parse("70 deg", "angle"):
-            raise InputError("shape.loft", units.show(shape["loft"], "deg"), "0 to 70 deg")
-        if not 0.05 <= shape["rim"] <= 0.5:
-            raise InputError("shape.rim", shape["rim"], "0.05 to 0.5")
+        check_values(self)
+        shape = self.shape
         if 2.0 * shape["rounding"] >= shape["heel_height"]:
             raise InputError("shape.rounding", units.show(shape["rounding"], "mm"), "below half of heel_height")
-        if not all(is_count(value, least, 400) for value, least in zip(self.elements, (8, 8, 1), strict=True)):
+        if min(self.elements[:2]) < 8:
             raise InputError("elements", self.elements, "three whole numbers from 8, 8 and 1 to 400")
-        object.__setattr__(self, "grooves", _grooves(self.grooves, shape))
-        object.__setattr__(self, "shape", shape)
-        object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
-        object.__setattr__(self, "elements", tuple(self.elements))
+        if self.grooves is not None:
+            _check_grooves(self.grooves, shape)
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
@@ -112,24 +109,16 @@ class IronHead:
         )
 
 
-def _grooves(given: Mapping[str, Any] | None, shape: Mapping[str, float]) -> dict[str, float] | None:
-    """Return the dimensions of grooves in a head of this shape, checked."""
-    if given is None:
-        return None
-    read = parsed("grooves", given, tuple(GROOVES), tuple(GROOVES), lambda _: "length")
-    found = {key: read[key] for key in GROOVES}
-    shown = {key: units.show(value, "mm") for key, value in found.items()}
-    for key, (least, most) in GROOVES.items():
-        if not least <= found[key] <= most:
-            raise InputError(f"grooves.{key}", shown[key], units.show_range(least, most, "mm"))
-    if 2.0 * found["wall"] > found["width"]:
+def _check_grooves(grooves: Mapping[str, float], shape: Mapping[str, float]) -> None:
+    """Refuse grooves that do not fit each other or a head of this shape."""
+    shown = {key: units.show(value, "mm") for key, value in grooves.items()}
+    if 2.0 * grooves["wall"] > grooves["width"]:
         raise InputError("grooves.wall", shown["wall"], f"at most half of the grooves' width, {shown['width']}")
-    if found["width"] >= found["pitch"]:
+    if grooves["width"] >= grooves["pitch"]:
         raise InputError(
             "grooves.width", shown["width"], f"below the pitch, {shown['pitch']}, so that lands are left between"
         )
     thinnest = min(("face", "sole", "top"), key=lambda key: shape[key])
-    if found["depth"] >= shape[thinnest]:
+    if grooves["depth"] >= shape[thinnest]:
         wall = f"shape.{thinnest} is {units.show(shape[thinnest], 'mm')}"
         raise InputError("grooves.depth", shown["depth"], f"less than the blade is thick: {wall}")
-    return found

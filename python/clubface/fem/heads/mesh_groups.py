@@ -19,12 +19,21 @@ from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import Mesh, Wall
-from clubface.support.checks import check_name
+from clubface.schema import FLAG, NAME, TEXT, Items, Place, Quantity, Record, entries
 
 OWN = re.compile(r"gmsh:|Surface\d+$|Volume\d+$|_?(?:PickedSet|All)\d*$|Line\d+$", re.IGNORECASE)
 """Sets that programs make for themselves."""
 SHOWN = 12
 """Sets that a message names."""
+
+
+GROUP = {
+    "name": NAME,
+    "thickness": Quantity("mm", 0.2, 20),
+    "face": FLAG,
+    "sets": Items(TEXT, allowed='a list of names of sets in the mesh, as ["1", "2"]'),
+}
+"""The kinds of what a group has besides the values of its metal."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,18 +61,25 @@ class Group:
     sets: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        check_name(self.name)
-        if self.thickness is not None:
-            object.__setattr__(self, "thickness", units.parse(self.thickness, "length", name="thickness"))
-            if not 2e-4 <= self.thickness <= 0.02:
-                raise InputError(f"thickness of {self.name}", units.show(self.thickness, "mm"), "0.2 to 20 mm")
+        for key, kind in GROUP.items():
+            if (value := getattr(self, key)) is not None:
+                place = Place(name=key, label="" if key == "name" else self.name)
+                object.__setattr__(self, key, kind.read(value, place))
         if not isinstance(self.metal, Metal):
             Metal(**self.metal)  # refuses what no metal has
-        if not isinstance(self.face, bool):
-            raise InputError(f"face of {self.name}", self.face, "true or false")
-        if isinstance(self.sets, str) or not all(isinstance(each, str) for each in self.sets):
-            raise InputError(f"sets of {self.name}", self.sets, 'a list of names of sets in the mesh, as ["1", "2"]')
-        object.__setattr__(self, "sets", tuple(self.sets))
+
+
+class GroupTable(Record):
+    """The kind of a table [[groups]], in which values of the metal stand beside those of the group."""
+
+    def read(self, given: Any, place: Place) -> Group:
+        """Return the group."""
+        values = super().read(given, place)
+        metal = {each.attribute: values.pop(key) for key, each in entries(Metal).items() if key in values}
+        return Group(metal=metal, **values)
+
+
+GROUP_TABLE = GroupTable({**GROUP, **{key: each.value for key, each in entries(Metal).items()}}, ("name",))
 
 
 def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any]:

@@ -6,14 +6,14 @@ A solid head as the core takes it: hexahedra of one metal.
 
 A head of shells as the core takes it: a mesh with thickness and metal.
 
-The tables of numbers that describe a head.
+Nothing.
 """
 
 from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, Self
@@ -23,12 +23,10 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
-from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.core import beside
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
-from clubface.support.checks import check_names
 
 
 class MeshedHead(ABC):
@@ -362,30 +360,3 @@ class ShellHead(MeshedHead):
         """Return the places of the nodes of the face [m]."""
         chosen = [number for number, part in enumerate(self.parts) if part.face]
         return self.nodes[np.unique(self.quads[np.isin(self.part_of_elements(), chosen)])]
-
-
-def parsed(
-    table: str,
-    values: Mapping[str, Any],
-    known: Sequence[str],
-    required: Sequence[str],
-    dimension: Callable[[str], str],
-) -> dict[str, float]:
-    """Return the values of a table [SI]; errors call them by table and key, such as "thickness.crown".
-
-    Parameters
-    ----------
-    table
-        Its name.
-    values
-        Text with units or SI, by key.
-    known, required
-        Keys that it may have, and those that it must.
-    dimension
-        That of a key, as of :mod:`clubface.units`.
-    """
-    check_names(f"value of {table}", values, known)
-    for key in required:
-        if key not in values:
-            raise InputError(f"{table}.{key}", None, "give it with its unit")
-    return {key: units.parse(value, dimension(key), name=f"{table}.{key}") for key, value in values.items()}

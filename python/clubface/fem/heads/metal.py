@@ -14,7 +14,8 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError, Told
 from clubface.fem import core
-from clubface.support.checks import check_choice, check_count, check_names
+from clubface.schema import Choice, Place, Quantity, Value, check_values, count, file_key
+from clubface.support.checks import check_count, check_names
 
 MAX_HARDENING_POINTS = 8
 
@@ -93,6 +94,21 @@ def _check_table(table: Sequence[tuple[float, float]]) -> None:
         raise InputError("hardening", shown, "stresses above 0 that do not fall: a metal that softens fails at once")
 
 
+class HardeningValue(Value):
+    """The kind of what a file says of hardening."""
+
+    def read(self, given: Any, place: Place) -> Hardening:
+        """Return the hardening."""
+        return Hardening.of(given)
+
+    def words(self) -> str:
+        """Return the three ways."""
+        return "a modulus, a table of `modulus`, `gain` and `rate`, or a list of plastic strains and stresses"
+
+
+HARDENING = HardeningValue()
+
+
 RULES = {"gauss": 2, "lobatto": 3}
 """Rules of points through the thickness, and the fewest points of each."""
 POINTS = 8
@@ -104,54 +120,33 @@ MAX_POINTS = 31
 class Metal:
     """A metal, elastic until it yields. By default it is the usual titanium alloy Ti-6Al-4V, elastic.
 
-    Attributes
-    ----------
-    youngs
-        Young's modulus [Pa].
-    poisson
-        Poisson's ratio.
-    density
-        Density [kg/m3].
-    yield_stress
-        Stress in tension at which it yields [Pa], ``yield`` in files; None for a metal that stays elastic.
-    hardening
-        Increase of the yield stress: a modulus [Pa], a :class:`Hardening`, or a table of plastic strain and yield
-        stress [Pa] whose first point is where it yields; None for a metal that does not harden.
-    points
-        Points through the thickness of shells. None means five in a metal that yields, and none in an elastic one, for
-        which stress resultants are as accurate.
-    rule
-        Where the points lie: "gauss", or "lobatto" with points on both surfaces.
+    A metal without ``yield`` stays elastic. ``points`` are five in a metal that yields unless given, and none in an
+    elastic one, for which stress resultants are as accurate.
     """
 
-    youngs: float = 114e9
-    poisson: float = 0.34
-    density: float = 4430.0
-    yield_stress: float | None = None
-    hardening: Hardening | None = None
-    points: int | None = None
-    rule: str = "gauss"
+    youngs: float = file_key(Quantity("GPa", 0.1, 1000), "Young's modulus", example="114 GPa", default=114e9)
+    poisson: float = file_key(Quantity("1", above=-1, below=0.5), "Poisson's ratio", example="0.34", default=0.34)
+    density: float = file_key(Quantity("kg/m3", 100, 25000), "density", example="4430 kg/m3", default=4430.0)
+    yield_stress: float | None = file_key(
+        Quantity("MPa"), "stress in tension at which it yields", name="yield", example="880 MPa", default=None
+    )
+    hardening: Hardening | None = file_key(
+        HARDENING, "increase of the yield stress with plastic strain: a modulus, its values, or points of a table",
+        default=None,
+    )  # fmt: skip
+    points: int | None = file_key(count(2, MAX_POINTS), "points through the thickness of shells", default=None)
+    rule: str = file_key(
+        Choice(tuple(RULES)), "where the points lie; `lobatto` has some on both surfaces", default="gauss"
+    )
 
     def __post_init__(self) -> None:
-        for name, dimension in (("youngs", "pressure"), ("density", "density"), ("poisson", units.DIMENSIONLESS)):
-            object.__setattr__(self, name, units.parse(getattr(self, name), dimension, name=name))
-        if not 1e8 <= self.youngs <= 1e12:
-            raise InputError("youngs", units.show(self.youngs, "GPa"), "0.1 to 1000 GPa")
-        if not -1.0 < self.poisson < 0.5:
-            raise InputError("poisson", self.poisson, "above -1 and below 0.5")
-        if not 100.0 <= self.density <= 25e3:
-            raise InputError("density", units.show(self.density, "kg/m3"), "100 to 25000 kg/m3")
-        self._read_yield()
-        check_choice("rule", self.rule, RULES)
+        check_values(self)
+        self._check_yield()
         if self.points is not None:
             check_count("points", self.points, RULES[self.rule], MAX_POINTS)
 
-    def _read_yield(self) -> None:
-        if self.yield_stress is not None:
-            value = units.parse(self.yield_stress, "pressure", name="yield")
-            object.__setattr__(self, "yield_stress", value)
+    def _check_yield(self) -> None:
         if self.hardening is not None:
-            object.__setattr__(self, "hardening", Hardening.of(self.hardening))
             table = self.hardening.table
             if table and self.yield_stress is None:
                 object.__setattr__(self, "yield_stress", table[0][1])

@@ -6,7 +6,7 @@ import math
 import os
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,14 +15,15 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.described import FLAT
 from clubface.errors import InputError, MeshWarning
-from clubface.fem.heads.added_mass import Place, note_of, parsed_places, spread
+from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.mesh_frame import check_frame
-from clubface.fem.heads.mesh_groups import Group, assign, point_masses, walls
+from clubface.fem.heads.mesh_groups import GROUP_TABLE, Group, assign, point_masses, walls
 from clubface.fem.heads.mesh_repair import Shells, repaired
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import read_mesh
-from clubface.support.checks import check_name, check_text, warn_once
+from clubface.schema import NAME, TEXT, FilePath, Quantity, Simple, Tables, check_values, file_key
+from clubface.support.checks import warn_once
 
 SIZES = (0.06, 0.2)
 """Least and largest size of a head along an axis [m]: between them a unit that is another one is seen, inches for
@@ -37,58 +38,40 @@ FACE_COSINE = math.cos(math.radians(45.0))
 """Of the angle to the face normal up to which an element of a face group is one that the ball may touch."""
 
 
+RADIUS = Quantity("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})
+
+
 @dataclass(frozen=True, kw_only=True)
 class MeshHead:
     """A head whose middle surface is a mesh in a file.
 
     The axes of the file are x towards the target, y up and z towards the toe, with the club soled.
 
-    Attributes
-    ----------
-    name, description
-        Name and description for tables.
-    file
-        A mesh of triangles and quadrilaterals, of Gmsh, Abaqus, Nastran, LS-DYNA, STL, or in a format of meshlane.
-    groups
-        The groups; every element belongs to one of them.
-    loft
-        Elevation of the face normal at the face centre [rad].
-    unit
-        Unit of the lengths in the file, such as "mm".
-    face_centre
-        Place of the face centre in the file, on the outer side of the face: numbers in that unit, or text with units.
-    bulge, roll
-        Radii of the face [m], or "flat".
-    masses
-        Added masses by name: (x, y, z, mass), the place counted from the face centre.
+    Every element of the mesh belongs to one of the groups.
     """
 
-    name: str
-    file: str | os.PathLike[str]
-    groups: tuple[Group, ...]
-    loft: Any
-    unit: str = "mm"
-    face_centre: tuple[Any, Any, Any] = (0.0, 0.0, 0.0)
-    bulge: Any = FLAT
-    roll: Any = FLAT
-    masses: Mapping[str, Place] = field(default_factory=dict)
-    description: str = ""
+    name: str = file_key(NAME, "its name in tables")
+    description: str = file_key(TEXT, "one sentence", default="")
+    file: str | os.PathLike[str] = file_key(
+        FilePath("a path"), "a mesh of triangles and quadrilaterals: Gmsh, Abaqus, Nastran, LS-DYNA, STL or of meshlane"
+    )
+    unit: str = file_key(TEXT, "unit of the lengths in the mesh", default="mm")
+    loft: float = file_key(Quantity("deg", 0, 75), "elevation of the face normal at the face centre")
+    bulge: float = file_key(RADIUS, "radius of the face from heel to toe", default=math.inf)
+    roll: float = file_key(RADIUS, "radius of the face from sole to crown", default=math.inf)
+    face_centre: tuple[Any, Any, Any] = file_key(
+        Simple("three lengths"),
+        "place of the face centre in the mesh, on the outer side: numbers in its unit, or text with units",
+        default=(0.0, 0.0, 0.0),
+    )
+    groups: tuple[Group, ...] = file_key(Tables(GROUP_TABLE), "thickness and metal of the parts of the mesh")
+    masses: Mapping[str, Place] = file_key(
+        MASSES, "added masses, the place counted from the face centre", default_factory=dict
+    )
 
     def __post_init__(self) -> None:
-        check_name(self.name)
-        check_text("description", self.description)
-        check_text("unit", self.unit)
+        check_values(self)
         units.unit(self.unit, name="unit", dimension="length")
-        object.__setattr__(self, "loft", units.parse(self.loft, "angle", name="loft"))
-        for key in ("bulge", "roll"):
-            value = getattr(self, key)
-            flat = value in (FLAT, math.inf)
-            object.__setattr__(self, key, math.inf if flat else units.parse(value, "length", name=key))
-            if not getattr(self, key) > 0.0:
-                raise InputError(key, value, f'above 0 mm, or "{FLAT}"')
-        if not 0.0 <= self.loft <= units.parse("75 deg", "angle"):
-            raise InputError("loft", units.show(self.loft, "deg"), "0 to 75 deg")
-        object.__setattr__(self, "masses", parsed_places(self.masses, "mass"))
         _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
             raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")

@@ -1,0 +1,41 @@
+"""Files that describe themselves: a dataclass is the schema of its TOML file.
+
+From its fields a file or a mapping is read, with errors that name file, line and key; objects made in Python are
+checked; files and templates are written; and pages and editors learn which keys there are.
+"""
+
+from __future__ import annotations
+
+from clubface.schema.place import Place as Place
+from clubface.schema.tables import (
+    Entry as Entry,
+    Table as Table,
+    check_values as check_values,
+    decode as decode,
+    encode as encode,
+    entries as entries,
+    file_key as file_key,
+    json_schema as json_schema,
+    key_rows as key_rows,
+    quantities as quantities,
+    template as template,
+)
+from clubface.schema.values import (
+    FLAG as FLAG,
+    NAME as NAME,
+    TEXT as TEXT,
+    Choice as Choice,
+    Either as Either,
+    FilePath as FilePath,
+    Interval as Interval,
+    Items as Items,
+    Quantity as Quantity,
+    Record as Record,
+    Reference as Reference,
+    Simple as Simple,
+    Tables as Tables,
+    Unread as Unread,
+    Value as Value,
+    count as count,
+    written as written,
+)

@@ -1,0 +1,319 @@
+"""A dataclass as the schema of its file: declared by :func:`file_key`, read, checked, written and described from that.
+
+::
+
+    @dataclass(frozen=True, kw_only=True)
+    class Tee:
+        height: float = file_key(Quantity("mm", lower=0, upper=100), "height above the ground", example="38 mm")
+        colour: str = file_key(Choice(("white", "red")), "what it looks like", default="white")
+
+        def __post_init__(self) -> None:
+            check_values(self)
+
+    decode(Tee, Document.read("tee.toml"))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from functools import cache
+from typing import Any, NamedTuple, TypeVar
+
+from clubface.schema.place import Place
+from clubface.schema.values import Quantity, Record, Tables, Value
+from clubface.support.strict_toml import Document, quoted
+
+__all__ = [
+    "Entry",
+    "Table",
+    "check_values",
+    "decode",
+    "encode",
+    "entries",
+    "json_schema",
+    "key_rows",
+    "quantities",
+    "template",
+]
+
+T = TypeVar("T")
+
+
+class Entry(NamedTuple):
+    """A key of a file.
+
+    Attributes
+    ----------
+    key
+        As in the file.
+    attribute
+        Of the object.
+    value
+        The kind of its value.
+    meaning
+        One line.
+    example
+        A value as people write it; without one, templates leave the key out.
+    is_required
+        Whether a file must have the key or one of ``multiples``.
+    default
+        What the object has without it.
+    multiples
+        Other keys that a file may have in its place, and what their value is multiplied by.
+    """
+
+    key: str
+    attribute: str
+    value: Value
+    meaning: str
+    example: str
+    is_required: bool
+    default: Any
+    multiples: Mapping[str, float]
+
+    @property
+    def unit(self) -> str:
+        """The unit that people write the quantity in."""
+        return self.value.unit  # pyright: ignore[reportAttributeAccessIssue]
+
+    @property
+    def dimension(self) -> str:
+        """The dimension of the quantity, as in :mod:`clubface.units`."""
+        return self.value.dimension  # pyright: ignore[reportAttributeAccessIssue]
+
+
+def file_key(
+    value: Value,
+    meaning: str,
+    *,
+    name: str = "",
+    example: str = "",
+    multiples: Mapping[str, float] | None = None,
+    default: Any = MISSING,
+    default_factory: Any = MISSING,
+    required: bool | None = None,
+    **options: Any,
+) -> Any:
+    """Declare a field of a dataclass that is a key of its file.
+
+    Parameters
+    ----------
+    value
+        The kind of its value.
+    meaning
+        One line for pages, templates and editors.
+    name
+        The key, where it is not the name of the field.
+    example
+        A value for templates, as people write it.
+    multiples
+        Other keys that may take its place, and what their value is multiplied by, as in ``{"diameter": 0.5}``.
+    required
+        Whether a file must have it; unless given, whether it has no default.
+    default, default_factory, **options
+        As for :func:`dataclasses.field`.
+    """
+    declared = {"key": (value, meaning, name, example, multiples or {}, required)}
+    return field(default=default, default_factory=default_factory, metadata=declared, **options)
+
+
+@cache
+def entries(schema: type) -> Mapping[str, Entry]:
+    """Return the keys of a dataclass, in their order."""
+    found = {}
+    for each in fields(schema):
+        if "key" in each.metadata:
+            value, meaning, name, example, multiples, required = each.metadata["key"]
+            default = each.default_factory() if each.default_factory is not MISSING else each.default
+            is_required = default is MISSING if required is None else required
+            name = name or each.name
+            found[name] = Entry(name, each.name, value, meaning, example, is_required, default, multiples)
+    return found
+
+
+def quantities(schema: type) -> dict[str, Entry]:
+    """Return the keys of a dataclass that hold a quantity."""
+    return {name: each for name, each in entries(schema).items() if isinstance(each.value, Quantity)}
+
+
+@dataclass(frozen=True)
+class Table(Value):
+    """A table that is read as an object of a dataclass.
+
+    Attributes
+    ----------
+    schema
+        The dataclass.
+    others
+        Keys that may stand there as well and that another reader takes.
+    without
+        Keys of the dataclass that may not stand there.
+    """
+
+    schema: type
+    others: Mapping[str, Value] = field(default_factory=dict)
+    without: Collection[str] = ()
+
+    def read(self, given: Any, place: Place, **more: Any) -> Any:
+        """Return the object; ``more`` are fields that the file does not hold."""
+        known = self.keys()
+        factors = {other: (each, factor) for each in known.values() for other, factor in each.multiples.items()}
+        kinds = {name: each.value for name, each in known.items()}
+        kinds |= {other: each.value for other, (each, _) in factors.items()} | dict(self.others)
+        present = given if isinstance(given, Mapping) else {}
+        required = [name for name, each in known.items()
+                    if each.is_required and not present.keys() & each.multiples.keys()]  # fmt: skip
+        values = Record(kinds, required).read(given, place)
+        for other, (each, factor) in factors.items():
+            if other in values:
+                if each.key in values:
+                    with (at := place.key(other)).errors():
+                        raise at.invalid(given[other], f"left out: give {each.key} or {other}, not both")
+                values[each.key] = factor * values.pop(other)
+        with place.errors():
+            return self.schema(
+                **{known[name].attribute: each for name, each in values.items() if name in known}, **more
+            )
+
+    def check(self, value: Any, place: Place) -> Any:
+        """Return an object, or the one that a mapping describes."""
+        return value if isinstance(value, self.schema) else self.read(value, place)
+
+    def json(self) -> dict[str, Any]:
+        """Return an object, each key with its meaning."""
+        known = self.keys()
+        keys = {}
+        for name, each in known.items():
+            words = each.value.words()
+            about = {"description": each.meaning + (f" ({words})" if words else "")}
+            keys |= {one: {**each.value.json(), **about} for one in (name, *each.multiples)}
+        required = [name for name, each in known.items() if each.is_required and not each.multiples]
+        return {"type": "object", "properties": keys, "required": required, "additionalProperties": False}
+
+    def words(self) -> str:
+        """Return that it is a table."""
+        return "a table"
+
+    def keys(self) -> Mapping[str, Entry]:
+        """Return the keys of the dataclass."""
+        return {name: each for name, each in entries(self.schema).items() if name not in self.without}
+
+
+def decode(
+    schema: type[T],
+    source: Document | Mapping[str, Any],
+    *,
+    others: Mapping[str, Value] | None = None,
+    usual: Mapping[str, Any] | None = None,
+    **more: Any,
+) -> T:
+    """Return the object that a document or a mapping describes; every error names the key, and the line of a file.
+
+    Parameters
+    ----------
+    others
+        Keys at the top that another reader takes.
+    usual
+        Values of keys that are not there.
+    more
+        Fields of the object that the file does not hold.
+    """
+    document, data = (source, source.data) if isinstance(source, Document) else (None, source)
+    return Table(schema, others or {}).read({**(usual or {}), **data}, Place(document), **more)
+
+
+def check_values(subject: Any) -> None:
+    """Check the fields of a new object, and turn them into SI and what words stand for; None is a field not given."""
+    for each in entries(type(subject)).values():
+        value = getattr(subject, each.attribute)
+        if value is not None or each.default is not None:
+            object.__setattr__(subject, each.attribute, each.value.check(value, Place(name=each.key)))
+
+
+def encode(subject: Any, *, leave_out: Collection[str] = (), **changed: Any) -> str:
+    """Return an object as TOML, which reads back as the same; what is None or empty is left out.
+
+    ``changed`` are values that the file shall have in place of those of the object.
+    """
+    values = {name: changed.get(name, each) for name, each in _values(subject, leave_out).items()}
+    return "\n".join(_lines(entries(type(subject)), values, "")) + "\n"
+
+
+def _values(subject: Any, leave_out: Collection[str] = ()) -> dict[str, Any]:
+    known = entries(type(subject)).values()
+    pairs = ((each, getattr(subject, each.attribute)) for each in known if each.key not in leave_out)
+    return {each.key: value for each, value in pairs if not (value is None or value == "" or value in ((), {}, []))}
+
+
+def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) -> list[str]:
+    """Return the lines of a table: its own keys, then the tables in it."""
+    lines: list[str] = []
+    sections: list[str] = []
+    for name, value in values.items():
+        kind = kinds[name].value if isinstance(kinds[name], Entry) else kinds[name]
+        path = f"{heading}.{_written_key(name)}" if heading else _written_key(name)
+        if isinstance(kind, Tables):
+            for each in value:
+                inner = _lines(kind.keys(), each if isinstance(each, Mapping) else _values(each), path)
+                sections += ["", f"[[{path}]]", *inner]
+        elif isinstance(kind, Record | Table):
+            inner = value if isinstance(value, Mapping) else _values(value)
+            inner_kinds = kind.keys() or dict.fromkeys(inner, kind.values if isinstance(kind, Record) else None)
+            content = _lines(inner_kinds, inner, path)
+            sections += (
+                ["", *([f"[{path}]"] if not content or content[0] else []), *content[not content[0] :]]
+                if content
+                else []
+            )
+        else:
+            lines.append(f"{_written_key(name)} = {kind.write(value)}")
+    return lines + sections
+
+
+def _written_key(name: str) -> str:
+    """Return a key as TOML takes it: bare where it can be."""
+    bare = name and all(each.isascii() and (each.isalnum() or each in "-_") for each in name)
+    return name if bare else quoted(name)
+
+
+def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> list[str]:
+    """Return the lines of a file to start from: every key with an example and its meaning.
+
+    ``values`` are TOML values of keys that the template shall have in place of their examples; keys that may be left
+    out are comments unless they are among them.
+    """
+    lines = []
+    for each in entries(schema).values():
+        if example := values.get(each.key, each.example):
+            is_text = isinstance(each.value, Quantity) and each.value.unit != "1"
+            entry = f"{_written_key(each.key)} = {quoted(example) if is_text else example}"
+            entry = entry if each.is_required or each.key in values else f"# {entry}"
+            lines.append(f"{entry:<{width}} # {each.meaning}")
+    return lines
+
+
+def json_schema(schema: type, title: str = "") -> dict[str, Any]:
+    """Return the JSON Schema of the files of a dataclass, with which editors complete and check them."""
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title or schema.__name__}
+    return {**head, "description": (schema.__doc__ or "").split("\n")[0], **Table(schema).json()}
+
+
+def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str]]:
+    """Return a row for each key of a file, with those of tables in it: the key, what it may be, and its meaning."""
+    rows = []
+    for name, each in (Table(schema) if isinstance(schema, type) else schema).keys().items():
+        kind, meaning = (each.value, each.meaning) if isinstance(each, Entry) else (each, "")
+        names = [name, *(each.multiples if isinstance(each, Entry) else ())]
+        words = kind.words().format(name)
+        if (
+            isinstance(each, Entry)
+            and not each.is_required
+            and isinstance(each.default, str | int | float)
+            and each.default != ""
+        ):
+            shown = f"{each.default!r}" if not isinstance(kind, Quantity) else kind.write(each.default)
+            words += f"; {shown.strip(chr(34)).strip(chr(39))} unless given"
+        rows.append((" or ".join(f"`{prefix}{one}`" for one in names), words, meaning))
+        rows += key_rows(kind, f"{prefix}{name}.")
+    return rows

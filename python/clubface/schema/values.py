@@ -1,0 +1,494 @@
+"""The kinds of value that a file holds under a key: how each is read and written, and what is allowed.
+
+Every kind has the methods of :class:`Value`. What is read is in SI and as the program takes it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from clubface import units
+from clubface.schema.place import Place
+from clubface.support.checks import check_choice, is_count
+from clubface.support.files import beside
+from clubface.support.strict_toml import quoted
+
+__all__ = [
+    "FLAG", "NAME", "TEXT", "Choice", "Either", "FilePath", "Interval", "Items", "Quantity", "Record", "Reference",
+    "Simple", "Tables", "Unread", "Value", "count", "written",
+]  # fmt: skip
+
+OPEN = "none"
+"""The word for an end of an interval that has no limit."""
+
+
+class Value:
+    """One kind of value."""
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return the value of a file or a mapping; one that is not allowed is an ``InputError``."""
+        raise NotImplementedError
+
+    def check(self, value: Any, place: Place) -> Any:
+        """Return the value that a caller of Python gave, which may also be as :meth:`read` returns it."""
+        return self.read(value, place)
+
+    def write(self, value: Any) -> str:
+        """Return a value as TOML."""
+        return (
+            quoted(value) if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else repr(value)
+        )
+
+    def json(self) -> dict[str, Any]:
+        """Return the JSON Schema of the value."""
+        return {}
+
+    def words(self) -> str:
+        """Return what is allowed."""
+        return ""
+
+    def keys(self) -> Mapping[str, Any]:
+        """Return the keys of a value that is a table, or a list of tables."""
+        return {}
+
+
+@dataclass(frozen=True)
+class Simple(Value):
+    """A value that stays as it is.
+
+    Attributes
+    ----------
+    allowed
+        What an error says is allowed.
+    accepts
+        Whether a value is.
+    schema
+        Its JSON Schema.
+    """
+
+    allowed: str = ""
+    accepts: Callable[[Any], bool] = lambda value: True
+    schema: Mapping[str, Any] = field(default_factory=dict)
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return what is given, if it is allowed."""
+        if not self.accepts(given):
+            raise place.invalid(given, self.allowed)
+        return given
+
+    def json(self) -> dict[str, Any]:
+        """Return its schema."""
+        return dict(self.schema)
+
+    def words(self) -> str:
+        """Return what is allowed."""
+        return self.allowed
+
+
+def _is_text(value: Any) -> bool:
+    """Tell whether a value is text that can be written to a file, which a lone surrogate cannot."""
+    return isinstance(value, str) and not any("\ud800" <= each <= "\udfff" for each in value)
+
+
+def _is_name(value: Any) -> bool:
+    return isinstance(value, str) and value.strip() != "" and value.isprintable()
+
+
+FLAG = Simple("true or false", lambda value: isinstance(value, bool), {"type": "boolean"})
+TEXT = Simple("text in quotes", _is_text, {"type": "string"})
+NAME = Simple("printable text, not empty", _is_name, {"type": "string", "minLength": 1})
+
+
+def count(least: int, most: int) -> Simple:
+    """Return the kind of a whole number within limits."""
+    schema = {"type": "integer", "minimum": least, "maximum": most}
+    return Simple(f"a whole number from {least} to {most}", lambda value: is_count(value, least, most), schema)
+
+
+@dataclass(frozen=True)
+class Quantity(Value):
+    """A number with a unit. Text names its unit, and a bare number is SI.
+
+    Attributes
+    ----------
+    unit
+        The unit people write it in; "1" for none.
+    lower, upper
+        Limits in that unit that are allowed.
+    above, below
+        Limits in that unit that are not.
+    allowed
+        What an error says is allowed; made from the limits unless given.
+    special
+        Numbers [SI] that have a word, such as "flat".
+    """
+
+    unit: str
+    lower: float | None = None
+    upper: float | None = None
+    above: float | None = None
+    below: float | None = None
+    allowed: str = ""
+    special: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def dimension(self) -> str:
+        """The dimension, as in :mod:`clubface.units`."""
+        return units.unit(self.unit).dimension
+
+    @property
+    def _limits(self) -> tuple[float | None, ...]:
+        return self.lower, self.upper, self.above, self.below
+
+    def read(self, given: Any, place: Place) -> float:
+        """Return the number in SI."""
+        if isinstance(given, str | float) and self.special:
+            given = self.special.get(given, given) if isinstance(given, str) else given
+            if given in self.special.values():
+                return given
+        value = units.parse(given, self.dimension, name=place.title)
+        low, high, above, below = (None if each is None else units.to_si(each, self.unit) for each in self._limits)
+        if ((low is not None and value < low) or (high is not None and value > high)
+                or (above is not None and value <= above) or (below is not None and value >= below)):  # fmt: skip
+            shown = value if self.unit == "1" else units.show(value, self.unit)
+            raise place.invalid(shown, self.allowed or self.words())
+        return value
+
+    def write(self, value: float) -> str:
+        """Return text that reads back as the same bits."""
+        word = next((word for word, number in self.special.items() if number == value), None)
+        return repr(value) if self.unit == "1" else quoted(word or written(value, self.unit))
+
+    def json(self) -> dict[str, Any]:
+        """Return text or a number; the limits of a number with a unit are left to words."""
+        pairs = zip(("minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum"), self._limits, strict=True)
+        limits = {name: each for name, each in pairs if each is not None and self.unit == "1"}
+        return {"type": ["string", "number"], **limits}
+
+    def words(self) -> str:
+        """Return the limits with the unit."""
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        if self.lower is not None and self.upper is not None:
+            return f"{self.lower:g} to {self.upper:g}{unit}"
+        names = ("from", "at most", "above", "below")
+        limits = [f"{name} {each:g}{unit}" for name, each in zip(names, self._limits, strict=True) if each is not None]
+        return " and ".join(limits) or (f"in {self.unit}" if unit else "a number")
+
+
+@dataclass(frozen=True)
+class Unread(Value):
+    """A value that is checked and stays as it is given, for what reads it later."""
+
+    kind: Value
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return what is given."""
+        self.kind.read(given, place)
+        return given
+
+    def json(self) -> dict[str, Any]:
+        """Return the schema of the kind."""
+        return self.kind.json()
+
+    def words(self) -> str:
+        """Return what the kind allows."""
+        return self.kind.words()
+
+
+@dataclass(frozen=True)
+class Choice(Value):
+    """One of several words.
+
+    Attributes
+    ----------
+    choices
+        The words, with what they stand for where that is another value; or a function that returns them.
+    what
+        What one is called in messages; the key unless given.
+    """
+
+    choices: Collection[str] | Mapping[str, Any] | Callable[[], Collection[str]]
+    what: str = ""
+
+    @property
+    def known(self) -> Mapping[str, Any]:
+        """What each word stands for."""
+        choices = self.choices() if callable(self.choices) else self.choices
+        return choices if isinstance(choices, Mapping) else {each: each for each in choices}
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return what the word stands for."""
+        check_choice(self.what or place.title, given, self.known)
+        return self.known[given]
+
+    def check(self, value: Any, place: Place) -> Any:
+        """Return what the word stands for, or that itself."""
+        stands_for_itself = not isinstance(value, str) and value in list(self.known.values())
+        return value if stands_for_itself else self.read(value, place)
+
+    def write(self, value: Any) -> str:
+        """Return the word that stands for a value."""
+        return quoted(next(word for word, each in self.known.items() if each == value))
+
+    def json(self) -> dict[str, Any]:
+        """Return an enumeration."""
+        return {"enum": list(self.known)}
+
+    def words(self) -> str:
+        """Return all words."""
+        return ", ".join(f"`{each}`" for each in self.known)
+
+
+@dataclass(frozen=True)
+class Items(Value):
+    """A list of values of one kind, read as a tuple; ``allowed`` is what an error says of a wrong length."""
+
+    item: Value
+    least: int = 0
+    most: int | None = None
+    allowed: str = ""
+
+    def read(self, given: Any, place: Place) -> tuple[Any, ...]:
+        """Return the values."""
+        if not isinstance(given, list | tuple) or not self.least <= len(given) <= (self.most or len(given)):
+            raise place.invalid(given, self.words())
+        return tuple(self.item.read(each, place) for each in given)
+
+    def write(self, value: Any) -> str:
+        """Return a list."""
+        return f"[{', '.join(map(self.item.write, value))}]"
+
+    def json(self) -> dict[str, Any]:
+        """Return an array."""
+        most = {} if self.most is None else {"maxItems": self.most}
+        return {"type": "array", "items": self.item.json(), "minItems": self.least, **most}
+
+    def words(self) -> str:
+        """Return what is in the list."""
+        return self.allowed or f"a list, each {self.item.words()}"
+
+
+@dataclass(frozen=True)
+class Interval(Value):
+    """The least and the greatest value of a quantity.
+
+    Attributes
+    ----------
+    quantity
+        Unit and limits of both ends.
+    example
+        As it is written in a file.
+    no_limits
+        The ends [SI] that the word "none" stands for; None where both must be given.
+    is_range
+        Whether the ends must differ.
+    """
+
+    quantity: Quantity
+    example: str = '["8 deg", "14 deg"]'
+    no_limits: tuple[float, float] | None = None
+    is_range: bool = True
+
+    def read(self, given: Any, place: Place) -> tuple[float, float]:
+        """Return both ends."""
+        if not isinstance(given, list | tuple) or len(given) != 2:
+            raise place.invalid(given, self.words())
+        ends = self.no_limits or (math.nan, math.nan)
+        low, high = (
+            end if self.no_limits and each in (OPEN, end) else self.quantity.read(each, place)
+            for each, end in zip(given, ends, strict=True)
+        )
+        if low > high or (self.is_range and low == high) or (low, high) == ends:
+            raise place.invalid(given, self.words())
+        return low, high
+
+    def write(self, value: Any) -> str:
+        """Return a list of two."""
+        ends = zip(value, self.no_limits or (math.nan, math.nan), strict=True)
+        return f"[{', '.join(quoted(OPEN) if each == end else self.quantity.write(each) for each, end in ends)}]"
+
+    def json(self) -> dict[str, Any]:
+        """Return an array of two."""
+        return {"type": "array", "items": {"type": ["string", "number"]}, "minItems": 2, "maxItems": 2}
+
+    def words(self) -> str:
+        """Return the form with an example."""
+        no_limit = f'; "{OPEN}" is no limit' if self.no_limits else ""
+        return f"two values, least and greatest, as in {self.example}{no_limit}"
+
+
+@dataclass(frozen=True)
+class Record(Value):
+    """A table that is read as a dictionary.
+
+    Attributes
+    ----------
+    values
+        The kind of value by key, or a function that returns these; or one kind for whatever keys there are.
+    required
+        Keys that must be there.
+    example
+        As it is written in a file.
+    """
+
+    values: Mapping[str, Value] | Callable[[], Mapping[str, Value]] | Value
+    required: Collection[str] = ()
+    example: str = ""
+
+    def read(self, given: Any, place: Place) -> dict[str, Any]:
+        """Return the values by key, in the order of the kinds."""
+        if not isinstance(given, Mapping):
+            example = f", as in {self.example}" if self.example else f": [{place.name}]" if place.document else ""
+            raise place.invalid(given, f"a table{example}")
+        kinds = dict.fromkeys(given, self.values) if isinstance(self.values, Value) else self.keys()
+        place.check_keys(given, kinds, self.required)
+        values = {}
+        for key, kind in kinds.items():
+            if key in given:
+                with (at := place.key(key)).errors():
+                    values[key] = kind.read(given[key], at)
+        return values
+
+    def json(self) -> dict[str, Any]:
+        """Return an object."""
+        if isinstance(self.values, Value):
+            return {"type": "object", "additionalProperties": self.values.json()}
+        keys = {key: each.json() for key, each in self.keys().items()}
+        return {"type": "object", "properties": keys, "required": list(self.required), "additionalProperties": False}
+
+    def words(self) -> str:
+        """Return what is in the table."""
+        return f"a table, each {self.values.words()}" if isinstance(self.values, Value) else "a table"
+
+    def keys(self) -> Mapping[str, Any]:
+        """Return the known keys."""
+        return {} if isinstance(self.values, Value) else self.values() if callable(self.values) else self.values
+
+
+@dataclass(frozen=True)
+class Tables(Value):
+    """A list of tables, each under a heading in two brackets; names among them are used once.
+
+    Attributes
+    ----------
+    table
+        The kind of each.
+    what
+        What one is called in messages before its name, as in "x of trim toe".
+    least, most
+        How many there may be.
+    """
+
+    table: Value
+    what: str = ""
+    least: int = 0
+    most: int | None = None
+
+    def read(self, given: Any, place: Place) -> tuple[Any, ...]:
+        """Return one value a table."""
+        if not (isinstance(given, list | tuple) and all(isinstance(each, Mapping) for each in given)):
+            raise place.invalid(given, self.words().format(place.name))
+        if not self.least <= len(given) <= (self.most or len(given)):
+            raise place.invalid(len(given), f"{self.least} to {self.most}" if self.most else f"at least {self.least}")
+        tables, names = [], set[str]()
+        for index, each in enumerate(given):
+            name = each.get("name")
+            at = place.item(index, f"{self.what} {name}".strip() if isinstance(name, str) and name.strip() else "")
+            with at.errors():
+                if isinstance(name, str):
+                    if name in names:
+                        raise at.key("name").invalid(name, "a name that no other has")
+                    names.add(name)
+                tables.append(self.table.read(each, at))
+        return tuple(tables)
+
+    def check(self, value: Any, place: Place) -> Any:
+        """Return what is given: objects check themselves."""
+        return value
+
+    def json(self) -> dict[str, Any]:
+        """Return an array of objects."""
+        return Items(self.table, self.least, self.most).json()
+
+    def words(self) -> str:
+        """Return the form."""
+        return "tables, each under [[{}]]"
+
+    def keys(self) -> Mapping[str, Any]:
+        """Return the keys of each table."""
+        return self.table.keys()
+
+
+@dataclass(frozen=True)
+class Reference(Value):
+    """The name of something built in, or the path of its file from the folder of the file that names it."""
+
+    load: Callable[[Any], Any]
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return what is named."""
+        return self.load(beside(TEXT.read(given, place), place.folder) if place.folder else given)
+
+    def check(self, value: Any, place: Place) -> Any:
+        """Return what is named, or is there itself."""
+        return self.load(value)
+
+    def json(self) -> dict[str, Any]:
+        """Return a string."""
+        return TEXT.json()
+
+    def words(self) -> str:
+        """Return both ways."""
+        return "a name or a file"
+
+
+class FilePath(Simple):
+    """The path of a file, from the folder of the file that names it."""
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return the path."""
+        return (place.folder or Path()) / TEXT.read(given, place)
+
+    def check(self, value: Any, place: Place) -> Any:
+        """Return the path that is given."""
+        return value
+
+
+@dataclass(frozen=True)
+class Either(Value):
+    """A value of one of several kinds, told apart by their type in the file; ``allowed`` names them in messages."""
+
+    kinds: Mapping[type, Value]
+    allowed: str
+
+    def read(self, given: Any, place: Place) -> Any:
+        """Return what the kind of that type reads."""
+        for each, kind in self.kinds.items():
+            if isinstance(given, each) and isinstance(given, bool) == (each is bool):
+                return kind.read(given, place)
+        raise place.invalid(given, self.allowed)
+
+    def json(self) -> dict[str, Any]:
+        """Return all of them."""
+        return {"anyOf": [each.json() for each in self.kinds.values()]}
+
+    def words(self) -> str:
+        """Return what messages say."""
+        return self.allowed
+
+
+def written(value: float, unit: str) -> str:
+    """Return a number [SI] as text that parses to the same bits, in ``unit`` where one of its numbers does."""
+    dimension = units.unit(unit).dimension
+    for symbol in (unit, units.SI_UNITS[dimension]):
+        number = float(units.from_si(value, symbol))
+        neighbours = (number, math.nextafter(number, 0.0), math.nextafter(number, 1e300))
+        for digits in (f"{number:.15g}", *map(repr, neighbours)):
+            text = digits + ("" if symbol == "1" else f" {symbol}")
+            if math.isfinite(float(digits)) and units.parse(text, dimension) == value:
+                return text
+    return f"{value!r} {units.SI_UNITS[dimension]}"
