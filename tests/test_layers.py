@@ -11,7 +11,7 @@ from arrows import circle, upward
 ROOT = Path(clubface.__file__).parent
 
 FLOORS = (
-    ("errors", "support", "units", "quantities"),
+    ("errors", "support", "units", "quantities", "schema"),
     ("jobs", "results"),
     ("published_data", "equipment", "simulation", "plots"),
     ("shots",),

@@ -136,18 +136,16 @@ FRICTION_LIMITS = (0.0, 10.0)
 COVER_FRICTION = Quantity("1", *FRICTION_LIMITS)
 
 
-class ModelParameters(Record):
-    """The kind of a table of parameters of models: a table a model, each value within the bounds the model declares."""
-
-    def read(self, given: Any, place: Place) -> Mapping[str, Mapping[str, float]]:
-        """Return the values [SI]."""
-        found: dict[str, dict[str, float]] = {}
-        for name, values in super().read(given, place).items():
-            found[name] = {}
-            for key, value in values.items():
-                with (at := place.key(name).key(key)).errors():
-                    found[name][key] = ParameterValue(model(name).parameter(key)).read(value, at)
-        return Frozen({name: Frozen(values) for name, values in found.items()})
+def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Mapping[str, float]]:
+    """Return values of parameters [SI] by model, each within the bounds that the model declares."""
+    found: dict[str, Frozen[str, float]] = {}
+    for name, values in given.items():
+        checked = {}
+        for key, value in values.items():
+            with (at := place.key(name).key(key)).errors():
+                checked[key] = ParameterValue(model(name).parameter(key)).read(value, at)
+        found[name] = Frozen(checked)
+    return Frozen(found)
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -168,7 +166,10 @@ class Ball(Described):
     inertia: float = file_key(Quantity("g cm2"), "moment of inertia about the centre", example="83.6 g cm2")
     friction: float | None = file_key(COVER_FRICTION, "of the cover on a clubface", example="0.35", default=None)
     parameters: Mapping[str, Mapping[str, float]] = file_key(
-        ModelParameters(Record(Simple())), "values of parameters, a table a model", default_factory=dict, hash=False
+        Record(Record(Simple()), make=_checked_parameters),
+        "values of parameters, a table a model",
+        default_factory=dict,
+        hash=False,
     )
     sources: Mapping[str, str] = file_key(
         sources_of(lambda: Ball, "diameter", "pieces"), "where each value comes from", default_factory=dict, hash=False

@@ -160,20 +160,15 @@ def ends_in_words(name: str, of: Range) -> str:
 FAMILIES = ("driver", "7-iron", "any")
 
 
-class SetTable(Record):
-    """The kind of a table [[set]], whose values are those of its model."""
-
-    def read(self, given: Any, place: Place) -> dict[str, Any]:
-        """Return what the table holds, by key."""
-        found = super().read(given, place)
-        kinds = {each.name: ParameterValue(each) for each in model(found["model"]).parameters}
-        found["values"] = Record(kinds, kinds).read(given["values"], place.key("values"))
-        texts = Record(dict.fromkeys(kinds, TEXT))
-        found["value_caveats"] = texts.read(given.get("value_caveats", {}), place.key("value_caveats"))
-        return found
+def _made_set(given: dict[str, Any], place: Place) -> dict[str, Any]:
+    """Return what a table [[set]] holds, whose values are those of its model."""
+    kinds = {each.name: ParameterValue(each) for each in model(given["model"]).parameters}
+    given["values"] = Record(kinds, kinds).read(given["values"], place.key("values"))
+    caveats = Record(dict.fromkeys(kinds, TEXT))
+    return {**given, "value_caveats": caveats.read(given.get("value_caveats", {}), place.key("value_caveats"))}
 
 
-SET = SetTable(
+SET = Record(
     {
         "model": Choice(model_names),
         "club": Choice(FAMILIES),
@@ -188,6 +183,7 @@ SET = SetTable(
         "value_caveats": Record(TEXT),
     },
     required=("model", "club", "values"),
+    make=_made_set,
 )
 
 

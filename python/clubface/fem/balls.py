@@ -87,26 +87,22 @@ class Piece:
             object.__setattr__(self, "thickness", value)
 
 
-class PieceTable(Record):
-    """The kind of a table of [[pieces]], whose constants are those of its law."""
-
-    def read(self, given: Any, place: Place) -> Piece:
-        """Return the piece."""
-        values = super().read(given, place)
-        names = {name for law in laws().values() for name in law.constants}
-        constants = {name: values.pop(name) for name in [*values] if name in names}
-        piece = {name: values.pop(name) for name in ("name", "layers", "thickness") if name in values}
-        if "youngs" not in values:
-            return Piece(material=Material(constants=constants, **values), **piece)
-        law, youngs = values.pop("law"), given["youngs"]
-        if law != "linear":
-            raise place.key("youngs").invalid(youngs, f"leave it out: {law} has constants of its own")
-        for name in constants:
-            raise place.key(name).invalid(given[name], "leave it out, since youngs is given")
-        return Piece(material=Material.linear(**values), **piece)
+def _made_piece(values: dict[str, Any], place: Place) -> Piece:
+    """Return the piece of a table [[pieces]], whose constants are those of its law."""
+    names = {name for law in laws().values() for name in law.constants}
+    constants = {name: values.pop(name) for name in [*values] if name in names}
+    piece = {name: values.pop(name) for name in ("name", "layers", "thickness") if name in values}
+    if "youngs" not in values:
+        return Piece(material=Material(constants=constants, **values), **piece)
+    law, youngs = values.pop("law"), values["youngs"]
+    if law != "linear":
+        raise place.key("youngs").invalid(youngs, f"leave it out: {law} has constants of its own")
+    for name, value in constants.items():
+        raise place.key(name).invalid(value, "leave it out, since youngs is given")
+    return Piece(material=Material.linear(**values), **piece)
 
 
-def _piece_keys() -> dict[str, Value]:
+def _piece_keys() -> Mapping[str, Value]:
     """Return the keys of [[pieces]]."""
     constants = {name: each for law in laws().values() for name, each in law.constants.items()}
     own = {
@@ -120,7 +116,7 @@ def _piece_keys() -> dict[str, Value]:
     return own | more | {name: Quantity(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
 
 
-PIECE = PieceTable(_piece_keys, required=("name", "law", "layers", "poisson"))
+PIECE = Record(_piece_keys, ("name", "law", "layers", "poisson"), make=_made_piece)
 """The kind of one of [[pieces]]."""
 
 

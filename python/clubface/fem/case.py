@@ -129,23 +129,22 @@ def case(which: str | os.PathLike[str] | Case) -> Case:
     return Case.from_toml(path_of("case of finite elements", which, FOLDER))
 
 
-class HeadOfCase(Record):
-    """The kind of the table [head] of a case, read as kind and club."""
+def _made_head(values: dict[str, str], place: Place) -> tuple[str, Club | MeshedHead | None]:
+    """Return the kind of head of a case, and the club or the meshed head that it names."""
+    kind, key = values["kind"], "meshed" if "meshed" in values else "club"
+    with (at := place.key(key)).errors():
+        if key == "club":
+            read = Reference(head if kind == MESHED else club).read
+            return kind, read(values["club"], at) if "club" in values else None
+        if kind != RIGID:
+            allowed = f'leave it out of a head of kind {kind}, or set kind = "{RIGID}"'
+            raise InputError("meshed", values["meshed"], allowed)
+        if "club" in values:
+            raise InputError("meshed", values["meshed"], "left out: give club or meshed, not both")
+        return kind, Reference(head).read(values["meshed"], at).club
 
-    def read(self, given: Any, place: Place) -> tuple[str, Club | MeshedHead | None]:
-        """Return the kind, and the club or the meshed head that the case names."""
-        values = super().read(given, place)
-        kind, key = values["kind"], "meshed" if "meshed" in values else "club"
-        with (at := place.key(key)).errors():
-            if key == "club":
-                read = Reference(head if kind == MESHED else club).read
-                return kind, read(values["club"], at) if "club" in values else None
-            if kind != RIGID:
-                allowed = f'leave it out of a head of kind {kind}, or set kind = "{RIGID}"'
-                raise InputError("meshed", values["meshed"], allowed)
-            if "club" in values:
-                raise InputError("meshed", values["meshed"], "left out: give club or meshed, not both")
-            return kind, Reference(head).read(values["meshed"], at).club
+
+_HEAD = Record({"kind": Choice(HEADS, "kind of head"), "club": TEXT, "meshed": TEXT}, ("kind",), make=_made_head)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -157,8 +156,7 @@ class CaseFile:
     ball: Ball = file_key(Reference(ball), "the ball, made of pieces")
     friction: Any = file_key(Unread(COVER_FRICTION), "Coulomb friction; that of the ball unless given", default=None)
     head: tuple[str, Any] = file_key(
-        HeadOfCase({"kind": Choice(HEADS, "kind of head"), "club": TEXT, "meshed": TEXT}, ("kind",)),
-        'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one',
+        _HEAD, 'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one'
     )
     delivery: Mapping[str, Any] = file_key(
         Record(

@@ -303,17 +303,12 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
     """Return a row for each key of a file, with those of tables in it: the key, what it may be, and its meaning."""
     rows = []
     for name, each in (Table(schema) if isinstance(schema, type) else schema).keys().items():
-        kind, meaning = (each.value, each.meaning) if isinstance(each, Entry) else (each, "")
-        names = [name, *(each.multiples if isinstance(each, Entry) else ())]
+        entry = each if isinstance(each, Entry) else None
+        kind = each.value if entry else each
         words = kind.words().format(name)
-        if (
-            isinstance(each, Entry)
-            and not each.is_required
-            and isinstance(each.default, str | int | float)
-            and each.default != ""
-        ):
-            shown = f"{each.default!r}" if not isinstance(kind, Quantity) else kind.write(each.default)
-            words += f"; {shown.strip(chr(34)).strip(chr(39))} unless given"
-        rows.append((" or ".join(f"`{prefix}{one}`" for one in names), words, meaning))
+        if entry and not entry.is_required and isinstance(entry.default, int | float | str) and entry.default != "":
+            words += f"; {kind.write(entry.default)} unless given"
+        names = " or ".join(f"`{prefix}{one}`" for one in (name, *(entry.multiples if entry else ())))
+        rows.append((names, words, entry.meaning if entry else ""))
         rows += key_rows(kind, f"{prefix}{name}.")
     return rows

@@ -333,14 +333,17 @@ class Record(Value):
         Keys that must be there.
     example
         As it is written in a file.
+    make
+        What makes something else of the values and their place.
     """
 
     values: Mapping[str, Value] | Callable[[], Mapping[str, Value]] | Value
     required: Collection[str] = ()
     example: str = ""
+    make: Callable[[dict[str, Any], Place], Any] | None = None
 
-    def read(self, given: Any, place: Place) -> dict[str, Any]:
-        """Return the values by key, in the order of the kinds."""
+    def read(self, given: Any, place: Place) -> Any:
+        """Return the values by key, in the order of the kinds, or what is made of them."""
         if not isinstance(given, Mapping):
             example = f", as in {self.example}" if self.example else f": [{place.name}]" if place.document else ""
             raise place.invalid(given, f"a table{example}")
@@ -351,7 +354,7 @@ class Record(Value):
             if key in given:
                 with (at := place.key(key)).errors():
                     values[key] = kind.read(given[key], at)
-        return values
+        return values if self.make is None else self.make(values, place)
 
     def json(self) -> dict[str, Any]:
         """Return an object."""
@@ -388,8 +391,8 @@ class Tables(Value):
     least: int = 0
     most: int | None = None
 
-    def read(self, given: Any, place: Place) -> tuple[Any, ...]:
-        """Return one value a table."""
+    def read(self, given: Any, place: Place) -> Any:
+        """Return one value a table, as a tuple."""
         if not (isinstance(given, list | tuple) and all(isinstance(each, Mapping) for each in given)):
             raise place.invalid(given, self.words().format(place.name))
         if not self.least <= len(given) <= (self.most or len(given)):

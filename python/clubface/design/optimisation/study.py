@@ -93,6 +93,7 @@ if TYPE_CHECKING:
 
 
 MOST_SHOTS = 100_000
+DEFAULT_POINTS = 9
 DISTRIBUTION = "mass_distribution"
 """The word among the variables that sets the whole distribution of mass free."""
 DIMENSIONS = {**{name: each.dimension for name, each in CLUB_PROPERTIES.items()}, "lie": "angle"}
@@ -186,7 +187,7 @@ class DesignStudy:
     shots: int = 10_000
     seed: int = 1
     starts: int = 8
-    points: int = 9
+    points: int = DEFAULT_POINTS
 
     def __post_init__(self) -> None:
         if not self.bounds and not self.distributed:
@@ -444,11 +445,11 @@ class StudyFile(CommonFile):
                 f"variables.{own[0]}", list(bounds[own[0]]), f"under [limits], since {DISTRIBUTION} is free"
             )
         exponent = self.mass.get("speed_exponent", SPEED_EXPONENT)
-        points = {} if self.points is None else {"points": self.points}
         return DesignStudy(
             **self.common(ball=self.ball, speed_exponent=exponent), club=self.club, objectives=objectives,
             bounds=bounds, distributed=distributed, head=None if self.head is None else self.head.head(),
-            limits=self.limits, starts=self.starts, **points, **self.rules,
+            limits=self.limits, starts=self.starts, points=self.points or DEFAULT_POINTS,
+            conform=self.rules.get("conform", True), tolerance=self.rules.get("tolerance", True),
         )  # fmt: skip
 
 

@@ -306,20 +306,14 @@ def _driver(named: Any) -> DriverHead:
 METAL = {key: entries(Metal)[key] for key in ("youngs", "poisson", "density", "yield")}
 
 
-class MetalTable(Record):
-    """The kind of a table [[metals]]."""
-
-    def read(self, given: Any, place: Place) -> NamedMetal:
-        """Return the metal with its name and source."""
-        values = super().read(given, place)
-        metal = Metal(**{each.attribute: values.pop(key) for key, each in METAL.items() if key in values})
-        return NamedMetal(metal=metal, **values)
+def _made_metal(values: dict[str, Any], place: Place) -> NamedMetal:
+    """Return the metal of a table [[metals]], with its name and source."""
+    metal = Metal(**{each.attribute: values.pop(key) for key, each in METAL.items() if key in values})
+    return NamedMetal(metal=metal, **values)
 
 
-METALS = Tables(
-    MetalTable({"name": NAME, "source": TEXT, **{key: each.value for key, each in METAL.items()}},
-               ("name", "youngs", "poisson", "density"))
-)  # fmt: skip
+_METAL_KEYS = {"name": NAME, "source": TEXT, **{key: each.value for key, each in METAL.items()}}
+METALS = Tables(Record(_METAL_KEYS, ("name", "youngs", "poisson", "density"), make=_made_metal))
 
 
 @dataclass(frozen=True, kw_only=True)

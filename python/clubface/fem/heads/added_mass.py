@@ -29,7 +29,7 @@ _COORDINATE = Quantity(
 class Places(Tables):
     """The kind of tables of masses at places, read as places [m] and masses [kg] by name."""
 
-    def read(self, given: Any, place: FilePlace) -> dict[str, Place]:
+    def read(self, given: Any, place: FilePlace) -> Any:
         """Return x, y, z and mass by name."""
         return {each.pop("name"): tuple(each.values()) for each in super().read(given, place)}
 

@@ -69,17 +69,15 @@ class Group:
             Metal(**self.metal)  # refuses what no metal has
 
 
-class GroupTable(Record):
-    """The kind of a table [[groups]], in which values of the metal stand beside those of the group."""
-
-    def read(self, given: Any, place: Place) -> Group:
-        """Return the group."""
-        values = super().read(given, place)
-        metal = {each.attribute: values.pop(key) for key, each in entries(Metal).items() if key in values}
-        return Group(metal=metal, **values)
+def _made_group(values: dict[str, Any], place: Place) -> Group:
+    """Return the group of a table [[groups]], in which values of its metal stand beside its own."""
+    metal = {each.attribute: values.pop(key) for key, each in entries(Metal).items() if key in values}
+    return Group(metal=metal, **values)
 
 
-GROUP_TABLE = GroupTable({**GROUP, **{key: each.value for key, each in entries(Metal).items()}}, ("name",))
+GROUP_TABLE = Record(
+    {**GROUP, **{key: each.value for key, each in entries(Metal).items()}}, ("name",), make=_made_group
+)
 
 
 def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any]:
