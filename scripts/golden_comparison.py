@@ -360,9 +360,9 @@ def run_names(folder: Path) -> list[str]:
     return sorted(str(path.parent.relative_to(folder)) for path in folder.rglob("commands.json"))
 
 
-def compare(before: Path, after: Path, report: Path, most: int) -> int:
+def compare(before: Path, after: Path, report: Path, most: int, only: tuple[str, ...] = ()) -> int:
     """Print a table of all runs and write their differences; return 1 if a number or an output is lost or changed."""
-    names, others = run_names(before), run_names(after)
+    names, others = ([name for name in run_names(each) if name.startswith(only or "")] for each in (before, after))
     differences = {name: compare_run(before / name, after / name) for name in names if name in others}
     gone, new = [each for each in names if each not in others], [each for each in others if each not in names]
     parts = [f"# Outputs of {before} and {after}\n", summary(differences, gone, new)]

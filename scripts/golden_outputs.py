@@ -408,6 +408,7 @@ def main() -> int:
     comparing = commands.add_parser("compare", help="compare two recordings")
     comparing.add_argument("before", type=Path)
     comparing.add_argument("after", type=Path)
+    comparing.add_argument("--only", action="append", default=[], metavar="NAME", help="runs whose names begin so")
     comparing.add_argument("-o", "--output", type=Path, default=Path("golden-differences.md"), metavar="FILE")
     comparing.add_argument(
         "--most", type=int, default=40, help="items of each kind that the file lists; 40 unless given"
@@ -418,7 +419,7 @@ def main() -> int:
             given.folder, jobs=given.jobs, with_long=given.long, only=given.only,
             inputs=given.inputs,
         )  # fmt: skip
-    return compare(given.before, given.after, given.output, given.most)
+    return compare(given.before, given.after, given.output, given.most, tuple(given.only))
 
 
 if __name__ == "__main__":
