@@ -14,7 +14,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named, models
 from clubface.errors import InputError
 from clubface.simulation.impact import Parameters, backend_of, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values, equipped, shot_error, shots, single, tolerance
+from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import Quantity, Series, in_unit
 from clubface.support.checks import check_choice
@@ -178,14 +178,12 @@ def history(
         contact = [name for name, each in models().items() if each.kind == "contact"]
         raise InputError("model", model, f"a contact model, which resolves time: {', '.join(contact)}")
     accuracy = tolerance(accuracy)
-    with_, chosen = equipped(model, club, ball, parameters)
-    hit = shots(with_, as_values(delivery, values), hand=hand)
-    columns, parameter_columns = single(hit, chosen, "a history")
+    prepared = prepare(model, club, as_values(delivery, values), ball, parameters, hand, single="a history")
     try:
-        arrays = backend_of(model).history(model, columns, parameter_columns, accuracy)
+        arrays = backend_of(model).history(model, prepared.shots.columns, prepared.parameters, accuracy)
     except ValueError as error:
-        raise shot_error(error, columns, chosen) from None
+        raise prepared.error(error) from None
     outcome = arrays.pop("launch").reshape(-1, 1)
-    launch = Launch(outcome, hit, model, chosen, accuracy)
+    launch = Launch(outcome, prepared.shots, model, prepared.chosen, accuracy)
     warn_if_outside((launch,))
     return History(arrays, launch)

@@ -1,10 +1,7 @@
 """From delivery to launch: one call for a shot, a batch or several models, by whatever computes the model.
 
-From delivery to launch: one call for a shot, a batch or several models.
-
-What computes a model: the compiled core for the reduced ones, or the module that is registered for it.
-
-Shots outside what their model or its parameters were made for: found, counted, and told in one line.
+The compiled core computes the reduced models, a module that is registered for it any other. Shots outside what their
+model or its parameters were made for are counted, and said in one line.
 """
 
 from __future__ import annotations
@@ -26,14 +23,10 @@ from clubface.simulation import core
 from clubface.simulation.inputs import (
     Delivery,
     as_values,
-    broadcast,
     check_on_error,
-    equipped,
-    shot_error,
-    shots,
+    prepare,
     thread_count,
     tolerance,
-    value_of,
 )
 from clubface.simulation.launch import Comparison, Launch
 from clubface.simulation.results import first_error, input_columns, outputs
@@ -402,21 +395,19 @@ def impact(
     accuracy, cores = tolerance(accuracy), thread_count(threads)
     backend = backend_of(model)
     own, ball = backend.balls(ball, accuracy)
-    with_, chosen = equipped(model, club, ball, parameters)
-    hit = shots(with_, values, hand=hand)
-    names = tuple(chosen.values)
-    hit, columns = broadcast(hit, chosen.columns(), names, len(outputs()))
-    count = math.prod(hit.shape)
+    prepared = prepare(model, club, values, ball, parameters, hand, outputs=len(outputs()))
+    laid_out, chosen, columns = prepared
+    count = math.prod(laid_out.shape)
     try:
         computed, problems = backend.launches(
-            Request(own, hit.club, model, hit.columns, columns, count, accuracy, cores, progress, on_error)
+            Request(own, laid_out.club, model, laid_out.columns, columns, count, accuracy, cores, progress, on_error)
         )
     except ValueError as error:
-        raise shot_error(error, hit.columns, chosen) from None
+        raise prepared.error(error) from None
     if problems and on_error == "raise":
         row, name, _ = problems[0]
-        raise first_error(problems, value_of(name, row, hit.columns, names, columns), hit.shape)
-    launch = Launch(computed, hit, model, chosen, accuracy, problems)
+        raise first_error(problems, prepared.value_of(name, row), laid_out.shape)
+    launch = Launch(computed, laid_out, model, chosen, accuracy, problems)
     warn_if_outside((launch,))
     return launch
 

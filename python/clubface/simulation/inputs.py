@@ -1,13 +1,7 @@
-"""The inputs of an impact: from what a person writes to the columns of the core.
-
-From what a person writes to the columns of the core: club, ball, delivery and parameters of one or many shots.
+"""The inputs of an impact: from club, ball, delivery and parameters as a person writes them to the columns of the core.
 
 A single shot must cost little more than its physics, so club, ball and parameter columns are kept, and a plain
 number goes straight into its column.
-
-How the clubhead arrives at the ball.
-
-What every computation takes besides its physics: what a bad shot does, how many threads, which tolerance.
 """
 
 from __future__ import annotations
@@ -169,6 +163,71 @@ class Shots(NamedTuple):
     columns: list[Any]
     shape: tuple[int, ...]
     varied: dict[str, NDArray[Any]]
+
+
+class Prepared(NamedTuple):
+    """Shots with everything that a model needs to compute them.
+
+    Attributes
+    ----------
+    shots
+        The inputs, broadcast.
+    chosen
+        The parameter set.
+    parameters
+        One a parameter of the model: a number, or an array of the shots, flat.
+    """
+
+    shots: Shots
+    chosen: ParameterSet
+    parameters: list[Any]
+
+    def error(self, error: ValueError) -> InputError:
+        """Turn the core's ``ValueError(name, message)`` about one shot into an :class:`InputError`."""
+        name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+        return ShotError(name, self.value_of(name, 0), message)
+
+    def value_of(self, name: str, row: int) -> Any:
+        """Return the value [SI] of an input or parameter in one row; None of anything else."""
+        if name in input_columns():
+            value = self.shots.columns[input_columns()[name]]
+        elif name in self.chosen.values:
+            value = self.parameters[list(self.chosen.values).index(name)]
+        else:
+            return None
+        return value if isinstance(value, float) else float(value[row])
+
+
+def prepare(
+    model_name: str,
+    club: str | os.PathLike[str] | Club,
+    values: Mapping[str, Any],
+    ball: str | os.PathLike[str] | Ball | None,
+    parameters: Any,
+    hand: Any = None,
+    *,
+    outputs: int | None = None,
+    single: str = "",
+) -> Prepared:
+    """Return shots as a model takes them; the arguments are those of :func:`clubface.impact`.
+
+    Parameters
+    ----------
+    outputs
+        Numbers that are computed of each shot, for which there must be memory.
+    single
+        What is computed of a single shot alone, in words; arrays are refused.
+    """
+    with_, chosen = equipped(model_name, club, ball, parameters)
+    laid_out = shots(with_, values, hand=hand)
+    columns = chosen.columns()
+    if not laid_out.varied and set(map(type, columns)) <= {float}:
+        return Prepared(laid_out, chosen, columns)
+    if single:
+        arrays = [*laid_out.varied, *(name for name, each in chosen.values.items() if not isinstance(each, float))]
+        raise InputError(arrays[0], Told("an array"), f"a single number: {single} is of one shot")
+    laid_out, columns = broadcast(laid_out, columns, tuple(chosen.values), outputs or 0)
+    return Prepared(laid_out, chosen, columns)
 
 
 def equipment(which: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None) -> Equipment:
@@ -355,31 +414,6 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
 def _published(model_name: str, family: str) -> ParameterSet:
     model(model_name)
     return ParameterSet.builtin(model_name, family)
-
-
-def single(of: Shots, parameters: ParameterSet, what: str) -> tuple[list[float], list[float]]:
-    """Return the columns of one shot; arrays are refused, since ``what`` is of a single shot."""
-    arrays = [*of.varied, *(name for name, value in parameters.values.items() if not isinstance(value, float))]
-    if arrays:
-        raise InputError(arrays[0], Told("an array"), f"a single number: {what} is of one shot")
-    return of.columns, parameters.columns()
-
-
-def shot_error(error: ValueError, columns: list[Any], parameters: ParameterSet) -> InputError:
-    """Turn the core's ``ValueError(name, message)`` about one shot into an :class:`InputError`."""
-    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
-    return ShotError(name, value_of(name, 0, columns, tuple(parameters.values), parameters.columns()), message)
-
-
-def value_of(name: str, row: int, columns: list[Any], names: tuple[str, ...], parameters: list[Any]) -> Any:
-    """Return the value [SI] in one row of the flat column of the input or parameter (one of ``names``) called so."""
-    if name in input_columns():
-        value = columns[input_columns()[name]]
-    elif name in names:
-        value = parameters[names.index(name)]
-    else:
-        return None
-    return value if isinstance(value, float) else float(value[row])
 
 
 def as_values(delivery: Delivery | Mapping[str, Any] | None, values: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -26,7 +26,7 @@ from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
 from clubface.simulation.impact import Parameters, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values, equipped, shot_error, shots, single, tolerance
+from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
@@ -249,13 +249,11 @@ def sensitivity(
     """
     accuracy = tolerance(accuracy)
     reduced_model(model, "one with derivatives")
-    with_, chosen = equipped(model, club, ball, parameters)
-    hit = shots(with_, as_values(delivery, values), hand=hand)
-    columns, parameter_columns = single(hit, chosen, "a sensitivity")
+    prepared = prepare(model, club, as_values(delivery, values), ball, parameters, hand, single="a sensitivity")
     try:
-        computed, jacobian = core.sensitivity(model, columns, parameter_columns, accuracy)
+        computed, jacobian = core.sensitivity(model, prepared.shots.columns, prepared.parameters, accuracy)
     except ValueError as error:
-        raise shot_error(error, columns, chosen) from None
+        raise prepared.error(error) from None
     known_rows = _known_outputs(computed)
     known_columns = _known_variables(model)
     rows = _chosen("output", outputs, known_rows)
@@ -264,7 +262,7 @@ def sensitivity(
     row_quantities = {name: known_rows[name][1] for name in rows}
     column_quantities = {name: known_columns[name][1] for name in across}
     shown = _shown_units({**row_quantities, **column_quantities}, units or {})
-    outcome = Launch(computed.reshape(-1, 1), hit, model, chosen, accuracy)
+    outcome = Launch(computed.reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
     warn_if_outside((outcome,))
     return Sensitivity(si, row_quantities, column_quantities, shown, outcome)
 
