@@ -13,7 +13,8 @@ from clubface import quantities as registry
 from clubface.cli import app as commands, show
 from clubface.cli.options import takes
 from clubface.quantities import register_quantity
-from clubface.results import Result, catalogue, column, note, table, text
+from clubface.results import Result, catalogue, column, note, text
+from clubface.results.table import table
 
 ROOT = Path(clubface.__file__).parents[2]
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()

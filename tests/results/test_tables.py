@@ -13,8 +13,9 @@ from clubface.errors import UnknownNameError
 from clubface.present.files import csv_text, json_text, write_table
 from clubface.present.terminal import as_text
 from clubface.quantities import quantities, quantity
-from clubface.results import Result, column, note, table, text
+from clubface.results import Result, column, note, text
 from clubface.results.catalogue import SENTENCES
+from clubface.results.table import table
 
 numbers = st.lists(st.floats(allow_nan=True, allow_infinity=False, width=64), min_size=1, max_size=5)
 

@@ -25,7 +25,7 @@ from clubface.errors import ClubfaceError, RunError
 from clubface.simulation import core
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, Flight, flight_columns, fly
 from clubface.simulation.launch import Launch
-from clubface.simulation.results import Quantity, flight_inputs, flight_outputs, inputs, outputs
+from clubface.simulation.results import Variable, flight_inputs, flight_outputs, inputs, outputs
 from clubface.simulation.sensitivity import differentiated
 from clubface.support.checks import check_choice
 
@@ -230,7 +230,7 @@ QUANTITIES: tuple[str, ...] = (*LAUNCHED, *FLOWN)
 """In the order of all tables."""
 
 
-def quantities() -> dict[str, Quantity]:
+def quantities() -> dict[str, Variable]:
     """Return the quantities by name, with units and meanings."""
     known = {**flight_outputs(), **outputs()}
     return {name: known[name] for name in QUANTITIES}

@@ -3,6 +3,6 @@
 from clubface.results.notes import Note as Note, note as note
 from clubface.results.provenance import Provenance as Provenance
 from clubface.results.result import Result as Result
-from clubface.results.table import Column as Column, Table as Table, column as column, table as table, text as text
+from clubface.results.table import Column as Column, Table as Table, column as column, text as text
 
-__all__ = ["Column", "Note", "Provenance", "Result", "Table", "column", "note", "table", "text"]
+__all__ = ["Column", "Note", "Provenance", "Result", "Table", "column", "note", "text"]

@@ -123,7 +123,10 @@ class Result:
 
 
 class Described:
-    """Gives what a computation returns the surfaces of its :class:`Result`."""
+    """Gives what a computation returns the surfaces of its :class:`Result`.
+
+    Its tables in pandas and xarray are those of ``to_result()``, unless it has its own.
+    """
 
     def to_result(self) -> Result:
         """Return it as a result."""
@@ -132,14 +135,6 @@ class Described:
     def to_dict(self) -> Mapping[str, Any]:
         """Return it as JSON has it; see :meth:`Result.to_dict`."""
         return self.to_result().to_dict()
-
-    def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
-        """Return one of its tables, the main one unless named, with SI values."""
-        return self.to_result().to_pandas(name)
-
-    def to_xarray(self, name: str | None = None) -> xarray.Dataset:
-        """Return one of its tables, the main one unless named, as a dataset, SI."""
-        return self.to_result().to_xarray(name)
 
     def _repr_html_(self) -> str:
         return self.to_result()._repr_html_()

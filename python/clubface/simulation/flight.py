@@ -38,9 +38,9 @@ from clubface.simulation import core
 from clubface.simulation.inputs import check_on_error, common_shape, thread_count
 from clubface.simulation.launch import Comparison, Launch, vectors
 from clubface.simulation.results import (
-    Quantity,
-    Result,
+    Batch,
     Series,
+    Variable,
     Varied,
     first_error,
     flight_inputs,
@@ -292,7 +292,7 @@ def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
     return {name: value for name, value in values.items() if value is not None}
 
 
-class Flight(Result):
+class Flight(Batch):
     """Where the ball goes, SI and radians; every quantity is an attribute, of the shape of the batch.
 
     Attributes
@@ -355,7 +355,7 @@ class Flight(Result):
         self.launch = launch
 
     @classmethod
-    def quantities(cls) -> Mapping[str, Quantity]:
+    def quantities(cls) -> Mapping[str, Variable]:
         """Return the quantities by name, with unit and meaning."""
         return flight_outputs()
 
@@ -504,10 +504,10 @@ class Trajectory(Series):
     """
 
     quantities = {  # noqa: RUF012
-        "time": Quantity("time", "s", "time since launch"),
-        "position": Quantity("position", "m", "from the start"),
-        "velocity": Quantity("velocity", "m/s", "velocity"),
-        "spin": Quantity("spin", "rad/s", "angular velocity"),
+        "time": Variable("time", "s", "time since launch"),
+        "position": Variable("position", "m", "from the start"),
+        "velocity": Variable("velocity", "m/s", "velocity"),
+        "spin": Variable("spin", "rad/s", "angular velocity"),
     }
 
     def __init__(self, arrays: Mapping[str, NDArray[Any]], provenance: dict[str, Any]) -> None:

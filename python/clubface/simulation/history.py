@@ -16,7 +16,7 @@ from clubface.errors import InputError
 from clubface.simulation.impact import Parameters, backend_of, warn_if_outside
 from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
-from clubface.simulation.results import Quantity, Series, in_unit
+from clubface.simulation.results import Series, Variable, in_unit
 from clubface.support.checks import check_choice
 
 _STEPS = {
@@ -55,7 +55,7 @@ _RINGS = {
     "ring_inside": ("1", "1 where the ring is inside the contact"),
 }
 _RADIUS = {"ring_radius": ("m", "mid-radius of each ring")}
-_TIME = Quantity("time", "s", "time since first touch")
+_TIME = Variable("time", "s", "time since first touch")
 
 
 class History(Series):
@@ -132,10 +132,10 @@ class History(Series):
         return "axis" if name in _VECTORS else "component" if name in _ATTITUDE else "ring"
 
     @property
-    def quantities(self) -> dict[str, Quantity]:  # pyright: ignore[reportIncompatibleVariableOverride]
+    def quantities(self) -> dict[str, Variable]:  # pyright: ignore[reportIncompatibleVariableOverride]
         """The quantities it holds by name, with unit and meaning."""
         table = _STEPS | _VECTORS | _ATTITUDE | _RINGS | _RADIUS
-        known = {name: Quantity(name, *each) for name, each in table.items() if name in self._arrays}
+        known = {name: Variable(name, *each) for name, each in table.items() if name in self._arrays}
         return {"time": _TIME, **known}
 
     @property

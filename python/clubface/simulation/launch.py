@@ -20,7 +20,7 @@ from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import AssumptionWarning, InputError
 from clubface.simulation.inputs import Shots, common_shape
-from clubface.simulation.results import Quantity, Result, Varied, flight_inputs, input_columns, inputs, outputs
+from clubface.simulation.results import Batch, Variable, Varied, flight_inputs, input_columns, inputs, outputs
 from clubface.simulation.spin import SPINS, parts
 from clubface.support.checks import Frozen, check_names, warn_once
 from clubface.support.processes import check_request
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class Launch(Result):
+class Launch(Batch):
     """The launch of the ball, SI and radians; every quantity is an attribute, of the shape of the batch.
 
     Attributes
@@ -119,7 +119,7 @@ class Launch(Result):
         self._found = problems or ()
 
     @classmethod
-    def quantities(cls) -> Mapping[str, Quantity]:
+    def quantities(cls) -> Mapping[str, Variable]:
         """Return the quantities by name, with unit and meaning."""
         return outputs()
 

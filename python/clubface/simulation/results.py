@@ -1,11 +1,4 @@
-"""What launches and flights share, and the quantities that they hold: names, units, digits and meanings.
-
-What launches and flights share: named arrays in SI that know their units and where they come from.
-
-What goes into the core and what comes out: names, units and meanings, in the order of its columns.
-
-In which unit, and with how many digits, people read each quantity of a launch and its flight.
-"""
+"""What launches, flights and histories share: named arrays in SI that know their units and where they come from."""
 
 from __future__ import annotations
 
@@ -15,9 +8,14 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
+import numpy as np
+
 from clubface import units
 from clubface.errors import ShotError
 from clubface.quantities import display_unit
+from clubface.results.notes import note
+from clubface.results.result import Described, Result
+from clubface.results.table import Table, column
 from clubface.simulation import core
 from clubface.support.checks import Frozen, check_choice
 
@@ -27,8 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class Quantity(NamedTuple):
-    """One input or output of the core.
+class Variable(NamedTuple):
+    """One input or output of the core, in the order of its columns.
 
     Attributes
     ----------
@@ -62,25 +60,25 @@ class Quantity(NamedTuple):
 
 
 @cache
-def inputs() -> Mapping[str, Quantity]:
+def inputs() -> Mapping[str, Variable]:
     """Return the inputs of an impact by name, in the order of the columns."""
     return _read(core.inputs())
 
 
 @cache
-def outputs() -> Mapping[str, Quantity]:
+def outputs() -> Mapping[str, Variable]:
     """Return the outputs of an impact by name, in order."""
     return _read(core.outputs())
 
 
 @cache
-def flight_inputs() -> Mapping[str, Quantity]:
+def flight_inputs() -> Mapping[str, Variable]:
     """Return the inputs of a flight by name, in the order of the columns."""
     return _read(core.flight_inputs())
 
 
 @cache
-def flight_outputs() -> Mapping[str, Quantity]:
+def flight_outputs() -> Mapping[str, Variable]:
     """Return the outputs of a flight by name, in order."""
     return _read(core.flight_outputs())
 
@@ -97,17 +95,17 @@ def input_dimensions() -> Mapping[str, str]:
     return Frozen({name: each.dimension for name, each in inputs().items()})
 
 
-def in_unit(value: Any, quantity: Quantity, unit: str) -> Any:
+def in_unit(value: Any, quantity: Variable, unit: str) -> Any:
     """Express SI ``value`` of ``quantity`` in ``unit``, which must be of its dimension."""
     units.unit(unit, name=quantity.name, dimension=quantity.dimension)
     return units.from_si(value, unit)
 
 
-def _read(entries: list[dict[str, Any]]) -> Mapping[str, Quantity]:
+def _read(entries: list[dict[str, Any]]) -> Mapping[str, Variable]:
     found = {}
     for entry in entries:
-        values = {key: entry[key] for key in Quantity._fields if key in entry}
-        found[entry["name"]] = Quantity(**values)
+        values = {key: entry[key] for key in Variable._fields if key in entry}
+        found[entry["name"]] = Variable(**values)
     return Frozen(found)
 
 
@@ -147,7 +145,7 @@ class Varied(NamedTuple):
     meaning: str
 
 
-class Result:
+class Batch(Described):
     """Named quantities over the shots of a batch, SI and radians; a single shot has numbers in place of arrays.
 
     Every quantity is an attribute. :meth:`get` gives it in another unit, :meth:`to_pandas` and :meth:`to_xarray`
@@ -165,7 +163,7 @@ class Result:
     _found: Sequence[tuple[int, str, str]]
 
     @classmethod
-    def quantities(cls) -> Mapping[str, Quantity]:
+    def quantities(cls) -> Mapping[str, Variable]:
         """Return the quantities by name, with unit and meaning."""
         raise NotImplementedError
 
@@ -225,7 +223,6 @@ class Result:
 
         ``attrs`` of the frame holds ``units`` and ``provenance``.
         """
-        import numpy as np
         import pandas
 
         columns = {
@@ -266,6 +263,19 @@ class Result:
             coordinates[name] = (own, values, attributes(each.unit, each.meaning))
         return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
 
+    def to_result(self) -> Result:
+        """Return one row a shot: the inputs given as arrays, then every quantity."""
+        varied = {
+            name: np.broadcast_to(each.values, self.shape).reshape(-1)
+            for name, each in self.varied.items()
+            if name not in self.quantities()
+        }
+        columns = [column(name, values, self.varied[name].unit) for name, values in varied.items()]
+        columns += [column(name, values) for name, values in zip(self.quantities(), self._values, strict=True)]
+        problems = tuple(note("shot-without-result", row=list(each.row), reason=each.reason) for each in self.problems)
+        table = Table(f"{self._kind}es" if self._kind == "launch" else f"{self._kind}s", tuple(columns))
+        return Result(self._kind, self._headline(), (table,), notes=problems)
+
     def __repr__(self) -> str:
         lines = [self._headline()]
         if self.shape:
@@ -295,7 +305,7 @@ class Series:
         What it was computed from and with.
     """
 
-    quantities: Mapping[str, Quantity]
+    quantities: Mapping[str, Variable]
     provenance: Mapping[str, Any]
     _arrays: Mapping[str, NDArray[Any]]
     _coordinates: ClassVar[Mapping[str, list[str]]] = {"axis": list("xyz")}

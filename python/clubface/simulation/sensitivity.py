@@ -30,7 +30,7 @@ from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
-    Quantity,
+    Variable,
     flattened,
     flight_inputs,
     flight_outputs,
@@ -73,8 +73,8 @@ class Sensitivity:
     def __init__(
         self,
         si: NDArray[Any],
-        rows: Mapping[str, Quantity],
-        columns: Mapping[str, Quantity],
+        rows: Mapping[str, Variable],
+        columns: Mapping[str, Variable],
         shown: Mapping[str, str],
         launch: Launch,
     ) -> None:
@@ -267,18 +267,18 @@ def sensitivity(
     return Sensitivity(si, row_quantities, column_quantities, shown, outcome)
 
 
-def _known_outputs(computed: NDArray[Any]) -> dict[str, tuple[int, Quantity]]:
+def _known_outputs(computed: NDArray[Any]) -> dict[str, tuple[int, Variable]]:
     """Return row and quantity of the outputs the model gives; those without a value are left out."""
     found = enumerate(launch_outputs().items())
     return {name: (row, each) for row, (name, each) in found if computed[row] == computed[row]}
 
 
-def _known_variables(model: str) -> dict[str, tuple[int, Quantity]]:
+def _known_variables(model: str) -> dict[str, tuple[int, Variable]]:
     """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
     given = inputs()
     found = {name: (column, each) for column, (name, each) in enumerate(given.items()) if each.differentiable}
     for place, each in enumerate(model_named(model).parameters):
-        found[each.name] = (len(given) + place, Quantity(each.name, each.unit, each.meaning, "parameter", True))
+        found[each.name] = (len(given) + place, Variable(each.name, each.unit, each.meaning, "parameter", True))
     return found
 
 
@@ -295,7 +295,7 @@ def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) ->
     return names
 
 
-def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -> dict[str, str]:
+def _shown_units(quantities: Mapping[str, Variable], given: Mapping[str, str]) -> dict[str, str]:
     check_names("output or variable", given, quantities)
     shown = {}
     for name, each in quantities.items():
@@ -306,7 +306,7 @@ def _shown_units(quantities: Mapping[str, Quantity], given: Mapping[str, str]) -
     return shown
 
 
-def _checked(quantity: Quantity, symbol: str) -> str:
+def _checked(quantity: Variable, symbol: str) -> str:
     """Return the unit ``symbol`` if it is one of ``quantity``."""
     return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
 

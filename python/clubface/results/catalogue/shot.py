@@ -29,6 +29,7 @@ SENTENCES = {
         "It carries {carry:0} and lands on the line to the target, after it has risen to {apex:0}; it comes down at "
         "{landing_angle:0}."
     ),
+    "shot-without-result": "shot {row} has no result: {reason}",
     "spin-outside-aerodynamic-data": "the spin leaves the range to which the aerodynamics were fitted",
     "static-loft": "--loft is not given: delivered with the static loft ({clubs}), which few golfers do.",
 }
