@@ -131,27 +131,44 @@ def keep_numbers(before: Iterable[Number], after: Iterable[Number]) -> Kept:
         else:
             waiting.append((each, taken is None))
     for each, known in waiting:
-        if each.value != 0.0 and convert(pool, each):
+        converted = convert(pool, each)
+        refined = False if converted else round_off(pool, each)
+        if converted:
             kept.converted += 1
-        elif each.digits and round_off(pool, each):
+        elif refined:
             kept.refined += 1
+        elif known or converted is None or refined is None:
+            kept.fewer.append(each)
         else:
-            (kept.fewer if known else kept.lost).append(each)
+            kept.lost.append(each)
     return kept
 
 
-def convert(pool: Pool, each: Number) -> bool:
-    """Whether a number occurs times a ratio of units, or as a temperature in the other scale."""
-    if each.digits and abs(each.value) < 100 * each.digits:
+def convert(pool: Pool, each: Number) -> bool | None:
+    """Use up a number times a ratio of units, or a temperature in the other scale, with the results of `Pool.take`."""
+    if each.value == 0.0 or (each.digits and abs(each.value) < 100 * each.digits):
         return False  # two digits fit anything
     values = (each.value * factor for factor in FACTORS)
-    return any(pool.take(value, KEPT * abs(value)) for value in (*values, each.value + 273.15, each.value - 273.15))
+    return take_one(pool, ((value, KEPT * abs(value)) for value in (*values, each.value + 273.15, each.value - 273.15)))
 
 
-def round_off(pool: Pool, each: Number) -> bool:
-    """Whether a number is the rounding of one that occurs, in SI or in the unit it was printed in."""
+def round_off(pool: Pool, each: Number) -> bool | None:
+    """Use up a number of which this one is the rounding, in SI or in the unit it was printed in."""
+    if not each.digits:
+        return False
     sizes = (1.0, *UNITS.values()) if abs(each.value) >= 100 * each.digits else (1.0,)
-    return any(pool.take(each.value * size, 1.001 * each.digits * size) for size in sizes)
+    return take_one(pool, ((each.value * size, 1.001 * each.digits * size) for size in sizes))
+
+
+def take_one(pool: Pool, candidates: Iterable[tuple[float, float]]) -> bool | None:
+    """Use up the first candidate that is there; return None if all that are there are used, False if there are none."""
+    used = False
+    for value, slack in candidates:
+        taken = pool.take(value, slack)
+        if taken:
+            return True
+        used = used or taken is None
+    return None if used else False
 
 
 # --- Comparison -------------------------------------------------------------------------------------------------------
