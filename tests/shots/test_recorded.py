@@ -125,12 +125,12 @@ def test_what_is_written_is_read_back(write, tmp_path):
 
 
 def test_every_quantity_has_a_column_that_is_read_as_itself(tmp_path):
-    from clubface.shots.tables.headings import LAUNCH_SYNONYMS
+    from clubface.shots.tables.headings import LAUNCH_QUANTITIES
     from clubface.simulation.results import inputs
 
     deliveries = {name: [0.005 + place / 1000] for place, name in enumerate(inputs()) if name != "hand"}
     deliveries["speed"] = [0.3]  # no ball is much faster than its club
-    launches = {name: [0.25 + place / 100] for place, name in enumerate(LAUNCH_SYNONYMS)}
+    launches = {name: [0.25 + place / 100] for place, name in enumerate(LAUNCH_QUANTITIES)}
     launches |= {"backspin": [300.0], "sidespin": [-40.0]}
     launches |= {"total_spin": [math.hypot(300, 40)], "spin_axis": [math.atan2(-40, 300)]}  # one vector
     shots(deliveries=deliveries, launches=launches, rows=[1]).write(tmp_path / "all.csv")

@@ -7,60 +7,23 @@ import unicodedata
 from functools import lru_cache
 from itertools import pairwise
 
+from clubface.shots.tables.vocabulary import by_word, vocabulary
+
 WEDGES = {"pitching": (40, 49), "gap": (48, 53), "sand": (52, 58), "lob": (57, 64)}
 """Lofts in degrees by which wedges go, from and to; makers differ, so that the ranges overlap."""
 WEDGE = "wedge"
 
-_WEDGE_LETTERS = {"p": "pitching-wedge", "g": "gap-wedge", "a": "gap-wedge", "u": "gap-wedge", "s": "sand-wedge",
-                  "l": "lob-wedge"}  # fmt: skip
+_CLUBS = vocabulary()["clubs"]
+_WEDGE_LETTERS = by_word(_CLUBS["letters"])
 _ALONE = {"d": "driver", **{each: kind for each, kind in _WEDGE_LETTERS.items() if each != "u"}}
 """What a single letter is, as it is stamped on soles and as Rapsodo writes the driver."""
-_WHOLE = {
-    "driver": "driver", "dr": "driver", "drv": "driver", "drive": "driver", "putter": "putter", "pt": "putter",
-    "putt": "putter", "pitching": "pitching-wedge", "pitch": "pitching-wedge", "pw": "pitching-wedge",
-    "gap": "gap-wedge", "gw": "gap-wedge", "approach": "gap-wedge", "attack": "gap-wedge", "aw": "gap-wedge",
-    "uw": "gap-wedge", "sand": "sand-wedge", "sw": "sand-wedge", "lob": "lob-wedge", "lw": "lob-wedge",
-}  # fmt: skip
-"""Words of which one names the club, whatever stands next to it."""
-_FAMILIES = {
-    **dict.fromkeys(
-        ("w", "fw", "wood", "woods", "fairway", "holz", "holzer", "madera", "madeira", "hout", "bois", "legno", "tra",
-         "trae", "tre", "puu", "drevo", "drewno"),
-        "wood",
-    ),
-    **dict.fromkeys(
-        ("h", "hy", "hyb", "hybrid", "hybride", "hybridi", "rescue", "hibrido", "ibrido", "u", "ut", "uti", "utility"),
-        "hybrid",
-    ),
-    **dict.fromkeys(
-        ("i", "iron", "irons", "eisen", "hierro", "ijzer", "fer", "ferro", "jarn", "jern", "rauta", "zelezo",
-         "zelazo"),
-        "iron",
-    ),
-}  # fmt: skip
-"""Words that go with a number, without accents."""
-_SHORT = {"f": "iron", "e": "iron", "j": "iron", "b": "wood"}
-"""Letters for a family where they and a number are the whole name: ``F7`` (fer), ``E7`` (Eisen), ``J7``, ``B3``."""
+_WHOLE, _FAMILIES, _SHORT = (by_word(_CLUBS[each]) for each in ("names", "families", "short"))
+"""Words of which one names the club, words that go with a number, and letters that do where they are all."""
 _NUMBERS = {"wood": range(1, 16), "hybrid": range(1, 10), "iron": range(1, 12)}
 """The numbers that clubs of each family have."""
-_PASSED_OVER = frozenset({"er", "st", "nd", "rd", "th", "no", "nr", "driving", "deg", "degree", "degrees", "grad",
-                          "graden", "grados", "degres", "gradi"})  # fmt: skip
-_EASTERN = {
-    "スプーン": "3 wood", "バフィー": "4 wood", "クリーク": "5 wood", "ドライバー": "driver", "ドライバ": "driver",
-    "フェアウェイウッド": "wood", "フェアウェイ": "wood", "ウッド": "wood", "ユーティリティー": "hybrid",
-    "ユーティリティ": "hybrid", "ハイブリッド": "hybrid", "アイアン": "iron", "ピッチング": "pitching",
-    "アプローチ": "approach", "ギャップ": "gap", "サンド": "sand", "ロブ": "lob", "ウェッジ": WEDGE, "ウエッジ": WEDGE,
-    "パター": "putter",
-    "发球木": "driver", "發球木": "driver", "开球木": "driver", "開球木": "driver", "球道木": "wood", "铁木": "hybrid",
-    "鐵木": "hybrid", "小鸡腿": "hybrid", "小雞腿": "hybrid", "混合": "hybrid", "劈起": "pitching", "沙坑": "sand",
-    "沙杆": "sand", "沙桿": "sand", "高抛": "lob", "高拋": "lob", "挖起": WEDGE, "切杆": WEDGE, "切桿": WEDGE,
-    "推杆": "putter", "推桿": "putter", "铁": "iron", "鐵": "iron", "木": "wood", "杆": " ", "桿": " ",
-    "드라이버": "driver", "페어웨이우드": "wood", "페어웨이": "wood", "우드": "wood", "유틸리티": "hybrid",
-    "하이브리드": "hybrid", "아이언": "iron", "피칭": "pitching", "어프로치": "approach", "샌드": "sand", "로브": "lob",
-    "갭": "gap", "웨지": WEDGE, "퍼터": "putter",
-    "番": " ", "号": " ", "號": " ", "번": " ", "度": " ", "도": " ",
-}  # fmt: skip
-"""Words in Japanese, Chinese and Korean, which are written without spaces, longer ones before their parts."""
+_PASSED_OVER = frozenset(_CLUBS["passed_over"])
+_EASTERN = by_word(_CLUBS["eastern"])
+"""Words in Japanese, Chinese and Korean, which are written without spaces."""
 _EASTERN_WORDS = re.compile("|".join(sorted(_EASTERN, key=len, reverse=True)))
 _NUMERALS = str.maketrans("一二三四五六七八九", "123456789")
 _COMPOUND = re.compile(

@@ -10,7 +10,6 @@ from clubface.errors import FileError, shortened
 from clubface.shots.club_names import is_club_name
 from clubface.shots.formats import COMMON, MEASURED, Format, side_of
 from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
-from clubface.shots.summary_rows import NUMBERING
 from clubface.shots.tables.headings import (
     POINTS,
     given_unit,
@@ -22,26 +21,18 @@ from clubface.shots.tables.headings import (
     unit_of_column,
     unit_symbol,
 )
+from clubface.shots.tables.vocabulary import vocabulary
 from clubface.units import DIMENSIONLESS
 
-NOT_MEASURED = frozenset(
-    {
-        *NUMBERING, "shot key", "key", "session", "session id", "date", "time", "date time", "datetime",
-        "timestamp", "year", "month", "day", "tag", "tags", "note", "notes", "ball", "video", "hole", "player id",
-    }
-)  # fmt: skip
+_COLUMNS = vocabulary()["columns"]
+NOT_MEASURED = frozenset({*_COLUMNS["numbering"], *_COLUMNS["not_measured"]})
 """Headings of columns of numbers that are no measurements."""
+UNSIGNED = frozenset(_COLUMNS["unsigned"])
+"""Headings of impact points that do not say whether the toe or the heel is positive."""
 EITHER_SPEED = (
     "the column {} may be the speed of the club or of the ball and is not read: call it club_speed or ball_speed, or "
     "name it in a mapping"
 )
-UNSIGNED = frozenset(
-    {
-        "impact offset", "horiz impact", "horizontal impact", "impact horizontal", "horizontal face impact",
-        "face impact horizontal", "face impact lateral", "lateral impact",
-    }
-)  # fmt: skip
-"""Headings of impact points that do not say whether the toe or the heel is positive."""
 WITHOUT_UNIT = 10_000
 """What a heading without a unit ranks behind one with a unit."""
 _WORD = re.compile(r"[^\W\d_]|[°%]")

@@ -43,13 +43,12 @@ from numpy.typing import NDArray
 from clubface.errors import UnitError, UnknownNameError
 from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, heading
 from clubface.shots.plausibility import Unit, can_be
-from clubface.shots.tables import headings as foreign_headings
 from clubface.shots.tables.cells import is_number
 from clubface.shots.tables.headings import (
+    DELIVERY_QUANTITIES,
     HAND,
-    LAUNCH_SYNONYMS,
+    LAUNCH_QUANTITIES,
     SECOND_CHOICE,
-    SYNONYMS,
     bracketed,
     plain,
     shot_words,
@@ -57,6 +56,7 @@ from clubface.shots.tables.headings import (
     unit_symbol,
     units_behind,
 )
+from clubface.shots.tables.vocabulary import vocabulary
 from clubface.support.arrays import Floats
 from clubface.support.strict_toml import Document
 from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_si, unit
@@ -69,19 +69,13 @@ POINTS = {
     UNKNOWN: "a point that is not published",
 }
 """Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
-DATE = (
-    "Date", "Date Time", "Datetime", "Date and Time", "Shot Date", "Session Date", "Timestamp", "Datum", "Datum Zeit",
-    "Datum Uhrzeit", "Fecha", "Date Heure", "Data", "Dato", "Data Hora", "Fecha y hora", "日付", "日時", "日期", "날짜",
-)  # fmt: skip
-"""Headings under which exports say when a shot was hit."""
-MEASURED = frozenset({*SYNONYMS, *LAUNCH_SYNONYMS, FACE_TO_PATH} - {HAND})
+_COLUMNS = vocabulary()["columns"]
+CLUB, PLAYER, DATE, HAND_HEADINGS = (tuple(_COLUMNS[each]) for each in ("club", "player", "date", "hand"))
+"""Headings under which exports name the club and the player, and say when and with which hand a shot was hit."""
+MEASURED = frozenset({*DELIVERY_QUANTITIES, *LAUNCH_QUANTITIES, FACE_TO_PATH} - {HAND})
 """Quantities that monitors measure; the others, as "roll", are properties of club and ball, and other things there."""
 TO_PATH = ("face_to_path", "ftp", "club_face_to_path", "face_to_path_angle", "face_path")
 """Names of the angle from the path to the face."""
-PLAYER = ("Player", "Player Name", "Golfer", *foreign_headings.names(foreign_headings.PLAYER))
-"""Headings under which exports name the player."""
-CLUB = ("Club", "Club Name", "Club Type", *foreign_headings.names(foreign_headings.CLUB))
-"""Headings under which tables of no maker name the club."""
 BY_UNIT = {
     "side": {"angular rate": "sidespin", "angle": "azimuth"},
     "back": {"angular rate": "backspin"},
@@ -177,7 +171,7 @@ class Format:
     marks: tuple[tuple[str, ...], ...] = ()
     club: tuple[str, ...] = CLUB
     player: tuple[str, ...] = PLAYER
-    hand: tuple[str, ...] = ("Hand", "Handed", "Handedness")
+    hand: tuple[str, ...] = HAND_HEADINGS
     date: tuple[str, ...] = DATE
     file: tuple[str, ...] = ()
     title_of_player: str = ""

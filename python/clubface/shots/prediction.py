@@ -1,9 +1,4 @@
-"""Launches for a file of deliveries of any length: the run, its chunks and how it resumes.
-
-Launches for a file of deliveries of any length: read, computed and written a chunk at a time.
-
-One run over a file of deliveries: what each chunk becomes, and how an interrupted run goes on.
-"""
+"""Launches for a file of deliveries of any length: read, computed and written a chunk at a time."""
 
 from __future__ import annotations
 
@@ -23,10 +18,10 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import FileError, InputError, RangeWarning, Told
 from clubface.jobs.store import Store, unfinished_folder
-from clubface.shots.prediction_source import open_source
+from clubface.shots.prediction_source import Source, open_source
 from clubface.shots.recorded import SIDES
 from clubface.shots.summary_rows import summaries_in
-from clubface.shots.tables.chunk import GONE, Chunk, Reader, Reject
+from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
 from clubface.shots.tables.headings import HAND, Column, Layout
 from clubface.shots.tables.parquet import ParquetForm
 from clubface.shots.tables.writer import CsvForm, Form, RejectsForm, is_parquet
@@ -121,10 +116,15 @@ class Task:
         reasons = {} if self.content else summaries_in(chunk, self.columns)
         values: dict[str, NDArray[Any]] = {}
         for column in self.columns.used:
-            numbers, bad = chunk.numbers(column)
+            if chunk.deliveries is None:
+                numbers, bad = chunk.numbers(column)
+                values[column.quantity] = to_si(numbers, column.unit)
+            else:
+                values[column.quantity] = known = chunk.deliveries[column.quantity]
+                reason = f'{column.heading}: not measured; --assume "{column.quantity}=..." states a value'
+                bad = dict.fromkeys(np.flatnonzero(np.isnan(known)).tolist(), reason)
             for row, reason in bad.items():
                 reasons.setdefault(row, reason)
-            values[column.quantity] = to_si(numbers, column.unit)
         count = len(chunk.lines)
         kept = np.array([row for row in range(count) if row not in reasons], dtype=np.intp) if reasons else None
         if kept is not None:
@@ -151,7 +151,7 @@ class Task:
             results = [each[good] for each in results]
         rows = None if kept is None else kept.tolist()
         bad_rows = sorted(reasons)
-        cells = chunk.texts(bad_rows) if bad_rows else []
+        cells = chunk.texts(bad_rows)
         rejects = [Reject(chunk.lines[row], reasons[row], text) for row, text in zip(bad_rows, cells, strict=True)]
         return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line), tally
 
@@ -178,7 +178,7 @@ class Outcome(NamedTuple):
 
 
 def run(
-    reader: Reader,
+    opened: Source,
     task: Task,
     paths: tuple[Path, Path, Path],
     chunk_rows: int,
@@ -187,13 +187,14 @@ def run(
 ) -> Outcome:
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
     source, target, aside = paths
-    form, rejects_form = _form(target, reader, task), RejectsForm(task.columns.headings, reader)
+    form = _form(target, opened, task)
+    rejects_form = RejectsForm(task.columns.headings, opened.delimiter, opened.counts)
     folder = unfinished_folder(target, [source, aside])
     with Store(folder, task.content_of(source), output=target, resume=resume) as store:
         names = _kept(store, target.suffix)
         resumed = done = sum(store[each]["rows"] for each in names)
         try:
-            for chunk in reader.chunks(chunk_rows, done):
+            for chunk in opened.chunks(chunk_rows, done):
                 read = len(chunk.lines) + len(chunk.ragged)
                 names.append(name := f"{done:012d}+{read}")
                 if _pieces(store, name, target.suffix) is None:
@@ -211,12 +212,12 @@ def run(
                     store.keep(name, told)
                 done += read
                 if progress is not None:
-                    progress(reader.progress(), done)
+                    progress(opened.progress(), done)
         except KeyboardInterrupt:
             message = f"interrupted: {done} rows are done and kept in {folder}; the same command goes on after them"
             raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
         if not done:
-            raise FileError(reader.path, reader.header_line, "there is no delivery below the names of the columns")
+            raise FileError(opened.path, opened.header_line, "there is no delivery below the names of the columns")
         outcome = _outcome([store[name] for name in names], resumed)
         if outcome.counts["rejected"]:
             store.write_result(
@@ -255,7 +256,7 @@ def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -
         if place < len(store[name]["sums"]):
             found = _pieces(store, name, ending)
             if found is None:
-                raise FileError(str(store.folder), None, GONE)
+                raise FileError(str(store.folder), None, PARTS_MISSING)
             yield found[place]
 
 
@@ -268,19 +269,17 @@ def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> Outcome:
     return Outcome(counts, tuple(shown[:SHOWN]), tally, resumed)
 
 
-def _form(target: Path, reader: Reader, task: Task) -> Form:
+def _form(target: Path, opened: Source, task: Task) -> Form:
     """Return how the output is written."""
     headings = task.columns.headings
     if not is_parquet(target):
-        return CsvForm([*headings, *task.headings], reader)
-
-    types = [reader.schema(place) for place in range(len(headings))]
-    return ParquetForm(target, headings, types, task.headings, task.provenance)
+        return CsvForm([*headings, *task.headings], opened.delimiter, opened.decimal_comma)
+    return ParquetForm(target, headings, opened.types(), task.headings, task.provenance)
 
 
 CHUNK_ROWS = 16384
 MOST_ROWS = 1_000_000
-"""In memory at a time."""
+"""Most rows held in memory."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -449,16 +448,17 @@ def predict(
         check_conditions(air, wind)
     flight = {"air": air, "wind": wind, "threads": threads} if carry else None
     opened = open_source(
-        path, with_.club, hand=None if hand is None else SIDES[side], mismatch=mismatch, format=format,
-        mapping=mapping, units=units, only=only, where=where, assume=assume,
+        path, with_.club, hand=None if hand is None else SIDES[side],
+        reading={"format": format, "mapping": mapping, "units": units},
+        choice={"only": only, "where": where, "assume": assume, "mismatch": mismatch},
     )  # fmt: skip
-    reader, columns = opened.reader, opened.columns
+    columns = opened.columns
     try:
         used = columns._replace(used=opened.used)
         task = Task(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
-        outcome = run(reader, task, (path, target, aside), chunk_rows, progress, resume)
+        outcome = run(opened, task, (path, target, aside), chunk_rows, progress, resume)
     finally:
-        reader.close()
+        opened.close()
     rows, written, rejected = outcome.counts["rows"], outcome.counts["written"], outcome.counts["rejected"]
     return PredictReport(
         source=str(path),
@@ -467,14 +467,14 @@ def predict(
         rows=rows,
         written=written,
         rejected=rejected,
-        blank=reader.blank,
+        blank=opened.blank(),
         used={
             each.heading: (each.quantity, each.unit)
             for each in {**_by_quantity(opened.used), **_by_quantity(columns.used)}.values()
         },
         passed=columns.passed,
         added=task.headings,
-        notes=(*opened.notes, *([remark] if (remark := outcome.tally.remark()) else [])),
+        notes=(*opened.notes(), *([remark] if (remark := outcome.tally.remark()) else [])),
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,

@@ -2,17 +2,18 @@
 
 A table of deliveries may be of any length and is never held as a whole. What was recorded (a launch monitor's file, or
 a table that names clubs or says where on the club its data was taken) goes the way of all recorded shots,
-:func:`clubface.shots.measured.ready_shots`; the rows of such a table are still passed through as they stand.
+:func:`clubface.shots.measured.ready_shots`, whose arrays are computed with as they are; the rows of such a table are
+passed through as they stand, and of a monitor's file as ``clubface monitor read`` writes them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
@@ -20,182 +21,189 @@ from clubface.shots.measured import ReadyShots, assumptions, ready_shots
 from clubface.shots.monitors import TABLE
 from clubface.shots.reading import is_plain_table, read
 from clubface.shots.recorded import RecordedShots
-from clubface.shots.tables.chunk import Chunk, Reader, Reject
-from clubface.shots.tables.headings import POINTS, Column, Layout, check_units, layout, plain_name, require_speed
-from clubface.shots.tables.reader import MemoryReader, open_table
+from clubface.shots.tables.chunk import Chunk, Reject
+from clubface.shots.tables.headings import (
+    HAND,
+    POINTS,
+    Column,
+    Layout,
+    check_units,
+    layout,
+    plain_name,
+    require_speed,
+)
+from clubface.shots.tables.reader import Reader, open_table
 from clubface.simulation.results import inputs
+from clubface.support.arrays import Floats
 from clubface.support.fingerprint import fingerprint
 
-LAID_OUT = ("format", "mapping")
-READING = (*LAID_OUT, "units")
-CHOICE = ("only", "where", "assume")
-"""What may be said of a file of shots: how it is read, and which shots are meant and completed."""
+__all__ = ["Source", "open_source"]
 
 
-class Source(NamedTuple):
+@dataclass(frozen=True, kw_only=True)
+class Source:
     """Where deliveries come from.
 
     Attributes
     ----------
-    reader
-        The rows.
+    path, header_line, counts
+        The file, the line of its headings, and what a place in it is counted in: "line" or "row".
+    delimiter, decimal_comma
+        How its cells and numbers are written.
     columns
-        What the columns of the file mean.
+        What its columns mean.
     used
         The columns that give inputs: those of the file, or the deliveries that were made ready.
-    notes
-        What a reader of the result should know.
     content
         A text that is the same only for the same deliveries, or "" for a plain table.
+    types
+        Arrow types of the columns; None for text.
+    chunks
+        Yields the rows after the first so many, some at a time.
+    notes
+        Returns what is to be known of the file, as far as it is read.
+    progress
+        Returns which part of the file has been read, 0 to 1.
+    blank
+        Returns how many blank lines were passed over.
+    close
+        Closes the file.
     """
 
-    reader: Reader
+    path: str
+    header_line: int | None = None
+    counts: str = "line"
+    delimiter: str = ","
+    decimal_comma: bool = False
     columns: Layout
     used: tuple[Column, ...]
-    notes: tuple[str, ...]
     content: str = ""
+    types: Callable[[], Sequence[Any]]
+    chunks: Callable[[int, int], Iterator[Chunk]]
+    notes: Callable[[], tuple[str, ...]]
+    progress: Callable[[], float]
+    blank: Callable[[], int] = field(default=lambda: 0)
+    close: Callable[[], None] = field(default=lambda: None)
 
 
-def open_source(path: Path, club: Club, *, hand: str | None, mismatch: str, **said: Any) -> Source:
+def open_source(
+    path: Path, club: Club, *, hand: str | None, reading: Mapping[str, Any], choice: Mapping[str, Any]
+) -> Source:
     """Open a file of deliveries or of recorded shots.
 
     Parameters
     ----------
-    path
-        The file.
-    club
-        The club.
+    path, club
+        The file, and the club.
     hand
         The hand of the player of a launch monitor's file, if it was given.
-    mismatch, **said
-        As for :func:`clubface.shots.measured.ready_shots` and :func:`clubface.shots.read`: those of
-        ``CHOICE`` and ``READING``.
+    reading
+        ``format``, ``mapping`` and ``units``, as for :func:`clubface.shots.read`.
+    choice
+        ``only``, ``where``, ``assume`` and ``mismatch``, as for :func:`clubface.shots.measured.ready_shots`.
     """
-    units = check_units(said["units"] or {})
-    if any(said[name] for name in LAID_OUT) or not is_plain_table(path):
-        recorded = read(path, hand=hand, **{name: said[name] for name in READING})
-        ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
-        reader = _as_read(recorded, ready, path)
-        return _of_shots(reader, layout(reader.headings, reader.path, reader.header_line), recorded, ready)
+    units = check_units(reading["units"] or {})
+    if reading["format"] or reading["mapping"] or not is_plain_table(path):
+        recorded = read(path, hand=hand, **reading)
+        return _monitor_source(path, recorded, ready_shots(recorded, club=club, **choice))
     reader = open_table(path)
     try:
         place = (reader.path, reader.header_line)
         telling = {*map(plain_name, TABLE.club), *POINTS}
-        if telling.isdisjoint(map(plain_name, reader.headings)) and not any(said[name] for name in CHOICE):
+        is_recorded = any(choice[name] for name in ("only", "where", "assume"))
+        if is_recorded or not telling.isdisjoint(map(plain_name, reader.headings)):
+            recorded = read(path, units=units)
             columns = layout(reader.headings, *place, given_units=units)
-            require_speed(columns, *place)
-            return Source(reader, columns, columns.used, (*reader.notes, *columns.notes))
-        recorded = read(path, units=units)
+            return _table_source(reader, columns, recorded, ready_shots(recorded, club=club, **choice))
         columns = layout(reader.headings, *place, given_units=units)
-        ready = ready_shots(recorded, club=club, mismatch=mismatch, **{name: said[name] for name in CHOICE})
-        return _of_shots(reader, columns, recorded, ready)
+        require_speed(columns, *place)
+        notes = lambda: (*reader.notes, *columns.notes)  # noqa: E731 - those of numbers come as they are read
+        return _source_of(reader, columns=columns, used=columns.used, chunks=reader.chunks, notes=notes)
     except BaseException:
         reader.close()
         raise
 
 
-def _as_read(recorded: RecordedShots, ready: ReadyShots, path: Path) -> MemoryReader:
-    """Return shots as a table, as they were read: what ``clubface monitor read`` writes."""
+def _source_of(reader: Reader, **fields: Any) -> Source:
+    """Return the source of a table that is read as it goes."""
+    return Source(
+        path=reader.path, header_line=reader.header_line, counts=reader.counts, delimiter=reader.delimiter,
+        decimal_comma=reader.decimal_comma, types=lambda: reader.types, progress=reader.progress,
+        blank=lambda: reader.blank, close=reader.close, **fields,
+    )  # fmt: skip
+
+
+def _monitor_source(path: Path, recorded: RecordedShots, ready: ReadyShots) -> Source:
+    """Return recorded shots as a source whose columns are those of ``clubface monitor read``."""
     shots = recorded.select(ready.places)
-    columns = shots.columns()
+    columns = {name: np.asarray(each) for name, each in shots.columns().items()}
+    headings = {name: each for name, each in shots.headings().items() if name in inputs()}
+    headings |= {HAND: (HAND, "1")} if HAND in columns else {}
+    named = {heading: (quantity, unit) for quantity, (heading, unit) in headings.items()}
+    used = tuple(Column(place, each, *named[each]) for place, each in enumerate(columns) if each in named)
+    meant = Layout(tuple(columns), used, tuple(each for each in columns if each not in named), ())
+    deliveries, fields = _ready_fields(str(path), meant, recorded, ready)
+    lines = shots.rows
     rejected = [Reject(each.line or 0, each.reason, [""] * len(columns)) for each in recorded.rejected]
-    return MemoryReader(str(path), columns, shots.rows.tolist(), rejected)
+    order = sorted([*((int(line), place) for place, line in enumerate(lines)),
+                    *((each.line, place - len(rejected)) for place, each in enumerate(rejected))])  # fmt: skip
+    done = 0
+
+    def chunks(rows: int, skip: int) -> Iterator[Chunk]:
+        nonlocal done
+        for first in range(skip, len(order), rows):
+            part = [place for _, place in order[first : first + rows]]
+            kept = [place for place in part if place >= 0]
+            done = first + len(part)
+            yield Chunk(
+                lines[kept].tolist(), [each[kept] for each in columns.values()],
+                [rejected[place] for place in part if place < 0],
+                deliveries={name: each[kept] for name, each in deliveries.items()},
+            )  # fmt: skip
+
+    def types() -> list[Any]:
+        import pyarrow
+
+        return [pyarrow.float64() if each.dtype.kind == "f" else pyarrow.string() for each in columns.values()]
+
+    return Source(path=str(path), types=types, chunks=chunks, progress=lambda: done / max(len(order), 1), **fields)
 
 
-def _of_shots(reader: Reader, columns: Layout, recorded: RecordedShots, ready: ReadyShots) -> Source:
-    """Return the rows of a table whose deliveries are those of recorded shots."""
-    deliveries = {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
-    if "speed" not in deliveries:
-        raise FileError(reader.path, None, "the clubhead speed was measured for no shot", "speed")
-    headings = {each.quantity: each.heading for each in columns.used}
-    used = tuple(Column(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries)
-    notes = (*ready.notes, *assumptions(ready.club, deliveries))
-    content = fingerprint([ready.rows, deliveries, [tuple(each) for each in ready.rejected]])
-    return Source(_ReadyReader(reader, recorded, ready, deliveries), columns, used, notes, content)
+def _table_source(reader: Reader, columns: Layout, recorded: RecordedShots, ready: ReadyShots) -> Source:
+    """Return the rows of a table as they stand, with the deliveries of the recorded shots that were read from it."""
+    deliveries, fields = _ready_fields(reader.path, columns, recorded, ready)
+    places = {line: place for place, line in enumerate(ready.rows.tolist())}
+    reasons = {each.line: each.reason for each in recorded.rejected}
 
-
-class _ReadyReader:
-    """The rows of a table of recorded shots that were chosen, with the deliveries that were made ready."""
-
-    def __init__(
-        self, base: Reader, recorded: RecordedShots, ready: ReadyShots, deliveries: dict[str, NDArray[Any]]
-    ) -> None:
-        self._base = base
-        self._deliveries = deliveries
-        self._place = {line: place for place, line in enumerate(ready.rows.tolist())}
-        self._rejected = {each.line: each.reason for each in recorded.rejected}
-        self.path, self.headings, self.header_line = base.path, base.headings, base.header_line
-        self.delimiter, self.decimal_comma, self.counts = base.delimiter, base.decimal_comma, base.counts
-        self.progress, self.schema, self.close = base.progress, base.schema, base.close
-
-    @property
-    def blank(self) -> int:
-        """Blank lines passed over so far."""
-        return self._base.blank
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What a reader of the rows should know of the file, as far as it is read."""
-        return self._base.notes
-
-    def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
-        """Yield the rows after the first ``skip`` that were chosen or rejected, some at a time."""
-        for base in self._base.chunks(rows, 0):
-            kept = [row for row, line in enumerate(base.lines) if line in self._place]
-            bad = [row for row, line in enumerate(base.lines) if line in self._rejected]
-            cells = base.texts(bad) if bad else []
-            lines = [base.lines[row] for row in bad]
-            rejects = [Reject(at, self._rejected[at], each) for at, each in zip(lines, cells, strict=True)]
+    def chunks(rows: int, skip: int) -> Iterator[Chunk]:
+        for base in reader.chunks(rows, 0):
+            bad = [row for row, line in enumerate(base.lines) if line in reasons]
+            lost = [base.lines[row] for row in bad]
+            rejects = [Reject(at, reasons[at], cells) for at, cells in zip(lost, base.texts(bad), strict=True)]
             ragged = sorted([*base.ragged, *rejects], key=lambda each: each.line)
+            kept = [row for row, line in enumerate(base.lines) if line in places]
             passed = sorted([*(base.lines[row] for row in kept), *(each.line for each in ragged)])[:skip]
             skip -= len(passed)
             last = passed[-1] if passed else -1
             kept = [row for row in kept if base.lines[row] > last]
             ragged = [each for each in ragged if each.line > last]
             if kept or ragged:
-                yield _ReadyChunk(base, kept, ragged, self._place, self._deliveries)
+                at = [places[base.lines[row]] for row in kept]
+                ready_deliveries = {name: each[at] for name, each in deliveries.items()}
+                yield replace(base.select(kept), ragged=ragged, deliveries=ready_deliveries)
+
+    return _source_of(reader, chunks=chunks, **fields)
 
 
-class _ReadyChunk:
-    """Some rows of recorded shots. See :class:`clubface.shots.tables.chunk.Chunk`."""
-
-    def __init__(
-        self,
-        base: Chunk,
-        kept: Sequence[int],
-        ragged: list[Reject],
-        place: dict[int, int],
-        deliveries: dict[str, NDArray[Any]],
-    ) -> None:
-        self._base = base
-        self._kept = kept
-        self._deliveries = deliveries
-        self.lines: Sequence[int] = [base.lines[row] for row in kept]
-        self.ragged = ragged
-        self._places = [place[line] for line in self.lines]
-
-    def numbers(self, column: Column) -> tuple[NDArray[Any], dict[int, str]]:
-        """Return the values [SI] of a column, and for rows without one, why."""
-        values = self._deliveries[column.quantity][self._places]
-        remedy = f'not measured; --assume "{column.quantity}=..." states a value'
-        return values, dict.fromkeys(np.flatnonzero(np.isnan(values)).tolist(), f"{column.heading}: {remedy}")
-
-    def _rows(self, rows: Sequence[int] | None) -> Sequence[int]:
-        return self._kept if rows is None else [self._kept[row] for row in rows]
-
-    def cells(self, place: int) -> Any:
-        """Return the cells of a column: an array of numbers, or a list of texts."""
-        cells = self._base.cells(place)
-        return [cells[row] for row in self._kept] if isinstance(cells, list) else cells[self._kept]
-
-    def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
-        """Return the cells of some rows (None: all) as text."""
-        return self._base.texts(self._rows(rows))
-
-    def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
-        """Return some rows (None: all) as they stand, or would stand, in a CSV file."""
-        return self._base.written(self._rows(rows), delimiter)
-
-    def arrow(self, place: int, rows: Sequence[int] | None) -> Any:
-        """Return the cells of a column in some rows as an Arrow array."""
-        return self._base.arrow(place, self._rows(rows))
+def _ready_fields(
+    path: str, columns: Layout, recorded: RecordedShots, ready: ReadyShots
+) -> tuple[dict[str, Floats], dict[str, Any]]:
+    """Return the deliveries of shots that are ready [SI], and what a source says of them."""
+    deliveries = {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
+    if "speed" not in deliveries:
+        raise FileError(path, None, "the clubhead speed was measured for no shot", "speed")
+    headings = {each.quantity: each.heading for each in columns.used}
+    used = tuple(Column(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries)
+    notes = (*ready.notes, *assumptions(ready.club, deliveries))
+    content = fingerprint([ready.rows, deliveries, [tuple(each) for each in recorded.rejected]])
+    return deliveries, {"columns": columns, "used": used, "notes": lambda: notes, "content": content}

@@ -27,8 +27,9 @@ from clubface import units
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
 from clubface.shots.plausibility import can_be
-from clubface.shots.tables.headings import HAND, LAUNCH_SYNONYMS, POINTS, heading_of, shot_words
+from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, heading_of, shot_words
 from clubface.shots.tables.parquet import ENDINGS as PARQUET
+from clubface.shots.tables.vocabulary import by_word, vocabulary
 from clubface.shots.tables.writer import write_columns
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import inputs
@@ -133,7 +134,7 @@ class RecordedShots:
         checked: dict[str, Any] = {"rows": np.asarray(self.rows, dtype=np.int64).reshape(count)}
         known_deliveries = [name for name in inputs() if name != HAND]
         checked["deliveries"] = _floats(self.deliveries, known_deliveries, count)
-        launches = _floats(self.launches, LAUNCH_SYNONYMS, count)
+        launches = _floats(self.launches, LAUNCH_QUANTITIES, count)
         measured = {name: self._measured(name, launches[name]) for name in SPINS if name in launches}
         spins = complete(measured)
         checked["launches"] = {name: spins.values.get(name, values) for name, values in launches.items()} | spins.values
@@ -243,6 +244,10 @@ class RecordedShots:
         frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
         return frame
 
+    def headings(self) -> dict[str, tuple[str, str]]:
+        """Return the heading and the unit that each quantity has in a table of the shots."""
+        return {name: heading_of(name, si_unit) for name, si_unit in self.units().items()}
+
     def columns(self) -> dict[str, Any]:
         """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
         columns: dict[str, Any] = {}
@@ -252,11 +257,8 @@ class RecordedShots:
         for name, points in POINTS.items():
             if getattr(self, name) != points[0]:
                 columns[name] = [getattr(self, name)] * len(self)
-        of = self.deliveries | self.launches
-        for name, si_unit in self.units().items():
-            named, shown = heading_of(name, si_unit)
-            columns[named] = from_si(of[name], shown)
-        return columns
+        values = self.deliveries | self.launches
+        return columns | {heading: from_si(values[name], unit) for name, (heading, unit) in self.headings().items()}
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Write the shots to a CSV or Parquet file, by its ending, as :func:`clubface.read_shots` reads them.
@@ -446,21 +448,7 @@ def _has_unit(stated: Any) -> bool:
     return isinstance(stated, str) and stated.strip()[-1:] not in "0123456789."
 
 
-_MONTH_NAMES = """
-jan january januar janvier enero gennaio januari janeiro ene gen
-feb february februar février fevrier febrero febbraio februari fevereiro fév
-mar march märz mars marzo maart março mär mrz
-apr april avril abril aprile avr abr
-may mai mayo maggio mei maj maio
-jun june juni juin junio giugno junho giu
-jul july juli juillet julio luglio julho lug
-aug august août aout agosto augustus augusti ago
-sep sept september septembre septiembre settembre setembro set
-oct october oktober octobre octubre ottobre outubro okt ott out
-nov november novembre noviembre novembro
-dec december dezember décembre decembre diciembre dicembre dezembro dez dic
-"""
-MONTHS = {name: number for number, names in enumerate(_MONTH_NAMES.strip().splitlines(), 1) for name in names.split()}
+MONTHS = {word: int(number) for word, number in by_word(vocabulary()["months"]).items()}
 _CLOCK = re.compile(r"(?<!\d)(\d{1,2}):(\d{2})(?::(\d{2})(?:[.,]\d+)?)?\s*([ap]\.?\s?m\.?)?", re.IGNORECASE)
 _YEAR_FIRST = re.compile(r"(?<!\d)(\d{4})[-/.年년\s]\s*(\d{1,2})[-/.月월\s]\s*(\d{1,2})(?!\d)")
 _YEAR_LAST = re.compile(r"(?<!\d)(\d{1,2})\s?([-/.])\s?(\d{1,2})\s?\2\s?(\d{4}|\d{2})(?!\d)")

@@ -20,62 +20,20 @@ from clubface.shots.club_names import club_kind
 from clubface.shots.formats import PLAYER
 from clubface.shots.tables.chunk import Chunk
 from clubface.shots.tables.headings import HAND, Layout, plain
+from clubface.shots.tables.vocabulary import by_word, vocabulary
 from clubface.support.arrays import Floats
 
 MEAN, MEDIAN, DEVIATION, MOST, LEAST, SUM = "mean", "median", "deviation", "most", "least", "sum"
-_WORDS = {
-    MEAN: """average averages averaged avg avgs ave mean means durchschnitt durchschnittlich mittelwert mittelwerte
-        mittel ø moyenne moyennes moy promedio promedios prom media medias gemiddelde gemiddeld gem medelvarde
-        genomsnitt medel snitt gennemsnit gns gjennomsnitt 平均 平均値 平均值 平均数 均值 평균 평균값""",
-    MEDIAN: "median medianwert mediane mediana mediaan 中央値 中位数 중앙값 中間値",
-    DEVIATION: """std+dev st+dev stddev stdev stdv std sd dev deviation deviations standard+deviation consistency
-        variance variation standardabweichung std+abw stabw abweichung streuung ecart+type ecarttype ecart
-        desviacion+estandar desviacion+tipica desviacion desv+est desv deviazione+standard dev+standard scarto+tipo
-        scarto deviazione standaardafwijking standaarddeviatie afwijking standardavvikelse avvikelse standardafvigelse
-        afvigelse standardavvik avvik desvio+padrao desvio standard+error s+d sem sigma σ rms var cv dispersion
-        標準偏差 标准差 標準差 标准偏差 偏差 표준편차 편차""",
-    MOST: """max maximum maxi maximal maximalwert hochstwert hochster maximo massimo hoogste hogsta hojeste best bester
-        bestes longest highest 最大 最大値 最大值 最高 최대 최대값""",
-    LEAST: """min minimum mini minimal minimalwert tiefstwert minimo laagste lagsta laveste worst shortest lowest 最小
-        最小値 最小值 最低 최소 최소값""",
-    SUM: """total totals sum sums summary subtotal overall range spread count gesamt summe insgesamt totaal totalt somme
-        resume resumen suma riepilogo somma totale samenvatting summa sammanfattning samlet resumo soma 合計 合计 总计
-        總計 합계 총계""",
-}
-_PHRASES = {tuple(each.split("+")): kind for kind, words in _WORDS.items() for each in words.split()}
+_WORDS = vocabulary()["summaries"]
+_PHRASES = {tuple(phrase.split()): kind for phrase, kind in by_word(_WORDS["words"]).items()}
 _LONGEST = max(map(len, _PHRASES))
-_STEMS = {
-    MEAN: """averag durchschn mittelw moyen promed gemidd medelv genomsn gennemsn gjennomsn keskiarvo sredni prumer
-        ortalama средн""",
-    DEVIATION: """standardab standardav standardaf stdab stabw odchyl smerodat keskihaj отклон desviac deviaz""",
-}
-_BEGINNINGS = {each: kind for kind, stems in _STEMS.items() for each in stems.split()}
+_BEGINNINGS = by_word(_WORDS["stems"])
 """How such words begin, which people cut short: ``Standardabw.``, ``Durchschn.``."""
-_NAMES_TOO = frozenset(
-    {
-        "ave", "dev", "sd", "std", "gem", "prom", "moy", "media", "medel", "mini", "maxi", "best", "ø", "sem", "var",
-        "cv", "rms", "sigma", "dispersion",
-    }
-)  # fmt: skip
-"""Words of means and deviations that are also names, or abbreviations of other things."""
-_PASSED_OVER = frozenset(
-    {
-        "shot", "shots", "of", "all", "the", "for", "session", "row", "value", "values", "club", "clubs", "n", "alle",
-        "schlage", "coups", "golpes", "colpi", "slagen", "slag",
-    }
-)  # fmt: skip
-NUMBERING = frozenset(
-    {
-        "shot", "shot no", "shot number", "shot id", "no", "nr", "number", "index", "id", "row", "shotnumber",
-        "schlag", "schlagnr", "schlag nr", "coup", "golpe", "slag", "numéro", "número", "numero", "番号", "序号",
-        "编号", "nummer", "번호", "순번", "ショット", "shots", "shotno", "stroke no",
-    }
-)  # fmt: skip
+_NAMES_TOO, _PASSED_OVER = (frozenset(_WORDS[each]) for each in ("names_too", "passed_over"))
+"""Words of means and deviations that are also names, and words that say nothing."""
+NUMBERING = frozenset(vocabulary()["columns"]["numbering"])
 """Headings of columns that number the shots."""
-TELLING = NUMBERING | {
-    "", "type", "shot type", "date", "time", "date time", "datetime", "datum", "uhrzeit", "zeit", "fecha", "hora",
-    "data", "ora", "heure", "tijd", "tid", "stroke", "swing", "statistic", "stat", "stats", "label",
-}  # fmt: skip
+TELLING = NUMBERING | set(vocabulary()["columns"]["labels"])
 """Headings of columns in which such a word is no name."""
 NAMES = ("club", "player")
 AGREES = 0.6
@@ -175,8 +133,8 @@ def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
 def summaries_in(chunk: Chunk, columns: Layout) -> dict[int, str]:
     """Return the rows of a plain table of deliveries that sum up others, and what is to be said of each."""
     used = {each.place for each in columns.used}
-    cells = [() if place in used else chunk.cells(place) for place in range(len(columns.headings))]
-    texts = {place: each for place, each in enumerate(cells) if isinstance(each, list)}
+    cells = [np.empty(0) if place in used else chunk.cells(place) for place in range(len(columns.headings))]
+    texts = {place: each for place, each in enumerate(cells) if not isinstance(each, np.ndarray)}
     if not any(_LETTER.search(each) and _label(each) for column in texts.values() for each in set(column)):
         return {}
     names = {place: plain(columns.headings[place]) for place in texts}

@@ -212,6 +212,13 @@ def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
     return value if named == symbol else from_si(to_si(value, named), symbol)
 
 
+def cell_text(value: Any) -> str:
+    """Return a text or a number as a cell has it, NaN as an empty one."""
+    if isinstance(value, str):
+        return value
+    return "" if math.isnan(value) else repr(float(value))
+
+
 def quoted_cell(text: str) -> str:
     """Return a cell as an error shows it."""
     return repr(shortened(text, 40))

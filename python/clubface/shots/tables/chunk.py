@@ -1,17 +1,23 @@
-"""What a file of shots is to those who read it: rows with their lines, a chunk at a time."""
+"""Some rows of a table by column, and the rows that cannot be used."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+import csv
+import io
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
-from clubface.shots.tables.headings import Column
+from clubface.shots.tables.cells import cell_text, parsed
+from clubface.shots.tables.headings import HAND, Column
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from clubface.support.arrays import Floats
 
+__all__ = ["PARTS_MISSING", "Chunk", "Reject"]
 
-GONE = "parts of the unfinished work were removed or damaged meanwhile; give the same command again"
+PARTS_MISSING = "parts of the unfinished work were removed or damaged meanwhile; give the same command again"
 
 
 class Reject(NamedTuple):
@@ -32,89 +38,117 @@ class Reject(NamedTuple):
     cells: Sequence[str]
 
 
-class Chunk(Protocol):
-    """Some rows of a file, all with as many cells as there are columns.
+@dataclass(frozen=True)
+class Chunk:
+    """Some rows of a table, all with as many cells as there are columns.
 
     Attributes
     ----------
     lines
         Where each row begins.
+    columns
+        Each a sequence of texts, an array of numbers or texts, or an Arrow array.
     ragged
         Rows with too few or too many cells, which are not among the others.
+    decimal_comma
+        Whether texts write numbers with a decimal comma.
+    as_written
+        The rows as they stand in a CSV file.
+    deliveries
+        Inputs of an impact [SI] of each row, where they are known; else they are to be read from the columns.
     """
 
     lines: Sequence[int]
-    ragged: list[Reject]
+    columns: Sequence[Any]
+    ragged: Sequence[Reject] = ()
+    decimal_comma: bool = False
+    as_written: Sequence[str] | None = None
+    deliveries: Mapping[str, Floats] | None = None
 
-    def numbers(self, column: Column) -> tuple[NDArray[Any], dict[int, str]]:
+    def select(self, rows: Sequence[int] | None) -> Self:
+        """Return the chunk of some rows; None stands for all."""
+        if rows is None:
+            return self
+        written = None if self.as_written is None else [self.as_written[row] for row in rows]
+        columns = [_taken(each, rows) for each in self.columns]
+        return replace(self, lines=[self.lines[row] for row in rows], columns=columns, as_written=written)
+
+    def numbers(self, column: Column) -> tuple[Any, dict[int, str]]:
         """Return the numbers of a column in its unit, and for rows without one, why."""
-        ...
+        import numpy as np
+
+        numbers = self.cells(column.place)
+        if isinstance(numbers, Sequence) or column.quantity == HAND:
+            return parsed(_texts(self.columns[column.place]), column, self.decimal_comma)
+        missing = self.columns[column.place].is_null()
+        return numbers, {
+            int(row): f"{column.heading}: "
+            + ("the cell is empty" if missing[int(row)].as_py() else f"{numbers[row]} is not a finite number")
+            for row in np.flatnonzero(~np.isfinite(numbers))
+        }
 
     def cells(self, place: int) -> Any:
-        """Return the cells of a column: an array of numbers, or a list of texts."""
-        ...
+        """Return the cells of a column: an array of numbers, NaN where there is none, or a list of texts."""
+        column = self.columns[place]
+        if _is_arrow(column):
+            import pyarrow
 
-    def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
+            if pyarrow.types.is_integer(column.type) or pyarrow.types.is_floating(column.type):
+                return column.cast(pyarrow.float64(), safe=False).to_numpy(zero_copy_only=False)
+        elif not isinstance(column, Sequence) and column.dtype.kind == "f":
+            return column
+        return _texts(column)
+
+    def texts(self, rows: Sequence[int] | None = None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
-        ...
+        columns = map(_texts, self.select(rows).columns)
+        return [list(cells) for cells in zip(*columns, strict=True)]
 
     def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
         """Return some rows (None: all) as they stand, or would stand, in a CSV file."""
-        ...
+        chosen = self.select(rows)
+        if chosen.as_written is not None:
+            return [text.rstrip("\r\n") for text in chosen.as_written]
+        lines = []
+        for cells in chosen.texts():
+            line = io.StringIO()
+            csv.writer(line, delimiter=delimiter, lineterminator="").writerow(cells)
+            lines.append(line.getvalue())
+        return lines
 
     def arrow(self, place: int, rows: Sequence[int] | None) -> Any:
-        """Return the cells of a column in some rows as an Arrow array."""
-        ...
+        """Return the cells of a column in some rows (None: all) as an Arrow array; NaN becomes null."""
+        import pyarrow
+
+        column = self.columns[place] if rows is None else _taken(self.columns[place], rows)
+        if _is_arrow(column):
+            return column
+        if isinstance(column, Sequence):
+            return pyarrow.array(column, pyarrow.string())
+        return pyarrow.array(column, from_pandas=True)
 
 
-class Reader(Protocol):
-    """A file of deliveries.
+def _is_arrow(column: Any) -> bool:
+    return hasattr(column, "to_pylist")
 
-    Attributes
-    ----------
-    path
-        The file.
-    headings
-        As in the file.
-    header_line
-        Where they stand, or None.
-    delimiter
-        Between cells of text.
-    decimal_comma
-        Whether its numbers are written with a decimal comma.
-    counts
-        What a place in the file is counted in: "line" or "row".
-    """
 
-    path: str
-    headings: list[str]
-    header_line: int | None
-    delimiter: str
-    decimal_comma: bool
-    counts: str
+def _taken(column: Any, rows: Sequence[int]) -> Any:
+    """Return some cells of a column."""
+    if _is_arrow(column):
+        import pyarrow
 
-    @property
-    def blank(self) -> int:
-        """Blank lines passed over so far."""
-        ...
+        return column.take(pyarrow.array(rows, pyarrow.int64()))
+    return [column[row] for row in rows] if isinstance(column, Sequence) else column[list(rows)]
 
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What a reader of the rows should know of the file, as far as it is read."""
-        ...
 
-    def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
-        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
-        ...
+def _texts(column: Any) -> Sequence[str]:
+    """Return the cells of a column as texts, those without a value as empty ones."""
+    if _is_arrow(column):
+        return ["" if each is None else _arrow_text(each) for each in column.to_pylist()]
+    return column if isinstance(column, Sequence) else [cell_text(each) for each in column]
 
-    def progress(self) -> float:
-        """Return which part of the file has been read, 0 to 1."""
-        ...
 
-    def schema(self, place: int) -> Any:
-        """Return the Arrow type of a column, or None for text."""
-        ...
-
-    def close(self) -> None:
-        """Close the file."""
-        ...
+def _arrow_text(value: Any) -> str:
+    if isinstance(value, float) and math.isfinite(value):
+        return f"{value:.15g}" if float(f"{value:.15g}") == value else repr(value)
+    return str(value)

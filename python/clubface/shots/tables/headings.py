@@ -1,11 +1,4 @@
-"""Which column of a table of shots is which quantity, and in which unit.
-
-How the headings of tables are spelled: their words, and the unit in brackets behind them.
-
-Headings of tables of shots in the languages of golfers, as translated programs and people write them.
-
-Only words that can mean nothing else are here; how they are spelled together does not count.
-"""
+"""Which column of a table of shots is which quantity, and in which unit: its words, and the unit behind them."""
 
 from __future__ import annotations
 
@@ -18,31 +11,13 @@ from typing import NamedTuple
 
 from clubface import units
 from clubface.errors import FileError, UnitError, shortened
-from clubface.quantities import file_unit
+from clubface.quantities import file_unit, quantity as quantity_named
+from clubface.shots.tables.vocabulary import by_word, vocabulary
 from clubface.simulation.results import flight_outputs, input_dimensions, inputs, outputs
 from clubface.support.checks import check_choice
 from clubface.units import unit
 
-_UNITS = {
-    "yards": "yd", "yds": "yd", "yd": "yd", "feet": "ft", "inches": "in", "inch": "in", "meters": "m", "metres": "m",
-    "meter": "m", "metre": "m", "deg/sec": "deg/s", "degrees/s": "deg/s", "dps": "deg/s", "°/sec": "deg/s",
-    "degs": "deg", "grad": "deg", "graden": "deg", "grados": "deg", "km/u": "km/h", "km/hr": "km/h", "kmph": "km/h",
-    "u/min": "rpm", "1/min": "rpm", "tpm": "rpm", "omw/min": "rpm", "sek": "s", "sec": "s",
-    **dict.fromkeys(("yard", "yrd", "yrds", "y", "yarda", "yardas", "ヤード", "码", "碼", "야드"), "yd"),
-    **dict.fromkeys(("foot", "pieds", "pies", "piedi", "fuß", "フィート", "英尺", "피트"), "ft"),
-    **dict.fromkeys(("zoll", "pouces", "pulgadas", "pollici", "インチ"), "in"),
-    **dict.fromkeys(("mtr", "mtrs", "mètres", "mètre", "metros", "metri", "メートル", "米", "미터"), "m"),
-    **dict.fromkeys(("º", "degré", "degrés", "gradi", "graus", "grader", "aste", "度", "도"), "deg"),
-    **dict.fromkeys(("º/s", "grad/s", "grados/s", "度/秒"), "deg/s"),
-    **dict.fromkeys(("m.p.h", "mi/h", "miles/h", "英里/小时", "英里/小時"), "mph"),
-    **dict.fromkeys(("km/t", "kph", "kmh", "㎞/h", "公里/小时", "公里/小時"), "km/h"),
-    **dict.fromkeys(("m/sec", "mps", "m/秒", "米/秒", "㎧"), "m/s"),
-    **dict.fromkeys(("rev/min", "r/min", "tr/min", "giri/min", "upm", "v/min", "回転/分", "转/分", "轉/分"), "rpm"),
-    **dict.fromkeys(("varv/min", "tr/mn"), "rpm"),
-    **dict.fromkeys(("seconds", "secs", "秒", "초"), "s"),
-}  # fmt: skip
-"""Further spellings of units in the files of launch monitors and spreadsheets, without a point at the end."""
-
+_UNITS = by_word(vocabulary()["units"])
 _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 """The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""
 _GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
@@ -108,160 +83,18 @@ def unit_of_column(text: str, dimension: str, heading: str, place: tuple[str, in
         raise FileError(*place, str(error), heading) from None
 
 
-_HEADINGS = {
-    "speed": """Schlägerkopfgeschwindigkeit|Schlägerkopfgeschw|Schlägergeschwindigkeit|Schlägergeschw
-        |Schlägerkopftempo|Vitesse club|Vitesse du club|Vitesse de club|Vitesse tête de club
-        |Vitesse de la tête de club|Velocidad del palo|Velocidad de palo|Velocidad palo|Velocidad de la cabeza
-        |Velocidad de la cabeza del palo|Velocidad cabeza palo|Velocità bastone|Velocità del bastone
-        |Velocità testa bastone|Klubbhastighet|Klubbhuvudshastighet|Klubbhuvudhastighet|Køllehastighed
-        |Køllehastighet|Clubsnelheid|Clubhoofdsnelheid|Velocidade do taco|ヘッドスピード|ヘッド速度|クラブスピード
-        |クラブヘッドスピード|杆头速度|桿頭速度|挥杆速度|揮桿速度|球杆速度|헤드 스피드|클럽 스피드
-        |클럽 헤드 스피드|클럽 속도""",
-    "attack": """Eintreffwinkel|Angriffswinkel|Anstellwinkel|Angle d'attaque|Ángulo de ataque|Angolo di attacco
-        |Angolo d'attacco|Attackvinkel|Anfaldsvinkel|Angrepsvinkel|Aanvalshoek|Ângulo de ataque|アタックアングル
-        |アタック角|入射角|攻击角度|攻擊角度|攻击角|攻角|어택 앵글|어택앵글|입사각""",
-    "path": """Schlägerpfad|Schwungbahn|Schlägerbahn|Chemin du club|Chemin de club|Trajectoire du club
-        |Trayectoria del palo|Trayectoria de palo|Percorso bastone|Traiettoria bastone|Klubbana|Svingbana|Klubbväg
-        |Køllebane|Clubpad|クラブパス|スイングパス|杆头路径|桿頭路徑|挥杆路径|揮桿路徑|클럽 패스|클럽 궤도
-        |스윙 패스""",
-    "loft": """Dynamischer Loft|Dyn Loft|Loft dynamique|Loft dinámico|Loft dinamico|Dynamiskt loft|Dynamisk loft
-        |Dynamische loft|ダイナミックロフト|动态杆面倾角|動態桿面傾角|다이나믹 로프트|다이내믹 로프트""",
-    "face": """Schlagflächenwinkel|Schlägerblattwinkel|Schlagflächenstellung|Angle de face|Angle de la face
-        |Ángulo de cara|Ángulo de la cara|Angolo faccia|Angolo della faccia|Bladvinkel|Klubbladsvinkel
-        |Klubbladvinkel|フェースアングル|フェース角|フェイスアングル|フェイス角|杆面角度|桿面角度|杆面角
-        |페이스 앵글|페이스앵글|페이스 각도""",
-    "ball_speed": """Ballgeschwindigkeit|Ballgeschw|Balltempo|Vitesse balle|Vitesse de balle|Vitesse de la balle
-        |Velocidad de bola|Velocidad de la bola|Velocidad bola|Velocidad de la pelota|Velocità palla
-        |Velocità della palla|Bollhastighet|Boldhastighed|Ballhastighet|Balsnelheid|Velocidade da bola
-        |ボールスピード|ボール初速|ボール速度|初速|球速|球初速|볼 스피드|볼 속도""",
-    "smash": """Smash Faktor|Facteur de smash|Smash facteur|Factor de smash|Fattore smash|ミート率
-        |スマッシュファクター|击球效率|擊球效率|撞击系数|스매시 팩터|스매쉬 팩터|스매시팩터""",
-    "launch": """Abflugwinkel|Startwinkel|Launchwinkel|Angle de lancement|Angle de départ|Angle de décollage
-        |Ángulo de lanzamiento|Ángulo de salida|Angolo di lancio|Utgångsvinkel|Utslagsvinkel|Startvinkel
-        |Udgangsvinkel|Utgangsvinkel|Lanceerhoek|Ângulo de lançamento|打ち出し角|打出角|打出し角|打ち出し角度
-        |打出角度|起飞角|起飞角度|起飛角|起飛角度|发射角|发射角度|發射角|발사각|발사 각도|탄도각|런치 앵글""",
-    "azimuth": """Abflugrichtung|Startrichtung|Direction de lancement|Direction de départ|Dirección de lanzamiento
-        |Dirección de salida|Direzione di lancio|Utgångsriktning|Startriktning|Udgangsretning|Utgangsretning
-        |Lanceerrichting|左右打ち出し角|左右打出角|打ち出し方向|打出方向|打出し方向|方向角|发射方向|起飞方向
-        |發射方向|방향각|발사 방향|좌우 발사각""",
-    "backspin": """Rückwärtsdrall|Rétro rotation|Bakspinn|Backspinn|バックスピン|バックスピン量|后旋|後旋|后旋转
-        |백스핀|백 스핀""",
-    "sidespin": """Seitendrall|Seitwärtsdrall|Rotation latérale|Sidspinn|Sidospinn|サイドスピン|サイドスピン量
-        |侧旋|側旋|사이드스핀|사이드 스핀""",
-    "total_spin": """Spinrate|Drehrate|Taux de rotation|Taux de spin|Vitesse de rotation|Giro|Tasa de giro
-        |Velocidad de giro|Velocidad de rotación|Tasso di rotazione|Spinnhastighet|Spinn|Spinsnelheid|スピン量
-        |スピンレート|トータルスピン|总旋转|總旋轉|旋转速度|自旋速率|스핀량|스핀 레이트|총 스핀|토탈 스핀""",
-    "spin_axis": """Spinachse|Drehachse|Axe de rotation|Axe de spin|Eje de giro|Eje de rotación|Asse di rotazione
-        |Spinnaxel|Spinaxel|Spinakse|Spinas|スピン軸|スピンアクシス|旋转轴|旋轉軸|스핀 축|스핀축""",
-    "carry": """Carry Distanz|Carryweite|Flugweite|Fluglänge|Portée|Distance de carry|Vuelo|Distancia de vuelo
-        |Distancia de carry|Distanza di volo|Carrylängd|Carryavstånd|Carrylængde|Carry afstand|キャリー
-        |キャリー距離|飞行距离|飛行距離|落点距离|落點距離|캐리|캐리 거리|비거리""",
-    "total": """Gesamtdistanz|Gesamtweite|Gesamtlänge|Distance totale|Distancia total|Distanza totale
-        |Totalt avstånd|Total distans|Totallängd|Totale afstand|トータル|トータル距離|総飛距離|总距离|總距離
-        |总码数|총 거리|총거리|총 비거리|토탈 거리""",
-    "side": """Seitenabweichung Carry|Écart latéral|Déviation latérale|Desviación lateral|Deviazione laterale
-        |Sidavvikelse|左右ブレ|左右幅|左右偏差|横向偏差|橫向偏差|좌우 편차|좌우편차""",
-    "apex": """Scheitelhöhe|Scheitelpunkt|Maximale Höhe|Max Höhe|Hauteur maximale|Hauteur max|Altura máxima
-        |Altezza massima|Höhe|Flughöhe|Hauteur|Höjd
-        |Maxhöjd|Maximal höjd|最高到達点|最高点|最大高さ|最高飞行高度|最大高度|최고점|최고 높이
-        |최대 높이""",
-    "flight_time": """Flugzeit|Flugdauer|Temps de vol|Tiempo de vuelo|Tempo di volo|Flygtid|滞空時間|飞行时间
-        |滞空时间|체공 시간|체공시간""",
-    "landing_angle": """Landewinkel|Auftreffwinkel|Angle d'atterrissage|Angle de descente|Ángulo de aterrizaje
-        |Ángulo de descenso|Ángulo de caída|Angolo di atterraggio|Landningsvinkel|Nedslagsvinkel|落下角|落下角度
-        |着弾角|落地角度|落地角|下降角|착지각|낙하각|랜딩 앵글""",
-}  # fmt: skip
-
-CLUB = """Schläger|Schlägerart|Schlägertyp|Type de club|Palo|Tipo de palo|Bastone|Klubba|Klubb|Kølle|Maila|Taco
-    |クラブ|番手|使用クラブ|球杆|球桿|球杆类型|클럽|클럽명|골프채"""
-PLAYER = """Spieler|Spielername|Joueur|Nom du joueur|Jugador|Giocatore|Spelare|Spiller|Speler|Pelaaja|Jogador
-    |プレーヤー|プレイヤー|選手|氏名|球员|球員|선수|플레이어"""
-
-
-def names(text: str) -> tuple[str, ...]:
-    """Return the names in a text, which bars part."""
-    return tuple(each.strip() for each in text.replace("\n", "").split("|"))
-
-
-FOREIGN_HEADINGS = {quantity: names(text) for quantity, text in _HEADINGS.items()}
-"""The headings of each quantity."""
-
-
-SYNONYMS = {
-    "speed": (
-        "club_speed", "clubhead_speed", "club_head_speed", "head_speed", "clubspeed", "swing_speed", "club_velocity",
-        "clubhead_velocity", "club_head_velocity",
-    ),
-    "attack": (
-        "attack_angle", "angle_of_attack", "aoa", "club_aoa", "attack_ang", "vert_path", "vertical_path",
-        "vertical_club_path", "club_attack_angle",
-    ),
-    "path": (
-        "club_path", "swing_path", "horiz_path", "horizontal_path", "horizontal_club_path", "path_angle",
-        "club_path_angle", "clubhead_path",
-    ),
-    "loft": ("dynamic_loft", "dyn_loft", "delivered_loft", "loft_at_impact", "impact_loft"),
-    "face": (
-        "face_angle", "club_face_angle", "clubface_angle", "face_ang", "club_face", "face_to_target", "ftt",
-        "face_to_target_angle", "club_face_to_target",
-    ),
-    "lie": ("lie_tilt",),
-    "toe": (
-        "impact_toe", "toe_offset", "impact_offset", "horiz_impact", "horizontal_impact", "impact_horizontal",
-        "horizontal_face_impact", "face_impact_horizontal", "face_impact_lateral", "lateral_impact",
-    ),
-    "high": (
-        "impact_high", "high_offset", "impact_height", "vert_impact", "vertical_impact", "impact_vertical",
-        "vertical_face_impact", "face_impact_vertical",
-    ),
-    "closure": ("closure_rate", "face_closure", "face_closure_rate", "rate_of_closure"),
-    "pitch_rate": ("loft_rate",),
-    "lie_rate": (),
-    "ball_backspin": (),
-    "ball_sidespin": (),
-    "ball_riflespin": (),
-    "hand": ("handedness",),
-}  # fmt: skip
-"""Other names of the inputs of a delivery, in the words of launch monitors and of those who read them."""
-
-LAUNCH_SYNONYMS = {
-    "ball_speed": (
-        "ball_velocity", "ballspeed", "initial_ball_speed", "launch_speed",
-    ),
-    "smash": ("smash_factor", "efficiency", "smash_fac"),
-    "launch": (
-        "launch_angle", "vertical_launch_angle", "vertical_launch", "vla", "launch_ang", "launch_v", "launch_angle_v",
-        "vert_launch", "vert_launch_angle", "launch_angle_vertical",
-    ),
-    "azimuth": (
-        "launch_direction", "horizontal_launch_angle", "horizontal_launch", "side_angle", "hla", "launch_dir",
-        "launch_h", "launch_angle_h", "horiz_launch", "horiz_launch_angle", "launch_angle_horizontal", "push_pull",
-        "launch_azimuth", "start_direction", "start_line",
-    ),
-    "backspin": ("back_spin",),
-    "sidespin": ("side_spin",),
-    "total_spin": ("spin_rate", "spin", "ball_spin", "total_spin_rate"),
-    "spin_axis": (
-        "spin_axis_tilt", "spin_tilt", "tilt_angle", "spin_tilt_axis", "spin_axis_angle", "axis_tilt", "tilt_axis",
-    ),
-    "contact_time": (),
-    "peak_force": (),
-    "carry": ("carry_distance", "carry_dist", "carry_length", "carry_flat", "carry_flat_length", "flat_carry"),
-    "side": (
-        "carry_side", "side_carry", "offline", "lateral", "lateral_distance", "side_distance", "carry_offline",
-        "carry_deviation", "carry_deviation_distance",
-    ),
-    "apex": ("peak_height", "max_height", "apex_height", "height", "maximum_height", "peak_ht", "max_ht"),
-    "flight_time": ("hang_time", "time_of_flight", "air_time", "hangtime"),
-    "landing_angle": (
-        "landing", "descent_angle", "desc_angle", "land_angle", "angle_of_descent", "descent", "descent_v", "descentv",
-    ),
-    "landing_speed": (),
-    "total": ("total_distance", "total_dist", "total_length"),
-    "total_side": ("side_total", "total_offline", "total_deviation", "total_deviation_distance"),
-}  # fmt: skip
-"""The quantities of a launch and its flight that a table may hold, with other names of each."""
-
+FOREIGN_HEADINGS: Mapping[str, Sequence[str]] = vocabulary()["headings"]
+"""The headings of each quantity in the languages of golfers."""
+DELIVERY_QUANTITIES = (
+    "speed", "attack", "path", "loft", "face", "lie", "toe", "high", "closure", "pitch_rate", "lie_rate",
+    "ball_backspin", "ball_sidespin", "ball_riflespin", "hand",
+)  # fmt: skip
+"""The inputs of a delivery, whose synonyms the registry of quantities has."""
+LAUNCH_QUANTITIES = (
+    "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis", "contact_time",
+    "peak_force", "carry", "side", "apex", "flight_time", "landing_angle", "landing_speed", "total", "total_side",
+)  # fmt: skip
+"""The quantities of a launch and its flight that a table may hold."""
 SECOND_CHOICE = frozenset({"carry_flat", "carry_flat_length", "flat_carry"})
 """Names of what is nearly the quantity: read only where the file has no other column of it."""
 HAND = "hand"
@@ -298,7 +131,7 @@ def delivery_words() -> Vocabulary:
     """Return the words for the inputs of an impact."""
     own = {name: name for name in inputs()}
     foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in own}
-    return Vocabulary({**_reversed(foreign), **own, **_reversed(SYNONYMS)}, input_dimensions())
+    return Vocabulary({**_reversed(foreign), **own, **_synonyms(DELIVERY_QUANTITIES)}, input_dimensions())
 
 
 @cache
@@ -306,10 +139,10 @@ def shot_words() -> Vocabulary:
     """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
     names, dimensions = delivery_words()
     found = {**flight_outputs(), **outputs()}
-    own = {name: name for name in LAUNCH_SYNONYMS}
-    launches = {name: found[name].dimension for name in LAUNCH_SYNONYMS}
+    own = {name: name for name in LAUNCH_QUANTITIES}
+    launches = {name: found[name].dimension for name in LAUNCH_QUANTITIES}
     foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in launches}
-    words = {**_reversed(foreign), **names, **own, **_reversed(LAUNCH_SYNONYMS)}
+    words = {**_reversed(foreign), **names, **own, **_synonyms(LAUNCH_QUANTITIES)}
     return Vocabulary(words, {**dimensions, **launches})
 
 
@@ -514,6 +347,10 @@ def _near(name: str, known: Collection[str]) -> str | None:
         if len(each) > 3 and (near := get_close_matches(each, known, 1, 0.8)):
             return near[0]
     return None
+
+
+def _synonyms(names: Sequence[str]) -> dict[str, str]:
+    return _reversed({name: quantity_named(name).synonyms for name in names})
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:

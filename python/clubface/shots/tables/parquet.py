@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from clubface.errors import FileError
-from clubface.shots.tables.cells import parsed
-from clubface.shots.tables.chunk import GONE, Chunk, Reject
+from clubface.shots.tables.chunk import PARTS_MISSING, Chunk
 from clubface.shots.tables.file_kind import START, refuse_no_table
-from clubface.shots.tables.headings import HAND, Column
 from clubface.support.files import open_input
 
 ENDINGS = (".parquet", ".pq")
@@ -42,7 +37,7 @@ def _missing(path: Path | str) -> FileError:
 
 
 class ParquetReader:
-    """A Parquet file. See :class:`clubface.shots.tables.chunk.Reader`."""
+    """A Parquet file, read as a CSV file is; see :class:`clubface.shots.tables.reader.CsvReader`."""
 
     counts = "row"
     header_line: int | None = None
@@ -68,7 +63,7 @@ class ParquetReader:
         self._rows = self._file.metadata.num_rows
         self._read = 0
 
-    def chunks(self, rows: int, skip: int) -> Iterator[ParquetChunk]:
+    def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
         try:
             for batch in self._file.iter_batches(rows):
@@ -76,7 +71,9 @@ class ParquetReader:
                 first, self._read = self._read, self._read + batch.num_rows
                 if self._read > skip:
                     from_ = max(0, skip - first)
-                    yield ParquetChunk(batch.slice(from_), first + from_)
+                    rest = batch.slice(from_)
+                    first += from_
+                    yield Chunk(range(first + 1, first + 1 + rest.num_rows), rest.columns)
         except (OSError, self._arrow.ArrowException) as error:
             raise FileError(self.path, None, f"cannot be read after row {self._read}: {error}") from None
 
@@ -89,70 +86,14 @@ class ParquetReader:
         """Return which part of the file has been read, 0 to 1."""
         return self._read / self._rows if self._rows else 1.0
 
-    def schema(self, place: int) -> Any:
-        """Return the Arrow type of a column."""
-        return self._file.schema_arrow.field(place).type
+    @property
+    def types(self) -> list[Any]:
+        """The Arrow types of the columns."""
+        return list(self._file.schema_arrow.types)
 
     def close(self) -> None:
         """Close the file."""
         self._file.close()
-
-
-class ParquetChunk:
-    """Some rows of a Parquet file. See :class:`clubface.shots.tables.chunk.Chunk`."""
-
-    def __init__(self, batch: Any, first: int) -> None:
-        self._batch = batch
-        self.lines: Sequence[int] = range(first + 1, first + 1 + batch.num_rows)
-        self.ragged: list[Reject] = []
-
-    def numbers(self, column: Column) -> tuple[Any, dict[int, str]]:
-        """Return the numbers of a column in its unit, and for rows without one, why."""
-        import numpy as np
-
-        values = self._batch.column(column.place)
-        numbers = self.cells(column.place)
-        if isinstance(numbers, list):
-            return parsed(numbers, column, False)
-        if column.quantity == HAND:
-            return parsed(["" if each is None else _text(each) for each in values.to_pylist()], column, False)
-        bad = np.flatnonzero(~np.isfinite(numbers))
-        missing = values.is_null()
-        reasons = {
-            int(row): f"{column.heading}: "
-            + ("the cell is empty" if missing[int(row)].as_py() else f"{numbers[row]} is not a finite number")
-            for row in bad
-        }
-        return numbers, reasons
-
-    def cells(self, place: int) -> Any:
-        """Return the cells of a column: an array of numbers, NaN where there is none, or a list of texts."""
-        import pyarrow
-
-        values = self._batch.column(place)
-        if pyarrow.types.is_integer(values.type) or pyarrow.types.is_floating(values.type):
-            return values.cast(pyarrow.float64(), safe=False).to_numpy(zero_copy_only=False)
-        return ["" if each is None else _text(each) for each in values.to_pylist()]
-
-    def texts(self, rows: Sequence[int] | None) -> list[list[str]]:
-        """Return the cells of some rows (None: all) as text."""
-        batch = self._batch if rows is None else self._batch.take(_indices(rows))
-        columns = [["" if each is None else _text(each) for each in column.to_pylist()] for column in batch.columns]
-        return [list(cells) for cells in zip(*columns, strict=True)]
-
-    def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
-        """Return some rows (None: all) as they would stand in a CSV file."""
-        found = []
-        for cells in self.texts(rows):
-            line = io.StringIO()
-            csv.writer(line, delimiter=delimiter, lineterminator="").writerow(cells)
-            found.append(line.getvalue())
-        return found
-
-    def arrow(self, place: int, rows: Sequence[int] | None) -> Any:
-        """Return the cells of a column in some rows as an Arrow array of its own type."""
-        column = self._batch.column(place)
-        return column if rows is None else column.take(_indices(rows))
 
 
 class ParquetForm:
@@ -180,7 +121,7 @@ class ParquetForm:
                 try:
                     table = self._arrow.parquet.read_table(path, schema=self._schema)
                 except (OSError, ValueError, self._arrow.ArrowException):
-                    raise FileError(str(path), None, GONE) from None
+                    raise FileError(str(path), None, PARTS_MISSING) from None
                 writer.write_table(table)
 
 
@@ -189,15 +130,3 @@ def write_parquet(columns: Mapping[str, Any], file: BinaryIO, path: Path) -> Non
     arrow = pyarrow_for(path)
     arrays = {name: arrow.array(values, from_pandas=True) for name, values in columns.items()}
     arrow.parquet.write_table(arrow.table(arrays), file)
-
-
-def _indices(rows: Sequence[int]) -> Any:
-    import pyarrow
-
-    return pyarrow.array(rows, pyarrow.int64())
-
-
-def _text(value: Any) -> str:
-    if isinstance(value, float) and math.isfinite(value):
-        return f"{value:.15g}" if float(f"{value:.15g}") == value else repr(value)
-    return str(value)

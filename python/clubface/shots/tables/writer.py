@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import csv
 import io
-import math
 import shutil
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from clubface.errors import LINES, FileError, legible
-from clubface.shots.tables.chunk import GONE, Chunk, Reader, Reject
+from clubface.shots.tables.cells import cell_text
+from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
 from clubface.shots.tables.parquet import ENDINGS as PARQUET, write_parquet
 from clubface.support.files import whole_file
 
@@ -40,10 +40,10 @@ class Form(Protocol):
 class CsvForm:
     """Launches written as CSV, cells and decimals as in the file they come from. See :class:`Form`."""
 
-    def __init__(self, headings: Sequence[str], reader: Reader) -> None:
+    def __init__(self, headings: Sequence[str], delimiter: str, decimal_comma: bool) -> None:
         self._headings = headings
-        self._comma = reader.decimal_comma
-        self._delimiter = reader.delimiter
+        self._comma = decimal_comma
+        self._delimiter = delimiter
 
     def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
         """Write some rows of a chunk (None: all), each followed by its results."""
@@ -65,9 +65,9 @@ class CsvForm:
 class RejectsForm:
     """The rows that cannot be used, each with its line and the reason."""
 
-    def __init__(self, headings: Sequence[str], reader: Reader) -> None:
-        self._headings = [reader.counts, "reason", *headings]
-        self._delimiter = reader.delimiter
+    def __init__(self, headings: Sequence[str], delimiter: str, counts: str) -> None:
+        self._headings = [counts, "reason", *headings]
+        self._delimiter = delimiter
 
     def piece(self, file: BinaryIO, rejects: Iterable[Reject]) -> None:
         """Write rows with line and reason."""
@@ -85,7 +85,7 @@ def put_together(file: BinaryIO, pieces: Iterable[Path]) -> None:
         try:
             piece = path.open("rb")
         except OSError:
-            raise FileError(str(path), None, GONE) from None
+            raise FileError(str(path), None, PARTS_MISSING) from None
         with piece:
             shutil.copyfileobj(piece, file)
 
@@ -126,10 +126,3 @@ def write_columns(columns: Mapping[str, Any], path: Path) -> None:
         else:
             rows = zip(*(map(cell_text, each) for each in columns.values()), strict=True)
             file.write(csv_lines([list(columns), *rows], delimiter_of(path)))
-
-
-def cell_text(value: Any) -> str:
-    """Return a text or a number as a cell has it, NaN as an empty one."""
-    if isinstance(value, str):
-        return value
-    return "" if math.isnan(value) else repr(float(value))
