@@ -33,7 +33,7 @@ def _read(path: Path) -> Format:
         for name, each in given.pop("columns").items()
     }
     marks = tuple(map(tuple, given.pop("marks")))
-    options = {name: tuple(each) if isinstance(each, list) else each for name, each in given.items()}
+    options: dict[str, Any] = {name: tuple(each) if isinstance(each, list) else each for name, each in given.items()}
     return Format(fields=fields, marks=marks, **options)
 
 
