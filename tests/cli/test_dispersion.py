@@ -10,6 +10,11 @@ from command_line import assert_mistake
 FEW = ("--count", "256", "--no-shares")
 
 
+def of_quantity(document, name):
+    """The row of a quantity in the main table."""
+    return next(each for each in document["tables"]["quantities"]["rows"] if each["quantity"] == name)
+
+
 def test_the_golfers_are_listed_and_shown_with_their_sources(clubface_):
     assert [each["name"] for each in clubface_("golfer", "list", "--json").json] == list(golfers())
     assert "bogey-driver" in clubface_("golfer", "list").out
@@ -23,23 +28,26 @@ def test_a_golfer_that_was_written_is_one_to_start_from(clubface_, tmp_path):
     file = tmp_path / "mine.toml"
     assert clubface_("golfer", "show", "tour-driver", "-o", str(file)).status == 0
     one, other = (clubface_("dispersion", each, *FEW, "--json").json for each in (str(file), "tour-driver"))
-    assert one["quantities"]["carry"]["mean"] == pytest.approx(other["quantities"]["carry"]["mean"], rel=1e-9)
+    assert of_quantity(one, "carry")["mean"] == pytest.approx(of_quantity(other, "carry")["mean"], rel=1e-9)
     assert_mistake(clubface_("golfer", "show", "tour-driver", "-o", str(file)), "exists already")
 
 
 def test_a_dispersion_is_that_of_python(clubface_):
     found = clubface_("dispersion", "tour-driver", *FEW, "--seed", "3", "--hole", "430 yd", "--json").json
     known = dispersion("tour-driver", count=256, seed=3)
-    assert found["quantities"]["carry"]["mean"] == known.mean("carry")
-    assert found["quantities"]["side"]["quantiles"]["0.5"] == known.quantile("side", 0.5)
-    assert found["ellipses"][1]["half_axes"] == known.ellipse(0.9).half_axes.tolist()
-    assert found["by_derivatives"]["carry"]["mean"] == pytest.approx(known.mean("carry"), abs=0.5)
-    assert found["hole"]["gained"] == pytest.approx(found["hole"]["before"] - found["hole"]["after"] - 1.0)
+    carry = of_quantity(found, "carry")
+    assert (carry["mean"], carry["unit"]) == (known.mean("carry"), "m")
+    assert of_quantity(found, "side")["quantile_0.5"] == known.quantile("side", 0.5)
+    ellipse = found["tables"]["ellipses"]["rows"][1]
+    assert [ellipse["long_axis_m"], ellipse["short_axis_m"]] == (2.0 * known.ellipse(0.9).half_axes).tolist()
+    assert carry["mean_by_derivatives"] == pytest.approx(known.mean("carry"), abs=0.5)
+    (hole,) = found["tables"]["strokes"]["rows"]
+    assert hole["strokes_gained"] == pytest.approx(hole["strokes_before"] - hole["strokes_after"] - 1.0)
 
 
 def test_the_table_tells_percentiles_ellipses_strokes_and_shares(clubface_):
     out = clubface_("dispersion", "handicap-10-driver", "--count", "1024", "--hole", "400 yd").out
-    for words in ("by derivatives", "Ellipses", "gained", "Shapley effects", "face", "have no result"):
+    for words in ("by derivatives", "Ellipses", "gained", "Shapley effects", "face angle", "have no result"):
         assert words in out
     assert "carry" not in clubface_("dispersion", "tour-driver", "--count", "64", "--no-flight").out
 
@@ -132,12 +140,12 @@ def test_the_report_says_what_spreads_the_shots_most(clubface_, tmp_path):
     pytest.importorskip("matplotlib")
     report = tmp_path / "shots.md"
     ran = clubface_("dispersion", "handicap-10-driver", "--count", "256", "--report", str(report), "--json")
-    shares = ran.json["shares"]
-    face = shares["share"]["side"][shares["variables"].index("face")]
-    assert face == max(shares["share"]["side"])
-    text = report.read_text()
-    assert f"off the line depends most on the face angle, which makes {face:.0%} of the differences" in text
-    assert "How far the ball goes depends most on" in text
+    (face,) = (each["side_share"] for each in ran.json["tables"]["shares"]["rows"] if each["variable"] == "face")
+    assert face == max(each["side_share"] for each in ran.json["tables"]["shares"]["rows"])
+    causes = {each["code"]: each for each in ran.json["summary"]}
+    assert causes["dispersion-side-cause"]["data"] == {"variable": "face angle", "share": face}
+    assert causes["dispersion-side-cause"]["text"] in report.read_text()
+    assert "dispersion-carry-cause" in causes
 
 
 @pytest.mark.parametrize(("spread", "shares"), [("", False), ('face = "2 deg"', True)])

@@ -160,7 +160,7 @@ def _deliveries(asked: Any, clubs: Sequence[Any], balls: Sequence[Any] = (None,)
 
 def _asked(asked: Any) -> dict[str, Any]:
     """Return for whom, with how many shots and in which air a study was solved, as ``reporting.write`` takes it."""
-    from clubface.cli.golfer import golfer_sources
+    from clubface.design.golfer import golfer_sources
 
     golfers = ", ".join(
         (golfer.title or golfer.name) + (f" (weight {weight:g})" if len(asked.golfers) > 1 else "")
@@ -168,7 +168,7 @@ def _asked(asked: Any) -> dict[str, Any]:
     )
     given = {"golfers": golfers, "shots": str(asked.shots), "seed": str(asked.seed)}
     if asked.hole is not None:
-        given["hole"] = asked.hole.told()
+        given["hole"] = asked.hole.describe()
     return {
         "given": given, "conditions": {name: getattr(asked.setting, name) for name in ("air", "wind", "ground")},
         "sources": [each for golfer, _ in asked.golfers for each in golfer_sources(golfer)],

@@ -1,12 +1,6 @@
 """Where a golfer's shots go: deliveries carried through impact and flight, tallied, and written to files.
 
-Where a golfer's shots go: the distribution of deliveries carried through impact and flight by sampling.
-
-How a golfer's shots are hit: club, model, ball and conditions, and what comes of deliveries with them.
-
-Every shot of a dispersion as a row of a CSV or Parquet file, a chunk at a time.
-
-What any number of shots comes to in memory that does not grow: moments, fine histograms, a map of the landings.
+Shots are summed up in memory that does not grow with their number: moments, fine histograms, a map of the landings.
 """
 
 from __future__ import annotations
@@ -21,12 +15,14 @@ from typing import Any, BinaryIO, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.design.dispersion_result import dispersion_result
 from clubface.design.golfer import Golfer, club_of, golfer as golfer_named
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, ShotError, Told
+from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of, shot_words
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
@@ -342,7 +338,7 @@ class Ellipse(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Dispersion:
+class Dispersion(Described):
     """Where the shots of a golfer go, SI and radians.
 
     Attributes
@@ -365,6 +361,10 @@ class Dispersion:
         The first landings [m], ahead and to the right, shape (n, 2), for pictures.
     reasons
         Why shots have no result, by the input at fault: one reason each, from the first shots that have none.
+    mean_launch
+        The launch of the mean delivery.
+    conditions
+        Air, wind and ground of the flights.
     """
 
     golfer: Golfer
@@ -379,6 +379,8 @@ class Dispersion:
     lies: Mapping[str, float]
     points: Floats
     reasons: Mapping[str, str]
+    mean_launch: Launch
+    conditions: Mapping[str, Any]
 
     def __repr__(self) -> str:
         lost = f", {self.lost} without a result" * bool(self.lost)
@@ -422,6 +424,10 @@ class Dispersion:
     def gained(self) -> float:
         """Strokes gained by the shot on the PGA Tour's average: expected before, less expected after and the shot."""
         return self.hole.before() - self.strokes - 1.0 if self.hole is not None else float("nan")
+
+    def to_result(self) -> Result:
+        """Return the dispersion as a result; :func:`dispersion_result` adds what spreads the shots."""
+        return dispersion_result(self)
 
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse of the landings that holds a share of them."""
@@ -526,7 +532,8 @@ def dispersion(
         golfer=of_golfer, club=of_club, ball=launch.ball, model=model, seed=seed, tally=tally, mean_shot=mean_shot,
         hole=hole, strokes=strokes / tally.counted if hole is not None else float("nan"),
         lies={name: number / tally.counted for name, number in lies.items()} if hole is not None else {},
-        points=np.concatenate(points) if points else np.empty((0, 2)), reasons=reasons,
+        points=np.concatenate(points) if points else np.empty((0, 2)), reasons=reasons, mean_launch=launch,
+        conditions={"air": air, "wind": wind, "ground": ground},
     )  # fmt: skip
 
 

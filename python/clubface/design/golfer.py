@@ -120,7 +120,7 @@ WORDS = {
 """What people call variables of a delivery."""
 
 
-def told(variable: str) -> str:
+def variable_label(variable: str) -> str:
     """Return what people call a variable of a delivery."""
     return WORDS.get(variable, variable.replace("_", " "))
 
@@ -235,6 +235,12 @@ class Golfer:
     def source(self, figure: str) -> str:
         """Return the source of a figure, such as "spread of face"; "assumed" if it has none."""
         return self.sources.get(figure, ASSUMED)
+
+    def figures(self) -> list[str]:
+        """Return the names of all figures, as :meth:`source` takes them."""
+        names = [f"{part} of {name}" for part in ("mean", "spread") for name in self.variables]
+        correlated = int((self.correlation != 0.0).sum()) > len(self.variables)
+        return names + ["correlation"] * correlated + ["mishits"] * (self.mishit_share > 0.0)
 
     def delivery(self) -> Delivery:
         """Return the mean delivery."""
@@ -508,6 +514,14 @@ def written(value: float, name: str) -> str:
     unit = UNIT.get(dimension, SI_UNITS[dimension])
     number = units.from_si(value, unit)
     return f"{0.0 if math.isclose(number, 0.0, abs_tol=1e-14) else number:.12g} {unit}"
+
+
+def golfer_sources(of: Golfer) -> list[str]:
+    """Return where the figures of a golfer come from, those of one source together."""
+    figures: dict[str, list[str]] = {}
+    for figure in of.figures():
+        figures.setdefault(of.source(figure), []).append(figure.replace("_", " "))
+    return [f"Golfer {of.title or of.name}, {', '.join(names)}: {source}" for source, names in figures.items()]
 
 
 def golfers() -> tuple[str, ...]:

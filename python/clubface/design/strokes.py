@@ -51,7 +51,7 @@ class Hole:
     def __post_init__(self) -> None:
         check_values(self)
 
-    def told(self) -> str:
+    def describe(self) -> str:
         """Return the hole in words."""
         length, fairway, rough, green = (
             f"{units.from_si(each, 'yd'):g} yd" for each in (self.length, self.fairway, self.rough, self.green)

@@ -43,7 +43,10 @@ def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figu
                 "sharex": first_of_column.get(place) if picture.share_x and span == 1 else None,
                 "sharey": first_of_row.get(line) if picture.share_y else None,
             }
-            axes = figure.add_subplot(grid[line, place * span : (place + 1) * span], **shared)
+            below = line + 1
+            while panel.tall and below < len(rows) and len(rows[below]) > place and rows[below][place] is None:
+                below += 1
+            axes = figure.add_subplot(grid[line:below, place * span : (place + 1) * span], **shared)
             first_of_row.setdefault(line, axes)
             first_of_column.setdefault(place, axes)
             _draw_panel(figure, axes, panel)

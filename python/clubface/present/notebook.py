@@ -14,8 +14,8 @@ MOST_ROWS = 60
 def as_fragment(result: Result) -> str:
     """Return a result as HTML for a notebook."""
     parts = [f"<strong>{html.escape(result.title)}</strong>"]
-    if result.values:
-        parts.append(_table(["", "", ""], [list(each) for each in values_of(result.values)]))
+    if rows := values_of(result.values):
+        parts.append(_table(["", "", ""], [list(each) for each in rows]))
     for each in result.tables:
         if not each.printed or not len(each):
             continue

@@ -75,8 +75,7 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
 
 def table_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
     """Yield the values and tables of a result as people read them, each with its numbers as CSV."""
-    if result.values:
-        rows = [(name, number, rest) for name, number, rest in values_of(result.values, units)]
+    if rows := values_of(result.values, units):
         table = Table(result.kind, result.values)
         yield TextTable(("quantity", "value", "unit"), rows, _data(table))
     for each in result.tables:

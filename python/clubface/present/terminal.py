@@ -48,10 +48,11 @@ def as_text(
         Whether headings are set in bold.
     """
     parts = []
-    if result.values:
-        parts.append(_list_lines(result.title, values_of(result.values, units), width, emphasis))
+    values = values_of(result.values, units)
+    if values:
+        parts.append(_list_lines(result.title, values, width, emphasis))
     printed = [each for each in result.tables if each.printed and len(each)]
-    if not result.values and printed and not printed[0].title:
+    if not values and printed and not printed[0].title:
         printed[0] = Table(**{**vars(printed[0]), "title": result.title})
     parts += [_table_lines(each, units, width, emphasis) for each in printed]
     if notes := note_lines(result.notes, width):

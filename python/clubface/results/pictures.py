@@ -119,6 +119,8 @@ class Panel:
         What contours and cells are coloured by: an axis for the bar of colours; ``diverging`` from zero.
     legend
         Whether it has a legend of its own; else its marks stand in that of the picture.
+    tall
+        Whether it reaches down over the empty places below it.
     """
 
     marks: Sequence[Mark]
@@ -130,6 +132,7 @@ class Panel:
     diverging: bool = False
     legend: bool = False
     grid: bool = True
+    tall: bool = False
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,25 @@ SENTENCES = {
     "comparison-main-cause": "What changes the carry most is {change}: {carry:more/less}.",
     "comparison-not-split": "The difference of {name} from {first} cannot be split into contributions: {reason}",
     "comparison-same": "{name} is like {first} in everything that this shot depends on",
+    "dispersion-ball-speed": "Half of {shots:n shot} leave at {low_ball_speed:bare 0} to {high_ball_speed:0}.",
+    "dispersion-carry": (
+        "Half of them carry {low_carry:bare 0} to {high_carry:0}, and nine of ten at least {tenth_carry:0}."
+    ),
+    "dispersion-carry-cause": (
+        "How far the ball goes depends most on the {variable}, which makes {share:.0%} of the differences (of the "
+        "variance)."
+    ),
+    "dispersion-columns": "± is the standard deviation; the percentage columns are quantiles",
+    "dispersion-derivatives": "by derivatives: to the second order about the mean delivery",
+    "dispersion-lost": "{lost:n shot} ({share:.2%}) have no result and are left out, such as: {reasons}",
+    "dispersion-shapley": "the values of the delivery are correlated, so that Shapley's rule shares out the variance",
+    "dispersion-side": "Nine of ten land between {left_side:sides 0} and {right_side:sides 0} of the line.",
+    "dispersion-side-cause": (
+        "How far it is off the line depends most on the {variable}, which makes {share:.0%} of the differences (of the "
+        "variance)."
+    ),
+    "dispersion-stroke-averages": "strokes: averages of the PGA Tour by distance and lie (Broadie, 2011 and 2012)",
+    "dispersion-strokes": "On the hole given, the shot leaves {strokes:.2f} strokes to play, as tour players count.",
     "map-centre": (
         "Struck at the centre of the face, {club} sends the ball off at {ball_speed} and carries it {carry:0}."
     ),

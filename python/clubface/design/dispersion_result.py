@@ -1,0 +1,242 @@
+"""A dispersion as a result: where the shots go, what spreads them, and the picture of the landings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from clubface.design.golfer import golfer_sources, variable_label
+from clubface.quantities import quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.provenance import flight_conditions, provenance_of
+
+if TYPE_CHECKING:
+    from clubface.design.dispersion import Dispersion
+    from clubface.design.variance import ByDerivatives, Indices
+
+QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
+"""Shares of the shots whose quantiles are given."""
+MARKED = (0.1, 0.5, 0.9)
+"""Shares of the shots below the lines in a histogram."""
+BINS = {"ball_speed": 0.22352, "launch": np.radians(0.25), "carry": 1.8288, "side": 1.8288}
+"""Widths of the bars of a histogram [SI]: half a mph, a quarter of a degree, two yards."""
+MOST_BARS = 6
+"""Variables of which a bar is drawn: those with the greatest shares."""
+
+
+def dispersion_result(of: Dispersion, slopes: ByDerivatives | None = None, shares: Indices | None = None) -> Result:
+    """Return a dispersion as a result, with its spread ``slopes`` by derivatives and ``shares`` of its variance."""
+    golfer = of.golfer
+    title = (
+        f"{golfer.title or golfer.name}: {of.count} shot{'s' * (of.count > 1)}, club {of.club.name}, ball "
+        f"{of.ball.name}, by {of.model}"
+    )
+    tables = [_quantities(of, slopes)]
+    if of.points.size:
+        tables.append(_ellipses(of))
+    if of.hole is not None:
+        tables.append(_strokes(of))
+    if shares is not None:
+        tables.append(_shares(shares))
+    inputs = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
+    if of.hole is not None:
+        inputs["hole"] = of.hole.describe()
+    if of.points.size:
+        inputs |= flight_conditions(**of.conditions)
+    return Result(
+        kind="dispersion", title=title, tables=tuple(tables),
+        values=(
+            text("shots", [of.count], printed=False), text("lost", [of.lost], printed=False),
+            text("seed", [of.seed], printed=False),
+        ),
+        summary=tuple(_summary(of, shares)), notes=tuple(_notes(of, slopes, shares)),
+        provenance=provenance_of([of.mean_launch], inputs, golfer_sources(golfer)),
+        draw=lambda: [dispersion_picture(of, shares)],
+    )  # fmt: skip
+
+
+def _quantities(of: Dispersion, slopes: ByDerivatives | None) -> Table:
+    names, kinds = of.quantities, [quantity(name) for name in of.quantities]
+    columns = [
+        text("quantity", names, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        Column("mean", [of.mean(name) for name in names], kinds),
+        Column("spread", [of.spread(name) for name in names], kinds, "±"),
+        Column("of_mean_delivery", [of.mean_shot[name] for name in names], kinds, printed=False),
+    ]  # fmt: skip
+    for share in QUANTILES:
+        values = [of.quantile(name, share) for name in names]
+        columns.append(Column(f"quantile_{share:g}", values, kinds, f"{share:.0%}"))
+    if slopes is not None:
+        known = [name if name in slopes.value else None for name in names]
+        columns += [
+            Column("mean_by_derivatives", [each and slopes.mean(each) for each in known], kinds),
+            Column("spread_by_derivatives", [each and slopes.spread(each) for each in known], kinds,
+                   "± by derivatives"),
+            Column("spread_first_order", [each and slopes.spread(each, order=1) for each in known], kinds,
+                   printed=False),
+        ]  # fmt: skip
+    return Table("quantities", tuple(columns))
+
+
+def _ellipses(of: Dispersion) -> Table:
+    from clubface.design.dispersion import SHARES
+
+    ellipses = [of.ellipse(share) for share in SHARES]
+    columns = (
+        column("share", SHARES, "1", label="landings", unit="%", digits=0),
+        column("centre_ahead", [float(each.centre[0]) for each in ellipses], "carry", label="centre ahead"),
+        column("centre_right", [float(each.centre[1]) for each in ellipses], "side", label="centre right"),
+        column("long_axis", [2.0 * float(each.half_axes[0]) for each in ellipses], "carry"),
+        column("short_axis", [2.0 * float(each.half_axes[1]) for each in ellipses], "carry"),
+        column("angle", [each.angle for each in ellipses], "rad", label="long axis to line"),
+    )
+    return Table("ellipses", columns, "Ellipses that hold a share of the landings")
+
+
+def _strokes(of: Dispersion) -> Table:
+    hole = of.hole
+    assert hole is not None
+    columns = [
+        column("length", [hole.length], "carry", label="length of the hole", digits=0),
+        *(column(name, [getattr(hole, name)], "carry", printed=False) for name in ("fairway", "rough", "green")),
+        text("lie", [hole.lie], printed=False),
+        column("strokes_before", [hole.before()], "1", label=f"strokes from the {hole.lie}"),
+        column("strokes_after", [of.strokes], "1"),
+        column("strokes_gained", [of.gained], "1", difference=True),
+    ]
+    for name, share in of.lies.items():
+        columns.append(column(f"share_{name}", [share], "1", label=f"at rest, {name}", unit="%", digits=0))
+    return Table("strokes", tuple(columns), "Strokes of a tour player on the hole", layout="list")
+
+
+def _shares(of: Indices) -> Table:
+    strongest = np.max(list(of.share.values()), axis=0)
+    order = sorted(range(len(of.variables)), key=lambda place: -strongest[place])
+    sobol = of.kind == "sobol"
+    columns = [
+        text("variable", [of.variables[place] for place in order], printed=False),
+        text("what", [variable_label(of.variables[place]) for place in order], in_files=False),
+    ]
+    for name in of.share:
+        for key, part, label in (
+            ("share", of.share[name], f"{name} alone" if sobol else name), ("total", of.total[name], f"{name} in all"),
+        ):  # fmt: skip
+            values = [float(part[place]) for place in order]
+            columns.append(
+                column(f"{name}_{key}", values, "1", label=label, unit="%", digits=1, printed=sobol or key == "share")
+            )
+    kind = "Sobol indices" if sobol else "Shapley effects"
+    return Table("shares", tuple(columns), f"What spreads the shots: {kind}, % of the variance")
+
+
+def _summary(of: Dispersion, shares: Indices | None) -> Iterator[Note]:
+    low, high = (of.quantile("ball_speed", share) for share in (0.25, 0.75))
+    yield note("dispersion-ball-speed", shots=of.count, low_ball_speed=low, high_ball_speed=high)
+    if not of.points.size:
+        return
+    low, high, tenth = (of.quantile("carry", share) for share in (0.25, 0.75, 0.1))
+    yield note("dispersion-carry", low_carry=low, high_carry=high, tenth_carry=tenth)
+    left, right = (of.quantile("side", share) for share in (0.05, 0.95))
+    yield note("dispersion-side", left_side=left, right_side=right)
+    if shares is not None:
+        for name in ("carry", "side"):
+            most = int(np.argmax(np.nan_to_num(parts := shares.share[name])))
+            variable = variable_label(shares.variables[most])
+            yield note(f"dispersion-{name}-cause", variable=variable, share=float(parts[most]))
+    if of.hole is not None:
+        yield note("dispersion-strokes", strokes=of.strokes)
+
+
+def _notes(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> Iterator[Note]:
+    yield note("dispersion-columns")
+    if of.lost:
+        reasons = "; ".join(of.reasons.values())
+        yield note("dispersion-lost", lost=of.lost, share=of.lost / of.count, reasons=reasons)
+    if slopes is not None:
+        yield note("dispersion-derivatives")
+    if of.hole is not None:
+        yield note("dispersion-stroke-averages")
+    if shares is not None and shares.kind == "shapley":
+        yield note("dispersion-shapley")
+
+
+def dispersion_picture(
+    of: Dispersion, shares: Indices | None = None, ellipses: Sequence[float] | None = None
+) -> Picture:
+    """Return landings with ellipses that hold shares of them, histograms, and shares of the variance.
+
+    Parameters
+    ----------
+    of
+        The dispersion; launches alone are drawn where no ball flies.
+    shares
+        Which variables spread the outcomes; no bars are drawn without them.
+    ellipses
+        Shares of the landings that the ellipses hold; 50 and 90 % unless given.
+    """
+    flies = bool(of.points.size)
+    columns: list[list[Panel | None]] = []
+    if flies:
+        columns.append([_landings(of, ellipses), None])
+    columns.append([_histogram(of, name) for name in (("carry", "side") if flies else ("ball_speed", "launch"))])
+    if shares is not None:
+        bars: list[Panel | None] = [_variance_bars(shares, name) for name in shares.share]
+        columns.append([*bars, None][:2])
+    return Picture(
+        "dispersion", "Where the balls land, and what spreads them", [list(row) for row in zip(*columns, strict=True)],
+        title=f"{of.golfer.title or of.golfer.name}: {of.count} shots by {of.model}", legend=True,
+        widths=[1.25, 1.0, 1.0][: len(columns)], height=4.6,
+        footnote=f"Dashed lines: {', '.join(f'{share:.0%}' for share in MARKED)} of the shots are below.",
+    )  # fmt: skip
+
+
+def _landings(of: Dispersion, ellipses: Sequence[float] | None) -> Panel:
+    from clubface.design.dispersion import SHARES
+
+    ahead, right = of.points[:, 0], of.points[:, 1]
+    marks = [Mark("points", right, ahead, label="landings", symbol="", size=2.5)]
+    turn = np.linspace(0.0, 2.0 * np.pi, 121)
+    for place, share in enumerate(SHARES if ellipses is None else ellipses):
+        ellipse = of.ellipse(share)
+        along, across = ellipse.half_axes[0] * np.cos(turn), ellipse.half_axes[1] * np.sin(turn)
+        sine, cosine = np.sin(ellipse.angle), np.cos(ellipse.angle)
+        marks.append(
+            Mark(
+                "line", ellipse.centre[1] + along * sine + across * cosine,
+                ellipse.centre[0] + along * cosine - across * sine, style=1, dash=place % 3,
+                label=f"{share:.0%} of the landings",
+            )
+        )  # fmt: skip
+    # The few topped shots would make everything small.
+    low, high = (of.quantile("carry", share) for share in (0.002, 0.999))
+    room, wide = 0.2 * (high - low), 1.05 * max(float(np.abs(right).max()), 1.0)
+    return Panel(
+        [Mark("rule", x=0.0, style=-1), *marks], axis("side", "side, right is positive", limits=(-wide, wide)),
+        axis("carry", "ahead", limits=(low - room, high + room)), equal=True, tall=True,
+    )  # fmt: skip
+
+
+def _histogram(of: Dispersion, name: str) -> Panel:
+    edges, counts = of.tally.histogram(name, BINS[name])
+    low, high = (of.quantile(name, share) for share in (0.001, 0.999))
+    room = 0.15 * (high - low)
+    marks = [
+        Mark("steps", edges, counts / max(of.tally.counted, 1)),
+        Mark("rule", x=[of.quantile(name, share) for share in MARKED], style=-2, dash=1),
+    ]
+    label = "side, right is positive" if name == "side" else ""
+    return Panel(
+        marks, axis(name, label, limits=(low - room, high + room)), axis(label="share of the shots")
+    )  # fmt: skip
+
+
+def _variance_bars(of: Indices, name: str) -> Panel:
+    order = np.argsort(of.share[name])[-MOST_BARS:]
+    names = [variable_label(of.variables[place]) for place in order]
+    bars = Mark("bars", of.share[name][order], np.arange(len(order)), style=2)
+    return Panel([bars], axis("variance", f"variance of {name}", like="1", unit="%"), axis(names=names))
