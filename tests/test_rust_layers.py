@@ -18,8 +18,8 @@ LAYERS = {
     "clubface-impact": (
         "error", "fault", "description", "unit", "quantity", "ball", "face", "club", "delivery", "shot", "face_spring",
         "inertia_check", "check", "launch", "first_touch", "guided_mass", "giving_face", "impact", "columns",
-        "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch", "sensitivity",
-        "flight",
+        "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch",
+        "sensitivity", "flight",
     ),
     "clubface-fem": (
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",
