@@ -32,7 +32,7 @@ def test_every_command_has_help_and_says_json_where_it_computes(clubface_):
 
 
 def test_models_lists_the_registry(clubface_):
-    assert [entry["name"] for entry in clubface_("models", "--json").json] == list(clubface.models())
+    assert [row["model"] for row in clubface_("models", "--json").rows()] == list(clubface.models())
     assert "jorgensen" in clubface_("models").out
     assert "with area_damping = 0 also energy, friction cone" in " ".join(clubface_("models", "area").out.split())
 
@@ -40,29 +40,35 @@ def test_models_lists_the_registry(clubface_):
 def test_a_model_is_shown_with_units_bounds_published_values_sources_and_caveats(clubface_):
     ran = clubface_("models", "volumetric")
     text = " ".join(ran.out.split())
-    for words in ("N m s/rad", "0 to 2", "6.25e+09", "Table 8", "0.00253*", "kept as printed", "ten times larger"):
+    for words in ("N m s/rad", "6.25e+09", "Table 8", "0.00253*", "kept as printed", "ten times larger"):
         assert words in text
-    entry = clubface_("models", "rings", "--json").json
-    (driver,) = [each for each in entry["sets"] if each["club"] == "driver"]
-    assert driver["values"]["shear_modulus"] == 5.58e7
-    assert "1/100" in driver["value_caveats"]["shear_modulus"]
+    ran = clubface_("models", "rings", "--json")
+    (bounds,) = [(row["lower"], row["upper"]) for row in ran.rows("parameters") if row["parameter"] == "friction"]
+    assert bounds == (0.0, 2.0)
+    (driver,) = [
+        row
+        for row in ran.rows("published_values")
+        if row["club"] == "driver" and row["parameter"] == "shear_modulus" and "impact" in row["set"]
+    ]
+    assert driver["value"] == 5.58e7
+    assert "1/100" in driver["caveat"]
 
 
 def test_clubs_lists_clubs_and_balls_and_says_once_that_the_published_ball_is_small(clubface_):
-    ran = clubface_("clubs")
-    assert ran.out.count("42.60 mm") == 1
-    document = clubface_("clubs", "--json").json
-    assert [each["name"] for each in document["clubs"]][:2] == ["driver", "3-wood"]
-    assert document["clubs"][0]["values"]["mass"] == 0.204
-    assert {each["name"] for each in document["balls"]} == set(ball_names())
+    ran = clubface_("clubs", "--json")
+    assert ran.notes().count("small-ball") == 1
+    assert {row["club"] for row in ran.rows("clubs")} == set(clubface.equipment.clubs.CLUB_NAMES)
+    assert ran.rows("clubs")[0]["club"] == "driver"
+    assert ran.rows("clubs")[0]["mass_g"] == pytest.approx(204.0, rel=1e-15)
+    assert {row["ball"] for row in ran.rows("balls")} == set(ball_names())
 
 
 def test_one_club_is_shown_with_the_source_of_every_value(clubface_):
-    ran = clubface_("clubs", "6-iron")
-    assert "scaling rule" in ran.out
-    document = clubface_("clubs", "6-iron", "--json").json
-    assert set(document["sources"]) >= {"mass", "loft", "ixx", "face_width"}
-    assert document["values"]["bulge"] is None  # infinite: flat
+    assert "scaling rule" in clubface_("clubs", "6-iron").out
+    rows = {row["field"]: row for row in clubface_("clubs", "6-iron", "--json").rows()}
+    assert all(rows[name]["source"] for name in ("mass", "loft", "ixx", "face_width"))
+    assert rows["bulge"]["value"] == "flat"
+    assert (rows["mass"]["value"], rows["mass"]["unit"]) == (pytest.approx(257.0), "g")
 
 
 def test_a_new_club_is_a_club_that_passes_the_check(clubface_, tmp_path):
@@ -81,8 +87,8 @@ def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path)
     changes = "iyy=5950 g cm2, characteristic_time=230 us"
     assert clubface_("club", "new", "heavy", "--set", changes, "-o", str(file)).status == 0
     lines = [" ".join(line.split()) for line in clubface_("club", "check", str(file)).out.splitlines()]
-    assert "moment of inertia, vertical axis, g cm2 5950 5900 100 conforms within the tolerance" in lines
-    assert "characteristic time of the face, us 230 239 18 conforms" in lines
+    assert "moment of inertia, vertical axis g cm2 5950 5900 100 conforms within the tolerance" in lines
+    assert "characteristic time of the face µs 230 239 18 conforms" in lines
     assert not any("volume" in line for line in lines)  # a club file knows none
 
 

@@ -11,6 +11,10 @@ import pytest
 SCHEMA = json.loads(importlib.resources.files("clubface").joinpath("data/schemas/result-1.json").read_text())
 SPEED = ("--speed", "113 mph")
 COMMANDS = {
+    "clubs": ("clubs",),
+    "clubs-one": ("clubs", "driver"),
+    "models": ("models",),
+    "models-one": ("models", "rings"),
     "flight": ("flight", "--ball-speed", "165 mph", "--launch", "11 deg", "--backspin", "2500 rpm"),
     "sensitivity": ("sensitivity", "driver", *SPEED, "--by", "toe,loft"),
     "shot": ("shot", "driver", *SPEED, "--model", "response,standard"),

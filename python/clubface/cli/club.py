@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface import units
-from clubface.cli import options, output
+from clubface.cli import options, output, show
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
 from clubface.support.strict_toml import quoted
@@ -88,56 +88,11 @@ def _factor(text: str) -> float:
 
 
 @app.command()
-def check(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="A club file (TOML).")],
-    as_json: options.Json = False,
-) -> None:
+@options.takes(show.REPORT, show.JSON)
+def check(file: Annotated[str, typer.Argument(metavar="FILE", help="A club file (TOML).")], **texts: Any) -> None:
     """Check the mass, the inertia and the face of a club file, and the limits of the rules."""
-    from clubface.cli.clubs import describe, print_club
+    from clubface.design.rules import check_result
     from clubface.equipment.clubs import Club
 
-    found = Club.from_toml(file)
-    if as_json:
-        output.print_json({**describe(found), "rules": _rules(found)})
-    else:
-        print_club(found)
-        print()
-        _print_rules(found, file)
-        print(f"\n{file}: a club that can exist")
-
-
-def _rules(checked: Club) -> list[dict[str, Any]]:
-    """Return what the club has of every limit of the rules, in SI."""
-    from clubface.design.rules import check_rules
-
-    return [
-        {"rule": each.rule.name, "value": None if each.conforms is None else each.value, "limit": each.rule.most,
-         "tolerance": each.rule.tolerance, "verdict": each.words}
-        for each in check_rules(checked)
-    ]  # fmt: skip
-
-
-def _print_rules(checked: Club, file: str) -> None:
-    """Print what the club has of every limit of the rules, and what is not known of it."""
-    from clubface.cli.output import print_numbers
-    from clubface.design.rules import NOT_KNOWN, UNMEASURED, check_rules
-    from clubface.fem.heads.meshed import mesh_of
-
-    rows, notes = [], []
-    for each in check_rules(checked):
-        if each.words == NOT_KNOWN:  # a club file tells no volume, and needs none
-            continue
-        unit = each.rule.unit
-        known = "" if each.conforms is None else f"{units.from_si(each.value, unit):.4g}"
-        limits = (f"{units.from_si(value, unit):.4g}" for value in (each.rule.most, each.rule.tolerance))
-        rows.append([f"{each.rule.title}, {unit}", known, *limits, each.words])
-        if each.words == UNMEASURED:
-            told = 'characteristic_time = "250 us" in the file says what the pendulum measured'
-            if mesh_of(checked) is not None:
-                told = f"clubface fem head {file} --measure simulates it, and {told}"
-            notes.append(f"nothing says how the face gives: {told}")
-    if rows:
-        print_numbers(("", "club", "limit", "tolerance", ""), rows, title="Rules of golf")
-    if mesh_of(checked) is not None and len(rows) > 1:
-        notes.append("volume and dimensions are those of the whole mesh, with a hosel if it has one")
-    output.print_notes(notes)
+    output = show.Output.check(texts, [file])
+    output.show(check_result(Club.from_toml(file), file))

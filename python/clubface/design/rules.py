@@ -9,7 +9,12 @@ from typing import Any, NamedTuple
 
 from clubface import published_data, units
 from clubface.equipment.clubs import Club, club as club_of
+from clubface.equipment.listings import club_result
 from clubface.fem.heads.meshed import mesh_of
+from clubface.quantities import Quantity, Reading
+from clubface.results.notes import note
+from clubface.results.result import Result
+from clubface.results.table import Column, table, text
 from clubface.support.checks import Frozen
 
 STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
@@ -108,8 +113,8 @@ _TITLES = {
 def rules() -> Mapping[str, Rule]:
     """Return the limits by name."""
     found = {}
-    for name, (table, column, tolerance) in _PLACES.items():
-        published = published_data.table(table)
+    for name, (source, column, tolerance) in _PLACES.items():
+        published = published_data.table(source)
         margin = 0.0 if tolerance is None else float(published[tolerance][0])
         found[name] = Rule(
             name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source
@@ -162,3 +167,33 @@ def check_rules(
         longer = Rule("face_to_back", "face to back, beside heel to toe", length, 0.0, "in", source)
         verdicts.append(RuleVerdict(longer, depth))
     return verdicts
+
+
+def check_result(checked: Club, file: str) -> Result:
+    """Return a club with the source of every value, and what it has of every limit of the rules."""
+    known = [each for each in check_rules(checked) if each.words != NOT_KNOWN]  # a club file needs no volume
+    notes = []
+    if any(each.words == UNMEASURED for each in known):
+        notes.append(note("unmeasured-face" if mesh_of(checked) is None else "unmeasured-mesh", file=file))
+    if mesh_of(checked) is not None and len(known) > 1:
+        notes.append(note("mesh-dimensions"))
+    of = [_quantity_of(each.rule) for each in known]
+    verdicts = table(
+        "rules",
+        text("rule", [each.rule.title for each in known]),
+        Column("value", [None if each.conforms is None else each.value for each in known], of, "club", digits=-4),
+        Column("limit", [each.rule.most for each in known], of, digits=-4),
+        Column("tolerance", [each.rule.tolerance for each in known], of, digits=-4),
+        text("verdict", [each.words for each in known]),
+        title="Rules of golf",
+    )
+    shown = club_result(checked)
+    return shown.replace(
+        tables=(*shown.tables, verdicts), notes=(*shown.notes, *notes), hints=(note("club-possible", file=file),)
+    )
+
+
+def _quantity_of(rule: Rule) -> Quantity:
+    """Return what a limit is of, in the unit in which it was printed."""
+    reading = Reading(rule.unit, 4)
+    return Quantity(rule.name, units.SI_UNITS[units.unit(rule.unit).dimension], reading, reading, rule.title)

@@ -9,6 +9,7 @@ import os
 import sys
 import textwrap
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from clubface.errors import LINES, in_a_line, legible
 from clubface.results.notes import Note
@@ -17,6 +18,8 @@ from clubface.results.table import Column, Table
 
 WIDEST = 120
 """Letters of a line of text."""
+NARROWEST = 14
+"""Letters to which a column of words is wrapped before a table continues below."""
 _WRITTEN = {"us": "µs"}
 """Units that people write in another way."""
 
@@ -53,7 +56,9 @@ def as_text(
         parts.append(_list_lines(result.title, values, width, emphasis))
     printed = [each for each in result.tables if each.printed and len(each)]
     if not values and printed and not printed[0].title:
-        printed[0] = Table(**{**vars(printed[0]), "title": result.title})
+        printed[0] = replace(printed[0], title=result.title)
+    if not values and result.title not in [each.title for each in printed]:
+        parts.append([_bold(line, emphasis) for line in _wrapped(result.title, width)])
     parts += [_table_lines(each, units, width, emphasis) for each in printed]
     if notes := note_lines(result.notes, width):
         parts.append(notes)
@@ -131,7 +136,8 @@ def _table_lines(table: Table, units: Mapping[str, str] | None, width: int | Non
         return _list_lines(table.title, values_of(table.columns, units), width, emphasis)
     heads, rows = headings_and_rows(table, units)
     texts = {place for place, each in enumerate(heads) if not _holds_numbers(rows, place)}
-    return lay_out([_heading(*each) for each in heads], rows, table.title, width, emphasis, table.summary, texts)
+    headings = [words if place in texts else _heading(words, unit) for place, (words, unit) in enumerate(heads)]
+    return lay_out(headings, rows, table.title, width, emphasis, table.summary, texts)
 
 
 def lay_out(
@@ -165,7 +171,7 @@ def lay_out(
     body = [[legible(cell, "\n") for cell in row] for row in rows]
     heads = [legible(head, "\n") for head in heads]
     left = {0} | (texts or set())
-    body = _wrap_words(heads, body, left, width)
+    heads, body = _wrap_words(heads, body, left, width)
     widths = [
         max(len(line) for cell in column for line in cell.split("\n")) for column in zip(heads, *body, strict=True)
     ]
@@ -211,20 +217,24 @@ def _holds_numbers(rows: Sequence[Sequence[str]], place: int) -> bool:
     return all(not row[place] or row[place].lstrip("+-")[:1].isdigit() for row in rows)
 
 
-def _wrap_words(heads: Sequence[str], body: list[list[str]], left: set[int], width: int | None) -> list[list[str]]:
-    """Wrap the last column of words where a table is too wide and that alone makes it fit."""
-    if width is None or not body:
-        return body
-    sizes = [
-        max(len(line) for cell in column for line in cell.split("\n")) for column in zip(heads, *body, strict=True)
-    ]
-    words = [place for place in left if place and sizes[place] > 24]
-    over = sum(sizes) + 2 * (len(sizes) - 1) - width
-    if over <= 0 or not words:
-        return body
-    longest = max(words, key=lambda place: sizes[place])
-    room = max(sizes[longest] - over, 20)
-    return [[textwrap.fill(cell, room) if place == longest else cell for place, cell in enumerate(row)] for row in body]
+def _wrap_words(
+    heads: Sequence[str], body: Sequence[Sequence[str]], left: set[int], width: int | None
+) -> tuple[list[str], list[list[str]]]:
+    """Wrap the columns of words, the widest first, until a table fits; none gets narrower than ``NARROWEST``."""
+    rows = [list(heads), *(list(row) for row in body)]
+    if width is None:
+        return rows[0], rows[1:]
+    sizes = [max(len(line) for cell in column for line in cell.split("\n")) for column in zip(*rows, strict=True)]
+    while (over := sum(sizes) + len(sizes) - 1 - width) > 0:
+        widest = max(left, key=lambda place: sizes[place])
+        if sizes[widest] <= NARROWEST:
+            break
+        sizes[widest] = max(NARROWEST, sizes[widest] - max(1, min(over, sizes[widest] // 8)))
+    for row in rows:
+        for place in left:
+            if len(row[place]) > sizes[place]:
+                row[place] = textwrap.fill(row[place], sizes[place])
+    return rows[0], rows[1:]
 
 
 def _aligned(cells: Sequence[str], widths: Sequence[int], gap: int, left: Sequence[bool], *, top: bool) -> list[str]:

@@ -1,0 +1,190 @@
+"""Models, clubs and balls as results: what there is, and one of them with the source of every value."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from clubface.equipment.balls import BALL_PROPERTIES, Ball, ball_names
+from clubface.equipment.clubs import CATEGORIES, CLUB_NAMES, CLUB_PROPERTIES, TOUR_CLUBS, Club, club
+from clubface.equipment.models import DEFAULT_MODEL, Model, further_models, model, models
+from clubface.equipment.parameters import RANGES, ParameterSet, builtin_sets, in_words
+from clubface.quantities import Quantity, Reading
+from clubface.results.notes import Note, note
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, table, text
+from clubface.support.checks import without_warnings
+from clubface.units import SI_UNITS
+
+__all__ = ["club_result", "clubs_result", "model_result", "models_result"]
+
+PAPERS = {
+    "Caldwell and McPhee (2023)": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
+    "Roh and Lee": "Analysis of golf ball spin mechanism at impact by FEM",
+}
+LEAST_DIAMETER = 42.67e-3
+"""Of a ball of the rules [m]."""
+
+
+def models_result() -> Result:
+    """Return the models of the registry with what they are and the laws they obey."""
+    every = list(models().values())
+    listed = table(
+        "models",
+        text("model", [each.name for each in every]),
+        text("title", [each.title for each in every], printed=False),
+        text("kind", [each.kind for each in every]),
+        text("summary", [each.summary for each in every], label="what it is"),
+        text("laws", [each.laws_in_words for each in every], label="laws it obeys"),
+        text("reference", [each.reference for each in every], printed=False),
+        title="Impact models",
+    )
+    notes = [note("default-model", model=DEFAULT_MODEL)]
+    notes += [note("further-model", model=each.name, summary=each.summary) for each in further_models().values()]
+    return Result("models", "Impact models", (listed,), notes=tuple(notes), hints=(note("model-in-full"),))
+
+
+def model_result(name: str) -> Result:
+    """Return a model with its parameters, their published values, sources and caveats."""
+    shown = model(name)
+    sets = builtin_sets(shown.name)
+    parameters = shown.parameters
+    declared = table(
+        "parameters",
+        text("parameter", [each.name for each in parameters]),
+        text("unit", ["" if each.unit == "1" else each.unit for each in parameters]),
+        text("lower", [each.lower for each in parameters], digits=-4),
+        text("upper", [each.upper for each in parameters], digits=-4),
+        text("default", [each.default for each in parameters], digits=-6),
+        text("meaning", [each.meaning for each in parameters]),
+        text("source", [each.source for each in parameters], printed=False),
+        title="Parameters",
+    )
+    notes = [
+        note("model-summary", summary=shown.summary),
+        note("model-reference", reference=shown.reference),
+        *(note("model-paper", short=short, title=title) for short, title in _papers(shown).items()),
+        note("model-laws", laws=shown.laws_in_words),
+    ]
+    if shown.name in RANGES:
+        notes.append(note("model-range", range=in_words(RANGES[shown.name])))
+    sources: dict[str, list[str]] = {}
+    for each in parameters:
+        sources.setdefault(each.source, []).append(each.name)
+    notes += [note("parameters-from", parameters=names, source=source) for source, names in sources.items() if source]
+    notes += [each for place, one in enumerate(sets, 1) for each in _set_notes(place, one)]
+    title = f"{shown.name}: {shown.title} ({shown.kind})"
+    tables = (declared, _published_values(shown, sets)) if sets else (declared,)
+    return Result("model", title, tables, notes=tuple(notes))
+
+
+def _published_values(shown: Model, sets: Sequence[ParameterSet]) -> Table:
+    cells = [(each.name, place, one) for each in shown.parameters for place, one in enumerate(sets, 1)]
+    starred = [f"{one.values[name]:.6g}{'*' * (name in one.value_caveats)}" for name, _, one in cells]
+    return table(
+        "published_values",
+        text("parameter", [name for name, _, _ in cells]),
+        text("place", [f"[{place}]" for _, place, _ in cells], in_files=False),
+        text("shown", starred, in_files=False),
+        text("set", [one.name for _, _, one in cells], printed=False),
+        text("club", [one.club for _, _, one in cells], printed=False),
+        text("value", [one.values[name] for name, _, one in cells], printed=False),
+        text("caveat", [one.value_caveats.get(name) for name, _, one in cells], printed=False),
+        title="Published values",
+        layout="pivot",
+    )
+
+
+def _set_notes(place: int, one: ParameterSet) -> list[Note]:
+    code = "default-set" if one.default else "published-set"
+    notes = [note(code, place=place, set=one.name, club=one.club, source=one.source, reference=one.reference)]
+    if one.range:
+        notes.append(note("set-range", place=place, range=in_words(one.range)))
+    notes += [note("set-caveat", place=place, caveat=each) for each in one.caveats]
+    return notes + [
+        note("value-caveat", place=place, parameter=key, caveat=each) for key, each in one.value_caveats.items()
+    ]
+
+
+def _papers(shown: Model) -> dict[str, str]:
+    """Return the papers that the model's texts call by a short name."""
+    texts = " ".join([shown.reference, *(f"{each.meaning} {each.source}" for each in shown.parameters)])
+    return {short: title for short, title in PAPERS.items() if short in texts}
+
+
+def clubs_result() -> Result:
+    """Return the built-in clubs by kind, and the balls."""
+    heads = sorted(map(club, CLUB_NAMES), key=lambda each: (each.name not in TOUR_CLUBS, each.loft))
+    heads = [each for category in CATEGORIES for each in heads if each.category == category]
+    with without_warnings():
+        balls = [Ball.builtin(each) for each in ball_names()]
+    listed = table(
+        "clubs",
+        text("club", [each.name for each in heads]),
+        text("category", [each.category for each in heads], label="kind"),
+        column("loft", [each.loft for each in heads], label="loft", digits=2),
+        column("mass", [each.mass for each in heads], digits=1),
+        column("moi", [each.iyy for each in heads], "iyy", label="MOI"),
+        column("cg_depth", [each.cg_depth for each in heads], "cg_x", label="CG behind face"),
+        column("cg_height", [each.cg_height for each in heads], "cg_y", label="CG above normal"),
+        text("hand", ["left" if each.hand < 0 else "right" for each in heads], printed=False),
+        text("parameters", [each.parameters for each in heads], printed=False),
+        text("description", [each.description for each in heads], label="what it is"),
+        title="Clubs",
+    )
+    weights = table(
+        "balls",
+        text("ball", [each.name for each in balls]),
+        column("mass", [each.mass for each in balls], "ball_mass", label="mass"),
+        column("diameter", [2.0 * each.radius for each in balls], "ball_radius", label="diameter"),
+        column("inertia", [each.inertia for each in balls], "ball_inertia", label="inertia", digits=2),
+        text("description", [each.description for each in balls], label="what it is"),
+        title="Balls",
+    )
+    notes = [note("clubs-listed")]
+    if any(2.0 * each.radius < LEAST_DIAMETER for each in balls):
+        notes.append(note("small-ball"))
+    return Result("clubs", "Clubs and balls", (listed, weights), notes=tuple(notes))
+
+
+def club_result(shown: Club | Ball) -> Result:
+    """Return a club or ball with the meaning and source of every value."""
+    properties = CLUB_PROPERTIES if isinstance(shown, Club) else BALL_PROPERTIES
+    names = [name for name in properties if _is_known(shown, name)]
+    by_source: dict[str, int] = {}
+    marks = [shown.sources.get(name, "") for name in names]
+    marks = [f"[{by_source.setdefault(each, len(by_source) + 1)}]" if each else "" for each in marks]
+    listed = table(
+        "values",
+        text("field", names),
+        Column(
+            "value", [getattr(shown, name) for name in names], [_quantity_of(name, shown) for name in names], digits=-6
+        ),
+        text("mark", marks, label="source", in_files=False),
+        text("meaning", [properties[name].meaning for name in names]),
+        text("source", [shown.sources.get(name, "") for name in names], printed=False),
+    )
+    notes: list[Note] = []
+    title = f"{shown.name}: {shown.description}"
+    if isinstance(shown, Club):
+        hand = "" if shown.hand > 0 else ", left-handed"
+        title = f"{shown.name}: {shown.description or shown.kind}{hand}; parameters of {shown.parameters}"
+        depth = "cg-behind-face" if shown.cg_depth >= 0.0 else "cg-in-front-of-face"
+        height = "cg-above-normal" if shown.cg_height >= 0.0 else "cg-below-normal"
+        notes = [note(depth, cg_x=abs(shown.cg_depth)), note(height, cg_y=abs(shown.cg_height))]
+    notes += [note("source-of-values", place=place, source=source) for source, place in by_source.items()]
+    return Result("club", title, (listed,), notes=tuple(notes))
+
+
+def _is_known(shown: Club | Ball, name: str) -> bool:
+    """Return whether a value is given; a mesh gives by how much nobody has measured."""
+    if getattr(shown, name) is None:
+        return False
+    meshed = name == "characteristic_time" and isinstance(shown, Club) and hasattr(shown, "head")
+    return not (meshed and not shown.cor and not shown.characteristic_time)
+
+
+def _quantity_of(name: str, shown: Club | Ball) -> Quantity:
+    """Return a field as a quantity in the unit in which files of clubs and balls have it."""
+    field = (CLUB_PROPERTIES if isinstance(shown, Club) else BALL_PROPERTIES)[name]
+    reading = Reading(field.unit, 4)
+    return Quantity(name, SI_UNITS[field.dimension], reading, reading, name.replace("_", " "), meaning=field.meaning)

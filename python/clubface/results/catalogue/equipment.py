@@ -1,0 +1,40 @@
+"""Sentences about models, clubs, balls and parameter sets."""
+
+SENTENCES = {
+    "cg-above-normal": "The CG lies {cg_y} above the normal through the face centre.",
+    "cg-behind-face": "The CG lies {cg_x} behind the face.",
+    "cg-below-normal": "The CG lies {cg_y} below the normal through the face centre.",
+    "cg-in-front-of-face": "The CG lies {cg_x} in front of the face.",
+    "club-possible": "{file}: a club that can exist",
+    "clubs-listed": (
+        "MOI is the moment of inertia about the vertical axis; the normal is that through the face centre. A "
+        "parametric club is plausible, not measured; clubface clubs NAME shows the source or the assumption of every "
+        "value."
+    ),
+    "default-model": "{model} computes where no model is named.",
+    "default-set": "[{place}] {set}, for {club}, used by default: {source}. {reference}",
+    "further-model": '{model}: {summary} "all" does not include it.',
+    "mesh-dimensions": "Volume and dimensions are those of the whole mesh, with a hosel if it has one.",
+    "model-in-full": ("clubface models NAME lists parameters, units, bounds, published values, sources and caveats."),
+    "model-laws": "Laws it obeys: {laws}",
+    "model-paper": "{short}: {title}",
+    "model-range": "Range it is made for: {range}",
+    "model-reference": "Reference: {reference}",
+    "model-summary": "{summary}",
+    "parameters-from": "{parameters}: {source}",
+    "published-set": "[{place}] {set}, for {club}: {source}. {reference}",
+    "set-caveat": "[{place}] {caveat}",
+    "set-range": "[{place}] from shots with {range}",
+    "small-ball": (
+        "The published models were identified with a ball of 42.60 mm, a little below the 42.67 mm of the rules."
+    ),
+    "source-of-values": "[{place}] {source}",
+    "unmeasured-face": (
+        'Nothing says how the face gives; characteristic_time = "250 us" in the file states what the pendulum measured.'
+    ),
+    "unmeasured-mesh": (
+        "Nothing says how the face gives: clubface fem head {file} --measure simulates it, and characteristic_time = "
+        '"250 us" in the file states what the pendulum measured.'
+    ),
+    "value-caveat": "[{place}] {parameter}: {caveat}",
+}
