@@ -48,5 +48,5 @@ def test_the_data_of_a_report_are_those_of_the_json_to_the_last_digit(clubface_,
         wanted[document["kind"]] = [document["values"]]
     assert wanted
     for each, rows in wanted.items():
-        read = list(csv.DictReader(io.StringIO(saved[f"{each}.csv"])))
+        read = list(csv.DictReader(io.StringIO(saved[f"{each.replace('_', '-')}.csv"])))
         assert read == [{key: "" if value is None else str(value) for key, value in row.items()} for row in rows]
