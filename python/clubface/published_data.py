@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.support.checks import Frozen, check_choice
+from clubface.schema import TEXT, Choice, FilePath, Items, Place, Record, Simple, Table, Tables, decode, file_key
+from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.files import DATA, builtin_names
 from clubface.support.strict_toml import Document
 
@@ -91,50 +92,64 @@ KINDS = {
 }
 """What the figures of a table can be."""
 
-_WORDS = ("name", "title", "kind", "source", "conditions")
-_OPTIONAL = ("via", "caveat")
-_DERIVED = "derived"
+WORDS = Simple("text in quotes, not empty", lambda given: isinstance(given, str) and given.strip() != "")
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableEntry:
+    """A published table."""
+
+    name: str = file_key(WORDS, "what it is called here")
+    title: str = file_key(WORDS, "what it is")
+    kind: str = file_key(Choice(tuple(KINDS)), "what the figures are")
+    source: str = file_key(WORDS, "author, year, title, publication and place in it")
+    via: str | None = file_key(WORDS, "what the figures were read in, if not the source", default=None)
+    conditions: str = file_key(WORDS, "how the figures came about, and how they are to be read")
+    caveat: str | None = file_key(WORDS, "what is in doubt", default=None)
+    derived: Mapping[str, str] = file_key(
+        Record(WORDS), "columns that the source computed from others, with the reason", default_factory=dict
+    )
+    file: Path | None = file_key(FilePath("text in quotes"), "a CSV file, in place of columns and rows", default=None)
+    columns: tuple[str, ...] | None = file_key(Items(TEXT), "names of columns, with units in brackets", default=None)
+    rows: tuple[tuple[Any, ...], ...] | None = file_key(Items(Items(Simple())), "the rows", default=None)
+
+    def __post_init__(self) -> None:
+        for key, value in {"columns": self.columns, "rows": self.rows}.items():
+            if (value is None) == (self.file is None):
+                raise InputError(key, value, "give it, or a file" if value is None else "left out beside a file")
+
+    def table(self, path: str, line: int | None) -> PublishedTable:
+        """Return the table of a file at ``path``, whose rows begin in a line."""
+        if self.file is not None:
+            path, line = str(self.file), None
+        try:
+            heads, rows = (self.columns, self.rows) if self.file is None else _csv(self.file)
+            columns, printed = _columns(heads or (), rows or ())
+        except (OSError, ValueError, csv.Error) as error:
+            raise FileError(path, line, f"table {self.name}: {error}") from None
+        check_names("derived column", self.derived, columns)
+        return PublishedTable(
+            name=self.name, title=self.title, kind=self.kind, source=self.source, via=self.via,
+            conditions=self.conditions, caveat=self.caveat, columns=columns, units=printed,
+            derived=Frozen(self.derived),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class PublishedFile:
+    """A file of published tables."""
+
+    table: tuple[TableEntry, ...] = file_key(Tables(Table(TableEntry), least=1), "the tables")
 
 
 def read(path: Path) -> dict[str, PublishedTable]:
     """Read a file of published tables; whatever is missing, unknown or incomplete is a :class:`FileError`."""
-    file = Document.read(path)
-    file.check_keys(file.data, ("table",), ("table",))
-    tables: dict[str, PublishedTable] = {}
-    for index, entry in enumerate(file.data["table"]):
-        found = _table(file, index, entry)
-        if found.name in tables:
-            raise file.error(f"a second table {found.name!r}", "name", "table", index)
-        tables[found.name] = found
+    document = Document.read(path)
+    tables = {}
+    for index, entry in enumerate(decode(PublishedFile, document).table):
+        with (at := Place(document).key("table").item(index)).errors():
+            tables[entry.name] = entry.table(document.path, document.line_of((*at.path, "rows")))
     return tables
-
-
-def _table(file: Document, index: int, entry: dict[str, Any]) -> PublishedTable:
-    inside = ("file",) if "file" in entry else ("columns", "rows")
-    file.check_keys(entry, (*_WORDS, *_OPTIONAL, _DERIVED, *inside), (*_WORDS, *inside), "table", index)
-    words = {key: entry[key] for key in (*_WORDS, *_OPTIONAL) if key in entry}
-    file.check_text(entry, (*words, "file"), "table", index)
-    for key, text in words.items():
-        if not text.strip():
-            raise file.error(f"{key} is empty", key, "table", index)
-    if entry["kind"] not in KINDS:
-        raise file.error(str(UnknownNameError("kind", entry["kind"], KINDS)), "kind", "table", index)
-    path, line = Path(file.path), file.line("rows", "table", index)
-    if "file" in entry:
-        path, line = path.with_name(entry["file"]), None
-    try:
-        heads, rows = _csv(path) if "file" in entry else (entry["columns"], entry["rows"])
-        columns, printed = _columns(heads, rows)
-    except (OSError, ValueError, csv.Error) as error:
-        raise FileError(str(path), line, f"table {entry['name']}: {error}") from None
-    derived = entry.get(_DERIVED, {})
-    for column, reason in derived.items() if isinstance(derived, dict) else [("", "")]:
-        if column not in columns or not isinstance(reason, str) or not reason.strip():
-            known = ", ".join(columns)
-            raise file.error(
-                f"{_DERIVED} = {derived!r}: give columns ({known}) with the reason", _DERIVED, "table", index
-            )
-    return PublishedTable(**words, columns=columns, units=printed, derived=Frozen(derived))
 
 
 def _csv(path: Path) -> tuple[list[str], list[list[str]]]:
@@ -143,13 +158,13 @@ def _csv(path: Path) -> tuple[list[str], list[list[str]]]:
     return heads, rows
 
 
-def _columns(heads: list[str], rows: list[list[Any]]) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
+def _columns(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
     """Return the columns in SI by name and the unit each was printed in; what is not complete is a ValueError."""
     if not rows:
         raise InputError("rows", rows, "at least one row")
     for number, row in enumerate(rows, 1):
         if len(row) != len(heads):
-            raise InputError(f"row {number}", row, f"{len(heads)} cells: {', '.join(heads)}")
+            raise InputError(f"row {number}", list(row), f"{len(heads)} cells: {', '.join(heads)}")
     columns: dict[str, NDArray[Any]] = {}
     printed: dict[str, str] = {}
     for head, cells in zip(heads, zip(*rows, strict=True), strict=True):

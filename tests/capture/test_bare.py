@@ -290,8 +290,8 @@ def test_a_mapping_that_lacks_its_calibration_says_which_there_are(changes, mess
     ("line", "message"),
     [
         ("S:C1 = 'seen'", r'map\.toml:2: this is not TOML.*put the name into quotes: "S:C1" = \.\.\.'),
-        ("C = 'seen'\n[assumed]\nface = '-2 deg'", r"map\.toml:4: face is '-2 deg'; it must be above 0"),
-        ("S.C1 = 'seen'", r'map\.toml:2: a name with a point needs quotes: "S\.C1" = \.\.\.'),
+        ("C = 'seen'\n[assumed]\nface = '-2 deg'", r"map\.toml:4: assumed.face is '-2 deg'; it must be above 0"),
+        ("S.C1 = 'seen'", r"map\.toml:2: cluster.S is .* in quotes where the name has a point"),
     ],
 )
 def test_a_line_that_cannot_be_used_is_told_with_what_to_write(line, message):

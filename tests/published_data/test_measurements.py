@@ -169,9 +169,9 @@ def test_a_whole_file_is_read(write):
         ("[mph]", "[mhp]", "'mhp'.*did you mean mph"),
         ("speed [mph]", "ball", "column is 'ball'"),
         ('conditions = "A plate."', "", r"x\.toml:1: these keys of \[table\] are missing: conditions"),
-        ('"A plate."', '" "', "x.toml:6: conditions is empty"),
-        ('"A plate."', "2", "conditions must be text"),
-        ('kind = "measured"', 'kind = "mesured"', "x.toml:4: unknown kind 'mesured'.*did you mean measured"),
+        ('"A plate."', '" "', "x.toml:6: conditions of cor is .*not empty"),
+        ('"A plate."', "2", "conditions of cor is 2; it must be text"),
+        ('kind = "measured"', 'kind = "mesured"', "x.toml:4: unknown kind of cor 'mesured'.*did you mean measured"),
         ("conditions", "condition", "unknown key 'condition'.*did you mean conditions"),
         (
             'columns = ["ball", "speed [mph]"]\nrows = [["x", 90], ["y", nan]]',
@@ -198,7 +198,7 @@ def test_a_planted_error_in_a_csv_file_is_found(write, rows, message):
 
 
 def test_a_second_table_of_one_name_is_found(write):
-    with pytest.raises(FileError, match=r"x\.toml:11: a second table 'cor'"):
+    with pytest.raises(FileError, match=r"x\.toml:11: name of cor is 'cor'; it must be a name that no other has"):
         published_data.read(write(f"{WHOLE}\n{WHOLE}", "x.toml"))
 
 

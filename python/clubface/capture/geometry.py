@@ -15,7 +15,7 @@ import numpy as np
 
 from clubface import units
 from clubface.capture.rotations import Array
-from clubface.errors import InputError
+from clubface.schema import Quantity, check_values, file_key, quantities
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
 FINE = 0.095
@@ -67,48 +67,37 @@ class Known(NamedTuple):
         return f"{self.what}: {self.how}" + (f", {', '.join(cells)} {self.unit}" if cells else "")
 
 
+ANGLE, LENGTH = Quantity("deg", above=0), Quantity("mm", above=0)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Assumed:
     """Standard deviations [rad, m] of what is assumed where it is not measured.
 
-    Attributes
-    ----------
-    face
-        Of the face angle at address about square. Golfers who mean to aim square are some 2 degrees off.
-    loft, lie
-        Of loft and lie at address about those that the club was made with: the hands lean the shaft.
-    delivered_loft, delivered_face, delivered_lie
-        If the swing itself calibrates: of loft, face angle and lie at impact about what is usual, which is a square
-        face, the lie of the club, and its loft and 3 degrees for a wood, less 7 degrees for an iron.
-    blow
-        Of the direction of the blow as the models of impact give it: published models differ by 1.2 degrees, and the
-        shaft holds the head a little.
-    sole
-        Of the height of the face centre over the ground at address.
-    place
-        Of the mean of the markers from the face centre along each axis of the club, if no marker is given its place.
-        None is (20, 10, 15) mm for a wood and (10, 20, 20) mm for an iron.
-    toe, high
-        Of the impact point about the face centre, if the ball is not measured.
+    Golfers who mean to aim square are some 2 degrees off, and the hands lean the shaft. Published models of impact
+    differ in the direction of the blow by 1.2 degrees, and the shaft holds the head a little. The usual delivery has a
+    square face, the lie of the club, and its loft and 3 degrees for a wood, less 7 degrees for an iron.
     """
 
-    face: float = 2.0 * _DEGREE
-    loft: float = 2.0 * _DEGREE
-    lie: float = 2.0 * _DEGREE
-    delivered_loft: float = 6.0 * _DEGREE
-    delivered_face: float = 4.0 * _DEGREE
-    delivered_lie: float = 3.0 * _DEGREE
-    blow: float = 2.0 * _DEGREE
-    sole: float = 5.0 * _MM
-    place: float | None = None
-    toe: float = 12.0 * _MM
-    high: float = 10.0 * _MM
+    face: float = file_key(ANGLE, "of the face angle at address about square", default=2.0 * _DEGREE)
+    loft: float = file_key(ANGLE, "of the loft at address about that of the club", default=2.0 * _DEGREE)
+    lie: float = file_key(ANGLE, "of the lie at address about that of the club", default=2.0 * _DEGREE)
+    delivered_loft: float = file_key(ANGLE, "of the loft at impact about the usual", default=6.0 * _DEGREE)
+    delivered_face: float = file_key(ANGLE, "of the face angle at impact, likewise", default=4.0 * _DEGREE)
+    delivered_lie: float = file_key(ANGLE, "of the lie at impact, likewise", default=3.0 * _DEGREE)
+    blow: float = file_key(ANGLE, "of the direction of the blow by the model of impact", default=2.0 * _DEGREE)
+    sole: float = file_key(LENGTH, "of the height of the face centre over the ground at address", default=5.0 * _MM)
+    place: float | None = file_key(
+        LENGTH,
+        "of the mean of the markers from the face centre along each axis of the club; "
+        "20, 10 and 15 mm (wood) or 10, 20 and 20 mm (iron) unless given",
+        default=None,
+    )
+    toe: float = file_key(LENGTH, "of the impact point about the face centre", default=12.0 * _MM)
+    high: float = file_key(LENGTH, "the same, upwards", default=10.0 * _MM)
 
     def __post_init__(self) -> None:
-        for name in DIMENSIONS:
-            value = getattr(self, name)
-            if value is not None and not value > 0.0:
-                raise InputError(name, value, "above 0")
+        check_values(self)
 
     def told(self) -> dict[str, float]:
         """Return those that are not as they are unless told."""
@@ -116,10 +105,7 @@ class Assumed:
         return {name: getattr(self, name) for name in DIMENSIONS if getattr(self, name) != getattr(usual, name)}
 
 
-DIMENSIONS: Mapping[str, str] = {
-    **dict.fromkeys(("face", "loft", "lie", "delivered_loft", "delivered_face", "delivered_lie", "blow"), "angle"),
-    **dict.fromkeys(("sole", "place", "toe", "high"), "length"),
-}
+DIMENSIONS: Mapping[str, str] = {name: each.dimension for name, each in quantities(Assumed).items()}
 USUAL_PLACE: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
     "wood": ((-0.045, 0.030, 0.0), (0.020, 0.010, 0.015)),
     "iron": ((-0.010, 0.015, -0.010), (0.010, 0.020, 0.020)),

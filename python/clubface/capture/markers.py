@@ -14,9 +14,25 @@ from pathlib import Path
 from typing import Any, NamedTuple, Self
 
 from clubface import units
-from clubface.capture.geometry import DIMENSIONS, GIVEN, GUESSED, Assumed
+from clubface.capture.geometry import GIVEN, GUESSED, Assumed
 from clubface.capture.rotations import FEWEST
-from clubface.errors import ClubfaceError, InputError, Told
+from clubface.errors import InputError, Told
+from clubface.schema import (
+    TEXT,
+    Choice,
+    Either,
+    Items,
+    Place,
+    Quantity,
+    Record,
+    Simple,
+    Table,
+    count,
+    decode,
+    encode,
+    file_key,
+    written_key,
+)
 from clubface.support.checks import check_choice
 from clubface.support.strict_toml import Document, quoted
 
@@ -194,18 +210,131 @@ def _check_axes(target: str | tuple[str, str], up: str) -> None:
             raise InputError("target", target, f"across the axis that points up, {up}")
 
 
-TABLES = {
-    "cluster": None,
-    "face": None,
-    "calibration": ("by", "file", "frames", "ground", "accuracy"),
-    "assumed": tuple(DIMENSIONS),
-    "ball": ("marker", "offset", "position", "accuracy"),
-    "laboratory": ("target", "up", "unit"),
-    "noise": ("marker",),
-}
-"""The keys of each table; None: the names of markers."""
 SEEN = "seen"
 """Stands for the position of a marker that the calibration places."""
+LENGTH, DEVIATION = Quantity("mm"), Quantity("mm", lower=0)
+VECTOR = Items(LENGTH, 3, 3, "three lengths in a list")
+POSITION = Either(
+    {
+        str: Choice({SEEN: None}),
+        list: VECTOR,
+        dict: Simple('in quotes where the name has a point, as in "club.HEAD1" = ...', lambda given: False),
+    },
+    f'"{SEEN}", or three lengths in a list',
+)
+FACE_POINT = Record(
+    dict.fromkeys(FacePoint._fields, LENGTH), ("toe", "high"), '{ toe = "30 mm", high = "0 mm" }',
+    lambda values, place: FacePoint(**{"standoff": 0.0, **values}),
+)  # fmt: skip
+TARGET = Either({str: TEXT, list: Items(TEXT, 2, 2)}, "an axis in quotes or a list of two markers")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CalibrationTable:
+    """What places the markers on the head."""
+
+    by: str | None = file_key(Choice(WAYS), "what it goes by", default=None)
+    file: str | None = file_key(TEXT, "the C3D file that shows the face or the address; else the swing", default=None)
+    frames: tuple[int, int] | None = file_key(
+        Items(count(0, 2**31), 2, 2, "the first and the last, as in [1, 90]"), "of the address", default=None
+    )
+    ground: float | None = file_key(LENGTH, "height of the ground, on which the sole rests", default=None)
+    accuracy: float | None = file_key(DEVIATION, "standard deviation of positions that are given", default=None)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BallTable:
+    """Where the ball lies."""
+
+    marker: str | None = file_key(TEXT, "the marker whose centre is that of the ball", default=None)
+    offset: Point = file_key(VECTOR, "from the marker to the centre of the ball", default=(0.0, 0.0, 0.0))
+    position: Point | None = file_key(VECTOR, "of the ball, in place of a marker", default=None)
+    accuracy: float | None = file_key(DEVIATION, "standard deviation of the position", default=None)
+
+    def __post_init__(self) -> None:
+        if self.marker is None and self.position is None:
+            raise InputError(
+                "ball", Told("without a marker and a position"),
+                "give one, or leave the whole table out: then the ball is where the clubhead loses speed",
+            )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class LaboratoryTable:
+    """The axes and units of the laboratory."""
+
+    target: str | tuple[str, str] = file_key(TARGET, "axis to the target, or two markers", default="+x")
+    up: str = file_key(TEXT, "axis that points up", default="+z")
+    unit: str | None = file_key(TEXT, "unit of the files, where they name none or a wrong one", default=None)
+
+    def __post_init__(self) -> None:
+        if self.unit is not None:
+            units.unit(self.unit, name="unit", dimension="length")
+
+
+@dataclass(frozen=True, kw_only=True)
+class MarkerFile:
+    """A mapping file of markers."""
+
+    club: str | None = file_key(TEXT, "name of the club; swings of another are refused", default=None)
+    cluster: Mapping[str, Point | None] = file_key(Record(POSITION), "the markers on the head, with their places")
+    calibration: CalibrationTable = file_key(
+        Table(CalibrationTable), "what places them", default_factory=CalibrationTable
+    )
+    face: Mapping[str, FacePoint] = file_key(Record(FACE_POINT), "points on the face, by marker", default_factory=dict)
+    ball: BallTable | None = file_key(Table(BallTable), "where the ball lies", default=None)
+    laboratory: LaboratoryTable = file_key(
+        Table(LaboratoryTable), "axes and units of the files", default_factory=LaboratoryTable
+    )
+    noise: Mapping[str, float] = file_key(
+        Record({"marker": Quantity("mm", above=0)}), "standard deviation of a `marker`", default_factory=dict
+    )
+    assumed: Any = file_key(Table(Assumed), "standard deviations of what is not measured", default_factory=Assumed)
+
+    @classmethod
+    def of(cls, markers: Markers) -> Self:
+        """Return the file of a mapping, lengths to 1 nm."""
+        ball = None
+        if markers.ball is not None or markers.ball_position is not None:
+            offset: Any = _rounded(markers.ball_offset) if any(markers.ball_offset) else ()
+            ball = BallTable(
+                marker=markers.ball, offset=offset, position=_rounded(markers.ball_position),
+                accuracy=_rounded(markers.ball_accuracy),
+            )  # fmt: skip
+        return cls(
+            club=markers.club,
+            cluster={name: _rounded(each) for name, each in markers.cluster.items()},
+            calibration=CalibrationTable(
+                by=markers.by, file=markers.calibration, frames=markers.frames, ground=_rounded(markers.ground),
+                accuracy=_rounded(markers.accuracy),
+            ),
+            face={name: FacePoint(*_rounded(each)) for name, each in markers.face.items()},
+            ball=ball,
+            laboratory=LaboratoryTable(target=markers.target, up=markers.up, unit=markers.unit),
+            noise={} if markers.noise is None else {"marker": _rounded(markers.noise)},
+            assumed=markers.assumed.told(),
+        )  # fmt: skip
+
+    def values(self) -> dict[str, Any]:
+        """Return the arguments of :class:`Markers`."""
+        calibration, ball, laboratory = self.calibration, self.ball, self.laboratory
+        found = {
+            "club": self.club, "cluster": self.cluster, "face": self.face, "by": calibration.by,
+            "calibration": calibration.file, "frames": calibration.frames, "ground": calibration.ground,
+            "accuracy": calibration.accuracy, "target": laboratory.target, "up": laboratory.up,
+            "unit": laboratory.unit, "noise": self.noise.get("marker"), "assumed": self.assumed,
+        }  # fmt: skip
+        if ball is None:
+            return found
+        return found | {"ball": ball.marker, "ball_offset": ball.offset, "ball_position": ball.position,
+                        "ball_accuracy": ball.accuracy}  # fmt: skip
+
+
+def _rounded(value: Any) -> Any:
+    """Return a length, or several, to 1 nm."""
+    if value is None:
+        return None
+    return round(value, 9) + 0.0 if isinstance(value, float | int) else tuple(round(each, 9) + 0.0 for each in value)
 
 
 class MarkerMap(Markers):
@@ -223,148 +352,18 @@ class MarkerMap(Markers):
 
     @classmethod
     def _from(cls, document: Document) -> Self:
-        given = _given(document)
-        try:
-            return cls(**given)
-        except ClubfaceError as error:
-            name = getattr(error, "parameter", "")
-            raise document.wrap(error, "laboratory" if name in ("target", "up") else "") from None
+        file = decode(MarkerFile, document)
+        with Place(document).errors():
+            return cls(**file.values(), path=document.path)
 
     def to_toml(self) -> str:
         """Return the text of a mapping file that reads back as this mapping, lengths to 1 nm."""
-        return _to_toml(self)
+        return encode(MarkerFile.of(self))
 
 
 def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
     """Return the mapping that is given as the path of its file, or as a :class:`MarkerMap` itself."""
     return which if isinstance(which, MarkerMap) else MarkerMap.read(which)
-
-
-def _given(document: Document) -> dict[str, Any]:
-    """Return the values that a TOML document gives."""
-    data = document.data
-    document.check_keys(data, [*TABLES, "club"], ["cluster"])
-    document.check_text(data, ["club"])
-    for table, known in TABLES.items():
-        if not isinstance(data.get(table, {}), dict):
-            raise document.error(f"{table} must be a table: [{table}]", table)
-        if known is not None:
-            document.check_keys(data.get(table, {}), known, (), table)
-    part = {table: dict(data.get(table, {})) for table in TABLES}
-    read = _Reader(document)
-    given: dict[str, Any] = {
-        "cluster": {name: read.position(value, name, "cluster") for name, value in part["cluster"].items()},
-        "face": {name: read.face_point(value, name) for name, value in part["face"].items()},
-        "club": data.get("club"),
-        "path": document.path,
-    }
-    document.check_text(part["calibration"], ["by", "file"], "calibration")
-    document.check_text(part["laboratory"], ["up", "unit"], "laboratory")
-    document.check_text(part["ball"], ["marker"], "ball")
-    calibration, ball, laboratory, noise = (part[name] for name in ("calibration", "ball", "laboratory", "noise"))
-    given["by"], given["calibration"], given["ball"] = (
-        calibration.get("by"),
-        calibration.get("file"),
-        ball.get("marker"),
-    )
-    if "ball" in data and "marker" not in ball and "position" not in ball:
-        raise document.error(
-            "[ball] names neither a marker nor a position; give one, or leave the whole table out: then the ball is"
-            " where the clubhead loses speed", "", "ball",
-        )  # fmt: skip
-    if "frames" in calibration:
-        given["frames"] = read.frames(calibration["frames"])
-    if "ground" in calibration:
-        given["ground"] = read.length(calibration["ground"], "ground", "calibration")
-    if part["assumed"]:
-        given["assumed"] = read.assumed(part["assumed"])
-    if "accuracy" in ball:
-        given["ball_accuracy"] = read.length(ball["accuracy"], "accuracy", "ball", above=-1e-300)
-    if "accuracy" in calibration:
-        given["accuracy"] = read.length(calibration["accuracy"], "accuracy", "calibration", above=-1e-300)
-    if "offset" in ball:
-        given["ball_offset"] = read.vector(ball["offset"], "offset", "ball")
-    if "position" in ball:
-        given["ball_position"] = read.vector(ball["position"], "position", "ball")
-    if "marker" in noise:
-        given["noise"] = read.length(noise["marker"], "marker", "noise", above=0.0)
-    given.update({key: laboratory[key] for key in ("up", "unit") if key in laboratory})
-    if "unit" in laboratory:
-        read.unit(laboratory["unit"])
-    if "target" in laboratory:
-        given["target"] = read.target(laboratory["target"])
-    return given
-
-
-class _Reader:
-    """Turns values of the document into SI, with errors that carry its lines."""
-
-    def __init__(self, document: Document) -> None:
-        self.document = document
-
-    def length(self, value: Any, key: str, table: str, *, above: float | None = None) -> float:
-        try:
-            found = units.parse(value, "length", name=key)
-            if above is not None and found <= above:
-                raise InputError(key, value, f"above {max(above, 0.0):g} m" if above >= 0.0 else "0 m or more")
-        except InputError as error:
-            raise self.document.error(str(error), key, table) from None
-        return found
-
-    def vector(self, value: Any, key: str, table: str) -> Point:
-        if not isinstance(value, list) or len(value) != 3:
-            raise self.document.error(f"{key} must be three lengths in a list, not {value!r:.60}", key, table)
-        x, y, z = (self.length(each, key, table) for each in value)
-        return x, y, z
-
-    def position(self, value: Any, key: str, table: str) -> Point | None:
-        """Read the position of a marker, ``"seen"`` for one that the calibration places."""
-        if isinstance(value, dict):
-            rest = next(iter(value), "")
-            message = f"a name with a point needs quotes: {quoted(f'{key}.{rest}')} = ..."
-            raise self.document.error(message, rest, f"{table}.{key}")
-        return None if value == SEEN else self.vector(value, key, table)
-
-    def face_point(self, value: Any, key: str) -> FacePoint:
-        if not isinstance(value, dict):
-            raise self.document.error(f'{key} must be a table as in {{ toe = "30 mm", high = "0 mm" }}', key, "face")
-        for name in value:
-            if name not in FacePoint._fields:
-                raise self.document.error(f"{key} has {name}; it takes {', '.join(FacePoint._fields)}", key, "face")
-        missing = [name for name in ("toe", "high") if name not in value]
-        if missing:
-            raise self.document.error(f"{key} lacks {' and '.join(missing)}", key, "face")
-        lengths = (self.length(value.get(name, 0.0), key, "face") for name in FacePoint._fields)
-        return FacePoint(*lengths)
-
-    def frames(self, value: Any) -> tuple[int, int]:
-        if isinstance(value, list) and len(value) == 2 and all(type(each) is int for each in value):
-            return value[0], value[1]
-        raise self.document.error("frames must be the first and the last, as in [1, 90]", "frames", "calibration")
-
-    def assumed(self, values: dict[str, Any]) -> Assumed:
-        found = {}
-        for key, value in values.items():
-            try:
-                found[key] = units.parse(value, DIMENSIONS[key], name=key)
-                if not found[key] > 0.0:
-                    raise InputError(key, value, "above 0")
-            except InputError as error:
-                raise self.document.error(str(error), key, "assumed") from None
-        return Assumed(**found)
-
-    def target(self, value: Any) -> str | tuple[str, str]:
-        if isinstance(value, list) and len(value) == 2 and all(isinstance(each, str) for each in value):
-            return value[0], value[1]
-        if isinstance(value, str):
-            return value
-        raise self.document.error("target must be an axis in quotes or a list of two markers", "target", "laboratory")
-
-    def unit(self, symbol: str) -> None:
-        try:
-            units.unit(symbol, name="unit", dimension="length")
-        except InputError as error:
-            raise self.document.error(str(error), "unit", "laboratory") from None
 
 
 TEMPLATE = """\
@@ -421,53 +420,4 @@ def template(markers: Sequence[str] = ("HEAD1", "HEAD2", "HEAD3", "HEAD4")) -> s
     markers
         Names for the table of the cluster; those that TOML does not take as they are stand in quotes.
     """
-    return TEMPLATE.format(cluster="\n".join(f"{_key(name)} = {quoted(SEEN)}" for name in markers))
-
-
-def _to_toml(mapping: MarkerMap) -> str:
-    def length(value: float) -> str:
-        return quoted(f"{round(units.from_si(value, 'mm'), 6):.10g} mm")
-
-    def vector(value: Point) -> str:
-        return f"[{', '.join(length(each) for each in value)}]"
-
-    lines = [f"club = {quoted(mapping.club)}", ""] if mapping.club is not None else []
-    lines.append("[cluster]")
-    for name, place in mapping.cluster.items():
-        lines.append(f"{_key(name)} = {quoted(SEEN) if place is None else vector(place)}")
-    told = [f"by = {quoted(mapping.by)}"] if mapping.by is not None else []
-    told += [f"file = {quoted(mapping.calibration)}"] if mapping.calibration is not None else []
-    told += [f"frames = {list(mapping.frames)}"] if mapping.frames is not None else []
-    told += [f"ground = {length(mapping.ground)}"] if mapping.ground is not None else []
-    told += [f"accuracy = {length(mapping.accuracy)}"] if mapping.accuracy is not None else []
-    lines += ["", "[calibration]", *told] if told else []
-    if mapping.face:
-        lines += ["", "[face]"]
-    for name, point in mapping.face.items():
-        values = ", ".join(f"{key} = {length(value)}" for key, value in point._asdict().items())
-        lines.append(f"{_key(name)} = {{ {values} }}")
-    lines += ["", "[ball]"] if mapping.ball is not None or mapping.ball_position is not None else []
-    if mapping.ball is not None:
-        lines.append(f"marker = {quoted(mapping.ball)}")
-    if any(mapping.ball_offset):
-        lines.append(f"offset = {vector(mapping.ball_offset)}")
-    if mapping.ball_position is not None:
-        lines.append(f"position = {vector(mapping.ball_position)}")
-    if mapping.ball_accuracy is not None:
-        lines.append(f"accuracy = {length(mapping.ball_accuracy)}")
-    target = mapping.target if isinstance(mapping.target, str) else None
-    line = quoted(target) if target else f"[{', '.join(quoted(each) for each in mapping.target)}]"
-    lines += ["", "[laboratory]", f"target = {line}", f"up = {quoted(mapping.up)}"]
-    lines += [f"unit = {quoted(mapping.unit)}"] if mapping.unit is not None else []
-    lines += ["", "[noise]", f"marker = {length(mapping.noise)}"] if mapping.noise is not None else []
-    told = mapping.assumed.told()
-    lines += ["", "[assumed]"] if told else []
-    for name, value in told.items():
-        shown = length(value) if DIMENSIONS[name] == "length" else quoted(f"{units.from_si(value, 'deg'):.10g} deg")
-        lines.append(f"{name} = {shown}")
-    return "\n".join(lines) + "\n"
-
-
-def _key(name: str) -> str:
-    """Return a key as TOML takes it: bare where it can be."""
-    return name if name and all(each.isascii() and (each.isalnum() or each in "-_") for each in name) else quoted(name)
+    return TEMPLATE.format(cluster="\n".join(f"{written_key(name)} = {quoted(SEEN)}" for name in markers))

@@ -19,6 +19,7 @@ from clubface.schema.tables import (
     key_rows as key_rows,
     quantities as quantities,
     template as template,
+    written_key as written_key,
 )
 from clubface.schema.values import (
     FLAG as FLAG,

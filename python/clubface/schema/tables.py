@@ -35,6 +35,7 @@ __all__ = [
     "key_rows",
     "quantities",
     "template",
+    "written_key",
 ]
 
 T = TypeVar("T")
@@ -252,12 +253,12 @@ def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) ->
     sections: list[str] = []
     for name, value in values.items():
         kind = kinds[name].value if isinstance(kinds[name], Entry) else kinds[name]
-        path = f"{heading}.{_written_key(name)}" if heading else _written_key(name)
+        path = f"{heading}.{written_key(name)}" if heading else written_key(name)
         if isinstance(kind, Tables):
             for each in value:
                 inner = _lines(kind.keys(), each if isinstance(each, Mapping) else _values(each), path)
                 sections += ["", f"[[{path}]]", *inner]
-        elif isinstance(kind, Record | Table):
+        elif isinstance(kind, Table) or (isinstance(kind, Record) and not kind.example.startswith("{")):
             inner = value if isinstance(value, Mapping) else _values(value)
             inner_kinds = kind.keys() or dict.fromkeys(inner, kind.values if isinstance(kind, Record) else None)
             content = _lines(inner_kinds, inner, path)
@@ -267,11 +268,11 @@ def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) ->
                 else []
             )
         else:
-            lines.append(f"{_written_key(name)} = {kind.write(value)}")
+            lines.append(f"{written_key(name)} = {kind.write(value)}")
     return lines + sections
 
 
-def _written_key(name: str) -> str:
+def written_key(name: str) -> str:
     """Return a key as TOML takes it: bare where it can be."""
     bare = name and all(each.isascii() and (each.isalnum() or each in "-_") for each in name)
     return name if bare else quoted(name)
@@ -287,7 +288,7 @@ def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> lis
     for each in entries(schema).values():
         if example := values.get(each.key, each.example):
             is_text = isinstance(each.value, Quantity) and each.value.unit != "1"
-            entry = f"{_written_key(each.key)} = {quoted(example) if is_text else example}"
+            entry = f"{written_key(each.key)} = {quoted(example) if is_text else example}"
             entry = entry if each.is_required or each.key in values else f"# {entry}"
             lines.append(f"{entry:<{width}} # {each.meaning}")
     return lines
@@ -304,7 +305,7 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
     rows = []
     for name, each in (Table(schema) if isinstance(schema, type) else schema).keys().items():
         entry = each if isinstance(each, Entry) else None
-        kind = each.value if entry else each
+        kind: Value = each.value if isinstance(each, Entry) else each
         words = kind.words().format(name)
         if entry and not entry.is_required and isinstance(entry.default, int | float | str) and entry.default != "":
             words += f"; {kind.write(entry.default)} unless given"

@@ -332,7 +332,7 @@ class Record(Value):
     required
         Keys that must be there.
     example
-        As it is written in a file.
+        As it is written in a file: in braces, where the example is.
     make
         What makes something else of the values and their place.
     """
@@ -355,6 +355,12 @@ class Record(Value):
                 with (at := place.key(key)).errors():
                     values[key] = kind.read(given[key], at)
         return values if self.make is None else self.make(values, place)
+
+    def write(self, value: Any) -> str:
+        """Return a table in braces."""
+        pairs = getattr(value, "_asdict", lambda: value)().items()
+        kinds = dict.fromkeys(dict(pairs), self.values) if isinstance(self.values, Value) else self.keys()
+        return "{ " + ", ".join(f"{key} = {kinds[key].write(each)}" for key, each in pairs) + " }"
 
     def json(self) -> dict[str, Any]:
         """Return an object."""
@@ -474,6 +480,14 @@ class Either(Value):
             if isinstance(given, each) and isinstance(given, bool) == (each is bool):
                 return kind.read(given, place)
         raise place.invalid(given, self.allowed)
+
+    def write(self, value: Any) -> str:
+        """Return what the kind of that type writes, or the first."""
+        first, *_ = self.kinds.values()
+        pairs = self.kinds.items()
+        return next((kind for each, kind in pairs if isinstance(value, tuple if each is list else each)), first).write(
+            value
+        )
 
     def json(self) -> dict[str, Any]:
         """Return all of them."""

@@ -34,13 +34,14 @@ import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field as dataclass_field
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import UnitError, UnknownNameError
+from clubface.errors import InputError
+from clubface.schema import FLAG, TEXT, Choice, Place, Record, decode, file_key
 from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, heading
 from clubface.shots.plausibility import Unit, can_be
 from clubface.shots.tables.cells import is_number
@@ -58,6 +59,7 @@ from clubface.shots.tables.headings import (
 )
 from clubface.shots.tables.vocabulary import vocabulary
 from clubface.support.arrays import Floats
+from clubface.support.checks import check_choice
 from clubface.support.strict_toml import Document
 from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_si, unit
 
@@ -278,8 +280,6 @@ def side_of(quantity: str, positive: str | None) -> Side:
     return SIDES[quantity][plain(positive)]
 
 
-KEYS = ("name", "delimiter", "decimal", "club", "player", "hand", "speed_at", "face_at", "columns")
-COLUMN_KEYS = ("heading", "unit", "positive", "optional")
 DELIMITERS = (",", ";", "\t", "|")
 SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
 
@@ -302,78 +302,72 @@ class Mapped(NamedTuple):
     decimal_comma: bool | None
 
 
+def _made_column(name: str, values: dict[str, Any], place: Place) -> tuple[Field, bool]:
+    """Return the column of a quantity, and whether the file may lack it."""
+    if not plain(values["heading"]):
+        raise place.key("heading").invalid(values["heading"], "text with a word in it")
+    dimension = shot_words().dimensions["face" if name == FACE_TO_PATH else name]
+    symbol = values.get("unit", "1" if dimension == DIMENSIONLESS else None)
+    if symbol is not None:
+        unit(symbol, name="unit", dimension=dimension)
+    positive = values.get("positive")
+    if positive is not None:
+        if name not in SIDES:
+            raise InputError("positive", positive, f"left out: {name} has no sides")
+        with place.key("positive").errors():
+            check_choice("side", plain(positive), SIDES[name])
+    return Field(values["heading"], unit=symbol, positive=positive), values.get("optional", False)
+
+
+def _columns() -> dict[str, Record]:
+    """Return the kind of a column by quantity."""
+    names = [*(name for name in shot_words().dimensions if name != HAND), FACE_TO_PATH]
+    keys = {"heading": TEXT, "unit": TEXT, "positive": TEXT, "optional": FLAG}
+    return {name: Record(keys, ("heading",), make=partial(_made_column, name)) for name in names}
+
+
+@dataclass(frozen=True, kw_only=True)
+class MappingFile:
+    """A mapping file: the columns of a CSV file of any program."""
+
+    name: str | None = file_key(TEXT, "name of the format", default=None)
+    delimiter: str | None = file_key(Choice(DELIMITERS), "character between cells; seen unless given", default=None)
+    decimal: bool | None = file_key(Choice({".": False, ",": True}), "decimal sign; seen unless given", default=None)
+    club: str | None = file_key(TEXT, "heading of the column that names the club", default=None)
+    player: str | None = file_key(TEXT, "heading of the column that names the player", default=None)
+    hand: str | None = file_key(TEXT, "heading of the column that says right or left", default=None)
+    speed_at: str = file_key(Choice(SPEED_AT), "where speed, attack and path are measured", default=UNKNOWN)
+    face_at: str = file_key(Choice(FACE_AT), "where loft and face angle are measured", default=UNKNOWN)
+    columns: Mapping[str, tuple[Field, bool]] = file_key(
+        Record(_columns, example="[columns.speed]"), "the columns, by quantity"
+    )
+
+    def __post_init__(self) -> None:
+        if self.delimiter == "," and self.decimal:
+            raise InputError("decimal", ",", "another sign than the delimiter: they cannot both be a comma")
+        if all(optional for _, optional in self.columns.values()):
+            allowed = "columns of which at least one is not optional: the header is known by it"
+            raise InputError("columns", list(self.columns), allowed)
+
+
 def mapping_of(path: str | os.PathLike[str]) -> Mapped:
     """Read a mapping file; an unknown key, quantity, unit or word is an error that names its line."""
     document = Document.read(path)
-    data = document.data
-    document.check_keys(data, KEYS, ("columns",))
-    document.check_text(data, [key for key in KEYS if key != "columns"])
-    columns = data["columns"]
-    if not isinstance(columns, dict) or not columns:
-        raise document.error("columns must be tables of columns, as in [columns.speed]", "columns")
-    delimiter = _choice(document, "delimiter", {each: each for each in DELIMITERS})
-    decimal = _choice(document, "decimal", {".": False, ",": True})
-    if delimiter == "," and decimal and "delimiter" in data:
-        raise document.error("decimal and delimiter cannot both be a comma", "decimal")
-    quantities = [*(name for name in shot_words().dimensions if name != HAND), FACE_TO_PATH]
-    fields: dict[str, Field] = {}
-    required: list[str] = []
-    for name, column in columns.items():
-        if name not in quantities:
-            raise document.wrap(UnknownNameError("quantity", name, quantities))
-        fields[name] = _field(document, name, column)
-        if not column.get("optional", False):
-            required.append(column["heading"])
-    if not required:
-        raise document.error("at least one column must not be optional: the header is known by it", "columns")
+    file = decode(MappingFile, document)
     layout = Format(
-        name=data.get("name", "mapping"),
-        title=data.get("name", f"mapped by {document.path}"),
-        fields=fields,
-        marks=(tuple(required),),
-        club=(data["club"],) if "club" in data else (),
-        player=(data["player"],) if "player" in data else PLAYER,
-        hand=(data["hand"],) if "hand" in data else (),
+        name=file.name or "mapping",
+        title=file.name or f"mapped by {document.path}",
+        fields={name: column for name, (column, _) in file.columns.items()},
+        marks=(tuple(column.shown[0] for column, optional in file.columns.values() if not optional),),
+        club=() if file.club is None else (file.club,),
+        player=PLAYER if file.player is None else (file.player,),
+        hand=() if file.hand is None else (file.hand,),
         needs_units=True,
         only_own=True,
-        speed_at=_choice(document, "speed_at", {each: each for each in SPEED_AT}) or UNKNOWN,
-        face_at=_choice(document, "face_at", {each: each for each in FACE_AT}) or UNKNOWN,
+        speed_at=file.speed_at,
+        face_at=file.face_at,
     )
-    return Mapped(layout, delimiter, decimal)
-
-
-def _choice(document: Document, key: str, choices: dict[str, Any]) -> Any:
-    if key not in document.data:
-        return None
-    given = document.data[key]
-    if given not in choices:
-        raise document.error(str(UnknownNameError(key, given, choices)), key)
-    return choices[given]
-
-
-def _field(document: Document, name: str, column: Any) -> Field:
-    table = f"columns.{name}"
-    if not isinstance(column, dict):
-        raise document.error(f"columns.{name} must be a table, as in [columns.{name}]", name, "columns")
-    document.check_keys(column, COLUMN_KEYS, ("heading",), table)
-    document.check_text(column, ("heading", "unit", "positive"), table)
-    if not plain(column["heading"]):
-        raise document.error("the heading has no word", "heading", table)
-    if not isinstance(column.get("optional", False), bool):
-        raise document.error("optional must be true or false", "optional", table)
-    dimension = shot_words().dimensions["face" if name == FACE_TO_PATH else name]
-    symbol = column.get("unit", "1" if dimension == DIMENSIONLESS else None)
-    if symbol is not None:
-        try:
-            unit(symbol, name="unit", dimension=dimension)
-        except UnitError as error:
-            raise document.error(str(error), "unit", table) from None
-    positive = column.get("positive")
-    if positive is not None and plain(positive) not in SIDES.get(name, {}):
-        known = SIDES.get(name)
-        message = str(UnknownNameError("side", positive, known)) if known else f"{name} has no sides"
-        raise document.error(message, "positive", table)
-    return Field(column["heading"], unit=symbol, positive=positive)
+    return Mapped(layout, file.delimiter, file.decimal)
 
 
 SENTINELS = (
