@@ -11,11 +11,11 @@ use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball
 use clubface_fem::element::{Element, Kernels};
 use clubface_fem::environment::Environment;
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
-use clubface_fem::material::{law_from_name, map_law, Material, Maxwell};
+use clubface_fem::material::{Material, Maxwell, law_from_name, map_law};
 use clubface_fem::sensitivity::Setting;
 use clubface_fem::solve::{Options, Simulation};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::shot::{Shot, INPUT_COUNT};
+use clubface_impact::shot::{INPUT_COUNT, Shot};
 use clubface_math::Dual;
 use std::time::{Duration, Instant};
 
@@ -134,7 +134,7 @@ fn least_step<R: Kernels>(number: impl Fn(f64) -> R, speed: R) -> f64 {
 
 /// Time that the processor spent on something, s: others may use it meanwhile.
 fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
-    extern "C" {
+    unsafe extern "C" {
         fn clock() -> std::ffi::c_long;
     }
     // SAFETY: a function of the C library without arguments. It counts microseconds on every POSIX system.

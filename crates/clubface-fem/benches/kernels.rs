@@ -6,8 +6,8 @@
 #![allow(missing_docs)]
 
 use clubface_fem::element::{Element, Patch};
-use clubface_fem::material::{law_from_name, Hardening, Hencky, Material, Maxwell, MooneyRivlin, VonMises};
-use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_fem::material::{Hardening, Hencky, Material, Maxwell, MooneyRivlin, VonMises, law_from_name};
+use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_math::Row;
 use std::time::{Duration, Instant};
 
@@ -68,7 +68,9 @@ fn main() {
             let energies = least(count, || {
                 energy = patches.iter_mut().map(|patch| patch.energy(&positions).total()).sum();
             });
-            println!("{name}, {arrangement}: {forces:.1} ns, energies {energies:.1} ns; {sum:.17e} N, {energy:.17e} J");
+            println!(
+                "{name}, {arrangement}: {forces:.1} ns, energies {energies:.1} ns; {sum:.17e} N, {energy:.17e} J"
+            );
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::element::{Element, Kernels, Patch};
 use crate::error::FemError;
 use crate::material::Material;
-use crate::mesh::{cubed_sphere, Fineness, SolidMesh};
+use crate::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_math::{Mat3, Real, Row, Vec3};
 
 /// Most pieces a ball may have.
@@ -188,7 +188,10 @@ impl<R: Kernels> BallConstruction<R> {
         }
         let density = core_mass / volume[0];
         if density.re() <= 100.0 {
-            let allowed = format!("this leaves the core a density of {:.0} kg/m3, and at least 100 is needed; make the pieces around it lighter or thinner", density.re());
+            let allowed = format!(
+                "this leaves the core a density of {:.0} kg/m3, and at least 100 is needed; make the pieces around it lighter or thinner",
+                density.re()
+            );
             return Err(FemError::input("ball.mass", format!("{:.2} g", target * 1e3), allowed));
         }
         materials[0].density = density;

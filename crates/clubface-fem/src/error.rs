@@ -131,5 +131,7 @@ fn cause(edge: bool, element: usize, part: &str) -> String {
         return "the ball reached round the edge of the face, where contact ends: hit it nearer the face centre"
             .to_owned();
     }
-    format!("the time step is too long (choose a smaller `safety`) or an element is failing, most likely the most strained one, element {element} of {part}")
+    format!(
+        "the time step is too long (choose a smaller `safety`) or an element is failing, most likely the most strained one, element {element} of {part}"
+    )
 }

@@ -7,12 +7,12 @@ use crate::element::{Isotropic, Kernels, ShellMaterial};
 use crate::environment::Environment;
 use crate::error::FemError;
 use crate::head::{ShellHead, ShellPart};
-use crate::material::{map_law, Material, Maxwell};
+use crate::material::{Material, Maxwell, map_law};
 use crate::mesh::ShellMesh;
 use crate::solve::{Options, Progress, Simulation, Snapshot};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::launch::OUTPUT_COUNT;
-use clubface_impact::shot::{Shot, INPUTS, INPUT_COUNT};
+use clubface_impact::shot::{INPUT_COUNT, INPUTS, Shot};
 use clubface_math::Dual;
 
 /// Number of derivatives in one run.

@@ -2,7 +2,7 @@
 
 use clubface_impact::columns::Column;
 use clubface_impact::flight::{
-    default_inputs, fly, sensitivity, trajectory, FlightBatch, FlightShot, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
+    FlightBatch, FlightShot, INPUT_COUNT, OUTPUT_COUNT, OUTPUTS, default_inputs, fly, sensitivity, trajectory,
 };
 use criterion::{Criterion, Throughput};
 use std::hint::black_box;

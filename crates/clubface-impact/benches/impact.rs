@@ -5,7 +5,7 @@ use clubface_impact::columns::Column;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::sensitivity::sensitivity;
 use clubface_impact::shot::INPUT_COUNT;
-use clubface_impact::{registry, Accuracy};
+use clubface_impact::{Accuracy, registry};
 use criterion::{Criterion, Throughput};
 use std::hint::black_box;
 

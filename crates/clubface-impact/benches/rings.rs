@@ -1,12 +1,12 @@
 //! Time of the rings beside what they found: one solve, a sphere on a plane, a drive and an iron shot.
 
+use clubface_impact::Accuracy;
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::Column;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::registry::RINGS;
 use clubface_impact::rings::plane::{Resolution, Sphere};
 use clubface_impact::rings::{Load, RingContact, RingMaterial};
-use clubface_impact::Accuracy;
 use criterion::Criterion;
 use std::f64::consts::PI;
 use std::hint::black_box;

@@ -5,9 +5,9 @@ use crate::description::ModelInfo;
 use crate::error::ImpactError;
 use crate::face_spring::{CHARACTERISTIC_TIMES, GUIDED_MASS};
 use crate::fault::{angle_fault, fault, shown};
-use crate::inertia_check::{check_inertia, ROUNDING};
+use crate::inertia_check::{ROUNDING, check_inertia};
 use crate::quantity::quantity;
-use crate::shot::{Shot, DELIVERY_COUNT, INPUTS, INPUT_COUNT};
+use crate::shot::{DELIVERY_COUNT, INPUT_COUNT, INPUTS, Shot};
 use clubface_math::{Mask, Scalar};
 use core::f64::consts::FRAC_PI_2;
 
@@ -100,7 +100,10 @@ pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         let message = format!(
             "{} m with a roll of {} m does not reach the corners of the face outline, {} m x {} m; allowed: larger \
              radii or a smaller outline",
-            shown(club.bulge), shown(club.roll), shown(club.face_width), shown(club.face_height)
+            shown(club.bulge),
+            shown(club.roll),
+            shown(club.face_width),
+            shown(club.face_height)
         );
         return Err(ImpactError::new("bulge", message));
     }
@@ -250,8 +253,7 @@ pub fn check_approach(approach: f64) -> Result<(), ImpactError> {
 /// A contact that did not end.
 #[must_use]
 pub fn unseparated() -> ImpactError {
-    let message =
-        "club and ball did not separate within the steps allowed, or the face is so much stiffer than the \
+    let message = "club and ball did not separate within the steps allowed, or the face is so much stiffer than the \
                    one that the parameters include that they tell nothing of this impact; check the model's \
                    stiffness and damping and the characteristic times, or set another accuracy";
     ImpactError::new("model", message)

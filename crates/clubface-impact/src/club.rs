@@ -2,7 +2,7 @@
 
 use clubface_math::{Mat3, Scalar, Vec3};
 
-use crate::face::{curvature, Face};
+use crate::face::{Face, curvature};
 
 /// Mass properties and face of a clubhead, in Caldwell and McPhee's axes with the club at its static loft (meanings and
 /// signs: [`crate::shot::INPUTS`]). A left-handed club is the mirror image of the right-handed one of the same numbers.

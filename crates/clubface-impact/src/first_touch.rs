@@ -1,10 +1,10 @@
 //! Both bodies at the moment of first touch, in face axes: where every model starts.
 
 use crate::ball::Ball;
-use crate::face::{tangents, Face};
+use crate::face::{Face, tangents};
 use crate::face_spring::FaceSpring;
 use crate::launch::Launch;
-use crate::shot::{Shot, INPUT_COUNT};
+use crate::shot::{INPUT_COUNT, Shot};
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
 
 /// State at first touch. Face axes are fixed in the clubhead: origin of directions at the face centre, x along the

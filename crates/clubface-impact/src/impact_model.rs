@@ -5,7 +5,7 @@ use crate::contact::History;
 use crate::description::{ModelInfo, ModelKind};
 use crate::error::ImpactError;
 use crate::impact::Accuracy;
-use crate::kernels::{derivatives, history, launches, Differentiated, MOST_PARAMETERS};
+use crate::kernels::{Differentiated, MOST_PARAMETERS, derivatives, history, launches};
 use crate::launch::OUTPUT_COUNT;
 use crate::model::Describe;
 use crate::shot::INPUT_COUNT;

@@ -16,8 +16,7 @@ pub(crate) fn check_inertia(inertia: &[f64; 6]) -> Result<(), ImpactError> {
     // The second moments of mass, trace/2 - I, are positive for any real body, but for a plate, which has one of 0.
     let half = (xx + yy + zz) / 2.0 * ROUNDING;
     if !is_positive_definite(&[half - xx, half - yy, half - zz, -xy, -xz, -yz]) {
-        let allowed =
-            "has a principal moment larger than the sum of the other two (triangle inequality): no body \
+        let allowed = "has a principal moment larger than the sum of the other two (triangle inequality): no body \
                        has that";
         return Err(inertia_fault(inertia, allowed));
     }

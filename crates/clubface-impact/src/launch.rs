@@ -1,6 +1,6 @@
 //! What comes out of an impact.
 
-use crate::quantity::{quantities, Quantity};
+use crate::quantity::{Quantity, quantities};
 use clubface_math::{Computation, Scalar, Vec3};
 
 /// Motion of both bodies after impact, world axes.

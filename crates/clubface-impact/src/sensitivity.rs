@@ -1,13 +1,13 @@
 //! Exact derivatives of launches with respect to every input and parameter.
 
 use crate::batch::Batch;
-use crate::columns::{gather, Reject};
+use crate::columns::{Reject, gather};
 use crate::error::ImpactError;
 use crate::impact::Accuracy;
 use crate::impact_model::ImpactModel;
 use crate::kernels::{Differentiated, MOST_PARAMETERS};
 use crate::launch::OUTPUT_COUNT;
-use crate::shot::{INPUTS, INPUT_COUNT};
+use crate::shot::{INPUT_COUNT, INPUTS};
 use core::ops::Range;
 
 /// A launch and its derivatives.

@@ -3,7 +3,7 @@
 use crate::ball::Ball;
 use crate::club::Club;
 use crate::delivery::Delivery;
-use crate::quantity::{known, Quantity};
+use crate::quantity::{Quantity, known};
 use clubface_math::Scalar;
 
 /// One scalar input of an impact.

@@ -3,7 +3,7 @@
 //! `Dual<f64, N>` carries N derivatives of one shot; over a pack, either N derivatives of several shots, or (all
 //! lanes holding the same shot) N times the lanes derivatives of one.
 
-use crate::scalar::{operators, Computation, Scalar};
+use crate::scalar::{Computation, Scalar, operators};
 use core::ops::Neg;
 
 /// A value and its derivatives in `N` directions: `N + 1` of the same, one after the other.

@@ -12,7 +12,7 @@ pub mod vec3;
 
 pub use dual::Dual;
 pub use mat3::Mat3;
-pub use pack::{dispatch, with_lanes, Kernel, Lanes, Pack, PackKernel, Part, Real, Row};
+pub use pack::{Kernel, Lanes, Pack, PackKernel, Part, Real, Row, dispatch, with_lanes};
 pub use quat::Quat;
 pub use scalar::{Computation, Mask, Scalar};
 pub use vec3::Vec3;

@@ -1,6 +1,6 @@
 //! 3 x 3 matrices: closed forms, since a library's pivoted factorisation costs ten times as much at this size.
 
-use crate::scalar::{operators, Scalar};
+use crate::scalar::{Scalar, operators};
 use crate::vec3::Vec3;
 
 /// A matrix by rows.

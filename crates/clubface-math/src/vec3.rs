@@ -1,6 +1,6 @@
 //! Vectors in space.
 
-use crate::scalar::{operators, Scalar};
+use crate::scalar::{Scalar, operators};
 use core::ops::Neg;
 
 /// A vector with components along x, y, z (or x', y', z').

@@ -2,10 +2,10 @@
 
 use clubface_impact::flight;
 use clubface_impact::launch::OUTPUTS;
-use clubface_impact::quantity::{Quantity, QUANTITIES};
+use clubface_impact::quantity::{QUANTITIES, Quantity};
 use clubface_impact::registry;
 use clubface_impact::shot::INPUTS;
-use clubface_impact::unit::{Reading, DIMENSIONS, UNITS};
+use clubface_impact::unit::{DIMENSIONS, Reading, UNITS};
 use clubface_impact::{Law, ModelInfo};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,10 +1,10 @@
 //! Flights: batches, trajectories, derivatives.
 
-use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
+use crate::columns::{Computed, Derivatives, Values, columns, run_in_pieces, value_error};
 use clubface_impact::batch::CHUNK;
 use clubface_impact::columns::Column;
 use clubface_impact::error::all_inputs;
-use clubface_impact::flight::{self, FlightBatch, FlightSensitivities, DIFFERENTIATED, OUTPUT_COUNT};
+use clubface_impact::flight::{self, DIFFERENTIATED, FlightBatch, FlightSensitivities, OUTPUT_COUNT};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,6 +1,6 @@
 //! Impacts: batches, histories, derivatives.
 
-use crate::columns::{columns, run_in_pieces, value_error, Computed, Derivatives, Values};
+use crate::columns::{Computed, Derivatives, Values, columns, run_in_pieces, value_error};
 use clubface_impact::batch::{Batch, CHUNK};
 use clubface_impact::check::{check_ball, check_club};
 use clubface_impact::columns::Column;
@@ -8,7 +8,7 @@ use clubface_impact::contact::History;
 use clubface_impact::error::all_inputs;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::registry::named;
-use clubface_impact::sensitivity::{sensitivity_to_all, Sensitivities, CHUNK as DIFFERENTIATED};
+use clubface_impact::sensitivity::{CHUNK as DIFFERENTIATED, Sensitivities, sensitivity_to_all};
 use clubface_impact::{Accuracy, ImpactError};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;

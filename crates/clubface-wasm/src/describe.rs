@@ -2,12 +2,12 @@
 
 use clubface_impact::flight::{self, FlightInput};
 use clubface_impact::launch::OUTPUTS;
-use clubface_impact::quantity::{Quantity, QUANTITIES};
+use clubface_impact::quantity::{QUANTITIES, Quantity};
 use clubface_impact::registry;
-use clubface_impact::shot::{Input, INPUTS};
-use clubface_impact::unit::{Dimension, Reading, Unit, DIMENSIONS, UNITS};
+use clubface_impact::shot::{INPUTS, Input};
+use clubface_impact::unit::{DIMENSIONS, Dimension, Reading, UNITS, Unit};
 use clubface_impact::{Law, ModelInfo};
-use serde_json::{json, Value};
+use serde_json::{Value, json};
 
 fn laws(laws: &[Law]) -> Vec<&'static str> {
     laws.iter().map(|law| law.name()).collect()
@@ -83,7 +83,7 @@ fn list<T>(entries: &[T], describe: impl Fn(&T) -> Value) -> Vec<Value> {
 /// Leaves a description of all that can be computed: `quantities`, `units`, `dimensions`, `models`, `inputs`, `outputs`,
 /// `flight_inputs`, `flight_outputs`, as the functions of these names give Python. A default that is not a number is
 /// null.
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub extern "C" fn describe() -> u32 {
     crate::finish(Ok(json!({
         "quantities": list(QUANTITIES, quantity), "units": list(UNITS, unit), "dimensions": list(DIMENSIONS, dimension),

@@ -33,19 +33,19 @@ fn finish(result: Result<Value, Value>) -> u32 {
 }
 
 /// Address of the text that the last call left.
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub extern "C" fn text_at() -> *const u8 {
     TEXT.with_borrow(|text| text.as_ptr())
 }
 
 /// Its length, bytes of UTF-8.
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub extern "C" fn text_length() -> usize {
     TEXT.with_borrow(String::len)
 }
 
 /// Memory for `count` numbers, to be given back by [`release`].
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub extern "C" fn allocate(count: usize) -> *mut f64 {
     Box::into_raw(vec![0.0; count].into_boxed_slice()).cast()
 }
@@ -54,7 +54,7 @@ pub extern "C" fn allocate(count: usize) -> *mut f64 {
 ///
 /// # Safety
 /// `at` and `count` are those of one call of [`allocate`].
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn release(at: *mut f64, count: usize) {
     // SAFETY: the caller's promise.
     drop(unsafe { Box::from_raw(core::ptr::slice_from_raw_parts_mut(at, count)) });

@@ -7,8 +7,8 @@ use clubface_impact::flight::{self, FlightBatch};
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::sensitivity::sensitivity_to_all;
 use clubface_impact::shot::INPUT_COUNT;
-use clubface_impact::{registry, Accuracy, ImpactError};
-use serde_json::{json, Value};
+use clubface_impact::{Accuracy, ImpactError, registry};
+use serde_json::{Value, json};
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
 fn error(error: &ImpactError) -> Value {
@@ -33,7 +33,7 @@ fn columns(values: &[f64], rows: usize) -> Vec<Column<'_>> {
 ///
 /// # Safety
 /// The addresses hold as many numbers as said.
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn launches(
     model: usize,
     inputs: *const f64,
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn launches(
 ///
 /// # Safety
 /// The addresses hold as many numbers as said.
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn sensitivity(
     model: usize,
     inputs: *const f64,
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn sensitivity(
 ///
 /// # Safety
 /// The addresses hold as many numbers as said.
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub unsafe extern "C" fn flights(inputs: *const f64, rows: usize, outputs: *mut f64) -> u32 {
     if rows == 0 {
         return crate::finish(Err(json!({"input": "inputs", "message": "no launches"})));

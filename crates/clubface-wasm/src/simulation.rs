@@ -1,13 +1,13 @@
 //! Finite elements: the reference case, a ball on a rigid plane.
 
+use clubface_fem::FemError;
 use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::cases::ball_against_plane;
 use clubface_fem::element::Element;
 use clubface_fem::environment::{Environment, SingleThread};
 use clubface_fem::material::{Hencky, Material, MooneyRivlin};
 use clubface_fem::solve::Options;
-use clubface_fem::FemError;
-use serde_json::{json, Value};
+use serde_json::{Value, json};
 use std::sync::Arc;
 
 #[link(wasm_import_module = "clubface")]
@@ -19,7 +19,7 @@ extern "C" {
 /// Throws the reference ball at a rigid plane for 1000 us, at `speed` (m/s) and `angle` (rad) from its normal, with
 /// Coulomb's `friction`, on a mesh `refine` times as fine. Leaves the velocity (m/s) and spin (rad/s) of the ball, peak
 /// force (N), contact time (s), number of elements and steps, and the time that the steps took (s).
-#[no_mangle]
+#[unsafe(no_mangle)]
 pub extern "C" fn reference_case(speed: f64, angle: f64, friction: f64, refine: usize) -> u32 {
     crate::finish(run(speed, angle, friction, refine).map_err(|error| json!({"message": error.to_string()})))
 }

@@ -6,8 +6,8 @@ use crate::contact::{BallSide, Contact, DeformableContact, FaceSide};
 use crate::element::Kernels;
 use crate::environment::Environment;
 use crate::error::FemError;
-use crate::head::{face_axes, DeformableHead};
-use crate::solve::{springs_for_stable_step, Simulation, Structure};
+use crate::head::{DeformableHead, face_axes};
+use crate::solve::{Simulation, Structure, springs_for_stable_step};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Row, Vec3};
 

@@ -5,7 +5,7 @@ use crate::contact::{Plane, RigidContact, RigidHead, RigidSurface};
 use crate::element::Kernels;
 use crate::environment::Environment;
 use crate::error::FemError;
-use crate::solve::{springs_for_stable_step, Simulation, Structure};
+use crate::solve::{Simulation, Structure, springs_for_stable_step};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Real, Row, Vec3};
 

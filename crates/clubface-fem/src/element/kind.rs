@@ -9,7 +9,7 @@ use super::hex_one_point::solid_patches;
 use super::patch::Patch;
 use super::shell::{ShellMaterial, ShellPatch, ShellRows};
 use crate::error::FemError;
-use crate::material::{Material, Number, DERIVATIVES};
+use crate::material::{DERIVATIVES, Material, Number};
 use crate::mesh::{ShellMesh, SolidMesh};
 use clubface_math::Dual;
 use std::ops::Range;

@@ -16,5 +16,5 @@ pub use field::Scratch;
 pub use hex_one_point::constant_sets;
 pub use kind::{Element, Kernels, Patches};
 pub use output::{ElementOutput, OutputSink};
-pub use patch::{parts, Energy, Patch, StepOutput, RATIOS};
-pub use shell::{Isotropic, Rule, ShellMaterial, ShellRows, DEFAULT_POINTS, MAX_POINTS, SHELL_PATCH};
+pub use patch::{Energy, Patch, RATIOS, StepOutput, parts};
+pub use shell::{DEFAULT_POINTS, Isotropic, MAX_POINTS, Rule, SHELL_PATCH, ShellMaterial, ShellRows};

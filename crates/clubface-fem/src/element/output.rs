@@ -1,6 +1,6 @@
 //! Stress and strain in elements, in the axes of the positions; the forces need neither in these axes.
 
-use crate::material::{stretch::Stretches, Kinematics, Symmetric};
+use crate::material::{Kinematics, Symmetric, stretch::Stretches};
 use clubface_math::{Mat3, Pack, Scalar};
 
 /// Output of an element, in the axes of the positions.

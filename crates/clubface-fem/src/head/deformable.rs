@@ -3,7 +3,7 @@
 use crate::contact::Grooves;
 use crate::element::Patch;
 use crate::error::FemError;
-use crate::mesh::{mass_properties, MassProperties, ShellMasses};
+use crate::mesh::{MassProperties, ShellMasses, mass_properties};
 use clubface_math::{Real, Vec3};
 
 /// A head made of elements. Axes: x towards the target, y up, z to the toe, as the club is soled; the origin is the

@@ -1,10 +1,10 @@
 //! A driver head of shells: shape, thickness and metal, brought to its mass and inertia.
 
-use super::{face_axes, ShellHead, ShellPart};
+use super::{ShellHead, ShellPart, face_axes};
 use crate::element::{Isotropic, ShellMaterial};
 use crate::error::FemError;
 use crate::mesh::{
-    check_wall, tune, DriverFineness, DriverShape, DriverThickness, Region, Target, Trim, Tuned,
+    DriverFineness, DriverShape, DriverThickness, Region, Target, Trim, Tuned, check_wall, tune,
 };
 use clubface_math::{Real, Vec3};
 

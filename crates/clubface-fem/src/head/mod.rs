@@ -5,7 +5,7 @@ mod driver;
 mod shell;
 mod solid;
 
-pub use deformable::{face_axes, DeformableHead};
+pub use deformable::{DeformableHead, face_axes};
 pub use driver::{Driver, MeshedDriver};
 pub use shell::{ShellHead, ShellPart};
 pub use solid::SolidHead;

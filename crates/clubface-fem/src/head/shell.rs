@@ -1,10 +1,10 @@
 //! Heads of shells.
 
-use super::deformable::add_masses;
 use super::DeformableHead;
-use crate::element::{parts, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
+use super::deformable::add_masses;
+use crate::element::{Kernels, Patch, SHELL_PATCH, ShellMaterial, ShellRows, parts};
 use crate::error::FemError;
-use crate::mesh::{check_wall, ShellMasses, ShellMesh};
+use crate::mesh::{ShellMasses, ShellMesh, check_wall};
 use clubface_math::Vec3;
 use std::ops::Range;
 

@@ -1,7 +1,7 @@
 //! Heads of hexahedra, such as irons.
 
-use super::deformable::add_masses;
 use super::DeformableHead;
+use super::deformable::add_masses;
 use crate::contact::Grooves;
 use crate::element::{Element, Kernels, Patch};
 use crate::error::FemError;

@@ -3,7 +3,7 @@
 use super::family::Law;
 use super::stage::{Slot, StressStage};
 use super::state_variables::{StateVariables, Update};
-use super::viscous::{undeformed, Branches, Decay, Maxwell, MAX_TERMS};
+use super::viscous::{Branches, Decay, MAX_TERMS, Maxwell, undeformed};
 use crate::error::FemError;
 use clubface_math::{Pack, Real};
 use std::sync::Arc;

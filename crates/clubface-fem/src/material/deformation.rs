@@ -1,6 +1,6 @@
 //! Deformation at a point, its change of shape apart from that of volume.
 
-use super::symmetric::{cross, dot, times, Symmetric};
+use super::symmetric::{Symmetric, cross, dot, times};
 use clubface_math::{Mat3, Scalar};
 
 /// Deformation at a point: what laws see of its gradient.

@@ -113,8 +113,7 @@ impl<R: Real> Hardening<R> {
         let least = slopes.fold(0.0, f64::min) + 1e-9 * self.bends[0].slope.re().abs();
         for value in [least, self.gain.re(), self.rate.re()] {
             if !(value >= 0.0 && value.is_finite()) {
-                let allowed =
-                    "the yield stress must not fall with plastic strain, since a metal that softens would fail where it yields first";
+                let allowed = "the yield stress must not fall with plastic strain, since a metal that softens would fail where it yields first";
                 return Err(FemError::input(format!("{name}.hardening"), value, allowed));
             }
         }

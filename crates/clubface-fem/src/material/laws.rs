@@ -5,7 +5,7 @@ use super::hencky::Hencky;
 use super::mooney_rivlin::MooneyRivlin;
 use super::neo_hookean::NeoHookean;
 use super::ogden::Ogden;
-use super::table::{from_table, Number};
+use super::table::{Number, from_table};
 use super::von_mises::VonMises;
 use crate::error::FemError;
 use crate::materials;

@@ -5,7 +5,7 @@ use super::body::Material;
 use super::deformation::{Deformation, Kinematics};
 use super::stage::{EnergyPoints, PointEnergy, Points};
 use super::state_variables::{StateVariables, Update};
-use super::symmetric::{times, Symmetric};
+use super::symmetric::{Symmetric, times};
 use super::table::Number;
 use clubface_math::{Mat3, Real};
 

@@ -8,7 +8,7 @@ use super::deformation::{Deformation, Kinematics};
 use super::law::PointLaw;
 use super::state_variables::StateVariables;
 use super::symmetric::Symmetric;
-use super::viscous::{add_branches, work, Branches, Decay, MAX_TERMS};
+use super::viscous::{Branches, Decay, MAX_TERMS, add_branches, work};
 use clubface_math::{Computation, Pack, Scalar};
 
 /// Points one after the other, each with as many lanes as a pack: where they stand, and what their stress follows from.

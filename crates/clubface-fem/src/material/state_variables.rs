@@ -1,6 +1,6 @@
 //! State variables of points, and when they are updated.
 
-use crate::block::{Eight, BLOCK};
+use crate::block::{BLOCK, Eight};
 use clubface_math::{Pack, Real};
 
 /// Eight points each with these numbers.

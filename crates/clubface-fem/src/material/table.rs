@@ -1,7 +1,7 @@
 //! The table of laws: how a law by name becomes one that computes, over every number that laws are compiled for and
 //! for all of its packs.
 
-use super::family::{Entry, Family, Law, DERIVATIVES};
+use super::family::{DERIVATIVES, Entry, Family, Law};
 use super::stage::{Slot, Stage};
 use super::viscous::Branches;
 use crate::error::FemError;

@@ -8,9 +8,9 @@
 //! metric, and functions of it, pulled back to the undeformed shape, are combinations of the metric, of the metric
 //! around `C̄`, and of `C̄^-1`: neither rotations nor principal axes are needed.
 
-use super::hardening::{Hardening, HARDENING_POINTS};
+use super::hardening::{HARDENING_POINTS, Hardening};
 use super::stretch::Stretches;
-use super::{build, Constant, Description, Family, Inelastic, Law, Number, Numbers, Symmetric, WithState};
+use super::{Constant, Description, Family, Inelastic, Law, Number, Numbers, Symmetric, WithState, build};
 use crate::error::FemError;
 use clubface_math::{Mask, Pack, Scalar};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! The mesh of a ball: a cube of hexahedra inside, six blocks of layers around it out to the sphere.
 
-use super::{SolidMesh, CORNERS};
+use super::{CORNERS, SolidMesh};
 use clubface_math::{Scalar, Vec3};
 use std::collections::HashMap;
 

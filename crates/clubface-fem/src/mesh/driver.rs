@@ -4,9 +4,9 @@
 //! on the outside. The mesh is that of a box, wrapped round the body and smoothed, so that it has no triangles, no
 //! seams, and no corner in one plane with its neighbours.
 
+use super::ShellMesh;
 use super::driver_shape::{DriverFineness, DriverShape, DriverThickness, Region};
 use super::driver_surface::DriverSurface;
-use super::ShellMesh;
 use clubface_math::{Real, Vec3};
 
 /// A meshed driver head.

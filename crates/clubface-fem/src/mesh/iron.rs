@@ -3,7 +3,7 @@
 //!
 //! Axes as those of all heads: x towards the target, y up, z to the toe; the origin is the face centre.
 
-use super::{SolidMesh, CORNERS};
+use super::{CORNERS, SolidMesh};
 use clubface_math::Vec3;
 
 /// Shape of an iron head, m and rad.

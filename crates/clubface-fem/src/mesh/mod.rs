@@ -10,11 +10,11 @@ mod shell_mesh;
 mod solid_mesh;
 mod tuning;
 
-pub use cubed_sphere::{cubed_sphere, Fineness};
+pub use cubed_sphere::{Fineness, cubed_sphere};
 pub use driver::DriverMesh;
 pub use driver_shape::{DriverFineness, DriverShape, DriverThickness, Region};
 pub use iron::{IronFineness, IronMesh, IronShape};
 pub use shell_check::check_wall;
-pub use shell_mesh::{ShellMasses, ShellMesh, ROTARY};
-pub use solid_mesh::{base_vectors, jacobian, signs, SolidMesh, CORNERS};
-pub use tuning::{mass_properties, tune, MassProperties, Target, Trim, Tuned};
+pub use shell_mesh::{ROTARY, ShellMasses, ShellMesh};
+pub use solid_mesh::{CORNERS, SolidMesh, base_vectors, jacobian, signs};
+pub use tuning::{MassProperties, Target, Trim, Tuned, mass_properties, tune};

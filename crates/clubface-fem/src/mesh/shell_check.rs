@@ -1,7 +1,7 @@
 //! Checks of a shell mesh.
 
-use super::shell_mesh::convexity;
 use super::ShellMesh;
+use super::shell_mesh::convexity;
 use crate::error::FemError;
 use clubface_math::{Real, Vec3};
 use std::collections::HashMap;
@@ -70,8 +70,7 @@ impl<R: Real> ShellMesh<R> {
                 let edge = (quad[k], quad[(k + 1) % 4]);
                 if let Some(other) = edges.insert(edge, element) {
                     let name = format!("edge of elements {other} and {element}");
-                    let allowed =
-                        "an edge belongs to two elements at most, which list its nodes in opposite order \
+                    let allowed = "an edge belongs to two elements at most, which list its nodes in opposite order \
                                    so that all normals point outwards";
                     return Err(FemError::input(name, "used twice in the same direction", allowed));
                 }

@@ -1,11 +1,11 @@
 //! The two stages of a step one by one, for callers who want to do something in between: assembly of forces, then
 //! motion of the nodes.
 
+use super::Structure;
 use super::gather::{Fields, Forces};
-use super::schedule::{chunks_of, Schedule};
+use super::schedule::{Schedule, chunks_of};
 use super::shared_slice::SharedSlice;
 use super::worker_pool::{Stage, WorkerPool};
-use super::Structure;
 use crate::contact::Contact;
 use crate::element::Energy;
 use crate::environment::Executor;

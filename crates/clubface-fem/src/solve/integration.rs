@@ -1,11 +1,11 @@
 //! Many steps at a time: workers stay together from step to step, and patches move their interior nodes as they compute
 //! the forces.
 
+use super::Structure;
 use super::gather::{Fields, Forces};
 use super::schedule::chunks_of;
 use super::shared_slice::SharedSlice;
 use super::worker_pool::{Stage, WorkerPool};
-use super::Structure;
 use crate::contact::Contact;
 use crate::element::{Energy, Scratch, StepOutput};
 use crate::moments::{Moments, Nodes};

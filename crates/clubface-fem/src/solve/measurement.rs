@@ -1,7 +1,7 @@
 //! What can be measured on a structure between steps: motion of bodies, energies, stress and strain.
 
-use super::body_motion::BodyMotion;
 use super::Structure;
+use super::body_motion::BodyMotion;
 use crate::element::{Energy, OutputSink};
 use crate::moments::{Moments, Nodes, Origin};
 use clubface_math::{Real, Row};

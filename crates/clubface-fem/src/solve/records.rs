@@ -116,18 +116,10 @@ impl Records {
     #[must_use]
     pub fn summary(&self, radius: f64) -> Summary {
         let peak = self.contact.iter().fold((0.0, 0.0), |best: (f64, f64), record| {
-            if record.normal > best.0 {
-                (record.normal, record.time)
-            } else {
-                best
-            }
+            if record.normal > best.0 { (record.normal, record.time) } else { best }
         });
         let least = self.motion.iter().fold((radius, 0.0), |best: (f64, f64), record| {
-            if record.radius < best.0 {
-                (record.radius, record.time)
-            } else {
-                best
-            }
+            if record.radius < best.0 { (record.radius, record.time) } else { best }
         });
         let fold = |start: f64, pick: fn(f64, f64) -> f64| {
             self.contact.iter().fold(start, |best, record| pick(best, record.tangential))

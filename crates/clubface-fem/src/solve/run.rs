@@ -71,35 +71,37 @@ impl<R: Real> Simulation<R> {
         let mut recorder = Recorder::new(dt);
         // One pool for the whole run: its workers stay awake, with their data at hand.
         let executor = self.structure.executor.clone();
-        let stopped = WorkerPool::with(&*executor, |_| loop {
-            let time = recorder.time();
-            if !recorder.goes_on(options) {
-                break None;
-            }
-            let ball = recorder.ball_state(self);
-            let progress = Progress { time, duration: options.duration.max(time), steps: recorder.step };
-            let snapshot = Snapshot { progress, centre: ball.centre, simulation: self };
-            if recorder.step.is_multiple_of(interval) && !observer(snapshot) {
-                break Some(FemError::Interrupted { microseconds: time * 1e6 });
-            }
-            let failing = !self.structure.volumes_valid() || recorder.ball_gains_energy(&ball);
-            if failing {
-                let ratios = self.structure.energies().1;
-                if let Err(error) = self.check_volumes(&ratios, time * 1e6) {
-                    break Some(error);
+        let stopped = WorkerPool::with(&*executor, |_| {
+            loop {
+                let time = recorder.time();
+                if !recorder.goes_on(options) {
+                    break None;
                 }
-            }
-            // Energies are due in a full step, the next one at the latest.
-            let due = recorder.step.is_multiple_of(interval * options.energy_every) || failing;
-            if due && !self.structure.skip_subcycled {
-                if let Err(error) = recorder.step_with_balance(self, ball, options) {
-                    break Some(error);
+                let ball = recorder.ball_state(self);
+                let progress = Progress { time, duration: options.duration.max(time), steps: recorder.step };
+                let snapshot = Snapshot { progress, centre: ball.centre, simulation: self };
+                if recorder.step.is_multiple_of(interval) && !observer(snapshot) {
+                    break Some(FemError::Interrupted { microseconds: time * 1e6 });
                 }
-            } else {
-                let count = if due { 1 } else { interval - recorder.step % interval };
-                recorder.take_steps(self, ball, options, |structure, contact, dt, observer| {
-                    structure.integrate(contact, dt, count, observer)
-                });
+                let failing = !self.structure.volumes_valid() || recorder.ball_gains_energy(&ball);
+                if failing {
+                    let ratios = self.structure.energies().1;
+                    if let Err(error) = self.check_volumes(&ratios, time * 1e6) {
+                        break Some(error);
+                    }
+                }
+                // Energies are due in a full step, the next one at the latest.
+                let due = recorder.step.is_multiple_of(interval * options.energy_every) || failing;
+                if due && !self.structure.skip_subcycled {
+                    if let Err(error) = recorder.step_with_balance(self, ball, options) {
+                        break Some(error);
+                    }
+                } else {
+                    let count = if due { 1 } else { interval - recorder.step % interval };
+                    recorder.take_steps(self, ball, options, |structure, contact, dt, observer| {
+                        structure.integrate(contact, dt, count, observer)
+                    });
+                }
             }
         });
         self.structure.synchronise();

@@ -1,8 +1,8 @@
 //! Which worker does what. Every worker has patches of its own, whose data its caches keep from step to step.
 
+use super::Structure;
 use super::gather::GatherList;
 use super::worker_pool::WorkerPool;
-use super::Structure;
 use clubface_math::Real;
 
 /// Rough time of the contact, ns a node.

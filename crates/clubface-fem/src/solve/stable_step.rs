@@ -1,8 +1,8 @@
 //! The largest time step with which central differences are stable.
 
+use super::Structure;
 use super::shared_slice::SharedSlice;
 use super::worker_pool::{Stage, WorkerPool};
-use super::Structure;
 use crate::contact::PenaltySprings;
 use clubface_math::{Real, Row};
 

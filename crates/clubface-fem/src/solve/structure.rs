@@ -3,7 +3,7 @@
 //! Every step has two stages: patches and contact compute forces from positions, each into an array of its own; then
 //! every node sums the forces on it and moves.
 
-use super::gather::{gather_lists, GatherList, PERIOD};
+use super::gather::{GatherList, PERIOD, gather_lists};
 use crate::element::{Patch, Scratch};
 use crate::environment::{Environment, Executor};
 use crate::moments::{Moments, Origin};
@@ -147,11 +147,7 @@ impl<R: Real> Structure<R> {
 
     /// Time for which the forces of a patch act, s.
     pub(super) fn force_duration(&self, patch: usize, dt: f64) -> f64 {
-        if self.subcycled[patch] {
-            dt * PERIOD
-        } else {
-            dt
-        }
+        if self.subcycled[patch] { dt * PERIOD } else { dt }
     }
 
     /// The patches, to build a larger structure of.

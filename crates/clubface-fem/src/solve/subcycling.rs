@@ -59,11 +59,7 @@ impl<R: Real> Simulation<R> {
             return with_safety(safety);
         }
         let subcycled = with_safety(usual[0]);
-        if subcycled.period > 1 {
-            subcycled
-        } else {
-            with_safety(usual[1])
-        }
+        if subcycled.period > 1 { subcycled } else { with_safety(usual[1]) }
     }
 
     /// The patches of those pieces of the ball, from the inside, for which the step (s) is short enough to subcycle

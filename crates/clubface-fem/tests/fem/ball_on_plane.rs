@@ -1,12 +1,12 @@
 //! The ball on a rigid plane: the same on any number of threads, with any order of elements, and with derivatives.
 
-use crate::support::{forces, largest, on_threads, patches, piece, rows, ELEMENTS};
+use crate::support::{ELEMENTS, forces, largest, on_threads, patches, piece, rows};
 use clubface_fem::ball::BallConstruction;
 use clubface_fem::cases::ball_against_plane;
 use clubface_fem::element::{Element, Kernels};
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material, Maxwell, MooneyRivlin};
-use clubface_fem::mesh::{cubed_sphere, Fineness};
+use clubface_fem::mesh::{Fineness, cubed_sphere};
 use clubface_math::{Dual, Vec3};
 
 fn rubber<R: Kernels>(c10: R) -> Material<R> {

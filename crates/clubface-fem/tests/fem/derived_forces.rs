@@ -3,8 +3,8 @@
 
 use clubface_fem::element::{Element, Kernels};
 use clubface_fem::material::{Material, Maxwell, MooneyRivlin};
-use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
-use clubface_math::{with_lanes, Dual, Row, Vec3};
+use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
+use clubface_math::{Dual, Row, Vec3, with_lanes};
 
 /// What the forces depend on: how far the sphere is stretched and turned, its shear modulus (Pa), and the radius (m) of
 /// a core, whose elements it scales, inside a cover, whose elements it squeezes.

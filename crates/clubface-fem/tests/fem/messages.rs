@@ -1,12 +1,12 @@
 //! What errors say.
 
 use crate::support::piece;
+use clubface_fem::FemError;
 use clubface_fem::ball::{BallConstruction, MAX_PIECES};
 use clubface_fem::contact::ContactMethod;
 use clubface_fem::element::Element;
 use clubface_fem::material::{Material, NeoHookean};
 use clubface_fem::solve::Options;
-use clubface_fem::FemError;
 
 #[test]
 fn an_input_is_named_with_its_value_and_what_it_must_be() {

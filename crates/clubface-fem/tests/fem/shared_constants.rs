@@ -2,7 +2,7 @@
 
 use crate::support::piece;
 use clubface_fem::ball::BallConstruction;
-use clubface_fem::element::{constant_sets, Element};
+use clubface_fem::element::{Element, constant_sets};
 use clubface_fem::material::{Material, NeoHookean};
 use clubface_math::{Mat3, Vec3};
 

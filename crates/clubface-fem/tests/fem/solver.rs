@@ -1,14 +1,14 @@
 //! Parts of the solver: tasks by worker, the stable step, the motion of a body, steps that also report energies.
 
-use crate::support::{bits, piece, rows, Random};
+use crate::support::{Random, bits, piece, rows};
 use clubface_fem::ball::BallConstruction;
 use clubface_fem::cases::ball_against_plane;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Material, Maxwell, MooneyRivlin};
 use clubface_fem::moments::{Nodes, Origin};
-use clubface_fem::solve::{balanced, largest_eigenvalue, BodyMotion};
-use clubface_math::{with_lanes, Vec3};
+use clubface_fem::solve::{BodyMotion, balanced, largest_eigenvalue};
+use clubface_math::{Vec3, with_lanes};
 
 #[test]
 fn workers_have_every_task_once_and_about_the_same_cost() {

@@ -5,7 +5,7 @@ use clubface_fem::contact::{Contact, PenaltySprings};
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Hencky, Material};
-use clubface_fem::mesh::{SolidMesh, CORNERS};
+use clubface_fem::mesh::{CORNERS, SolidMesh};
 use clubface_fem::solve::Structure;
 use clubface_math::{Mat3, Row, Vec3};
 

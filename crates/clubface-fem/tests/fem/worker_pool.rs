@@ -2,7 +2,7 @@
 
 use clubface_fem::environment::{Environment, SingleThread};
 use clubface_fem::solve::{Stage, WorkerPool};
-use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 

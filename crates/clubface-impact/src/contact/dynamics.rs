@@ -2,7 +2,7 @@
 
 use super::law::{ContactLaw, Core, Indentation, Sliding};
 use super::state::*;
-use crate::face::{tangents, Face};
+use crate::face::{Face, tangents};
 use crate::first_touch::FirstTouch;
 use crate::giving_face::GivingFace;
 use clubface_math::ode::System;

@@ -23,6 +23,7 @@ pub use recorder::{Recorder, RingFrame, Unrecorded};
 pub use run::run;
 pub use separation::Separation;
 pub use state::{
-    face, initial, motions, scales, ContactPoint, BALL_SPIN, CLUB_SPIN, LAYERED, LAYERED_GIVING, POSITION,
-    RECORDED_LAYERED, RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY,
+    BALL_SPIN, CLUB_SPIN, ContactPoint, LAYERED, LAYERED_GIVING, POSITION, RECORDED_LAYERED,
+    RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY, face, initial, motions,
+    scales,
 };

@@ -8,7 +8,7 @@ use super::state::*;
 use crate::first_touch::FirstTouch;
 use crate::giving_face::possible;
 use crate::impact::{Accuracy, Impact};
-use clubface_math::ode::{integrate, Control, Rosenbrock, DORMAND_PRINCE};
+use clubface_math::ode::{Control, DORMAND_PRINCE, Rosenbrock, integrate};
 use clubface_math::{Mask, Scalar};
 
 /// Steps after which a fast contact is given up; a drive takes about 50.

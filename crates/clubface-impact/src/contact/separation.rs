@@ -3,7 +3,7 @@
 use super::dynamics::Contact;
 use super::law::ContactLaw;
 use super::recorder::Recorder;
-use super::state::{ContactPoint, BALL_SPIN, CLUB_SPIN, VELOCITY};
+use super::state::{BALL_SPIN, CLUB_SPIN, ContactPoint, VELOCITY};
 use clubface_math::ode::Observer;
 use clubface_math::{Computation, Mask, Scalar, Vec3};
 

@@ -1,11 +1,11 @@
 //! Many shots: columns in, columns out, on all lanes and threads.
 
 use super::check::{check, never_lands};
-use super::shot::{fly, FlightShot, INPUTS, INPUT_COUNT};
+use super::shot::{FlightShot, INPUT_COUNT, INPUTS, fly};
 use super::trajectory::TOLERANCE;
-use crate::columns::{Column, Reject, MOST_LANES};
+use crate::columns::{Column, MOST_LANES, Reject};
 use crate::error::ImpactError;
-use clubface_math::{dispatch, Kernel, Lanes, Mask};
+use clubface_math::{Kernel, Lanes, Mask, dispatch};
 use core::ops::Range;
 
 /// Shots to fly.

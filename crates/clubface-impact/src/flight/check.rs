@@ -1,6 +1,6 @@
 //! Whether the inputs of a flight make sense.
 
-use super::shot::{FlightInput, INPUTS, INPUT_COUNT};
+use super::shot::{FlightInput, INPUT_COUNT, INPUTS};
 use crate::error::ImpactError;
 use crate::fault::shown;
 

@@ -1,7 +1,7 @@
 //! Where within a step of Dormand and Prince a component of the state vanishes, with exact derivatives.
 
-use clubface_math::ode::{Method, System, DORMAND_PRINCE};
 use clubface_math::Scalar;
+use clubface_math::ode::{DORMAND_PRINCE, Method, System};
 
 /// A step of an integration.
 #[derive(Clone, Copy, Debug)]

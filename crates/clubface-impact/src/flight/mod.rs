@@ -18,9 +18,9 @@ pub mod trajectory;
 
 pub use batch::FlightBatch;
 pub use check::check;
-pub use record::{trajectory, Track};
-pub use sensitivities::{FlightSensitivities, CHUNK as DIFFERENTIATED};
-pub use sensitivity::{sensitivity, FlightSensitivity};
+pub use record::{Track, trajectory};
+pub use sensitivities::{CHUNK as DIFFERENTIATED, FlightSensitivities};
+pub use sensitivity::{FlightSensitivity, sensitivity};
 pub use shot::{
-    default_inputs, fly, Bounds, FlightInput, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS, OUTPUT_COUNT,
+    Bounds, FlightInput, FlightShot, Flown, INPUT_COUNT, INPUTS, OUTPUT_COUNT, OUTPUTS, default_inputs, fly,
 };

@@ -2,7 +2,7 @@
 
 use super::check::{check, never_lands};
 use super::shot::{FlightShot, INPUT_COUNT};
-use super::trajectory::{fly_to_ground, Flight, TOLERANCE};
+use super::trajectory::{Flight, TOLERANCE, fly_to_ground};
 use crate::error::ImpactError;
 use clubface_math::Vec3;
 

@@ -2,11 +2,11 @@
 
 use super::batch::{FlightBatch, HARMLESS};
 use super::check::{check, never_lands};
-use super::shot::{fly, FlightShot, INPUT_COUNT, OUTPUT_COUNT};
+use super::shot::{FlightShot, INPUT_COUNT, OUTPUT_COUNT, fly};
 use super::trajectory::TOLERANCE;
-use crate::columns::{Column, Reject, MOST_LANES};
+use crate::columns::{Column, MOST_LANES, Reject};
 use crate::error::ImpactError;
-use clubface_math::{dispatch, Dual, Kernel, Lanes, Mask};
+use clubface_math::{Dual, Kernel, Lanes, Mask, dispatch};
 use core::ops::Range;
 
 /// Derivatives of a pass: those by a launch, velocity and spin, take one.

@@ -1,10 +1,10 @@
 //! Exact derivatives of a flight with respect to every input, by dual numbers through the same code.
 
 use super::check::{check, never_lands};
-use super::shot::{fly, FlightShot, INPUT_COUNT, OUTPUT_COUNT};
+use super::shot::{FlightShot, INPUT_COUNT, OUTPUT_COUNT, fly};
 use super::trajectory::TOLERANCE;
 use crate::error::ImpactError;
-use clubface_math::{dispatch, Dual, Kernel, Lanes, Mask, Scalar};
+use clubface_math::{Dual, Kernel, Lanes, Mask, Scalar, dispatch};
 
 /// Outputs of one shot and their derivatives.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! Everything that goes into one flight and comes out of it, as tables and as one generic function.
 
-use super::air::{density, viscosity, DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT_TEMPERATURE};
-use super::ground::{run, Ground};
-use super::trajectory::{fly_to_ground, Air, Flight, Landing};
+use super::air::{DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT_TEMPERATURE, density, viscosity};
+use super::ground::{Ground, run};
+use super::trajectory::{Air, Flight, Landing, fly_to_ground};
 use crate::ball::Ball;
-use crate::quantity::{known, quantities, Quantity};
+use crate::quantity::{Quantity, known, quantities};
 use clubface_math::{Scalar, Vec3};
 use core::f64::consts::PI;
 

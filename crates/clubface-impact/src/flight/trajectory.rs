@@ -8,7 +8,7 @@
 use super::aerodynamics::{air_load, drag_coefficient, held_spin_parameter, outside_fit, spin_parameter};
 use super::event::Step;
 use crate::ball::Ball;
-use clubface_math::ode::{integrate, Control, Observer, System, DORMAND_PRINCE};
+use clubface_math::ode::{Control, DORMAND_PRINCE, Observer, System, integrate};
 use clubface_math::{Mask, Scalar, Vec3};
 use core::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! One shot with exact derivatives, by dual numbers through the same code.
 
-use super::run::{Run, MOST_PARAMETERS};
+use super::run::{MOST_PARAMETERS, Run};
 use crate::check::{check, check_approach, check_parameters, unseparated};
 use crate::contact::Unrecorded;
 use crate::description::FromValues;
@@ -10,7 +10,7 @@ use crate::impact::{Accuracy, Impact};
 use crate::launch::OUTPUT_COUNT;
 use crate::model::Describe;
 use crate::shot::INPUT_COUNT;
-use clubface_math::{dispatch, Computation, Dual, Kernel, Lanes, Mask, Scalar};
+use clubface_math::{Computation, Dual, Kernel, Lanes, Mask, Scalar, dispatch};
 use core::marker::PhantomData;
 
 /// A shot and what to differentiate it by.

@@ -1,11 +1,11 @@
 //! Launches of many shots, in packs as wide as the CPU has them.
 
-use super::run::{Run, MOST_PARAMETERS};
+use super::run::{MOST_PARAMETERS, Run};
 use crate::check::{
     check_approach, check_delivery, check_equipment, check_parameters, good_delivery, good_parameters,
     unseparated,
 };
-use crate::columns::{gather, gather_into, Column, Reject, Shots, MOST_LANES};
+use crate::columns::{Column, MOST_LANES, Reject, Shots, gather, gather_into};
 use crate::contact::Unrecorded;
 use crate::description::{FromValues, ModelInfo};
 use crate::error::ImpactError;
@@ -13,7 +13,7 @@ use crate::first_touch::FirstTouch;
 use crate::impact::Impact;
 use crate::model::Describe;
 use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
-use clubface_math::{dispatch, Computation, Kernel, Lanes, Mask, Scalar};
+use clubface_math::{Computation, Kernel, Lanes, Mask, Scalar, dispatch};
 use core::marker::PhantomData;
 use core::ops::Range;
 
@@ -22,11 +22,7 @@ pub fn launches<M: Describe>(shots: &Shots, rows: Range<usize>, outputs: &mut [&
     // A pack costs more than one shot alone.
     let packs = M::INFO.lanes && rows.len() > 1;
     let kernel = Launches { model: PhantomData::<M>, shots, rows, outputs };
-    if packs {
-        dispatch(kernel)
-    } else {
-        kernel.run::<f64>()
-    }
+    if packs { dispatch(kernel) } else { kernel.run::<f64>() }
 }
 
 struct Launches<'a, 'b, M> {

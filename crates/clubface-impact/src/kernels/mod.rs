@@ -6,6 +6,6 @@ mod derivatives;
 mod launches;
 mod run;
 
-pub use derivatives::{derivatives, Differentiated};
+pub use derivatives::{Differentiated, derivatives};
 pub use launches::launches;
-pub use run::{history, MOST_PARAMETERS};
+pub use run::{MOST_PARAMETERS, history};

@@ -1,7 +1,7 @@
 //! Adjusted impulse-momentum model of Danaei et al.: extra clubhead mass and a displaced ball CG (Caldwell and McPhee,
 //! section 2.1.1).
 
-use super::impulse::{restitution, solve, Restitution};
+use super::impulse::{Restitution, restitution, solve};
 use crate::contact::Recorder;
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;

@@ -1,7 +1,7 @@
 //! Contact-area model of Arakawa (Caldwell and McPhee, section 2.2.3, Eqs. 17-21, letters as in the original work).
 
 use super::hertz;
-use crate::contact::{run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID, SOLID_GIVING};
+use crate::contact::{ContactLaw, Indentation, RECORDED_SOLID, Recorder, SOLID, SOLID_GIVING, Sliding, run};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};

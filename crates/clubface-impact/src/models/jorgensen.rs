@@ -1,6 +1,6 @@
 //! Jorgensen's theory of spin with a compression factor (Roh and Lee, section 3.1), carried into three dimensions.
 
-use super::impulse::{restitution, solve, Restitution};
+use super::impulse::{Restitution, restitution, solve};
 use crate::contact::Recorder;
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::{FirstTouch, Motion};
@@ -28,8 +28,7 @@ impl Describe for Jorgensen<()> {
         name: "jorgensen",
         title: "Jorgensen's compression factor",
         kind: ModelKind::Impulse,
-        summary:
-            "The standard model's normal part; rolling along the face reduced by the ball's compression. \
+        summary: "The standard model's normal part; rolling along the face reduced by the ball's compression. \
                   It does not keep angular momentum.",
         reference: "Roh and Lee, section 3.1, Eqs. 4-6, after Jorgensen",
         laws: &[Law::Momentum],

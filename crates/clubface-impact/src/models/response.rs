@@ -26,11 +26,9 @@ impl Describe for Response<()> {
         name: "response",
         title: "Response functions of the finite element ball",
         kind: ModelKind::Impulse,
-        summary:
-            "Restitution along the normal and along the face, and the lever of friction, as functions of the \
+        summary: "Restitution along the normal and along the face, and the lever of friction, as functions of the \
                   impact, regressed on runs of the finite element ball.",
-        reference:
-            "this project, after Roh and Lee (reversal of the tangential force, compression factor) and \
+        reference: "this project, after Roh and Lee (reversal of the tangential force, compression factor) and \
                     Caldwell and McPhee (2023) (impulses)",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,

@@ -3,18 +3,18 @@
 
 use super::hertz;
 use crate::contact::{
-    face, initial, motions, scales, Contact, ContactLaw, ContactPoint, Indentation, Recorder, RingFrame,
-    Separation, Sliding, CLUB_SPIN, RECORDED_SLIDING, SLIDING, VELOCITY,
+    CLUB_SPIN, Contact, ContactLaw, ContactPoint, Indentation, RECORDED_SLIDING, Recorder, RingFrame,
+    SLIDING, Separation, Sliding, VELOCITY, face, initial, motions, scales,
 };
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::face::tangents;
 use crate::first_touch::FirstTouch;
-use crate::giving_face::{possible, GivingFace};
+use crate::giving_face::{GivingFace, possible};
 use crate::impact::{Accuracy, Impact};
 use crate::model::{Describe, Model};
 use crate::parameters;
 use crate::rings::{Load, RingContact, RingMaterial, RingSteps};
-use clubface_math::ode::{integrate, Control, Method, Observer, System, BOGACKI_SHAMPINE, DORMAND_PRINCE};
+use clubface_math::ode::{BOGACKI_SHAMPINE, Control, DORMAND_PRINCE, Method, Observer, System, integrate};
 use clubface_math::{Dual, Mask, Scalar, Vec3};
 use core::cell::RefCell;
 use core::f64::consts::PI;

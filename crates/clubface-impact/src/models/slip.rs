@@ -1,7 +1,7 @@
 //! Variable-slip impulse-momentum model: Cross and Dewhurst's tangential restitution in 3D (Caldwell and McPhee,
 //! section 2.1.2).
 
-use super::impulse::{restitution, solve, Restitution};
+use super::impulse::{Restitution, restitution, solve};
 use crate::contact::Recorder;
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;

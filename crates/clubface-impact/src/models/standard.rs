@@ -1,7 +1,7 @@
 //! Standard impulse-momentum model: restitution along the normal, pure rolling along the face (Caldwell and McPhee,
 //! section 2.1).
 
-use super::impulse::{restitution, solve, Restitution};
+use super::impulse::{Restitution, restitution, solve};
 use crate::contact::Recorder;
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;

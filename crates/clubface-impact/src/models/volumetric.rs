@@ -2,7 +2,7 @@
 //! Gonthier and Brown.
 
 use crate::contact::{
-    run, ContactLaw, Core, Indentation, Recorder, Sliding, LAYERED, LAYERED_GIVING, RECORDED_LAYERED,
+    ContactLaw, Core, Indentation, LAYERED, LAYERED_GIVING, RECORDED_LAYERED, Recorder, Sliding, run,
 };
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
@@ -39,8 +39,7 @@ impl Describe for Volumetric<()> {
         name: "volumetric",
         title: "Two-layer ball, volumetric contact",
         kind: ModelKind::Contact,
-        summary:
-            "Normal force from the overlap volume, smooth Coulomb friction, a cover that twists on its core.",
+        summary: "Normal force from the overlap volume, smooth Coulomb friction, a cover that twists on its core.",
         reference: "Caldwell and McPhee (2023), section 2.2.1, Eqs. 12-13; parameters of Table 8",
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,

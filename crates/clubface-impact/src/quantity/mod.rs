@@ -5,7 +5,7 @@
 
 mod table;
 
-use crate::unit::{same, Dimension, Reading};
+use crate::unit::{Dimension, Reading, same};
 pub use table::QUANTITIES;
 
 /// One quantity.

@@ -134,9 +134,5 @@ pub fn exchange(matrix: &mut [f64], stride: usize, rings: usize, ring: usize, sc
 #[must_use]
 pub fn disc_displacement(a: f64, r: f64) -> f64 {
     let twice = 2.0 * a * a - r * r;
-    if r <= a {
-        PI / 2.0 * twice
-    } else {
-        twice * (a / r).asin() + a * (r * r - a * a).sqrt()
-    }
+    if r <= a { PI / 2.0 * twice } else { twice * (a / r).asin() + a * (r * r - a * a).sqrt() }
 }

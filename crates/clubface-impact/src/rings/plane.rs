@@ -4,8 +4,8 @@
 use super::contact::RingContact;
 use super::load::{Load, RingMaterial};
 use super::steps::RingSteps;
-use clubface_math::ode::{Method, System, BOGACKI_SHAMPINE};
 use clubface_math::Scalar;
+use clubface_math::ode::{BOGACKI_SHAMPINE, Method, System};
 use core::cell::RefCell;
 
 /// An elastic sphere that hits a rigid plane.

@@ -44,11 +44,7 @@ impl<S: Scalar> RingSteps<S> {
             distance * 2.0 / (rate - squared.sqrt())
         };
         let parts = (time.re() / self.longest.re()).ceil().max(1.0);
-        if parts.is_finite() {
-            time / parts
-        } else {
-            self.longest
-        }
+        if parts.is_finite() { time / parts } else { self.longest }
     }
 
     /// Penetration at the end of the next step but for its longest duration; a little below zero to separate.

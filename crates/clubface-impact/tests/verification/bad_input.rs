@@ -1,11 +1,11 @@
 //! Every fault names the input, its value and what is allowed.
 
 use crate::shots::*;
+use clubface_impact::Accuracy;
 use clubface_impact::check::{check, check_parameters, unseparated};
 use clubface_impact::fault::shown;
 use clubface_impact::sensitivity::sensitivity;
-use clubface_impact::shot::{INPUTS, INPUT_COUNT};
-use clubface_impact::Accuracy;
+use clubface_impact::shot::{INPUT_COUNT, INPUTS};
 use proptest::prelude::*;
 
 /// The fault that a driver's shot with these values has.

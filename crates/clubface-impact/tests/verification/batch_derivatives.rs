@@ -4,7 +4,7 @@ use crate::shots::*;
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::{Column, Reject};
 use clubface_impact::parallel::in_parallel;
-use clubface_impact::sensitivity::{sensitivity, Sensitivities, CHUNK};
+use clubface_impact::sensitivity::{CHUNK, Sensitivities, sensitivity};
 use clubface_impact::shot::INPUT_COUNT;
 use clubface_impact::{Accuracy, ImpactModel};
 

@@ -64,13 +64,8 @@ fn spoiled(inputs: Inputs, way: usize) -> Inputs {
 /// Shots of which some are spoiled.
 fn mixed() -> impl Strategy<Value = (Club, Vec<(Inputs, bool)>)> {
     prop_oneof![Just(Club::Driver), Just(Club::Iron)].prop_flat_map(|club| {
-        let one = (delivered(club), 0..20usize).prop_map(|(inputs, way)| {
-            if way < 5 {
-                (spoiled(inputs, way), true)
-            } else {
-                (inputs, false)
-            }
-        });
+        let one = (delivered(club), 0..20usize)
+            .prop_map(|(inputs, way)| if way < 5 { (spoiled(inputs, way), true) } else { (inputs, false) });
         (Just(club), prop::collection::vec(one, 1..20))
     })
 }

@@ -1,9 +1,9 @@
 //! Derivatives by dual numbers against central differences, for every input and parameter of every model.
 
 use crate::shots::*;
-use clubface_impact::launch::{OUTPUTS, OUTPUT_COUNT};
+use clubface_impact::launch::{OUTPUT_COUNT, OUTPUTS};
 use clubface_impact::sensitivity::sensitivity;
-use clubface_impact::shot::{INPUTS, INPUT_COUNT};
+use clubface_impact::shot::{INPUT_COUNT, INPUTS};
 use clubface_impact::{Accuracy, ImpactModel};
 
 /// Natural size of an input's change: what a difference is taken over, and a derivative multiplied by.

@@ -1,6 +1,6 @@
 //! The face as a surface: nearest point, normal, curvature, limits.
 
-use clubface_impact::face::{curvature, tangents, Face};
+use clubface_impact::face::{Face, curvature, tangents};
 use clubface_math::Vec3;
 use proptest::prelude::*;
 

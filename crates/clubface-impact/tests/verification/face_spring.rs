@@ -1,7 +1,7 @@
 //! The mass behind a face that gives, against its momenta and energy written out.
 
 use crate::shots::*;
-use clubface_impact::face_spring::{FaceSpring, COMPLIANCE, GUIDED_MASS};
+use clubface_impact::face_spring::{COMPLIANCE, FaceSpring, GUIDED_MASS};
 use clubface_impact::first_touch::{FirstTouch, Motion};
 use clubface_impact::guided_mass::GuidedMass;
 use clubface_math::Vec3;

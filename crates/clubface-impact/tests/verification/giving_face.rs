@@ -5,7 +5,7 @@ use crate::shots::*;
 use clubface_impact::face_spring::{COMPLIANCE, GUIDED_MASS};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::giving_face::GivingFace;
-use clubface_impact::{registry, Accuracy, ImpactModel};
+use clubface_impact::{Accuracy, ImpactModel, registry};
 
 const TIGHT: Accuracy = Accuracy::Tolerance(1e-10);
 /// Speed of the rules' test of restitution, m/s.

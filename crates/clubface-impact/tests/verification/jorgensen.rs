@@ -2,8 +2,8 @@
 
 use crate::rigid::Rigid;
 use crate::shots::*;
-use clubface_impact::models::jorgensen::compression_factor;
 use clubface_impact::Accuracy;
+use clubface_impact::models::jorgensen::compression_factor;
 use proptest::prelude::*;
 
 /// Roh and Lee's impact: a ball of 42.8 mm and 46 g, 35 m/s, 11.5 deg; head of 210 g and 1526 g cm2.

@@ -1,7 +1,7 @@
 //! The linearised contact force against differences of the force.
 
 use clubface_impact::contact::{
-    initial, Contact, ContactLaw, BALL_SPIN, CLUB_SPIN, POSITION, SOLID, VELOCITY,
+    BALL_SPIN, CLUB_SPIN, Contact, ContactLaw, POSITION, SOLID, VELOCITY, initial,
 };
 use clubface_impact::description::FromValues;
 use clubface_impact::first_touch::FirstTouch;
@@ -9,8 +9,8 @@ use clubface_impact::model::Describe;
 use clubface_impact::models::area::Area;
 use clubface_impact::models::volumetric::Volumetric;
 use clubface_impact::shot::INPUT_COUNT;
-use clubface_math::ode::{StiffSystem, System};
 use clubface_math::Vec3;
+use clubface_math::ode::{StiffSystem, System};
 
 const CLUB_MASS: f64 = 0.204;
 const BALL_MASS: f64 = 0.0459;

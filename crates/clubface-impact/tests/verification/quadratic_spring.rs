@@ -3,7 +3,7 @@
 
 use crate::shots::*;
 use clubface_impact::contact::{
-    run, ContactLaw, Indentation, Recorder, Sliding, RECORDED_SOLID, SOLID, SOLID_GIVING,
+    ContactLaw, Indentation, RECORDED_SOLID, Recorder, SOLID, SOLID_GIVING, Sliding, run,
 };
 use clubface_impact::description::{Law, ModelInfo, ModelKind};
 use clubface_impact::first_touch::FirstTouch;

@@ -2,10 +2,10 @@
 
 use clubface_impact::flight;
 use clubface_impact::launch::OUTPUTS;
-use clubface_impact::quantity::{quantity, QUANTITIES};
+use clubface_impact::quantity::{QUANTITIES, quantity};
 use clubface_impact::registry;
 use clubface_impact::shot::INPUTS;
-use clubface_impact::unit::{unit, DIMENSIONS, UNITS};
+use clubface_impact::unit::{DIMENSIONS, UNITS, unit};
 use std::collections::{HashMap, HashSet};
 
 #[test]

@@ -1,8 +1,8 @@
 //! Momentum, angular momentum, energy and relative velocity of an impact, worked out from its outputs.
 
-use crate::shots::{moves, parameter, Inputs, Outputs};
-use clubface_impact::first_touch::FirstTouch;
+use crate::shots::{Inputs, Outputs, moves, parameter};
 use clubface_impact::ImpactModel;
+use clubface_impact::first_touch::FirstTouch;
 use clubface_math::{Mat3, Vec3};
 
 /// An impact at one point in face axes, a left-hander's in the mirror.

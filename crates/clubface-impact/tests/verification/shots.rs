@@ -3,9 +3,9 @@
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::Column;
 use clubface_impact::error::ImpactError;
-use clubface_impact::launch::{OUTPUTS, OUTPUT_COUNT};
-use clubface_impact::shot::{INPUTS, INPUT_COUNT};
-use clubface_impact::{registry, Accuracy, ImpactModel, ModelKind};
+use clubface_impact::launch::{OUTPUT_COUNT, OUTPUTS};
+use clubface_impact::shot::{INPUT_COUNT, INPUTS};
+use clubface_impact::{Accuracy, ImpactModel, ModelKind, registry};
 use clubface_math::Vec3;
 use proptest::prelude::*;
 

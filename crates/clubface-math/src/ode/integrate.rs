@@ -2,7 +2,7 @@
 
 use super::problem::{Attempt, Method, System};
 use super::rate::rate_of;
-use super::step_size::{error_norm, Control, Last};
+use super::step_size::{Control, Last, error_norm};
 use crate::scalar::{Computation, Mask, Scalar};
 
 /// Sees every accepted step and says which lanes are done.

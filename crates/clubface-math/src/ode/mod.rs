@@ -10,8 +10,8 @@ mod rosenbrock;
 mod runge_kutta;
 mod step_size;
 
-pub use integrate::{integrate, Observer, Outcome};
+pub use integrate::{Observer, Outcome, integrate};
 pub use problem::{Attempt, Method, StiffSystem, System};
 pub use rosenbrock::Rosenbrock;
-pub use runge_kutta::{RungeKutta, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4};
+pub use runge_kutta::{BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4, RungeKutta};
 pub use step_size::Control;

@@ -5,7 +5,7 @@
 #![allow(clippy::excessive_precision)]
 
 use super::problem::{Attempt, Method, StiffSystem};
-use super::rate::{rate_of, Room};
+use super::rate::{Room, rate_of};
 use crate::scalar::Scalar;
 
 /// ROS34PW2: order 3(2), four stages, stiffly accurate, a W-method (J. Rang and L. Angermann, BIT 45, 2005, 761-787).

@@ -41,11 +41,7 @@ impl<const N: usize> Real for Dual<f64, N> {
     }
     #[inline(always)]
     fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut Dual<A, N>, part: usize) -> &mut A {
-        if part == 0 {
-            &mut of.value
-        } else {
-            &mut of.tangent[part - 1]
-        }
+        if part == 0 { &mut of.value } else { &mut of.tangent[part - 1] }
     }
     #[inline(always)]
     fn add_times(sum: &mut Dual<[f64; 4], N>, v: &Dual<[f64; 4], N>, s: f64) {
@@ -87,11 +83,7 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     type Quad = Dual<S::Four, N>;
     #[inline(always)]
     fn part(self, which: usize) -> S {
-        if which == 0 {
-            self.value
-        } else {
-            self.tangent[which - 1]
-        }
+        if which == 0 { self.value } else { self.tangent[which - 1] }
     }
     #[inline(always)]
     fn set_part(&mut self, which: usize, part: S) {

@@ -3,9 +3,9 @@
 use super::operators::primal_functions;
 use super::single::{single_four, single_part, single_quad, single_storage};
 use super::traits::{Lanes, Pack, Part, Row};
+use crate::Vec3;
 use crate::elementary::Primal;
 use crate::scalar::{Computation, Scalar};
-use crate::Vec3;
 
 impl Primal for f64 {
     #[inline(always)]
@@ -48,11 +48,7 @@ impl Scalar for f64 {
     }
     #[inline(always)]
     fn select(mask: bool, a: Self, b: Self) -> Self {
-        if mask {
-            a
-        } else {
-            b
-        }
+        if mask { a } else { b }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -3,9 +3,9 @@
 use super::operators::{primal_functions, primal_operators};
 use super::single::{single_four, single_part, single_quad, single_storage};
 use super::traits::{Lanes, Pack, Part, Row};
-use crate::elementary::Primal;
-use crate::scalar::{operators, Computation, Mask, Scalar};
 use crate::Vec3;
+use crate::elementary::Primal;
+use crate::scalar::{Computation, Mask, Scalar, operators};
 use core::arch::wasm32::*;
 use core::ops::Neg;
 
@@ -90,11 +90,7 @@ impl Scalar for F64x2 {
     }
     #[inline(always)]
     fn lane(self, index: usize) -> f64 {
-        if index == 0 {
-            f64x2_extract_lane::<0>(self.0)
-        } else {
-            f64x2_extract_lane::<1>(self.0)
-        }
+        if index == 0 { f64x2_extract_lane::<0>(self.0) } else { f64x2_extract_lane::<1>(self.0) }
     }
     #[inline(never)]
     fn outline<C: Computation>(computation: C) -> C::Output {

@@ -1,6 +1,6 @@
 //! A pack gives in every lane the bits that the same numbers give alone, for every operation of `Scalar`.
 
-use clubface_math::{dispatch, with_lanes, Dual, Kernel, Lanes, Mask, Mat3, Quat, Scalar, Vec3};
+use clubface_math::{Dual, Kernel, Lanes, Mask, Mat3, Quat, Scalar, Vec3, dispatch, with_lanes};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,6 +1,6 @@
 //! Numbers in and out of packs.
 
-use clubface_math::{with_lanes, Dual, Pack, PackKernel, Part, Real, Row, Scalar};
+use clubface_math::{Dual, Pack, PackKernel, Part, Real, Row, Scalar, with_lanes};
 
 type Number = Dual<f64, 2>;
 

@@ -1,6 +1,6 @@
 //! Heads of shells: the parametric driver as a mesh, mass properties of any mesh.
 
-use super::inputs::{any_head, error_of, AnyHead};
+use super::inputs::{AnyHead, any_head, error_of};
 use clubface_fem::element::{Isotropic, ShellMaterial};
 use clubface_fem::head::Driver;
 use clubface_fem::mesh::{

@@ -1,12 +1,12 @@
 //! Balls, heads and runs as Python describes them.
 
+use clubface_fem::FemError;
 use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::contact::Grooves;
-use clubface_fem::element::{Element, Isotropic, Rule, ShellMaterial, DEFAULT_POINTS};
+use clubface_fem::element::{DEFAULT_POINTS, Element, Isotropic, Rule, ShellMaterial};
 use clubface_fem::head::{DeformableHead, ShellHead, ShellPart, SolidHead};
-use clubface_fem::material::{law_from_name, Hardening, Hencky, Material, Maxwell, VonMises};
+use clubface_fem::material::{Hardening, Hencky, Material, Maxwell, VonMises, law_from_name};
 use clubface_fem::mesh::{ShellMesh, SolidMesh};
-use clubface_fem::FemError;
 use clubface_math::Vec3;
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
@@ -164,11 +164,7 @@ fn groups_of<const N: usize>(values: &PyReadonlyArray1<'_, u32>) -> PyResult<Vec
 
 fn one_mesh(fits: bool) -> PyResult<()> {
     let error = || PyValueError::new_err(("mesh of the head", "", "its arrays must belong to one mesh"));
-    if fits {
-        Ok(())
-    } else {
-        Err(error())
-    }
+    if fits { Ok(()) } else { Err(error()) }
 }
 
 pub(super) fn any_head(values: &AnyHead<'_>) -> PyResult<Box<dyn DeformableHead<f64>>> {

@@ -1,6 +1,6 @@
 //! What a metal and a wall of it are to the solver, for those who write them down for others.
 
-use super::inputs::{error_of, hardening_of, PlasticValues};
+use super::inputs::{PlasticValues, error_of, hardening_of};
 use clubface_fem::element::Rule;
 use pyo3::prelude::*;
 

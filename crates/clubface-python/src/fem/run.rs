@@ -1,10 +1,10 @@
 //! Runs a simulation, and returns its result to Python.
 
 use super::element_fields::ElementFields;
-use super::inputs::{error_of, RunValues};
+use super::inputs::{RunValues, error_of};
+use clubface_fem::FemError;
 use clubface_fem::contact::ContactMethod;
 use clubface_fem::solve::{Options, Simulation, SimulationResult, Snapshot};
-use clubface_fem::FemError;
 use clubface_impact::first_touch::FirstTouch;
 use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::exceptions::PyValueError;

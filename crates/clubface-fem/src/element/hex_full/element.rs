@@ -8,7 +8,7 @@
 
 use crate::block::BLOCK;
 use crate::material::{cross, dot};
-use crate::mesh::{base_vectors, signs, CORNERS};
+use crate::mesh::{CORNERS, base_vectors, signs};
 use clubface_math::{Mat3, Pack, Scalar, Vec3};
 
 /// Points of integration.

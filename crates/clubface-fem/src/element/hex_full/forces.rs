@@ -1,11 +1,11 @@
 //! Stress and forces of a patch of fully integrated hexahedra in a step. The change of volume acts on an element as a
 //! whole, apart from the stress at its points.
 
-use super::element::{Forces, Hexahedron, Point, POINTS};
+use super::element::{Forces, Hexahedron, POINTS, Point};
 use super::patch::FullPatch;
 use crate::block::BLOCK;
 use crate::element::patch::Ratios;
-use crate::material::{times, Deformation, Points, StateVariables, StressStage, Symmetric};
+use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric, times};
 use crate::mesh::CORNERS;
 use clubface_math::{Mat3, Pack, PackKernel, Real};
 

@@ -1,12 +1,12 @@
 //! What the solver asks of patches of fully integrated hexahedra: energies, and stress and strain as averages over
 //! their points.
 
-use super::element::{reference_volume, Point, POINTS};
+use super::element::{POINTS, Point, reference_volume};
 use super::forces::{AssembleForces, ElementPoints};
 use super::patch::FullPatch;
 use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
-use crate::element::output::{logarithmic, ElementOutput, OutputSink};
+use crate::element::output::{ElementOutput, OutputSink, logarithmic};
 use crate::element::patch::{Energy, Patch};
 use crate::material::{EnergyPoints, Kinematics, PointEnergy, Symmetric};
 use clubface_math::{Pack, PackKernel, Real, Row};

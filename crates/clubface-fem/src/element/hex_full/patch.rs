@@ -1,10 +1,10 @@
 //! Patches of fully integrated hexahedra of one material: their data.
 
-use super::element::{constants, Hexahedron, CONSTANTS, POINTS};
+use super::element::{CONSTANTS, Hexahedron, POINTS, constants};
 use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::material::{Material, StateVariables, Updates};
-use crate::mesh::{SolidMesh, CORNERS};
+use crate::mesh::{CORNERS, SolidMesh};
 use clubface_math::{Pack, Real, Row, Vec3};
 use std::collections::HashMap;
 

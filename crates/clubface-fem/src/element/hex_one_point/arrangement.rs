@@ -42,11 +42,7 @@ pub const QUAD: usize = 4;
 /// does not exist.
 pub fn unbroken(shape: [usize; 3]) -> usize {
     let [ni, nj, _] = shape;
-    if ni.is_multiple_of(QUAD) {
-        ni
-    } else {
-        ((ni + 1) * nj).next_multiple_of(BLOCK)
-    }
+    if ni.is_multiple_of(QUAD) { ni } else { ((ni + 1) * nj).next_multiple_of(BLOCK) }
 }
 
 /// Nodes of a lattice of elements, given by their corners, row by row and plane by plane; and the element in every

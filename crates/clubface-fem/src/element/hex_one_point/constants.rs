@@ -1,8 +1,8 @@
 //! What a hexahedron with one integration point keeps of its undeformed shape.
 
-use super::numbers::{constants, Block, Lines, MEAN, SHAPE, SKEW, STIFFNESSES, VOLUME};
+use super::numbers::{Block, Lines, MEAN, SHAPE, SKEW, STIFFNESSES, VOLUME, constants};
 use super::sameness::{alike, keeps_shape, similar};
-use crate::block::{Eight, BLOCK};
+use crate::block::{BLOCK, Eight};
 use crate::mesh::CORNERS;
 use clubface_math::{Pack, Part, Real, Vec3};
 use std::marker::PhantomData;

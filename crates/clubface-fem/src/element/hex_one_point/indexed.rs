@@ -1,8 +1,8 @@
 //! Elements in any arrangement: the corners of a pack are gathered from the nodes one by one.
 
 use super::constants::{Constants, Shapes};
-use super::element::{spread, sums, Face, Hexahedron, Visitor};
-use super::stress::{on_bases, Run, Stress, RUN};
+use super::element::{Face, Hexahedron, Visitor, spread, sums};
+use super::stress::{RUN, Run, Stress, on_bases};
 use crate::block::BLOCK;
 use crate::mesh::CORNERS;
 use clubface_math::{Pack, Real, Row, Vec3};
@@ -108,7 +108,7 @@ impl<R: Real> Indexed<R> {
     }
 
     /// The first lane and the number of packs of each run.
-    fn runs<P: Pack<Real = R>>(&self) -> impl Iterator<Item = (usize, usize)> {
+    fn runs<P: Pack<Real = R>>(&self) -> impl Iterator<Item = (usize, usize)> + use<P, R> {
         let packs = self.corners.len() * BLOCK / P::LANES;
         (0..packs).step_by(RUN).map(move |pack| (pack * P::LANES, RUN.min(packs - pack)))
     }

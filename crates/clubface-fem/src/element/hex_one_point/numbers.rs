@@ -1,7 +1,7 @@
 //! The numbers that a hexahedron with one integration point keeps of its undeformed shape.
 
 use crate::block::Eight;
-use crate::mesh::{base_vectors, signs, CORNERS};
+use crate::mesh::{CORNERS, base_vectors, signs};
 use clubface_math::{Mat3, Real, Scalar, Vec3};
 
 /// Numbers of an element's shape: `J^-1 / 8` (rows of base vectors, upper triangle), the negative of each hourglass

@@ -6,7 +6,7 @@ use super::patch::SolidPatch;
 use super::stress::RUN;
 use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
-use crate::element::output::{logarithmic, ElementOutput, OutputSink};
+use crate::element::output::{ElementOutput, OutputSink, logarithmic};
 use crate::element::patch::{Energy, Ratios};
 use crate::material::{
     EnergyPoints, Kinematics, PointEnergy, Points, StateVariables, StressStage, Symmetric,

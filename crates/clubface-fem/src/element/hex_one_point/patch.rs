@@ -10,7 +10,7 @@ use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::parts;
 use crate::material::{Material, StateVariables, Updates};
-use crate::mesh::{SolidMesh, CORNERS};
+use crate::mesh::{CORNERS, SolidMesh};
 use clubface_math::{Pack, Real, Row};
 use std::ops::Range;
 

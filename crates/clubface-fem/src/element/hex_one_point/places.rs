@@ -2,8 +2,8 @@
 //!
 //! A pack is made of quads, packs of at most four lanes, whose elements follow each other in a row.
 
-use super::arrangement::{unbroken, QUAD};
-use super::element::{spread, sums, Face, Sums};
+use super::arrangement::{QUAD, unbroken};
+use super::element::{Face, Sums, spread, sums};
 use crate::element::field::Field;
 use clubface_math::{Pack, Real, Scalar};
 

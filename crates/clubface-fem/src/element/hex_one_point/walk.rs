@@ -1,11 +1,11 @@
 //! The way of packs of elements through a lattice: from the positions of its nodes to the forces on them.
 
 use super::constants::{Constants, Shapes};
-use super::element::{empty, Component, Hexahedron, Sums};
+use super::element::{Component, Hexahedron, Sums, empty};
 use super::numbers::Block;
 use super::passes::{in_passes, part, set_part};
-use super::places::{add, side, Places, Quads};
-use super::stress::{on_bases, Run, Stress, RUN};
+use super::places::{Places, Quads, add, side};
+use super::stress::{RUN, Run, Stress, on_bases};
 use crate::block::BLOCK;
 use crate::element::field::Field;
 use crate::material::Symmetric;

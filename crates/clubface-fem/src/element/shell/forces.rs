@@ -1,7 +1,7 @@
 //! Forces of a patch of shells in a step.
 
 use super::modes::CORNERS;
-use super::patch::{gather, ShellPatch};
+use super::patch::{ShellPatch, gather};
 use super::quadrilateral::{Across, Quadrilateral, Resultants};
 use super::response::Response;
 use super::section::{ElasticSection, Section, SectionResponse};

@@ -1,7 +1,7 @@
 //! What the solver asks of patches of shells: energies, and stress and strain on their sides.
 
 use super::forces::AssembleForces;
-use super::patch::{gather, ShellPatch};
+use super::patch::{ShellPatch, gather};
 use super::quadrilateral::{Across, Quadrilateral};
 use super::response::Response;
 use super::section::Section;

@@ -2,7 +2,7 @@
 
 use super::material::ShellMaterial;
 use super::quadrilateral::Increment;
-use super::section::{Section, SectionResponse, ACROSS};
+use super::section::{ACROSS, Section, SectionResponse};
 use crate::material::{Hardening, Numbers, PlaneState, PlaneStress};
 use clubface_math::{Pack, Real};
 

@@ -12,6 +12,6 @@ mod response;
 mod section;
 
 pub use material::ShellMaterial;
-pub use patch::{ShellPatch, ShellRows, SHELL_PATCH};
-pub use quadrature::{Rule, DEFAULT_POINTS, MAX_POINTS};
+pub use patch::{SHELL_PATCH, ShellPatch, ShellRows};
+pub use quadrature::{DEFAULT_POINTS, MAX_POINTS, Rule};
 pub use section::Isotropic;

@@ -9,7 +9,7 @@ use super::material::ShellMaterial;
 use super::modes::CORNERS;
 use super::quadrature::Rule;
 use super::section::ElasticSection;
-use crate::block::{Eight, BLOCK};
+use crate::block::{BLOCK, Eight};
 use crate::material::eight_alike;
 use crate::mesh::ShellMesh;
 use clubface_math::{Pack, Real, Row, Vec3};

@@ -86,9 +86,5 @@ fn root(n: usize, mut x: f64, step: fn([f64; 3]) -> f64) -> f64 {
         x -= step(legendre(n, x));
     }
     // The one in the middle to the last bit.
-    if x.abs() < 1e-15 {
-        0.0
-    } else {
-        x
-    }
+    if x.abs() < 1e-15 { 0.0 } else { x }
 }

@@ -15,8 +15,8 @@
 //! Membrane strain increments are differences of squared lengths, and the others are exact to the second order in the
 //! rotation of a step, so that rigid motion makes no stress.
 
-use super::modes::{inner, less, less_f64, plus, times, times_f64, turned, Flat, Modes, CORNERS};
-use crate::material::{cross, dot, Symmetric};
+use super::modes::{CORNERS, Flat, Modes, inner, less, less_f64, plus, times, times_f64, turned};
+use crate::material::{Symmetric, cross, dot};
 use clubface_math::{Mat3, Pack, Vec3};
 
 /// Stabilised modes: the hourglass modes (membrane along both axes, rotation along both, shear along both pairs of

@@ -18,11 +18,7 @@ impl<'a, P: Pack> Response<'a, P> {
     /// Of a material with some points (places from -1 to 1, weights whose sum is 2), or none.
     #[inline(always)]
     pub fn new(points: &'a [(f64, f64)], material: &ShellMaterial<P::Real>) -> Self {
-        if points.is_empty() {
-            Self::Elastic
-        } else {
-            Self::Points(Layers::new(points, material))
-        }
+        if points.is_empty() { Self::Elastic } else { Self::Points(Layers::new(points, material)) }
     }
     /// Plane stress on the outer and the inner side, Pa, and the largest equivalent plastic strain.
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! The section of a shell: from strain increments to stress resultants through the thickness.
 
-use super::quadrilateral::{Across, Increment, HOURGLASS};
+use super::quadrilateral::{Across, HOURGLASS, Increment};
 use crate::material::Numbers;
 use clubface_math::{Pack, Scalar};
 

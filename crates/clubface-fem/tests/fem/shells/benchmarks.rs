@@ -1,6 +1,6 @@
 //! Published problems for shells, solved by letting the body come to rest.
 
-use super::support::{surface, Body, Freedom};
+use super::support::{Body, Freedom, surface};
 use crate::support::Loads;
 use clubface_fem::element::{Isotropic, ShellMaterial};
 use clubface_math::Vec3;

@@ -2,6 +2,7 @@
 
 use crate::first_touch::delivered;
 use crate::support::{bits, momenta, on_threads, piece, step};
+use clubface_fem::FemError;
 use clubface_fem::ball::BallConstruction;
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::element::Element;
@@ -10,7 +11,6 @@ use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::{Hencky, Material, Maxwell, NeoHookean};
 use clubface_fem::mesh::DriverFineness;
 use clubface_fem::solve::{Options, Simulation, SimulationResult};
-use clubface_fem::FemError;
 use clubface_math::Vec3;
 
 /// A rubber ball of few elements.
@@ -114,10 +114,10 @@ fn the_force_does_not_come_and_go_with_the_steps() {
     // What changes its sign from step to step, over some steps: 0.9% as nodes of so coarse a ball arrive, 2.4% with a
     // ball that rests as a whole.
     let zigzags = forces.windows(9).map(|some| {
-        let signed =
-            some.windows(2)
-                .enumerate()
-                .map(|(i, pair)| if i % 2 == 0 { pair[1] - pair[0] } else { pair[0] - pair[1] });
+        let signed = some
+            .windows(2)
+            .enumerate()
+            .map(|(i, pair)| if i % 2 == 0 { pair[1] - pair[0] } else { pair[0] - pair[1] });
         signed.sum::<f64>().abs() / 8.0
     });
     let zigzag = zigzags.fold(0.0, f64::max);

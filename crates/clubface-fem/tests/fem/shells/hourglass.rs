@@ -1,6 +1,6 @@
 //! What a single shell resists with in the modes that its point does not see: those of a rectangle.
 
-use super::support::{patch, rows, surface, POISSON, YOUNG};
+use super::support::{POISSON, YOUNG, patch, rows, surface};
 use clubface_math::{Row, Vec3};
 
 const SIDES: [f64; 2] = [0.004, 0.006];

@@ -1,6 +1,6 @@
 //! Rigid motion and states of uniform strain.
 
-use super::support::{largest, patch, patch_of, plate, rows, titanium, POISSON, YOUNG};
+use super::support::{POISSON, YOUNG, largest, patch, patch_of, plate, rows, titanium};
 use crate::support::Random;
 use clubface_fem::element::Patch;
 use clubface_fem::material::Hardening;

@@ -1,7 +1,7 @@
 //! Natural frequencies of square plates.
 
-use super::support::{plate, titanium, Body, DENSITY, POISSON, YOUNG};
-use crate::support::{period_of, Loads};
+use super::support::{Body, DENSITY, POISSON, YOUNG, plate, titanium};
+use crate::support::{Loads, period_of};
 use clubface_math::{Row, Vec3};
 use std::f64::consts::{PI, TAU};
 

@@ -1,7 +1,7 @@
 //! Plates of shells, and what the checks do with them.
 
 use crate::support::Loads;
-use clubface_fem::element::{parts, Isotropic, Kernels, Patch, ShellMaterial, ShellRows, SHELL_PATCH};
+use clubface_fem::element::{Isotropic, Kernels, Patch, SHELL_PATCH, ShellMaterial, ShellRows, parts};
 use clubface_fem::environment::Environment;
 use clubface_fem::mesh::ShellMesh;
 use clubface_fem::solve::Structure;

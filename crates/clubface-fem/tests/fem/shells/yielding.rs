@@ -1,6 +1,6 @@
 //! Shells that yield, against closed forms of plasticity.
 
-use super::support::{patch_of, plate, rows, titanium, Body, DENSITY, YOUNG};
+use super::support::{Body, DENSITY, YOUNG, patch_of, plate, rows, titanium};
 use crate::support::{Loads, Random};
 use clubface_fem::element::{Isotropic, Patch, Rule, ShellMaterial};
 use clubface_fem::material::{Hardening, PlaneState, PlaneStress, Symmetric};

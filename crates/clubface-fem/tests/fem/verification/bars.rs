@@ -1,6 +1,6 @@
 //! A slender bar: period of its longitudinal vibration, and its stroke against a wall (Saint-Venant).
 
-use crate::support::{block, elastic, masses, period, step, structure, ELEMENTS, SPRING};
+use crate::support::{ELEMENTS, SPRING, block, elastic, masses, period, step, structure};
 use clubface_fem::contact::{Contact, Plane, RigidContact};
 use clubface_fem::element::Element;
 use clubface_math::{Row, Vec3};

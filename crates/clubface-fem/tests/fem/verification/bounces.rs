@@ -1,14 +1,14 @@
 //! Balls on a rigid plane: Hertz's contact, the limits of friction, and the reference case of three independent
 //! solvers.
 
-use super::thrown::{bounce, Bounce};
-use crate::support::{elastic, masses, outside, piece, structure, SPRING};
+use super::thrown::{Bounce, bounce};
+use crate::support::{SPRING, elastic, masses, outside, piece, structure};
 use clubface_fem::ball::BallConstruction;
 use clubface_fem::contact::PenaltySprings;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{Material, MooneyRivlin};
-use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_fem::solve::Structure;
 use clubface_math::{Mat3, Vec3};
 

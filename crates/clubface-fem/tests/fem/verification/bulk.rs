@@ -1,7 +1,7 @@
 //! Bulk viscosity: breathing that dies away as that of a damped oscillator does, and work that is what the pressure
 //! does.
 
-use crate::support::{block, elastic, rows, step, structure, Loads, ELEMENTS};
+use crate::support::{ELEMENTS, Loads, block, elastic, rows, step, structure};
 use clubface_fem::material::Material;
 use clubface_math::Vec3;
 

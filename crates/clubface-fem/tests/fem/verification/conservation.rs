@@ -1,13 +1,13 @@
 //! What a free ball keeps, and what a ball and a rigid head keep.
 
 use crate::first_touch::touch;
-use crate::support::{elastic, momenta, piece, step, structure, Loads, Random, ELEMENTS};
+use crate::support::{ELEMENTS, Loads, Random, elastic, momenta, piece, step, structure};
 use clubface_fem::ball::BallConstruction;
 use clubface_fem::cases::ball_against_rigid_head;
 use clubface_fem::element::Element;
 use clubface_fem::environment::Environment;
 use clubface_fem::material::Maxwell;
-use clubface_fem::mesh::{cubed_sphere, Fineness, SolidMesh};
+use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_fem::solve::{Options, Simulation, Structure};
 use clubface_math::{Row, Vec3};
 

@@ -1,7 +1,7 @@
 //! Exact identities of elements: patch test, rigid motion, forces as derivatives of energy, packs of any width.
 
 use crate::support::{
-    block, distorted_cube, elastic, forces, largest, patches, rows, structure, Loads, Random, ELEMENTS,
+    ELEMENTS, Loads, Random, block, distorted_cube, elastic, forces, largest, patches, rows, structure,
 };
 use clubface_fem::element::{Element, Energy};
 use clubface_fem::material::{Material, Maxwell, MooneyRivlin};

@@ -1,6 +1,6 @@
 //! Stress and strain in elements, against the forces they exert and closed forms.
 
-use crate::support::{distorted_cube, elastic, patches, rows, Random, ELEMENTS};
+use crate::support::{ELEMENTS, Random, distorted_cube, elastic, patches, rows};
 use clubface_fem::element::{ElementOutput, Patch};
 use clubface_fem::material::{Deformation, Hardening, Material, Maxwell, MooneyRivlin, Symmetric, VonMises};
 use clubface_math::{Mat3, Row};

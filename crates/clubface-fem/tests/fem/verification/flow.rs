@@ -1,7 +1,7 @@
 //! Metal that yields: at a point, and in bodies.
 
 use super::thrown::bounce;
-use crate::support::{block, forces, outside, patches, rows, structure, Random, ELEMENTS, SPRING};
+use crate::support::{ELEMENTS, Random, SPRING, block, forces, outside, patches, rows, structure};
 use clubface_fem::material::{
     Hardening, Kinematics, Material, PlaneState, PlaneStress, PlasticState, VonMises,
 };

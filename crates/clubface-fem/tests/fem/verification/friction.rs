@@ -1,6 +1,6 @@
 //! Friction of a rigid sphere: sticking on the springs of the contact, and rolling at last.
 
-use crate::support::{rows, SPRING};
+use crate::support::{SPRING, rows};
 use clubface_fem::contact::{Contact, RigidContact, RigidSurface, TANGENTIAL_STIFFNESS};
 use clubface_impact::first_touch::Motion;
 use clubface_math::Vec3;

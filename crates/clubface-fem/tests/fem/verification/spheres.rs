@@ -1,8 +1,8 @@
 //! Natural frequencies of a free elastic sphere (Lamb, Proc. London Math. Soc. 13, 1882).
 
-use crate::support::{elastic, period, root, structure, ELEMENTS};
+use crate::support::{ELEMENTS, elastic, period, root, structure};
 use clubface_fem::element::Element;
-use clubface_fem::mesh::{cubed_sphere, Fineness};
+use clubface_fem::mesh::{Fineness, cubed_sphere};
 use clubface_math::Vec3;
 
 const RADIUS: f64 = 0.02;
@@ -35,11 +35,7 @@ fn speeds(poisson: f64) -> (f64, f64) {
 
 /// Elements to look at: the fully integrated one where material is nearly incompressible, since it takes its time.
 fn at(poisson: f64) -> &'static [Element] {
-    if poisson > 0.44 {
-        &ELEMENTS
-    } else {
-        &ELEMENTS[..1]
-    }
+    if poisson > 0.44 { &ELEMENTS } else { &ELEMENTS[..1] }
 }
 
 /// Period in the mesh and in theory, s, of a mode with circular frequency `w` and velocities `mode`.

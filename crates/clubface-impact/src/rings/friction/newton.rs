@@ -3,7 +3,7 @@
 use super::planes::{eights, product};
 use super::state::{Effort, Friction};
 use crate::rings::influence::exchange;
-use clubface_math::{dispatch, Kernel, Lanes};
+use clubface_math::{Kernel, Lanes, dispatch};
 
 /// Largest accepted error of a traction, in units of mu p0: that of y_j against the projection of y_j - s_j/M_jj on the
 /// disc of radius b_j, which is zero for the exact solution and for it alone.
@@ -157,11 +157,7 @@ impl Friction {
             return Verdict::SetsChange;
         }
         let turn = turn.into_iter().fold(0.0, f64::max);
-        if turn > TOLERANCE {
-            Verdict::DirectionsTurn(turn)
-        } else {
-            Verdict::Solved
-        }
+        if turn > TOLERANCE { Verdict::DirectionsTurn(turn) } else { Verdict::Solved }
     }
 
     /// Lets sticking rings slip whose traction is beyond the bound, and slipping rings stick or turn whose slip

@@ -1,9 +1,9 @@
 //! Batches: the same bits as one shot alone, and an answer for every row.
 
-use super::{column, drive, flown, launch, with, INPUT_COUNT};
+use super::{INPUT_COUNT, column, drive, flown, launch, with};
 use clubface_impact::batch::CHUNK;
 use clubface_impact::columns::{Column, Reject};
-use clubface_impact::flight::{check, trajectory, FlightBatch, OUTPUT_COUNT};
+use clubface_impact::flight::{FlightBatch, OUTPUT_COUNT, check, trajectory};
 use clubface_impact::parallel::in_parallel;
 
 /// Shots from chips to drives, in all kinds of air, some with sidespin, some struck into the ground.

@@ -1,9 +1,9 @@
 //! Bounces and roll against closed forms of rigid impact and Penner's published points.
 
-use super::{assert_close, drive, launch, value, with, INPUT_COUNT};
+use super::{INPUT_COUNT, assert_close, drive, launch, value, with};
 use clubface_impact::ball::Ball;
 use clubface_impact::flight::aerodynamics::drag_coefficient;
-use clubface_impact::flight::ground::{bounce, restitution, roll, rolling_friction_of_stimp, run, Ground};
+use clubface_impact::flight::ground::{Ground, bounce, restitution, roll, rolling_friction_of_stimp, run};
 use clubface_impact::flight::trajectory::{Air, Flight, GRAVITY};
 use clubface_math::Vec3;
 use proptest::prelude::*;

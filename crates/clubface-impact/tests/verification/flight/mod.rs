@@ -7,7 +7,7 @@ mod physics;
 mod published;
 
 use clubface_impact::flight::trajectory::TOLERANCE;
-use clubface_impact::flight::{default_inputs, fly, FlightShot, Flown, INPUTS, INPUT_COUNT, OUTPUTS};
+use clubface_impact::flight::{FlightShot, Flown, INPUT_COUNT, INPUTS, OUTPUTS, default_inputs, fly};
 use core::f64::consts::PI;
 
 const MPH: f64 = 0.447_04;

@@ -1,15 +1,15 @@
 //! Steps, the place of an event within one, lanes and derivatives.
 
-use super::{assert_close, column, drive, flown, launch, with, INPUT_COUNT};
+use super::{INPUT_COUNT, assert_close, column, drive, flown, launch, with};
 use clubface_impact::ball::Ball;
 use clubface_impact::columns::Column;
 use clubface_impact::flight::event::Step;
 use clubface_impact::flight::trajectory::{Air, Flight, HEIGHT};
 use clubface_impact::flight::{
-    fly, sensitivity, FlightBatch, FlightSensitivities, FlightShot, INPUTS, OUTPUTS,
+    FlightBatch, FlightSensitivities, FlightShot, INPUTS, OUTPUTS, fly, sensitivity,
 };
-use clubface_math::ode::{Method, System, DORMAND_PRINCE};
-use clubface_math::{with_lanes, Vec3};
+use clubface_math::ode::{DORMAND_PRINCE, Method, System};
+use clubface_math::{Vec3, with_lanes};
 
 /// Chip, wedge, 7-iron, drive, drive in wind: different numbers of steps.
 fn mixed() -> [[f64; INPUT_COUNT]; 5] {

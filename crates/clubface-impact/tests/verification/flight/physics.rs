@@ -1,10 +1,10 @@
 //! Flight against closed forms and symmetry.
 
-use super::{assert_close, column, drive, flown, launch, value, with, INPUT_COUNT};
+use super::{INPUT_COUNT, assert_close, column, drive, flown, launch, value, with};
 use clubface_impact::ball::Ball;
-use clubface_impact::flight::aerodynamics::{air_load, drag_coefficient, LOWEST_SPIN_PARAMETER, SPIN_DECAY};
+use clubface_impact::flight::aerodynamics::{LOWEST_SPIN_PARAMETER, SPIN_DECAY, air_load, drag_coefficient};
 use clubface_impact::flight::air::viscosity;
-use clubface_impact::flight::trajectory::{fly_to_ground, Air, Flight, Landing, GRAVITY};
+use clubface_impact::flight::trajectory::{Air, Flight, GRAVITY, Landing, fly_to_ground};
 use clubface_math::Vec3;
 use core::f64::consts::PI;
 

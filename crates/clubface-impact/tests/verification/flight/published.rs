@@ -1,6 +1,6 @@
 //! Published figures: air, coefficients, carries.
 
-use super::{launch, value, YARD};
+use super::{YARD, launch, value};
 use clubface_impact::flight::aerodynamics::{drag_coefficient, lift_coefficient};
 use clubface_impact::flight::air::{density, pressure_at_altitude, saturation_pressure, viscosity};
 

@@ -1,6 +1,6 @@
 //! The influence matrices against closed forms of the elastic half-space.
 
-use clubface_impact::rings::influence::{disc_displacement, Influence};
+use clubface_impact::rings::influence::{Influence, disc_displacement};
 use std::f64::consts::PI;
 
 /// M applied to `q(r)` over the first m rings.

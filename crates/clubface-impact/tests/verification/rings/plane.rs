@@ -1,7 +1,7 @@
 //! A sphere on a rigid plane by concentric rings, against the solution of Maw, Barber and Fawcett.
 
-use clubface_impact::rings::plane::{Rebound, Resolution, Sphere};
 use clubface_impact::rings::RingMaterial;
+use clubface_impact::rings::plane::{Rebound, Resolution, Sphere};
 use clubface_math::{Dual, Scalar};
 use proptest::prelude::*;
 

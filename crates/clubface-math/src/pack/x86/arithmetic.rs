@@ -1,12 +1,12 @@
 //! Arithmetic of four numbers (AVX2) and of eight (AVX-512).
 
 use super::masks::{Mask4, Mask8};
+use crate::Pack;
 use crate::elementary::Primal;
 use crate::pack::operators::{primal_functions, primal_operators};
 use crate::pack::single::single_four;
 use crate::pack::traits::Lanes;
-use crate::scalar::{operators, Computation, Scalar};
-use crate::Pack;
+use crate::scalar::{Computation, Scalar, operators};
 use core::arch::x86_64::*;
 use core::ops::Neg;
 

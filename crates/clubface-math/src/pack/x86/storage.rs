@@ -88,11 +88,7 @@ impl Pack for F64x8 {
     fn quad(self, which: usize) -> F64x4 {
         // SAFETY: as above.
         F64x4(unsafe {
-            if which == 0 {
-                _mm512_castpd512_pd256(self.0)
-            } else {
-                _mm512_extractf64x4_pd::<1>(self.0)
-            }
+            if which == 0 { _mm512_castpd512_pd256(self.0) } else { _mm512_extractf64x4_pd::<1>(self.0) }
         })
     }
     #[inline(always)]

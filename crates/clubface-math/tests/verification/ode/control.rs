@@ -1,8 +1,8 @@
 //! Steps sized by the estimated error.
 
-use super::problems::{curves_at, distance, Curves, Linearization, Until};
+use super::problems::{Curves, Linearization, Until, curves_at, distance};
 use clubface_math::ode::{
-    integrate, Control, Method, Outcome, Rosenbrock, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4,
+    BOGACKI_SHAMPINE, Control, DORMAND_PRINCE, Method, Outcome, RK4, Rosenbrock, integrate,
 };
 
 const END: f64 = 10.0;

@@ -2,9 +2,9 @@
 
 use super::problems::Until;
 use clubface_math::ode::{
-    integrate, Control, Rosenbrock, StiffSystem, System, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4,
+    BOGACKI_SHAMPINE, Control, DORMAND_PRINCE, RK4, Rosenbrock, StiffSystem, System, integrate,
 };
-use clubface_math::{dispatch, Kernel, Lanes, Mask, Scalar};
+use clubface_math::{Kernel, Lanes, Mask, Scalar, dispatch};
 use proptest::prelude::*;
 
 /// State (t, x, v): a pendulum of natural frequency `pace` in a medium of strong friction `drag`, both 1/s.

@@ -1,7 +1,7 @@
 //! Order of convergence: halving the step divides the error by 2^order.
 
-use super::problems::{curves_at, distance, in_equal_steps, Curves, Linearization};
-use clubface_math::ode::{Method, Rosenbrock, System, BOGACKI_SHAMPINE, DORMAND_PRINCE, RK4};
+use super::problems::{Curves, Linearization, curves_at, distance, in_equal_steps};
+use clubface_math::ode::{BOGACKI_SHAMPINE, DORMAND_PRINCE, Method, RK4, Rosenbrock, System};
 
 const END: f64 = 3.0;
 

@@ -2,7 +2,7 @@
 //! solution.
 
 use super::problems::Until;
-use clubface_math::ode::{integrate, Control, Method, Rosenbrock, StiffSystem, System, DORMAND_PRINCE};
+use clubface_math::ode::{Control, DORMAND_PRINCE, Method, Rosenbrock, StiffSystem, System, integrate};
 
 /// z' = lambda z for a complex lambda = a + ib, as two real equations.
 struct Oscillator {

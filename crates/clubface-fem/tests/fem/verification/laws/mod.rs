@@ -6,8 +6,8 @@ mod gent;
 
 use crate::support::Random;
 use clubface_fem::material::{
-    from_table, law_from_name, times, Deformation, Entry, Law, Material, MaterialPoint, Maxwell,
-    MooneyRivlin, NeoHookean, Number, Points, Symmetric, Update, LAWS,
+    Deformation, Entry, LAWS, Law, Material, MaterialPoint, Maxwell, MooneyRivlin, NeoHookean, Number,
+    Points, Symmetric, Update, from_table, law_from_name, times,
 };
 use clubface_fem::materials;
 use clubface_math::{Dual, Mat3, Pack, PackKernel, Scalar, Vec3};
