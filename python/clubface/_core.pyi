@@ -58,6 +58,46 @@ def fly_sensitivities(
     threads: int = 0,
     progress: Callable[[int], object] | None = None,
 ) -> tuple[NDArray[float64], Problems]: ...
+
+class FemImpact:
+    """An impact by finite elements after its run, in SI units; every array is a copy."""
+
+    peak_force: float
+    peak_force_time: float
+    contact_time: float
+    tangential_max: float
+    tangential_min: float
+    reversal_time: float
+    spin_max: float
+    contraction: float
+    contraction_time: float
+    f_prime: float
+    f: float
+    energy_error: float
+    steps: int
+    step: float
+    safety: float
+    wall: float
+    over_edge: bool
+    ball_nodes: int
+    stopped: str | None
+    failed: bool
+    interrupted: bool
+    unfinished: bool
+    launch: NDArray[float64] | None
+    ball_velocity: NDArray[float64]
+    ball_spin: NDArray[float64]
+    axes: NDArray[float64]
+    attitude: NDArray[float64]
+    frame_velocity: NDArray[float64]
+    contact: dict[str, NDArray[float64]]
+    motion: dict[str, NDArray[float64]]
+    energy: dict[str, NDArray[float64]]
+    patch: dict[str, NDArray[float64]]
+    frame_times: NDArray[float64]
+    frames: NDArray[float64]
+    fields: list[list[NDArray[Any]]]
+
 def fem_laws() -> list[dict[str, Any]]: ...
 def fem_check_law(law: str, constants: list[float]) -> None: ...
 def fem_shear(law: str, constants: list[float]) -> tuple[float, list[float]]: ...
@@ -80,14 +120,14 @@ def fem_plane(
     friction: float,
     run: dict[str, Any],
     progress: Callable[[float, float], object] | None = None,
-) -> dict[str, Any]: ...
+) -> FemImpact: ...
 def fem_head(
     ball: dict[str, Any],
     inputs: Sequence[float],
     friction: float,
     run: dict[str, Any],
     progress: Callable[[float, float], object] | None = None,
-) -> dict[str, Any]: ...
+) -> FemImpact: ...
 def fem_deformable(
     ball: dict[str, Any],
     head: dict[str, Any],
@@ -95,7 +135,7 @@ def fem_deformable(
     friction: float,
     run: dict[str, Any],
     progress: Callable[[float, float], object] | None = None,
-) -> dict[str, Any]: ...
+) -> FemImpact: ...
 def fem_driver(driver: dict[str, Any]) -> dict[str, Any]: ...
 def fem_iron(shape: Sequence[float], elements: Sequence[int]) -> dict[str, Any]: ...
 def fem_head_properties(head: dict[str, Any]) -> dict[str, Any]: ...

@@ -56,16 +56,16 @@ class FiniteElements:
         for row in range(shots.size):
             columns, mu = [_at(each, row) for each in shots.inputs], _at(friction, row)
             try:
-                result, _ = simulate(*struck(head, shots.club, shots.own, columns), mu, how=how)
+                record, _ = simulate(*struck(head, shots.club, shots.own, columns), mu, how=how)
             except InputError as error:
                 problems.append((row, error.parameter, error.allowed))
                 continue
-            if result["interrupted"]:
+            if record.interrupted:
                 raise KeyboardInterrupt
-            if result["stopped"]:
-                problems.append((row, MODEL.name, result["stopped"]))
+            if record.stopped:
+                problems.append((row, MODEL.name, record.stopped))
                 continue
-            found[:, row] = result["launch"]
+            found[:, row] = record.launch
             if shots.progress is not None:
                 shots.progress(row + 1)
         return found, problems

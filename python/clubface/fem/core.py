@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeVar
 
 from clubface._core import (
     fem_ball as fem_ball,
@@ -27,6 +27,8 @@ from clubface._core import (
 )
 from clubface.errors import InputError, ShotError
 
+T = TypeVar("T")
+
 THE_RUN = "the run"
 """What is at fault where no input is."""
 
@@ -34,7 +36,7 @@ Progress = Callable[[float, float], object]
 """Called with simulated time and duration [s]."""
 
 
-def core_call(function: Callable[..., Any], *arguments: Any, progress: Progress | None = None) -> dict[str, Any]:
+def core_call(function: Callable[..., T], *arguments: Any, progress: Progress | None = None) -> T:
     """Call the core in a second thread, so that Ctrl-C ends the impact at once and keeps what it has."""
     stop = threading.Event()
 

@@ -17,6 +17,7 @@ The displaced mass centre of the model ``adjusted``, from the forces on a ball o
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -32,6 +33,7 @@ from clubface.simulation.results import inputs
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
+    from clubface._core import FemImpact
     from clubface.equipment.balls import Ball as RigidBall
     from clubface.equipment.clubs import Club
     from clubface.fem.heads import MeshedHead
@@ -70,13 +72,11 @@ class ElementFields:
     plastic_strain: NDArray[Any]
 
     @classmethod
-    def from_core(cls, told: dict[str, NDArray[Any]], frames: int, elements: int, *, shells: bool) -> ElementFields:
-        """Return the fields of a body as the core tells them, both sides of all elements."""
+    def from_core(cls, arrays: Sequence[NDArray[Any]], frames: int, elements: int, *, shells: bool) -> ElementFields:
+        """Return the fields of a body from the core's stress, strain and plastic strain, both sides of elements."""
         shape = (frames, elements, 2, len(COMPONENTS))
-        stress, strain = (told[name].reshape(shape) for name in ("stress", "strain"))
-        if not shells:
-            stress, strain = stress[:, :, 0], strain[:, :, 0]
-        return cls(stress, strain, told["plastic_strain"].reshape(frames, elements))
+        stress, strain = (each.reshape(shape) if shells else each.reshape(shape)[:, :, 0] for each in arrays[:2])
+        return cls(stress, strain, arrays[2].reshape(frames, elements))
 
     @property
     def pressure(self) -> NDArray[Any]:
@@ -178,10 +178,23 @@ class Impact:
     steps: int
     step: float
     wall: float
+    stopped: str | None
+    interrupted: bool
+    unfinished: bool
+    over_edge: bool
+
+    contact: dict[str, NDArray[Any]]
+    motion: dict[str, NDArray[Any]]
+    energy: dict[str, NDArray[Any]]
+    patch: dict[str, NDArray[Any]]
+    frame_times: NDArray[Any]
+    axes: NDArray[Any]
+    attitude: NDArray[Any]
+    frame_velocity: NDArray[Any]
 
     def __init__(
         self,
-        found: dict[str, Any],
+        record: FemImpact,
         ball: Ball,
         given: dict[str, Any],
         friction: float,
@@ -189,37 +202,20 @@ class Impact:
         shots: Shots | None = None,
         head: MeshedHead | None = None,
     ) -> None:
-        for name in FIGURES:
-            setattr(self, name, found[name])
-        self.contact: dict[str, NDArray[Any]] = found["contact"]
-        self.motion: dict[str, NDArray[Any]] = {
-            # A run without records tells its vectors as an array without columns.
-            name: values if values.ndim == 1 else values.reshape(-1, 3)
-            for name, values in found["motion"].items()
-        }
-        self.energy: dict[str, NDArray[Any]] = found["energy"]
-        self.patch: dict[str, NDArray[Any]] = found["patch"]
-        self.frame_times: NDArray[Any] = found["frame_times"]
-        shapes = found["frames"].reshape(*found["frames"].shape[:2], 3)
-        self.frames: NDArray[Any] = shapes[:, : found["ball_nodes"]]
-        self.head_frames: NDArray[Any] = shapes[:, found["ball_nodes"] :]
-        self.fields, self.head_fields = _fields(found["fields"], len(self.frames), settings, ball, head)
-        self.stopped: str | None = found["stopped"]
-        self.interrupted: bool = found["interrupted"]
-        self.unfinished: bool = found["unfinished"]
-        self.over_edge: bool = found["over_edge"]
-        self.axes: NDArray[Any] = found["axes"]
+        for name in (*FIGURES, *HISTORIES):
+            setattr(self, name, getattr(record, name))
+        frames = record.frames
+        self.frames: NDArray[Any] = frames[:, : record.ball_nodes]
+        self.head_frames: NDArray[Any] = frames[:, record.ball_nodes :]
+        self.fields, self.head_fields = _fields(record, settings, ball, head)
         self.ball = ball
         self.given = given
         self.friction = friction
         self.settings = settings
         self.head = head
         self._shots = shots
-        self._ball_velocity = found["ball_velocity"]
-        self._ball_spin = found["ball_spin"]
-        self._launch = found.get("launch")
-        self.frame_velocity: NDArray[Any] = found["frame_velocity"]
-        self.attitude: NDArray[Any] = found["attitude"]
+        self._ball_velocity, self._ball_spin = record.ball_velocity, record.ball_spin
+        self._launch = record.launch
 
     @property
     def equipment(self) -> tuple[Club, RigidBall] | None:
@@ -342,21 +338,23 @@ class Impact:
         return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"
 
 
-FIGURES = tuple(Impact.__annotations__)
+_NAMES = tuple(Impact.__annotations__)
+FIGURES, HISTORIES = _NAMES[: _NAMES.index("stopped")], _NAMES[_NAMES.index("stopped") :]
 
 
 def _fields(
-    told: list[dict[str, NDArray[Any]]], frames: int, settings: Settings, ball: Ball, head: MeshedHead | None
+    record: FemImpact, settings: Settings, ball: Ball, head: MeshedHead | None
 ) -> tuple[ElementFields | None, ElementFields | None]:
     """Return the fields of ball and head."""
+    frames = len(record.frame_times)
     if not settings.fields or frames == 0:
         return None, None
 
-    of_ball = ElementFields.from_core(told[0], frames, ball.elements, shells=False)
+    of_ball, of_head = record.fields
+    ball_fields = ElementFields.from_core(of_ball, frames, ball.elements, shells=False)
     if head is None:
-        return of_ball, None
-    shells = isinstance(head, ShellHead)
-    return of_ball, ElementFields.from_core(told[1], frames, head.elements, shells=shells)
+        return ball_fields, None
+    return ball_fields, ElementFields.from_core(of_head, frames, head.elements, shells=isinstance(head, ShellHead))
 
 
 SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))

@@ -32,6 +32,7 @@ from clubface.support.checks import warn_once
 from clubface.support.files import builtin_names, is_path
 
 if TYPE_CHECKING:
+    from clubface._core import FemImpact
     from clubface.simulation.inputs import Shots
 
 
@@ -49,17 +50,22 @@ FRICTION = Parameter(
 
 def simulate(
     function: Callable[..., Any], *arguments: Any, how: Settings, progress: Progress | None = None
-) -> tuple[dict[str, Any], Settings]:
+) -> tuple[FemImpact, Settings]:
     """Run the core; if elements fail and the settings leave the step open, run it again with shorter steps.
 
-    Returns the result, and the settings with which it was found.
+    Returns the record, and the settings that led to it.
     """
-    found: dict[str, Any] = {}
-    for safety in how.safeties():
-        found = core_call(function, *arguments, replace(how, safety=safety).values(), progress=progress)
-        if not found["failed"]:
+
+    def run(safety: float | None) -> FemImpact:
+        return core_call(function, *arguments, replace(how, safety=safety).values(), progress=progress)
+
+    first, *shorter = how.safeties()
+    record = run(first)
+    for safety in shorter:
+        if not record.failed:
             break
-    return found, replace(how, safety=found["safety"])
+        record = run(safety)
+    return record, replace(how, safety=record.safety)
 
 
 def throw(
@@ -90,8 +96,8 @@ def throw(
     """
     made, (v, incidence) = ball(which), throw_values(speed, angle)
     mu, how = friction_of(friction, made), settings_of(settings)
-    found, used = simulate(core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
-    return Impact(found, made, {"speed": v, "angle": incidence}, mu, used)
+    record, used = simulate(core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
+    return Impact(record, made, {"speed": v, "angle": incidence}, mu, used)
 
 
 def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
@@ -136,15 +142,15 @@ def strike(
         club = club_of(club)  # pyright: ignore[reportArgumentType]
     head = mesh_of(club)
     hit = one_shot(club.club if isinstance(club, MeshedHead) else club, given, made)
-    found, used = simulate(*struck(head, hit.club, made, inputs_of(hit)), mu, how=how, progress=progress)
-    if found["over_edge"] and not found["failed"]:
+    record, used = simulate(*struck(head, hit.club, made, inputs_of(hit)), mu, how=how, progress=progress)
+    if record.over_edge and not record.failed:
         toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))
         warn_once(
             f"struck {toe} to the toe and {high} above the centre, the ball reached round the edge of the face, where "
             "contact ends, so that its launch is in doubt; strike nearer the face centre",
             EdgeWarning,
         )
-    return Impact(found, made, given, mu, used, hit, head)
+    return Impact(record, made, given, mu, used, hit, head)
 
 
 def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float]) -> tuple[Any, ...]:

@@ -4,6 +4,7 @@ mod assembly;
 mod body_motion;
 mod energy_balance;
 mod gather;
+mod impact_record;
 mod integration;
 mod measurement;
 mod options;
@@ -20,6 +21,7 @@ mod subcycling;
 mod worker_pool;
 
 pub use body_motion::BodyMotion;
+pub use impact_record::{ContactPoint, ElementHistory, ImpactRecord, Recording};
 pub use integration::StepObserver;
 pub use options::Options;
 pub use records::{ContactRecord, EnergyRecord, MotionRecord, Records, Summary};

@@ -1,6 +1,5 @@
 //! Impacts by finite elements: a ball and what it meets go in, records come out.
 
-mod element_fields;
 mod heads;
 mod inputs;
 mod metals;
@@ -23,11 +22,11 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use run::{on_threads, options_of, pool_of, run_simulation, to_dict};
+pub use run::FemImpact;
+use run::{on_threads, options_of, pool_of, record};
 
 /// The laws that files choose by name: [{name, summary, source, constants, dimensions, meanings, bounds: (least, most),
-/// each one a constant, needed: how many of them, group: how many more at a time, cards: [{keyword, branches: fewest
-/// and most, names, rows, branch}]}, ...].
+/// each one a constant, needed: how many of them, group: how many more at a time}, ...].
 #[pyfunction]
 pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
@@ -42,17 +41,6 @@ pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
         entry.set_item("source", law.source)?;
         entry.set_item("meanings", law.constants.iter().map(|c| c.meaning).collect::<Vec<_>>())?;
         entry.set_item("bounds", law.constants.iter().map(|c| (c.least, c.most)).collect::<Vec<_>>())?;
-        let cards = PyList::empty(py);
-        for card in law.cards {
-            let dict = PyDict::new(py);
-            dict.set_item("keyword", card.keyword)?;
-            dict.set_item("branches", card.branches)?;
-            dict.set_item("names", card.names)?;
-            dict.set_item("rows", card.rows)?;
-            dict.set_item("branch", card.branch)?;
-            cards.append(dict)?;
-        }
-        entry.set_item("cards", cards)?;
         list.append(entry)?;
     }
     Ok(list)
@@ -128,12 +116,11 @@ pub fn fem_plane<'py>(
     friction: f64,
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<FemImpact> {
     let (pool, ball) = (pool_of(&run)?, ball_of(&ball)?);
     let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::of_pool(&pool))
         .map_err(|e| error_of(&e))?;
-    let result = run_simulation(py, &mut simulation, &pool, &run, progress)?;
-    to_dict(py, &simulation, &result, None)
+    record(py, &mut simulation, &pool, &run, None, progress)
 }
 
 /// A shot with a rigid head; `inputs` in the order of `inputs()`. Mass, radius and inertia of the ball come from the
@@ -148,12 +135,11 @@ pub fn fem_head<'py>(
     friction: f64,
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<FemImpact> {
     let (pool, touch, ball) = (pool_of(&run)?, touch_of(&inputs)?, ball_of(&ball)?);
     let mut simulation = ball_against_rigid_head(&ball, &touch, friction, &Environment::of_pool(&pool))
         .map_err(|e| error_of(&e))?;
-    let result = run_simulation(py, &mut simulation, &pool, &run, progress)?;
-    to_dict(py, &simulation, &result, Some(&touch))
+    record(py, &mut simulation, &pool, &run, Some(&touch), progress)
 }
 
 /// A shot with a head that deforms; `inputs` as of [`fem_head`], those of the clubhead are the head's.
@@ -168,13 +154,12 @@ pub fn fem_deformable<'py>(
     friction: f64,
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<FemImpact> {
     let (pool, touch, ball, head) = (pool_of(&run)?, touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
     let mut simulation =
         ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::of_pool(&pool))
             .map_err(|e| error_of(&e))?;
-    let result = run_simulation(py, &mut simulation, &pool, &run, progress)?;
-    to_dict(py, &simulation, &result, Some(&touch))
+    record(py, &mut simulation, &pool, &run, Some(&touch), progress)
 }
 
 /// Both bodies at first touch, for inputs in the order of `inputs()`.
@@ -228,11 +213,11 @@ pub fn fem_sensitivity<'py>(
         .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
     let (pool, options) = (pool_of(&run)?, options_of(&run)?);
     let mut raised = None;
-    let found = py.detach(|| {
-        let mut observer = |which: usize, at: &Progress| {
+    let result = py.detach(|| {
+        let mut observer = |index: usize, at: &Progress| {
             // Signals reach Python's main thread alone, which ends a run through its progress.
             let called = Python::attach(|py| {
-                progress.as_ref().map_or(Ok(()), |f| f.call1(py, (which, at.time, at.duration)).map(|_| ()))
+                progress.as_ref().map_or(Ok(()), |f| f.call1(py, (index, at.time, at.duration)).map(|_| ()))
             });
             called.map_err(|error| raised = Some(error)).is_ok()
         };
@@ -243,6 +228,6 @@ pub fn fem_sensitivity<'py>(
     if let Some(error) = raised {
         return Err(error);
     }
-    let found = found.map_err(|e| error_of(&e))?;
-    Ok((PyArray1::from_slice(py, &found.values), PyArray2::from_vec2(py, &found.jacobian)?))
+    let result = result.map_err(|e| error_of(&e))?;
+    Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &result.jacobian)?))
 }

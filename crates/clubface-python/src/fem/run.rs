@@ -1,13 +1,11 @@
-//! Runs a simulation, and returns its result to Python.
+//! Runs a simulation and gives its record to Python.
 
-use super::element_fields::ElementFields;
 use super::inputs::{RunValues, error_of};
-use clubface_fem::FemError;
 use clubface_fem::contact::ContactMethod;
-use clubface_fem::solve::{Options, Simulation, SimulationResult, Snapshot};
+use clubface_fem::solve::{ElementHistory, ImpactRecord, Options, Progress, Recording, Simulation};
 use clubface_impact::first_touch::FirstTouch;
-use numpy::{PyArray1, PyArray2, PyArray3};
-use pyo3::exceptions::PyValueError;
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -39,187 +37,215 @@ pub(super) fn on_threads<T: Send>(pool: &rayon::ThreadPool, work: impl FnOnce() 
     pool.install(|| Python::attach(|py| py.detach(work)))
 }
 
-/// The result of a run, with the frames and contact forces collected on the way.
-pub(super) struct RunResult {
-    simulation: SimulationResult<f64>,
-    times: Vec<f64>,
-    positions: Vec<f64>,
-    contact_points: Vec<ContactPoint>,
-    fields: ElementFields,
-    /// Whether elements have failed; then only what came before is kept.
-    failed: bool,
-}
-
-/// A node of the ball in contact: its position along the face relative to the mass centre (m), the forces on it (N),
-/// and the part of the undeformed surface that belongs to it (m2).
-struct ContactPoint {
-    time: f64,
-    up: f64,
-    toe: f64,
-    normal: f64,
-    tangential: f64,
-    area: f64,
-}
-
-fn add_contact_points(snapshot: &Snapshot<f64>, points: &mut Vec<ContactPoint>) {
-    let [normal, up, toe] = snapshot.axes();
-    for node in snapshot.contact_forces() {
-        let (position, force) = (node.position - snapshot.centre, node.force);
-        points.push(ContactPoint {
-            time: snapshot.progress.time,
-            up: position.dot(up),
-            toe: position.dot(toe),
-            normal: force.dot(normal),
-            tangential: -force.dot(up),
-            area: node.area,
-        });
-    }
-}
-
-/// Adds the positions of all nodes and, if asked for, stress and strain of the elements.
-fn add_frame(simulation: &mut Simulation<f64>, positions: &mut Vec<f64>, fields: Option<&mut ElementFields>) {
-    let rows = &simulation.structure.positions[..simulation.structure.translations];
-    positions.extend(rows.iter().flat_map(|row| [row.0[0], row.0[1], row.0[2]]));
-    if let Some(fields) = fields {
-        fields.add(simulation);
-    }
-}
-
-pub(super) fn run_simulation<'py>(
-    py: Python<'py>,
+/// Runs and records a simulation. A KeyboardInterrupt raised by `progress` ends the run and keeps what it has; any other
+/// error is raised.
+pub(super) fn record(
+    py: Python<'_>,
     simulation: &mut Simulation<f64>,
     pool: &rayon::ThreadPool,
     run: &RunValues,
-    progress: Option<Bound<'py, PyAny>>,
-) -> PyResult<RunResult> {
+    touch: Option<&FirstTouch<f64>>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<FemImpact> {
     let options = options_of(run)?;
+    let recording = Recording { frames: run.frames, fields: run.fields };
     let progress = progress.map(Bound::unbind);
-    let frame_gap = if run.frames > 1 { run.duration / (run.frames - 1) as f64 } else { f64::INFINITY };
-    let (frames, interval) = (run.frames, run.interval);
-    let (mut times, mut positions, mut contact_points) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut fields, mut raised) = (ElementFields::default(), None);
+    let mut raised = None;
     let result = py.detach(|| {
-        let mut observer = |mut snapshot: Snapshot<f64>| {
-            let at = snapshot.progress;
-            let due = if times.is_empty() { 0.0 } else { times.len() as f64 * frame_gap - 0.5 * interval };
-            // A run until separation may be longer than its duration.
-            if times.len() < frames && at.time >= due {
-                times.push(at.time);
-                add_frame(snapshot.synchronised(), &mut positions, run.fields.then_some(&mut fields));
-            }
-            add_contact_points(&snapshot, &mut contact_points);
+        let mut report = |at: &Progress| {
             // Signals reach Python's main thread alone, which ends a run through its progress.
             let called = Python::attach(|py| {
                 progress.as_ref().map_or(Ok(()), |f| f.call1(py, (at.time, at.duration)).map(|_| ()))
             });
-            match called {
-                Ok(()) => true,
-                Err(error) => {
-                    raised = Some(error);
-                    false
-                }
-            }
+            called.map_err(|error| raised = Some(error)).is_ok()
         };
-        on_threads(pool, || simulation.run(&options, &mut observer))
+        on_threads(pool, || simulation.record(&options, recording, touch, &mut report))
     });
-    let result = result.map_err(|e| error_of(&e))?;
-    if let Some(error) = raised {
-        if !error.is_instance_of::<pyo3::exceptions::PyKeyboardInterrupt>(py) {
-            return Err(error);
-        }
+    let record = result.map_err(|e| error_of(&e))?;
+    match raised {
+        Some(error) if !error.is_instance_of::<PyKeyboardInterrupt>(py) => Err(error),
+        _ => Ok(FemImpact::new(record)),
     }
-    // The last frame is due when the run ends, between two records.
-    let end = result.steps as f64 * result.step;
-    let failed = result.stopped.as_ref().is_some_and(FemError::failed);
-    let interrupted = matches!(result.stopped, Some(FemError::Interrupted { .. }));
-    if !failed && !interrupted && !times.is_empty() && times.len() < frames && end > run.duration {
-        times.push(end);
-        add_frame(simulation, &mut positions, run.fields.then_some(&mut fields));
-    }
-    if failed {
-        let last = result.records.energy.last().map_or(0.0, |frame| frame.time);
-        let (all, kept) = (times.len(), times.partition_point(|&time| time <= last));
-        times.truncate(kept);
-        positions.truncate(positions.len() / all.max(1) * kept);
-        contact_points.retain(|point: &ContactPoint| point.time <= last);
-        fields.truncate(kept, all);
-    }
-    Ok(RunResult { simulation: result, times, positions, contact_points, fields, failed })
 }
 
-pub(super) fn to_dict<'py>(
-    py: Python<'py>,
-    simulation: &Simulation<f64>,
-    run: &RunResult,
-    touch: Option<&FirstTouch<f64>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let result = &run.simulation;
-    let records = &result.records;
-    let summary = records.summary(simulation.radius);
-    let dict = PyDict::new(py);
-    macro_rules! set_summary {
-        ($($name:ident)+) => { $(dict.set_item(stringify!($name), summary.$name)?;)+ };
-    }
-    set_summary!(peak_force peak_force_time contact_time tangential_max tangential_min reversal_time spin_max contraction contraction_time f_prime f energy_error);
-    dict.set_item("ball_velocity", result.ball.velocity.array().to_vec())?;
-    dict.set_item("ball_spin", result.ball.spin.array().to_vec())?;
-    dict.set_item("axes", PyArray2::from_vec2(py, &simulation.axes.map(|a| a.array().to_vec()))?)?;
-    let along = simulation.axes.map(|axis| axis.dot(simulation.head_velocity));
-    dict.set_item("frame_velocity", PyArray1::from_slice(py, &along))?;
-    let attitude = touch.map_or(clubface_math::Mat3::diagonal(1.0), |t| t.attitude);
-    dict.set_item("attitude", PyArray2::from_vec2(py, &attitude.rows.map(|r| r.array().to_vec()))?)?;
-    dict.set_item("steps", result.steps)?;
-    dict.set_item("safety", result.safety)?;
-    dict.set_item("step", result.step)?;
-    dict.set_item("wall", result.wall)?;
-    dict.set_item("stopped", result.stopped.as_ref().map(ToString::to_string))?;
-    dict.set_item("failed", run.failed)?;
-    dict.set_item("over_edge", result.over_edge)?;
-    let unfinished = matches!(result.stopped, Some(FemError::Unfinished { .. }));
-    dict.set_item("unfinished", unfinished)?;
-    dict.set_item("interrupted", matches!(result.stopped, Some(FemError::Interrupted { .. })))?;
-    if let Some(touch) = touch {
-        let mut launch = touch.launch(result.ball, result.head);
-        launch.contact_time = summary.contact_time;
-        launch.peak_force = summary.peak_force;
-        let known = if run.failed || records.in_contact() { f64::NAN } else { 1.0 };
-        let outputs = launch.outputs().map(|output| output * known);
-        dict.set_item("launch", PyArray1::from_slice(py, &outputs))?;
-    }
-    let contact = PyDict::new(py);
-    macro_rules! columns {
-        ($into:ident, $frames:expr, $($name:ident)+) => {
-            $($into.set_item(stringify!($name), PyArray1::from_iter(py, $frames.iter().map(|f| f.$name)))?;)+
-        };
-    }
-    columns!(contact, records.contact, time normal tangential toe area);
-    dict.set_item("contact", contact)?;
-    let motion = PyDict::new(py);
-    columns!(motion, records.motion, time radius);
-    let rows = |pick: fn(&clubface_fem::solve::MotionRecord) -> [f64; 3]| -> Vec<Vec<f64>> {
-        records.motion.iter().map(|f| pick(f).to_vec()).collect()
+/// Declares the record as Python sees it: numbers as attributes, and the record that the other attributes are made of.
+macro_rules! record {
+    ($(#[$class:meta])* $type:ident { $($(#[$doc:meta])* $name:ident: $number:ty = $($field:ident).+;)+ }) => {
+        $(#[$class])*
+        #[pyclass(frozen, module = "clubface._core")]
+        pub struct $type {
+            $($(#[$doc])* #[pyo3(get)] $name: $number,)+
+            record: ImpactRecord,
+        }
+        impl $type {
+            fn new(record: ImpactRecord) -> Self {
+                Self { $($name: record.$($field).+,)+ record }
+            }
+        }
     };
-    motion.set_item("velocity", PyArray2::from_vec2(py, &rows(|f| f.velocity))?)?;
-    motion.set_item("spin", PyArray2::from_vec2(py, &rows(|f| f.spin))?)?;
-    dict.set_item("motion", motion)?;
-    let energy = PyDict::new(py);
-    columns!(energy, records.energy, time kinetic contact friction damping);
-    macro_rules! element_energies {
-        ($($name:ident)+) => {
-            $(energy.set_item(stringify!($name), PyArray1::from_iter(py, records.energy.iter().map(|f| f.elements.$name)))?;)+
-        };
+}
+
+/// A dictionary of arrays, one a column of a history.
+macro_rules! columns {
+    ($py:ident, $records:expr, $($name:literal => $value:expr),+ $(,)?) => {{
+        let dict = PyDict::new($py);
+        $(dict.set_item($name, PyArray1::from_iter($py, $records.iter().map($value)))?;)+
+        dict
+    }};
+}
+
+record! {
+    /// An impact after its run, in SI units; every array is a copy.
+    FemImpact {
+        /// Largest normal force, N.
+        peak_force: f64 = summary.peak_force;
+        /// Its time, s.
+        peak_force_time: f64 = summary.peak_force_time;
+        /// Time of the last touch, s; NaN if the ball is still on the face.
+        contact_time: f64 = summary.contact_time;
+        /// Largest force along the face, N; making backspin is positive.
+        tangential_max: f64 = summary.tangential_max;
+        /// Smallest force along the face, N.
+        tangential_min: f64 = summary.tangential_min;
+        /// When the force along the face turns from making spin to taking it, s; NaN if it does not.
+        reversal_time: f64 = summary.reversal_time;
+        /// Largest backspin during the impact, rad/s.
+        spin_max: f64 = summary.spin_max;
+        /// Greatest loss of the distance from mass centre to face, over the radius.
+        contraction: f64 = summary.contraction;
+        /// Its time, s.
+        contraction_time: f64 = summary.contraction_time;
+        /// Compression factor f' of Roh and Lee, Eq. (9).
+        f_prime: f64 = summary.f_prime;
+        /// Compression factor f of Roh and Lee, Eq. (11).
+        f: f64 = summary.f;
+        /// Largest error of the energy balance over the initial kinetic energy.
+        energy_error: f64 = summary.energy_error;
+        /// Steps taken.
+        steps: usize = steps;
+        /// Time step, s.
+        step: f64 = step;
+        /// Time step over the stable step of the undeformed structure.
+        safety: f64 = safety;
+        /// Time that the steps took, s.
+        wall: f64 = wall;
+        /// Whether the ball has reached round the edge of the face, where contact ends.
+        over_edge: bool = over_edge;
     }
-    element_energies!(strain hourglass viscous plastic);
-    dict.set_item("energy", energy)?;
-    let patch = PyDict::new(py);
-    columns!(patch, run.contact_points, time up toe normal tangential area);
-    dict.set_item("patch", patch)?;
-    let nodes = simulation.structure.translations;
-    let frames: Vec<Vec<Vec<f64>>> =
-        run.positions.chunks(nodes * 3).map(|frame| frame.chunks(3).map(<[f64]>::to_vec).collect()).collect();
-    dict.set_item("fields", run.fields.to_list(py)?)?;
-    dict.set_item("ball_nodes", simulation.ball_nodes)?;
-    dict.set_item("frame_times", PyArray1::from_slice(py, &run.times))?;
-    dict.set_item("frames", PyArray3::from_vec3(py, &frames)?)?;
-    Ok(dict)
+}
+
+#[pymethods]
+impl FemImpact {
+    /// Why there is no launch, or None.
+    #[getter]
+    fn stopped(&self) -> Option<String> {
+        self.record.stopped.as_ref().map(ToString::to_string)
+    }
+    /// Number of nodes of the ball, the first ones of `frames`.
+    #[getter]
+    fn ball_nodes(&self) -> usize {
+        self.record.nodes.0
+    }
+    /// Whether elements failed; only what came before is kept.
+    #[getter]
+    fn failed(&self) -> bool {
+        self.record.failed()
+    }
+    /// Whether the caller stopped the run.
+    #[getter]
+    fn interrupted(&self) -> bool {
+        self.record.interrupted()
+    }
+    /// Whether the ball was still on the face at the end.
+    #[getter]
+    fn unfinished(&self) -> bool {
+        self.record.unfinished()
+    }
+    /// Launch in the order of `outputs()`, NaN if there is none; None for a plane.
+    #[getter]
+    fn launch<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.record.launch.map(|launch| PyArray1::from_slice(py, &launch))
+    }
+    /// Velocity of the ball after the impact in the axes of the nodes, m/s.
+    #[getter]
+    fn ball_velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.record.ball.velocity.array())
+    }
+    /// Its angular velocity, rad/s.
+    #[getter]
+    fn ball_spin<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.record.ball.spin.array())
+    }
+    /// Directions at first touch in the axes of the nodes, one a row: normal, up the face, towards the toe.
+    #[getter]
+    fn axes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Ok(PyArray2::from_vec2(py, &self.record.axes.map(|axis| axis.array().to_vec()))?)
+    }
+    /// Rotation from the axes of the nodes to world axes.
+    #[getter]
+    fn attitude<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Ok(PyArray2::from_vec2(py, &self.record.attitude.rows.map(|row| row.array().to_vec()))?)
+    }
+    /// Velocity of the head at first touch along `axes`, m/s.
+    #[getter]
+    fn frame_velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.record.frame_velocity.array())
+    }
+    /// Arrays over the steps: time, normal, tangential, toe (N), area (m2).
+    #[getter]
+    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        Ok(columns!(py, self.record.records.contact,
+            "time" => |r| r.time, "normal" => |r| r.normal, "tangential" => |r| r.tangential, "toe" => |r| r.toe,
+            "area" => |r| r.area))
+    }
+    /// Arrays over the motion records: time, radius; velocity and spin with a row a record.
+    #[getter]
+    fn motion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let motion = &self.record.records.motion;
+        let dict = columns!(py, motion, "time" => |r| r.time, "radius" => |r| r.radius);
+        let rows = |values: Vec<[f64; 3]>| {
+            PyArray1::from_slice(py, values.as_flattened()).reshape([values.len(), 3])
+        };
+        dict.set_item("velocity", rows(motion.iter().map(|r| r.velocity).collect())?)?;
+        dict.set_item("spin", rows(motion.iter().map(|r| r.spin).collect())?)?;
+        Ok(dict)
+    }
+    /// Arrays over the energy records, J: time (s), kinetic, contact, friction, damping, strain, hourglass, viscous,
+    /// plastic.
+    #[getter]
+    fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        Ok(columns!(py, self.record.records.energy,
+            "time" => |r| r.time, "kinetic" => |r| r.kinetic, "contact" => |r| r.contact,
+            "friction" => |r| r.friction, "damping" => |r| r.damping, "strain" => |r| r.elements.strain,
+            "hourglass" => |r| r.elements.hourglass, "viscous" => |r| r.elements.viscous,
+            "plastic" => |r| r.elements.plastic))
+    }
+    /// Arrays over the nodes of the ball in contact at the motion records: time, up, toe (m), normal, tangential (N),
+    /// area (m2).
+    #[getter]
+    fn patch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        Ok(columns!(py, self.record.contact_points,
+            "time" => |p| p.time, "up" => |p| p.up, "toe" => |p| p.toe, "normal" => |p| p.normal,
+            "tangential" => |p| p.tangential, "area" => |p| p.area))
+    }
+    /// Times of the deformed shapes, s.
+    #[getter]
+    fn frame_times<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.record.frame_times)
+    }
+    /// Positions of the nodes, m: by frame, node and axis.
+    #[getter]
+    fn frames<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let shape = [self.record.frame_times.len(), self.record.nodes.1, 3];
+        PyArray1::from_slice(py, &self.record.frames).reshape(shape)
+    }
+    /// Stress and strain in ball and head: stress (Pa) and strain flat, by frame, element, side and component (xx, yy,
+    /// zz, xy, xz, yz), and plastic strain by frame and element.
+    #[getter]
+    fn fields<'py>(&self, py: Python<'py>) -> Vec<[Bound<'py, PyArray1<f32>>; 3]> {
+        let arrays = |body: &ElementHistory| {
+            [&body.stress, &body.strain, &body.plastic_strain].map(|values| PyArray1::from_slice(py, values))
+        };
+        self.record.fields.iter().map(arrays).collect()
+    }
 }
