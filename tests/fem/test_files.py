@@ -10,6 +10,7 @@ from clubface import fem
 from clubface.errors import InputError
 from clubface.fem import files, keyword
 from clubface.fem.case import case
+from clubface.fem.materials import laws
 from fem_runs import coarse_drive, coarse_head, coarse_shells, coarse_throw, drive_case, shells_case, throw_case
 
 
@@ -296,3 +297,15 @@ def test_a_deck_of_a_grooved_head_says_what_it_leaves_out(tmp_path):
         assert (told in " ".join(line[2:] for line in text.splitlines() if line.startswith("$ "))) == (
             name == "grooved"
         )
+
+
+@pytest.mark.parametrize("law", list(laws()))
+def test_every_law_has_one_card_for_any_number_of_branches_and_its_fields_are_known(law):
+    cards = keyword.CARDS[law]
+    assert [card.fewest for card in cards] == [0, *(card.most + 1 for card in cards[:-1])]
+    assert cards[-1].most == 4
+    known = {"mid", "nv", "ro", "pr", "e", "bulk", "shear", "g0", "g", "beta", "-", *laws()[law].constants}
+    for each in (each for card in cards for row in (*card.rows, card.branch) for each in row.split()):
+        name = each.rpartition("*")[2]
+        numbered = f"{name[:-1]}1" if name.endswith("#") else name
+        assert numbered in known or name.replace(".", "").isdigit()

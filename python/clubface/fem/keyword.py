@@ -16,7 +16,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +28,7 @@ from clubface.fem import core
 from clubface.fem.balls import Ball
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
-from clubface.fem.materials import Material, laws
+from clubface.fem.materials import Material
 from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.simulation.inputs import DIMENSIONS
@@ -40,6 +40,54 @@ LONGEST = 80
 """Characters of a line."""
 BALL_SET = 1
 """Number of the set of the parts of the ball."""
+
+
+class LawCard(NamedTuple):
+    """How a keyword deck describes a law.
+
+    A row has names of fields between blanks: a constant of the law, ``mu#`` for all constants that are ``mu`` with a
+    number, ``mid`` and ``nv`` for the numbers of the material and of its branches, ``ro pr e bulk shear`` for density,
+    Poisson's ratio, Young's, bulk and shear modulus, ``g0`` for the shear modulus of fast deformation, ``g beta`` for
+    shear modulus and inverse relaxation time of a branch, or a number; ``2*shear`` is a product, ``-`` a blank field.
+
+    Attributes
+    ----------
+    keyword
+        The keyword.
+    fewest, most
+        Numbers of viscoelastic branches that the card can describe.
+    names
+        Names of the fields of the first row, as the manual calls them.
+    rows
+        The rows.
+    branch
+        The row that each branch adds, or empty.
+    """
+
+    keyword: str
+    fewest: int
+    most: int
+    names: str
+    rows: tuple[str, ...]
+    branch: str = ""
+
+
+CARDS = {
+    "mooney-rivlin": (
+        LawCard("MAT_MOONEY-RIVLIN_RUBBER", 0, 0, "mid ro pr a b", ("mid ro pr c10 c01", "-")),
+        LawCard("MAT_HYPERELASTIC_RUBBER", 1, 4, "mid ro pr n nv", ("mid ro pr 0 nv", "c10 c01"), "g beta"),
+    ),
+    "neo-hookean": (
+        LawCard("MAT_HYPERELASTIC_RUBBER", 0, 4, "mid ro pr n nv", ("mid ro pr 0 nv", "0.5*shear 0.0"), "g beta"),
+    ),
+    "linear": (
+        LawCard("MAT_ELASTIC", 0, 0, "mid ro e pr", ("mid ro e pr",)),
+        LawCard("MAT_VISCOELASTIC", 1, 1, "mid ro bulk g0 gi beta", ("mid ro bulk g0 shear beta",)),
+        LawCard("MAT_GENERAL_VISCOELASTIC", 2, 4, "mid ro bulk", ("mid ro bulk", "-", "shear 0.0"), "g beta"),
+    ),
+    "ogden": (LawCard("MAT_OGDEN_RUBBER", 0, 4, "mid ro pr n nv", ("mid ro pr 0 nv", "mu#", "alpha#"), "g beta"),),
+}
+"""The cards of each law: the first that can describe the branches there are."""
 
 
 class Cards:
@@ -398,22 +446,22 @@ def _ball(deck: Cards, ball: Ball, mesh: Mapping[str, Any]) -> None:
 
 
 def _material(deck: Cards, number: int, material: Material, density: float) -> None:
-    """Write a material by the card that the core tells of its law."""
+    """Write a material by the card of its law."""
     branches, count = material.maxwell, len(material.maxwell)
-    card = next(card for card in laws()[material.law].cards if card["branches"][0] <= count <= card["branches"][1])
+    card = next(card for card in CARDS[material.law] if card.fewest <= count <= card.most)
     known = {
         **{"mid": number, "nv": count, "ro": density, "pr": material.poisson, "e": material.youngs},
         **{"bulk": material.bulk, "shear": material.shear, **material.constants},
         "g0": material.shear * (1.0 + sum(branch.modulus for branch in branches)),
         **({"beta": 1.0 / branches[0].time} if branches else {}),
     }
-    rows = [_fields(row, known) for row in card["rows"]]
-    deck.keyword(card["keyword"], *rows, names=card["names"])
-    if branches and card["branch"]:
+    rows = [_fields(row, known) for row in card.rows]
+    deck.keyword(card.keyword, *rows, names=card.names)
+    if branches and card.branch:
         deck.comment("      Gi     BETAi: relative moduli of clubface times its shear modulus, 1 / relaxation time")
         for branch in branches:
-            of = {"g": branch.modulus * material.shear, "beta": 1.0 / branch.time}
-            deck.card(_fields(card["branch"], of))
+            values = {"g": branch.modulus * material.shear, "beta": 1.0 / branch.time}
+            deck.card(_fields(card.branch, values))
 
 
 def _fields(row: str, known: Mapping[str, float]) -> list[float | None]:

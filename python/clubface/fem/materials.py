@@ -29,8 +29,6 @@ class Law(NamedTuple):
         How many of the others come at a time.
     summary
         One line about it.
-    cards
-        How keyword decks describe it, as the core tells: the first whose "branches" (fewest, most) hold.
     """
 
     name: str
@@ -38,7 +36,6 @@ class Law(NamedTuple):
     needed: int
     group: int
     summary: str
-    cards: Sequence[Mapping[str, Any]]
 
     def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
         """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
@@ -72,7 +69,7 @@ def laws() -> Mapping[str, Law]:
     found = {}
     for each in core.fem_laws():
         constants = Frozen(dict(zip(each["constants"], each["dimensions"], strict=True)))
-        told = (each[key] for key in ("needed", "group", "summary", "cards"))
+        told = (each[key] for key in ("needed", "group", "summary"))
         found[each["name"]] = Law(each["name"], constants, *told)
     return Frozen(found)
 

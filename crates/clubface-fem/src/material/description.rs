@@ -1,4 +1,4 @@
-//! What a law says of itself: to files, to checks, to keyword decks and to the page of laws.
+//! What a law says of itself: to files, to checks and to the page of laws.
 
 use crate::error::FemError;
 
@@ -28,27 +28,6 @@ impl Constant {
     }
 }
 
-/// A card of a keyword deck (LS-DYNA, OpenRadioss) that describes the law.
-///
-/// A row lists fields by name, each separated by a blank: a constant of the law, `mu#` for all constants that are
-/// `mu` with a number, `mid` and `nv` for the number of the material and of its branches, `ro pr e bulk shear` for
-/// density, Poisson's ratio, Young's, bulk and shear modulus, `g0` for the shear modulus of fast deformation,
-/// `g beta` for shear modulus and inverse relaxation time of a branch, or a number; `2*shear` is a product, and `-` a
-/// blank field.
-#[derive(Clone, Copy, Debug)]
-pub struct Card {
-    /// Keyword.
-    pub keyword: &'static str,
-    /// Fewest and most viscoelastic branches that it can describe.
-    pub branches: (usize, usize),
-    /// Names of the fields of the first row, as the manual calls them.
-    pub names: &'static str,
-    /// Rows.
-    pub rows: &'static [&'static str],
-    /// The row that each branch adds, or none.
-    pub branch: &'static str,
-}
-
 /// What a law says of itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Description {
@@ -66,8 +45,6 @@ pub struct Description {
     pub group: usize,
     /// Whether files choose it by its name; a metal that yields is chosen by its yield stress.
     pub listed: bool,
-    /// Cards of keyword decks: the first that can describe the branches there are.
-    pub cards: &'static [Card],
     /// State variables of a point before any deformation, none for an elastic law.
     pub state: &'static [f64],
     /// Rough time of a one-point element in a step, ns: to give threads as much to do.

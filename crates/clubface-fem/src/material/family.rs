@@ -1,8 +1,8 @@
 //! A law as its file declares it, and as materials hold it.
 //!
 //! A law is one file and one line of [`materials!`](crate::materials): the file declares its constants, implements
-//! the stress and the energy (see [`crate::material::OfInvariants`]) and a [`Family`]. Names in files, checks, cards
-//! of keyword decks, the page of laws and the contract tests are all made from the table.
+//! the stress and the energy (see [`crate::material::OfInvariants`]) and a [`Family`]. Names in files, checks,
+//! the page of laws and the contract tests are all made from the table.
 
 use super::description::Description;
 use super::law::PointLaw;

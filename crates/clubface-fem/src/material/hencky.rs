@@ -5,7 +5,7 @@
 //! stiff in compression as in tension (Bažant, J. Eng. Mater. Technol. 120, 1998: Padé approximants without the cost
 //! of principal axes): 0.7% off at 10% strain, 2.7% at 20%.
 
-use super::{Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
+use super::{Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use crate::constants;
 use clubface_math::{Pack, Scalar};
 
@@ -48,29 +48,6 @@ impl Family for Hencky<()> {
         needed: 1,
         group: 1,
         listed: true,
-        cards: &[
-            Card {
-                keyword: "MAT_ELASTIC",
-                branches: (0, 0),
-                names: "mid ro e pr",
-                rows: &["mid ro e pr"],
-                branch: "",
-            },
-            Card {
-                keyword: "MAT_VISCOELASTIC",
-                branches: (1, 1),
-                names: "mid ro bulk g0 gi beta",
-                rows: &["mid ro bulk g0 shear beta"],
-                branch: "",
-            },
-            Card {
-                keyword: "MAT_GENERAL_VISCOELASTIC",
-                branches: (2, 4),
-                names: "mid ro bulk",
-                rows: &["mid ro bulk", "-", "shear 0.0"],
-                branch: "g beta",
-            },
-        ],
         state: &[],
         cost: 36,
         example: &[10e6],

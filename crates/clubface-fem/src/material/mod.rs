@@ -28,7 +28,7 @@ mod von_mises;
 pub use body::Material;
 pub use clubface_impact::{description::FromValues, scalars};
 pub use deformation::{Deformation, Kinematics};
-pub use description::{Card, Constant, Description};
+pub use description::{Constant, Description};
 pub use family::{DERIVATIVES, Entry, Family, Law};
 pub use hardening::{HARDENING_POINTS, Hardening};
 pub use hencky::Hencky;

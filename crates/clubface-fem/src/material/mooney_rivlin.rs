@@ -1,6 +1,6 @@
 //! Rubber after Mooney (1940) and Rivlin (1948): `W = C10 (I1 - 3) + C01 (I2 - 3)`, the core of Roh and Lee's ball.
 
-use super::{Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
+use super::{Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use crate::constants;
 use clubface_math::{Pack, Scalar};
 
@@ -36,22 +36,6 @@ impl Family for MooneyRivlin<()> {
         needed: 2,
         group: 2,
         listed: true,
-        cards: &[
-            Card {
-                keyword: "MAT_MOONEY-RIVLIN_RUBBER",
-                branches: (0, 0),
-                names: "mid ro pr a b",
-                rows: &["mid ro pr c10 c01", "-"],
-                branch: "",
-            },
-            Card {
-                keyword: "MAT_HYPERELASTIC_RUBBER",
-                branches: (1, 4),
-                names: "mid ro pr n nv",
-                rows: &["mid ro pr 0 nv", "c10 c01"],
-                branch: "g beta",
-            },
-        ],
         state: &[],
         cost: 30,
         example: &[4e6, 1e6],

@@ -1,6 +1,6 @@
 //! The simplest rubber, `W = mu/2 (I1 - 3)` (Treloar, 1943).
 
-use super::{Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
+use super::{Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use crate::constants;
 use clubface_math::{Pack, Scalar};
 
@@ -31,13 +31,6 @@ impl Family for NeoHookean<()> {
         needed: 1,
         group: 1,
         listed: true,
-        cards: &[Card {
-            keyword: "MAT_HYPERELASTIC_RUBBER",
-            branches: (0, 4),
-            names: "mid ro pr n nv",
-            rows: &["mid ro pr 0 nv", "0.5*shear 0.0"],
-            branch: "g beta",
-        }],
         state: &[],
         cost: 30,
         example: &[10e6],

@@ -6,7 +6,7 @@
 //! Some programs write `2 mu / alpha^2` instead of `mu / alpha`.
 
 use super::stretch::{Function, Stretches};
-use super::{Card, Constant, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
+use super::{Constant, Description, Elastic, Family, Invariants, OfInvariants, Symmetric};
 use crate::error::FemError;
 use clubface_math::{Pack, Scalar};
 
@@ -94,13 +94,6 @@ impl Family for Ogden<()> {
         needed: 2,
         group: 2,
         listed: true,
-        cards: &[Card {
-            keyword: "MAT_OGDEN_RUBBER",
-            branches: (0, 4),
-            names: "mid ro pr n nv",
-            rows: &["mid ro pr 0 nv", "mu#", "alpha#"],
-            branch: "g beta",
-        }],
         state: &[],
         cost: 36,
         // Half the sum of mu alpha: 10 MPa.

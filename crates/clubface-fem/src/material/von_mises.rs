@@ -208,7 +208,6 @@ impl Family for VonMises<()> {
         needed: 4,
         group: 2,
         listed: false,
-        cards: &[],
         state: &[1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         cost: 39,
         example: &[10e6, 0.2e6, 0.1e6, 5.0, 0.0, 1e6],

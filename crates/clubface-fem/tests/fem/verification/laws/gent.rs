@@ -2,9 +2,7 @@
 //! show that a law is one file and one line of a table.
 
 use clubface_fem::constants;
-use clubface_fem::material::{
-    Card, Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric,
-};
+use clubface_fem::material::{Description, Elastic, Family, FromValues, Invariants, OfInvariants, Symmetric};
 use clubface_math::{Pack, Scalar};
 
 constants! {
@@ -36,13 +34,6 @@ impl Family for Gent<()> {
         needed: 2,
         group: 2,
         listed: true,
-        cards: &[Card {
-            keyword: "MAT_GENT_RUBBER",
-            branches: (0, 0),
-            names: "mid ro pr mu jm",
-            rows: &["mid ro pr shear limit"],
-            branch: "",
-        }],
         state: &[],
         cost: 36,
         example: &[10e6, 20.0],
