@@ -13,7 +13,7 @@ mod shell;
 
 pub use bulk_viscosity::damped_step_ratio;
 pub use field::Scratch;
-pub use hex_one_point::constant_sets;
+pub use hex_one_point::{ReferenceHexahedron, constant_sets};
 pub use kind::{Element, Kernels, Patches};
 pub use output::{ElementOutput, OutputSink};
 pub use patch::{Energy, Patch, RATIOS, StepOutput, parts};

@@ -1,10 +1,14 @@
-//! The way of packs of elements through a lattice: from the positions of its nodes to the forces on them.
+//! Assembly of a lattice of elements: from the positions of its nodes to the forces on them, in element packs.
+//!
+//! A pack takes neighbouring elements of a row, one a lane. A stack is a few packs on top of each other, so that what
+//! one has gathered from the nodes between two layers serves the next. For every stack: gather positions and form
+//! the modes, deformation gradients, stresses, then forces that are scattered to the nodes.
 
 use super::constants::{Constants, Shapes};
 use super::element::{Component, Hexahedron, Sums, empty};
 use super::numbers::Block;
 use super::passes::{in_passes, part, set_part};
-use super::places::{Places, Quads, add, side};
+use super::places::{Places, Quads, gather_side, scatter_side};
 use super::stress::{RUN, Run, Stress, on_bases};
 use crate::block::BLOCK;
 use crate::element::field::Field;
@@ -15,18 +19,17 @@ use clubface_math::{Pack, Part, Real, Scalar};
 /// Most layers of a lattice.
 pub const DEPTH: usize = 6;
 
-/// Forces of a lattice of elements of the given shape, and whether the laws hold for all volumes.
+/// Assembles the forces of a lattice of the given shape, and returns whether the laws hold for all volumes.
 ///
-/// Each pack of elements goes up through some layers in several loops: patterns, deformation, stress, forces. One
-/// loop would be a long chain of operations, which wait for each other and for more registers than there are.
-/// Patterns and forces go component by component, since the numbers of one fit the registers: constants are loaded
-/// thrice, but nothing else is put aside. Numbers with derivatives go through these two part by part, for the same
-/// reason.
+/// Each stack is worked on in separate loops: modes, deformation, stress, forces. One loop would be a long chain of
+/// operations, which wait for each other and need more registers than there are. Modes and forces go component by
+/// component, because the numbers of one component fit the registers: constants are loaded three times, but nothing
+/// is spilled. Numbers with derivatives go through these two loops part by part, for the same reason.
 ///
 /// # Safety
 /// The fields are those of the lattice.
 #[inline(always)]
-pub unsafe fn walk<P: Pack, const SLOPES: bool>(
+pub unsafe fn assemble<P: Pack, const SLOPES: bool>(
     shape: [usize; 3],
     positions: &mut Field<P::Real>,
     forces: &mut Field<P::Real>,
@@ -44,9 +47,9 @@ pub unsafe fn walk<P: Pack, const SLOPES: bool>(
             }
         }
     }
-    let nothing = [[[<P::Value as Pack>::Quad::zero(); 2]; DEPTH + 1]; 3];
-    let mut carry = P::Real::each_part(nothing);
-    let mut below = [empty::<P>(); BLOCK];
+    let no_forces = [[[<P::Value as Pack>::Quad::zero(); 2]; DEPTH + 1]; 3];
+    let mut carry = P::Real::each_part(no_forces);
+    let mut shared_side = [empty::<P>(); BLOCK];
     let mut elements = [Hexahedron::<P>::zero(); RUN];
     let mut points = Run::new();
     for (column, blocks) in shapes.blocks().chunks_exact(nk).enumerate() {
@@ -59,9 +62,9 @@ pub unsafe fn walk<P: Pack, const SLOPES: bool>(
                 for axis in 0..3 {
                     // SAFETY of these: `at` is within the columns.
                     in_passes!(P::Real, |pass| if stack.pattern_varies(pass) {
-                        unsafe { stack.modes::<P, P::Pair>(positions, axis, pass, &mut elements) };
+                        unsafe { stack.gather_modes::<P, P::Pair>(positions, axis, pass, &mut elements) };
                     } else {
-                        unsafe { stack.modes::<P, P::Value>(positions, axis, pass, &mut elements) };
+                        unsafe { stack.gather_modes::<P, P::Value>(positions, axis, pass, &mut elements) };
                     });
                 }
                 let lane = number * BLOCK + first;
@@ -88,17 +91,27 @@ pub unsafe fn walk<P: Pack, const SLOPES: bool>(
                     }
                     in_passes!(P::Real, |pass| {
                         let carry = &mut P::Real::part_mut(&mut carry, pass)[axis];
-                        let under =
-                            if start == 0 { [P::Value::zero(); 4] } else { part(&below[first][axis], pass) };
-                        let all = (&elements, &points.stresses);
-                        let over = if stack.pattern_varies(pass) {
-                            unsafe { stack.push::<P, P::Pair>(forces, axis, pass, under, all, carry) }
+                        let from_below = if start == 0 {
+                            [P::Value::zero(); 4]
                         } else {
-                            unsafe { stack.push::<P, P::Value>(forces, axis, pass, under, all, carry) }
+                            part(&shared_side[first][axis], pass)
                         };
-                        set_part(&mut below[first][axis], pass, &over);
+                        let all = (&elements, &points.stresses);
+                        let to_above = if stack.pattern_varies(pass) {
+                            unsafe {
+                                stack.scatter_forces::<P, P::Pair>(forces, axis, pass, from_below, all, carry)
+                            }
+                        } else {
+                            unsafe {
+                                stack
+                                    .scatter_forces::<P, P::Value>(forces, axis, pass, from_below, all, carry)
+                            }
+                        };
+                        set_part(&mut shared_side[first][axis], pass, &to_above);
                         if start + blocks.len() == nk {
-                            unsafe { add(forces, nk, axis, pass, &stack.at, over, &mut carry[nk]) };
+                            unsafe {
+                                scatter_side(forces, nk, axis, pass, &stack.at, to_above, &mut carry[nk]);
+                            };
                         }
                     });
                 }
@@ -125,8 +138,9 @@ impl<R: Real, const SLOPES: bool> Stack<'_, R, SLOPES> {
     /// Constants, from the lowest up.
     #[inline(always)]
     fn constants(&self) -> impl Iterator<Item = Constants<'_, R, SLOPES>> {
-        let of = |(layer, block)| Constants::new(self.shapes, self.number + layer, block, self.first);
-        self.blocks.iter().enumerate().map(of)
+        let constants_at =
+            |(layer, block)| Constants::new(self.shapes, self.number + layer, block, self.first);
+        self.blocks.iter().enumerate().map(constants_at)
     }
 
     /// Whether hourglass shapes and mean gradients depend on the variable of a pass.
@@ -138,9 +152,9 @@ impl<R: Real, const SLOPES: bool> Stack<'_, R, SLOPES> {
     /// One pass of a component of the modes.
     ///
     /// # Safety
-    /// As for [`side`].
+    /// As for [`gather_side`].
     #[inline(always)]
-    unsafe fn modes<P: Pack<Real = R>, G: Part<P>>(
+    unsafe fn gather_modes<P: Pack<Real = R>, G: Part<P>>(
         &self,
         positions: &mut Field<R>,
         axis: usize,
@@ -149,9 +163,10 @@ impl<R: Real, const SLOPES: bool> Stack<'_, R, SLOPES> {
     ) {
         let Self { start, at, .. } = self;
         // SAFETY of these: the caller's promise.
-        let mut low = unsafe { side::<G, _>(positions, *start, axis, G::places(pass), at) };
+        let mut low = unsafe { gather_side::<G, _>(positions, *start, axis, G::places(pass), at) };
         for (layer, (constants, element)) in self.constants().zip(elements).enumerate() {
-            let high = unsafe { side::<G, _>(positions, start + layer + 1, axis, G::places(pass), at) };
+            let high =
+                unsafe { gather_side::<G, _>(positions, start + layer + 1, axis, G::places(pass), at) };
             let component = Component::new(&constants.shape::<P, G>(pass), &low, &high);
             element.components[axis].set_part(pass, &component);
             low = high;
@@ -162,14 +177,14 @@ impl<R: Real, const SLOPES: bool> Stack<'_, R, SLOPES> {
     /// highest, given those on the lower side of the lowest. Elements are loads by now if there are more passes.
     ///
     /// # Safety
-    /// As for [`side`].
+    /// As for [`gather_side`].
     #[inline(always)]
-    unsafe fn push<P: Pack<Real = R>, G: Part<P>>(
+    unsafe fn scatter_forces<P: Pack<Real = R>, G: Part<P>>(
         &self,
         forces: &mut Field<R>,
         axis: usize,
         pass: usize,
-        mut under: Sums<P::Value>,
+        mut from_below: Sums<P::Value>,
         (elements, stresses): (&[Hexahedron<P>; RUN], &[Symmetric<P>; RUN]),
         carry: &mut [[<P::Value as Pack>::Quad; 2]; DEPTH + 1],
     ) -> Sums<P::Value> {
@@ -177,15 +192,15 @@ impl<R: Real, const SLOPES: bool> Stack<'_, R, SLOPES> {
             let component = &element.components[axis];
             let (force, above) = if R::PARTS == 1 {
                 let loads = component.loads(&constants, &stresses[layer]);
-                loads.part_of_forces::<G, SLOPES>(&constants, pass, &under)
+                loads.part_of_forces::<G, SLOPES>(&constants, pass, &from_below)
             } else {
-                component.part_of_forces::<G, SLOPES>(&constants, pass, &under)
+                component.part_of_forces::<G, SLOPES>(&constants, pass, &from_below)
             };
             let k = self.start + layer;
             // SAFETY: the caller's promise.
-            unsafe { add(forces, k, axis, pass, &self.at, force, &mut carry[k]) };
-            under = above;
+            unsafe { scatter_side(forces, k, axis, pass, &self.at, force, &mut carry[k]) };
+            from_below = above;
         }
-        under
+        from_below
     }
 }

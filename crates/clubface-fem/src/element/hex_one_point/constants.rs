@@ -87,7 +87,7 @@ impl<'a, R: Real, const SLOPES: bool> Constants<'a, R, SLOPES> {
         volume.set_part(0, self.shape::<P, P::Value>(0).volume());
         for pass in 1..R::PARTS {
             if self.size_varies(pass) {
-                volume.set_part(pass, self.shape::<P, P::Pair>(pass).volume().found());
+                volume.set_part(pass, self.shape::<P, P::Pair>(pass).volume().into_value());
             }
         }
         volume
@@ -101,12 +101,12 @@ impl<'a, R: Real, const SLOPES: bool> Constants<'a, R, SLOPES> {
 
 impl<P: Pack, G: Part<P>> Shape<'_, P, G> {
     #[inline(always)]
-    fn load(&self, which: usize) -> G {
-        debug_assert!(which < SHAPE);
+    fn load(&self, index: usize) -> G {
+        debug_assert!(index < SHAPE);
         // SAFETY: `which` is below SHAPE for what an element has, three base vectors and four patterns; a block has
         // room for a pack from `first` on.
         unsafe {
-            let at = |lines: &Lines| std::ptr::from_ref(lines.get_unchecked(which)).cast::<f64>();
+            let at = |lines: &Lines| std::ptr::from_ref(lines.get_unchecked(index)).cast::<f64>();
             G::coefficient(at(self.values).add(self.first), at(self.slopes).add(self.first))
         }
     }
@@ -151,9 +151,9 @@ impl<R: Real> Shapes<R> {
             if varies.contains(&true) {
                 let (shape, stiff) = constants(corners, shear, |number| number);
                 stiffness = stiff;
-                for (which, lines) in slopes.iter_mut().enumerate() {
+                for (index, lines) in slopes.iter_mut().enumerate() {
                     for (eight, number) in lines.iter_mut().flat_map(|lines| &mut lines[block]).zip(&shape) {
-                        eight.set(lane, number.derivatives()[which]);
+                        eight.set(lane, number.derivatives()[index]);
                     }
                 }
             }

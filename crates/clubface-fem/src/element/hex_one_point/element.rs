@@ -16,7 +16,7 @@
 //! derivatives by variables that the shape depends on.
 
 use super::constants::{Constants, Shape};
-use super::passes::{found, from_found, in_passes, part, set_part};
+use super::passes::{from_values, in_passes, into_values, part, set_part};
 use crate::material::Symmetric;
 use clubface_math::{Mat3, Pack, Part, Real, Scalar, Vec3};
 
@@ -74,14 +74,14 @@ impl<G: Pack> Component<G> {
     {
         let mut bases = [low[1] + high[1], low[2] + high[2], high[0] - low[0]];
         let mut patterns = [high[2] - low[2], high[1] - low[1], low[3] + high[3], high[3] - low[3]];
-        for which in 0..4 {
+        for mode in 0..4 {
             for i in 0..3 {
-                patterns[which] = shape.skew(which, i).mul_add(bases[i], patterns[which]);
+                patterns[mode] = shape.skew(mode, i).mul_add(bases[i], patterns[mode]);
             }
         }
-        for which in 0..3 {
+        for mode in 0..3 {
             for i in 0..3 {
-                bases[i] = shape.mean(which, i).mul_add(patterns[which], bases[i]);
+                bases[i] = shape.mean(mode, i).mul_add(patterns[mode], bases[i]);
             }
         }
         Self { bases, patterns }
@@ -98,13 +98,13 @@ impl<G: Pack> Component<G> {
         // What acts on base vectors acts on the patterns in their means, and what acts on patterns on the base
         // vectors they were freed of.
         for i in 0..3 {
-            for which in 0..3 {
-                on_patterns[which] = shape.mean(which, i).mul_add(on_bases[i], on_patterns[which]);
+            for mode in 0..3 {
+                on_patterns[mode] = shape.mean(mode, i).mul_add(on_bases[i], on_patterns[mode]);
             }
         }
-        for which in [3, 0, 1, 2] {
+        for mode in [3, 0, 1, 2] {
             for i in 0..3 {
-                on_bases[i] = shape.skew(which, i).mul_add(on_patterns[which], on_bases[i]);
+                on_bases[i] = shape.skew(mode, i).mul_add(on_patterns[mode], on_bases[i]);
             }
         }
         let ([first, second, third], [yz, xz, xy, twist]) = (on_bases, on_patterns);
@@ -131,8 +131,8 @@ impl<P: Pack> Component<P> {
         let [aa, bb, cc, ab, ac, bc] = stress.0;
         let bases = self.bases;
         let mut patterns = self.patterns;
-        for which in 0..4 {
-            patterns[which] = self.patterns[which].product(constants.stiffness(which));
+        for mode in 0..4 {
+            patterns[mode] = self.patterns[mode].product(constants.stiffness(mode));
         }
         let bases = [dot(bases, [aa, ab, ac]), dot(bases, [ab, bb, bc]), dot(bases, [ac, bc, cc])];
         Self { bases, patterns }
@@ -160,8 +160,8 @@ impl<P: Pack> Component<P> {
         below: &Sums<P::Value>,
     ) -> (Sums<P::Value>, Sums<P::Value>) {
         let shape = constants.shape::<P, G>(pass);
-        let (low, high) = self.part::<G>(pass).forces(&shape, &from_found::<P, G, 4>(below));
-        (found::<P, G, 4>(&low), found::<P, G, 4>(&high))
+        let (low, high) = self.part::<G>(pass).forces(&shape, &from_values::<P, G, 4>(below));
+        (into_values::<P, G, 4>(&low), into_values::<P, G, 4>(&high))
     }
 
     /// What a pass of a linear map acts on.
@@ -272,9 +272,9 @@ impl<P: Pack> Hexahedron<P> {
     #[inline(always)]
     pub fn hourglass_energy<const SLOPES: bool>(&self, constants: &Constants<P::Real, SLOPES>) -> P {
         let mut sum = P::zero();
-        for which in 0..4 {
-            let pattern = self.components.map(|component| component.patterns[which]);
-            sum += constants.stiffness::<P>(which) * dot(pattern, pattern);
+        for mode in 0..4 {
+            let pattern = self.components.map(|component| component.patterns[mode]);
+            sum += constants.stiffness::<P>(mode) * dot(pattern, pattern);
         }
         sum * -0.5
     }

@@ -2,16 +2,17 @@
 //!
 //! Positions and forces stand component by component in the order of the lattice, so that the corners of consecutive
 //! elements are consecutive numbers. Where rows do not fill whole packs, the last node of one makes an element with
-//! the first of the next, which exists only to keep the packs full: it has no volume. Each pack of elements walks up
+//! the first of the next, which exists only to keep the packs full: it has no volume. Each element pack goes up
 //! through the layers and carries the side it shares with the next one along.
 
 use super::arrangement::order;
+use super::assemble::{DEPTH, assemble};
 use super::constants::{Constants, Shapes};
 use super::element::{Hexahedron, Visitor};
 use super::interior::{Advance, Interior, Kinetic};
-use super::places::{Places, face};
+use super::places::{Places, gather_face};
 use super::stress::{RUN, Stress};
-use super::walk::{DEPTH, walk};
+
 use crate::block::BLOCK;
 use crate::element::field::{Layout, Scratch};
 use crate::mesh::CORNERS;
@@ -86,9 +87,9 @@ impl<R: Real> Lattice<R> {
         };
         let valid = unsafe {
             if P::Real::PARTS > 1 && constants.vary() {
-                walk::<P, true>(*shape, &mut field, &mut forces, constants, stress)
+                assemble::<P, true>(*shape, &mut field, &mut forces, constants, stress)
             } else {
-                walk::<P, false>(*shape, &mut field, &mut forces, constants, stress)
+                assemble::<P, false>(*shape, &mut field, &mut forces, constants, stress)
             }
         };
         if let Some(interior) = interior {
@@ -147,8 +148,9 @@ impl<R: Real> Lattice<R> {
                 let at = places.quads::<P>(column * BLOCK + first);
                 for (k, block) in blocks.iter().enumerate() {
                     // SAFETY: `at` is within the columns.
-                    let (low, high) =
-                        unsafe { (face::<P>(&mut field, k, &at), face::<P>(&mut field, k + 1, &at)) };
+                    let (low, high) = unsafe {
+                        (gather_face::<P>(&mut field, k, &at), gather_face::<P>(&mut field, k + 1, &at))
+                    };
                     let constants = Constants::new(shapes, column * nk + k, block, first);
                     let lane = (column * nk + k) * BLOCK + first;
                     visitor.visit(lane, &constants, &Hexahedron::new(&constants, &low, &high));

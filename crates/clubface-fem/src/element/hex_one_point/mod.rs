@@ -1,6 +1,7 @@
 //! The eight-node hexahedron with one integration point and hourglass control.
 
 mod arrangement;
+mod assemble;
 mod constants;
 mod element;
 mod indexed;
@@ -12,8 +13,9 @@ mod output;
 mod passes;
 mod patch;
 mod places;
+mod reference;
 mod sameness;
 mod stress;
-mod walk;
 
 pub use patch::{constant_sets, solid_patches};
+pub use reference::ReferenceHexahedron;

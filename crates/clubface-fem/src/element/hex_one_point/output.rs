@@ -101,13 +101,13 @@ impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
         let (c, energies) = (&self.c[..count], &mut energies[..count]);
         self.stage.energy(&mut EnergyPoints { lane, step, state: self.state, c, energies });
         for i in 0..count {
-            let (found, (reference, ratio)) = (energies[i], self.volumes[i]);
+            let (result, (reference, ratio)) = (energies[i], self.volumes[i]);
             let dilation = ratio - 1.0;
-            let strain = found.strain + self.bulk * dilation * dilation * 0.5;
+            let strain = result.strain + self.bulk * dilation * dilation * 0.5;
             let damped = self.viscosity.map_or(P::zero(), |viscosity| viscosity.work(lane + i * step));
             self.energies[0] += strain * reference;
-            self.energies[2] += (found.viscous + damped) * reference;
-            self.energies[3] += found.plastic * reference;
+            self.energies[2] += (result.viscous + damped) * reference;
+            self.energies[3] += result.plastic * reference;
         }
     }
 }
@@ -169,9 +169,9 @@ impl<P: Pack> Visitor<P> for OutputOf<'_, '_, P> {
         let mut plastic = P::zero();
         self.stage.plastic_strain(&mut state, first, &mut plastic);
         let (stress, strain) = (stresses[0].seen_through(f), logarithmic(f, &at));
-        for which in 0..P::LANES {
-            let Some(number) = self.numbers[lane + which] else { continue };
-            (self.sink)(number as usize, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, which));
+        for index in 0..P::LANES {
+            let Some(number) = self.numbers[lane + index] else { continue };
+            (self.sink)(number as usize, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, index));
         }
     }
 }

@@ -20,38 +20,38 @@ pub(super) use in_passes;
 
 /// What a pass of a linear map acts on.
 #[inline(always)]
-pub fn part<P: Pack, G: Part<P>, const N: usize>(of: &[P; N], pass: usize) -> [G; N] {
+pub fn part<P: Pack, G: Part<P>, const N: usize>(packs: &[P; N], pass: usize) -> [G; N] {
     let mut parts = [G::zero(); N];
     for i in 0..N {
-        parts[i] = G::of(&of[i], pass);
+        parts[i] = G::of(&packs[i], pass);
     }
     parts
 }
 
 /// Sets what a pass has found.
 #[inline(always)]
-pub fn set_part<P: Pack, G: Part<P>, const N: usize>(of: &mut [P; N], pass: usize, parts: &[G; N]) {
+pub fn set_part<P: Pack, G: Part<P>, const N: usize>(packs: &mut [P; N], pass: usize, parts: &[G; N]) {
     for i in 0..N {
-        of[i].set_part(pass, parts[i].found());
+        packs[i].set_part(pass, parts[i].into_value());
     }
 }
 
 /// What a pass has found.
 #[inline(always)]
-pub fn found<P: Pack, G: Part<P>, const N: usize>(parts: &[G; N]) -> [P::Value; N] {
-    let mut of = [P::Value::zero(); N];
+pub fn into_values<P: Pack, G: Part<P>, const N: usize>(parts: &[G; N]) -> [P::Value; N] {
+    let mut packs = [P::Value::zero(); N];
     for i in 0..N {
-        of[i] = parts[i].found();
+        packs[i] = parts[i].into_value();
     }
-    of
+    packs
 }
 
 /// What adds up to it.
 #[inline(always)]
-pub fn from_found<P: Pack, G: Part<P>, const N: usize>(of: &[P::Value; N]) -> [G; N] {
+pub fn from_values<P: Pack, G: Part<P>, const N: usize>(packs: &[P::Value; N]) -> [G; N] {
     let mut parts = [G::zero(); N];
     for i in 0..N {
-        parts[i] = G::from_found(of[i]);
+        parts[i] = G::from_value(packs[i]);
     }
     parts
 }

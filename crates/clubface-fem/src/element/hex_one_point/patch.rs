@@ -1,11 +1,11 @@
 //! Patches of hexahedra of one material: their data.
 
 use super::arrangement::shape;
+use super::assemble::DEPTH;
 use super::constants::Shapes;
 use super::element::Visitor;
 use super::indexed::Indexed;
 use super::lattice::Lattice;
-use super::walk::DEPTH;
 use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::patch::parts;

@@ -1,4 +1,4 @@
-//! Packs of elements in the fields of a lattice: where they stand, what they read there and what they add.
+//! Element packs in the fields of a lattice: where they stand, and how they gather positions and scatter forces.
 //!
 //! A pack is made of quads, packs of at most four lanes, whose elements follow each other in a row.
 
@@ -50,7 +50,7 @@ pub struct Quads {
 /// # Safety
 /// The places are those of lanes within the columns, `k` is a plane, and numbers have all of these parts.
 #[inline(always)]
-pub unsafe fn side<G: Pack, R: Real>(
+pub unsafe fn gather_side<G: Pack, R: Real>(
     positions: &mut Field<R>,
     k: usize,
     axis: usize,
@@ -75,15 +75,15 @@ pub unsafe fn side<G: Pack, R: Real>(
 /// All components of it.
 ///
 /// # Safety
-/// As for [`side`].
+/// As for [`gather_side`].
 #[inline(always)]
-pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads) -> Face<P> {
+pub unsafe fn gather_face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads) -> Face<P> {
     // SAFETY: the caller's promise.
     unsafe {
         [
-            side(positions, k, 0, [0, 1], at),
-            side(positions, k, 1, [0, 1], at),
-            side(positions, k, 2, [0, 1], at),
+            gather_side(positions, k, 0, [0, 1], at),
+            gather_side(positions, k, 1, [0, 1], at),
+            gather_side(positions, k, 2, [0, 1], at),
         ]
     }
 }
@@ -93,9 +93,9 @@ pub unsafe fn face<P: Pack>(positions: &mut Field<P::Real>, k: usize, at: &Quads
 /// next pack, or is given to the last node of the row.
 ///
 /// # Safety
-/// As for [`side`].
+/// As for [`gather_side`].
 #[inline(always)]
-pub unsafe fn add<G: Pack, R: Real>(
+pub unsafe fn scatter_side<G: Pack, R: Real>(
     forces: &mut Field<R>,
     k: usize,
     axis: usize,
@@ -110,7 +110,7 @@ pub unsafe fn add<G: Pack, R: Real>(
     for quad in 0..G::LANES / lanes {
         let (c0, c1) = (corners[0].quad(quad), corners[1].quad(quad));
         let (c2, c3) = (corners[2].quad(quad), corners[3].quad(quad));
-        // SAFETY: as in `side`.
+        // SAFETY: as in `gather_side`.
         unsafe {
             let to = forces.at(k, axis).add(pass * stride + at.places[quad]);
             (c2 + c3.after(carry[1])).write_parts(to.add(row), stride);

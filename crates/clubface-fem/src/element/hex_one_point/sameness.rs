@@ -45,10 +45,10 @@ pub fn alike<T>(a: &[T], b: &[T], parts: usize) -> bool {
     let count = SHAPE + STIFFNESSES * parts;
     assert_eq!(size_of::<T>(), count * size_of::<[f64; BLOCK]>());
     /// All numbers of a block: those of a constant for eight elements, then each of its derivatives.
-    fn lines<T>(of: &T) -> &[[f64; BLOCK]] {
+    fn lines<T>(block: &T) -> &[[f64; BLOCK]] {
         let count = size_of::<T>() / size_of::<[f64; BLOCK]>();
         // SAFETY: constants are as many lines of eight numbers, and nothing else.
-        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(of).cast(), count) }
+        unsafe { std::slice::from_raw_parts(std::ptr::from_ref(block).cast(), count) }
     }
     let kind = |line: usize| if line < SKEW { 0 } else { line };
     let mut largest = vec![0.0_f64; count];

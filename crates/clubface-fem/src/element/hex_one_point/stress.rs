@@ -50,7 +50,7 @@ impl<P: Pack> Run<P> {
 impl<P: Pack> Stress<'_, P> {
     /// Sets the gradient and the reference volume (m3) of a pack, whose lanes begin with one counted over all blocks.
     #[inline(always)]
-    pub fn set(&mut self, run: &mut Run<P>, which: usize, lane: usize, gradient: Mat3<P>, volume: P) {
+    pub fn set(&mut self, run: &mut Run<P>, index: usize, lane: usize, gradient: Mat3<P>, volume: P) {
         let deformation = Deformation::new(gradient);
         let ratio = deformation.volume;
         self.ratios = self.ratios.and(ratio);
@@ -58,9 +58,9 @@ impl<P: Pack> Stress<'_, P> {
         if let Some(drag) = &mut self.drag {
             pressure += drag.pressure(lane, ratio);
         }
-        run.deformations[which] = deformation;
-        run.pressures[which] = pressure;
-        run.weights[which] = -volume;
+        run.deformations[index] = deformation;
+        run.pressures[index] = pressure;
+        run.weights[index] = -volume;
     }
 
     /// Stresses of the first `count` packs of a run, which begins with a lane, counted over all blocks; the next packs

@@ -25,8 +25,8 @@ fn period_of_a_free_bar() {
     let expected = 2.0 * LENGTH / SPEED;
     for element in ELEMENTS {
         let mut bar = structure(element, &mesh, &elastic(YOUNG, 0.0, DENSITY), &[]);
-        let found = period(&mut bar, &mode, expected);
-        assert!((found / expected - 1.0).abs() < 1.2e-3, "{found} {expected}");
+        let result = period(&mut bar, &mode, expected);
+        assert!((result / expected - 1.0).abs() < 1.2e-3, "{result} {expected}");
     }
 }
 

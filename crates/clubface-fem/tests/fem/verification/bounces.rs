@@ -53,8 +53,8 @@ fn hertz(cube: usize) -> [f64; 2] {
     let speed = (0.8 * stiffness * depth.powf(2.5) / mass).sqrt();
     let duration = 2.943_28 * depth / speed;
     let (material, velocity) = (elastic(young, poisson, density), Vec3::new(-speed, 0.0, 0.0));
-    let found = drop(&mesh, &material, 0.0, velocity, 1.3 * duration);
-    [found.peak.0 / (stiffness * depth.powf(1.5)), found.contact / duration]
+    let result = drop(&mesh, &material, 0.0, velocity, 1.3 * duration);
+    [result.peak.0 / (stiffness * depth.powf(1.5)), result.contact / duration]
 }
 
 #[test]
@@ -72,14 +72,14 @@ fn sliding_is_limited_by_friction() {
     let mesh = ball(8, 4, 1.0);
     let (friction, fall, along) = (0.1, 1.0, 2.0);
     let material = elastic(1e9, 0.3, 1000.0);
-    let found = drop(&mesh, &material, friction, Vec3::new(-fall, along, 0.0), 4e-4);
+    let result = drop(&mesh, &material, friction, Vec3::new(-fall, along, 0.0), 4e-4);
     let mass: f64 = masses(&mesh, 1000.0).iter().sum();
-    let expected = along - friction * (fall + found.velocity.x);
+    let expected = along - friction * (fall + result.velocity.x);
     // Rounding: every node slides all the time.
-    assert!((found.velocity.y / expected - 1.0).abs() < 1e-9, "{} {expected}", found.velocity.y);
-    let torque = mass * (along - found.velocity.y) * RADIUS;
+    assert!((result.velocity.y / expected - 1.0).abs() < 1e-9, "{} {expected}", result.velocity.y);
+    let torque = mass * (along - result.velocity.y) * RADIUS;
     // The pressure leans towards where the ball comes from: its arm is of the order of the indentation.
-    assert!((found.angular_momentum.z / torque - 1.0).abs() < 0.02);
+    assert!((result.angular_momentum.z / torque - 1.0).abs() < 0.02);
 }
 
 fn reference(element: Element) {
@@ -94,23 +94,23 @@ fn reference(element: Element) {
     let (s, c) = 11.5_f64.to_radians().sin_cos();
     let velocity = Vec3::new(-35.0 * c, 35.0 * s, 0.0);
     let springs = PenaltySprings::default();
-    let found = bounce(&mut body, &ball.surface, &ball.areas, 0.35, velocity, 1e-3, springs);
+    let result = bounce(&mut body, &ball.surface, &ball.areas, 0.35, velocity, 1e-3, springs);
     // As spin the angular momentum over the inertia of the undeformed ball, free of vibration.
-    let spin = found.angular_momentum.z / ball.inertia * 60.0 / std::f64::consts::TAU;
+    let spin = result.angular_momentum.z / ball.inertia * 60.0 / std::f64::consts::TAU;
     let close = |name: &str, value: f64, expected: f64, share: f64| {
         let error = (value / expected - 1.0).abs();
         assert!(error < share, "{element:?}, {name}: {value}, expected {expected} within {share}");
     };
     // Means of the first two solvers, which model what we do; each differs from the mean by less than a tenth of these
     // tolerances.
-    close("normal velocity", found.velocity.x, 32.07, 0.01);
-    close("tangential velocity", found.velocity.y, 5.82, 0.01);
+    close("normal velocity", result.velocity.x, 32.07, 0.01);
+    close("tangential velocity", result.velocity.y, 5.82, 0.01);
     close("spin", spin, 1218.0, 0.06);
-    close("reversal", found.reversal, 306e-6, 0.021);
-    close("tangential force", found.tangential.0, 847.0, 0.06);
+    close("reversal", result.reversal, 306e-6, 0.021);
+    close("tangential force", result.tangential.0, 847.0, 0.06);
     // A mean over 20 us. The second code has 8925 N.
-    close("peak force", found.peak.0, 8670.0, 0.03);
-    assert!(found.imbalance < 0.01, "{element:?}: {}", found.imbalance);
+    close("peak force", result.peak.0, 8670.0, 0.03);
+    assert!(result.imbalance < 0.01, "{element:?}: {}", result.imbalance);
 }
 
 #[test]

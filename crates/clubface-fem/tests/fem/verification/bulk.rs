@@ -13,9 +13,9 @@ fn rubber() -> Material<f64> {
 }
 
 /// Pressure for a ratio of volumes that grows by one in a second, Pa s: coefficient, density, speed of waves, size.
-fn drag(of: &Material<f64>) -> f64 {
-    let stiffness = of.bulk + of.shear() * (4.0 / 3.0);
-    COEFFICIENT * of.density * (stiffness / of.density).sqrt() * EDGE
+fn drag(matter: &Material<f64>) -> f64 {
+    let stiffness = matter.bulk + matter.shear() * (4.0 / 3.0);
+    COEFFICIENT * matter.density * (stiffness / matter.density).sqrt() * EDGE
 }
 
 #[test]
@@ -70,8 +70,11 @@ fn work_is_that_of_the_pressure_in_every_arrangement() {
             let ratio = (1.0 + growth).powi(3) - 1.0;
             let volume: f64 = size.iter().product();
             let expected = drag(&material) * ratio * ratio / dt * volume;
-            let found = body.energy().viscous;
-            assert!((found - expected).abs() < 1e-9 * expected, "{element:?} {counts:?}: {found} {expected}");
+            let result = body.energy().viscous;
+            assert!(
+                (result - expected).abs() < 1e-9 * expected,
+                "{element:?} {counts:?}: {result} {expected}"
+            );
             // Held where it is, nothing more is done.
             body.assemble(&mut Loads::none(), dt);
             assert!((body.energy().viscous - expected).abs() < 1e-9 * expected);

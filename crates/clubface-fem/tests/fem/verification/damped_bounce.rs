@@ -55,10 +55,10 @@ fn exact(springs: PenaltySprings) -> [f64; 2] {
 fn a_node_leaves_a_damped_spring_as_the_closed_form_says() {
     for damping in [0.1, 0.4, 0.8] {
         let springs = PenaltySprings { damping, ..PenaltySprings::default() };
-        let (found, expected) = (bounce(springs), exact(springs));
+        let (result, expected) = (bounce(springs), exact(springs));
         for i in 0..2 {
             // Velocities are half a step old: of the order of w dt, 0.1%.
-            assert!((found[i] / expected[i] - 1.0).abs() < 5e-3, "{damping}: {found:?} {expected:?}");
+            assert!((result[i] / expected[i] - 1.0).abs() < 5e-3, "{damping}: {result:?} {expected:?}");
         }
     }
 }

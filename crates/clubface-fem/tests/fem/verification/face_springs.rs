@@ -51,9 +51,9 @@ fn a_head_that_was_pushed_vibrates_with_its_period_and_loses_nothing() {
         head.advance(STEP);
         energies.push(head.energy());
     }
-    let found = (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64;
+    let result = (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64;
     assert!(crossings.len() >= 3, "{crossings:?}");
-    assert!((found / period - 1.0).abs() < 2e-3, "{found} {period}");
+    assert!((result / period - 1.0).abs() < 2e-3, "{result} {period}");
     assert_eq!(head.motion().velocity, pushed.velocity);
     let stored = energies[0] - 0.5 * touch.club_mass * pushed.velocity.norm_squared();
     let most = energies.iter().map(|energy| (energy - energies[0]).abs()).fold(0.0, f64::max);

@@ -58,7 +58,7 @@ fn tension_loading_unloading_and_back() {
     let tangent = slope * modulus / (slope + modulus);
     // The flow of a step has the direction of its end, which here never changes: exact in any number of steps, but for
     // rounding.
-    let close = |found: f64, exact: f64| assert!((found - exact).abs() < 1e-9 * YIELD, "{found} {exact}");
+    let close = |result: f64, exact: f64| assert!((result - exact).abs() < 1e-9 * YIELD, "{result} {exact}");
     let first = YIELD / slope;
     close(go(&mut state, 0.9 * first, 3), 0.9 * YIELD);
     let top = YIELD + tangent * (0.4 - first);
@@ -137,11 +137,11 @@ fn small_strains_agree_with_plane_stress_of_shells() {
                 low = middle;
             }
         }
-        let found = kirchhoff(low, &mut state);
+        let result = kirchhoff(low, &mut state);
         let pairs = [
-            (found.rows[0].x, flat.stress[0]),
-            (found.rows[1].y, flat.stress[1]),
-            (found.rows[0].y, flat.stress[2]),
+            (result.rows[0].x, flat.stress[0]),
+            (result.rows[1].y, flat.stress[1]),
+            (result.rows[0].y, flat.stress[2]),
         ];
         for (solid, wall) in pairs {
             // The pressure, K (J - 1) and no logarithm, is off by the change of volume, up to 0.5%.
@@ -202,11 +202,11 @@ fn a_soft_bar_thrown_at_a_wall_keeps_its_energy() {
         let (surface, areas) = outside(&mesh);
         let mut body = structure(element, &mesh, &body_of(Hardening::linear(300e6, 500e6)), &surface);
         let velocity = Vec3::new(-60.0, 0.0, 0.0);
-        let found = bounce(&mut body, &surface, &areas, 0.0, velocity, 100e-6, SPRING);
+        let result = bounce(&mut body, &surface, &areas, 0.0, velocity, 100e-6, SPRING);
         let energy = body.energy();
         let first = 0.5 * 8000.0 * 0.03 * 1e-4 * 60.0_f64.powi(2);
-        assert!(found.imbalance < 0.01, "{element:?}: {}", found.imbalance);
+        assert!(result.imbalance < 0.01, "{element:?}: {}", result.imbalance);
         assert!(energy.plastic > 0.7 * first, "{element:?}: {energy:?} of {first} J");
-        assert!((0.0..30.0).contains(&found.velocity.x), "{element:?}: {:?}", found.velocity);
+        assert!((0.0..30.0).contains(&result.velocity.x), "{element:?}: {:?}", result.velocity);
     }
 }

@@ -13,9 +13,9 @@ fn the_profile_is_that_of_the_dimensions() {
     for number in [-3.0, 0.0, 4.0] {
         let middle = MIDDLE + 4e-3 * number;
         let close = |at: f64, depth: f64, slope: f64| {
-            let found = GROOVES.relief(middle + at);
+            let result = GROOVES.relief(middle + at);
             // Rounding of a height of 2 cm against walls of 0.3 mm.
-            assert!((found.0 - depth).abs() < 1e-15 && (found.1 - slope).abs() < 1e-11, "{at}: {found:?}");
+            assert!((result.0 - depth).abs() < 1e-15 && (result.1 - slope).abs() < 1e-11, "{at}: {result:?}");
         };
         close(0.0, 0.5e-3, 0.0);
         close(0.19e-3, 0.5e-3, 0.0);

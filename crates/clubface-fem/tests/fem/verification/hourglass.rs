@@ -48,9 +48,9 @@ fn a_bent_element_has_the_mean_period_of_a_block_that_bends_and_shears() {
             let period =
                 [bends(l[a]), bends(l[b]), shears].map(|k| k.sqrt().recip()).iter().sum::<f64>() / 3.0;
             for axis in 0..3 {
-                for found in stiffness(l, &[a, b], axis) {
+                for result in stiffness(l, &[a, b], axis) {
                     // The square of the amplitude beside the work of 1e-10 J.
-                    let error = found * period * period - 1.0;
+                    let error = result * period * period - 1.0;
                     assert!(error.abs() < 1e-4, "{l:?} {third} {axis}: {error}");
                 }
             }
@@ -64,8 +64,8 @@ fn a_twisted_element_resists_by_the_square_of_its_gradient() {
     // and mu times their sum over the volume 4/3 mu V c^2 / l^2.
     let l = 0.01;
     for axis in 0..3 {
-        for found in stiffness([l; 3], &[0, 1, 2], axis) {
-            let error = found / (4.0 / 3.0 * SHEAR * l) - 1.0;
+        for result in stiffness([l; 3], &[0, 1, 2], axis) {
+            let error = result / (4.0 / 3.0 * SHEAR * l) - 1.0;
             assert!(error.abs() < 1e-4, "{axis}: {error}");
         }
     }

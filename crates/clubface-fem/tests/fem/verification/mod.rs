@@ -15,6 +15,7 @@ mod hourglass;
 mod inputs;
 mod laws;
 mod multipliers;
+mod reference;
 mod spheres;
 mod thrown;
 mod viscosity;

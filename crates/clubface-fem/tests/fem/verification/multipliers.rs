@@ -52,9 +52,9 @@ fn springs_give_way_and_multipliers_do_not() {
     assert!(augmented.at.x.abs() < 1e-4 * sunk.x.abs(), "{:?}", augmented.at);
     assert!(augmented.at.y.abs() < 0.05 * sunk.y, "{:?}", augmented.at);
     assert!((augmented.force + LOAD).norm() < 0.02 * LOAD.norm(), "{:?}", augmented.force);
-    for found in [penalty, augmented] {
+    for result in [penalty, augmented] {
         // The account is kept at half steps, of a load that takes 200 of them to rise.
-        assert!(found.missing.abs() < 0.01 * stored, "{} of {stored} J", found.missing);
+        assert!(result.missing.abs() < 0.01 * stored, "{} of {stored} J", result.missing);
     }
 }
 
