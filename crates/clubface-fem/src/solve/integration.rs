@@ -27,6 +27,13 @@ impl<R: Real> Structure<R> {
     /// `observer` returns false, or in which the volume of an element leaves the range of its law. The result equals
     /// that of [`Structure::assemble`] and [`Structure::advance`] in turn, bit for bit. Afterwards the motion of
     /// interior nodes is with their patches, until [`Structure::synchronise`].
+    ///
+    /// # Backends
+    /// **A GPU, or any other backend, plugs in here.** All time integration of a run goes through this method, some 50
+    /// steps a call. A backend takes over [`Structure::positions`], [`Structure::velocities`], masses and patches with
+    /// their state variables at the first call and keeps them; per step it needs the contact's forces and calls the
+    /// observer; [`Structure::synchronise`] brings positions and velocities back. Nothing outside reads interior nodes
+    /// or state variables in between.
     pub fn integrate(
         &mut self,
         contact: &mut dyn Contact<R>,
