@@ -118,14 +118,14 @@ fn main() {
             });
             let launch = case.structure.body_motion(0..case.structure.positions.len());
             let each = |time: Duration| time.as_secs_f64() * 1e9 / (MARCH * case.elements) as f64;
-            let found = quickest(refine, &pool);
+            let result = quickest(refine, &pool);
             table += &format!(
                 "fineness {refine}, {threads} threads: {:.1} ns per element and step, nothing rests; {}\n{:>24} {:.1} ns in a whole run; {}\n",
                 each(least),
                 figures(launch.velocity, launch.spin, peak),
                 "",
-                found.wall * 1e9 / (found.steps * case.elements) as f64,
-                figures(found.ball.velocity, found.ball.spin, found.records.summary(1.0).peak_force),
+                result.wall * 1e9 / (result.steps * case.elements) as f64,
+                figures(result.ball.velocity, result.ball.spin, result.records.summary(1.0).peak_force),
             );
             criterion.bench_function(
                 &format!("ball, {MARCH} steps/fineness {refine}/{threads} threads"),

@@ -140,8 +140,8 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     // SAFETY: a function of the C library without arguments. It counts microseconds on every POSIX system.
     let now = || unsafe { clock() } as f64 * 1e-6;
     let start = now();
-    let found = work();
-    (now() - start, found)
+    let result = work();
+    (now() - start, result)
 }
 
 /// The head of Roh and Lee.
@@ -153,10 +153,20 @@ fn shells() -> ShellHead<f64> {
 fn setting(head: Option<ShellHead<f64>>) -> Setting {
     let mut inputs = INPUTS;
     if let Some(head) = &head {
-        let found = head.mass_properties();
-        let (centre, [r, s, t]) = (found.centre, found.inertia.rows);
-        inputs[14..24]
-            .copy_from_slice(&[found.mass, -centre.x, -centre.y, -centre.z, r.x, s.y, t.z, r.y, r.z, s.z]);
+        let result = head.mass_properties();
+        let (centre, [r, s, t]) = (result.centre, result.inertia.rows);
+        inputs[14..24].copy_from_slice(&[
+            result.mass,
+            -centre.x,
+            -centre.y,
+            -centre.z,
+            r.x,
+            s.y,
+            t.z,
+            r.y,
+            r.z,
+            s.z,
+        ]);
         inputs[24] = head.loft;
         inputs[29] = 0.0;
     }
@@ -171,8 +181,8 @@ fn ball_speed(setting: &Setting, options: &Options, environment: &Environment) -
         Some(head) => ball_against_deformable_head(head, ball, &touch, *friction, environment),
         None => ball_against_rigid_head(ball, &touch, *friction, environment),
     };
-    let found = simulation.expect("a shot").run(options, &mut |_| true).expect("the options are valid");
-    touch.launch(found.ball, found.head).outputs()[0]
+    let result = simulation.expect("a shot").run(options, &mut |_| true).expect("the options are valid");
+    touch.launch(result.ball, result.head).outputs()[0]
 }
 
 /// The one in the middle.
@@ -185,14 +195,14 @@ fn main() {
     let options = Options { until_separation: true, ..Options::default() };
     let environment = Environment::single_threaded();
     let only: Vec<usize> = std::env::args().skip(1).filter_map(|given| given.parse().ok()).collect();
-    for (which, (deformable, names)) in CASES.iter().enumerate() {
-        if !only.is_empty() && !only.contains(&which) {
+    for (index, (deformable, names)) in CASES.iter().enumerate() {
+        if !only.is_empty() && !only.contains(&index) {
             continue;
         }
         let setting = setting(deformable.then(shells));
         let directions = names.map(|name| vec![(name.to_owned(), 1.0)]);
         // In turn, so that what else the machine does slows down both alike.
-        let (mut plain, mut derived, mut found) = (Vec::new(), Vec::new(), String::new());
+        let (mut plain, mut derived, mut result) = (Vec::new(), Vec::new(), String::new());
         for _ in 0..RUNS {
             let (time, speed) = timed(|| ball_speed(&setting, &options, &environment));
             plain.push(time);
@@ -200,11 +210,11 @@ fn main() {
                 timed(|| setting.sensitivity(&directions, &options, &environment, &mut |_, _| true));
             derived.push(time);
             let launch = launch.expect("the variables are known");
-            found = format!("{speed:.12} {:.12} m/s, by them {:.8?}", launch.values[0], launch.jacobian[0]);
+            result = format!("{speed:.12} {:.12} m/s, by them {:.8?}", launch.values[0], launch.jacobian[0]);
         }
         let ratios = plain.iter().zip(&derived).map(|(plain, derived)| derived / plain).collect();
         println!(
-            "{} by {names:?}: {:.3} s, {:.3} s, {:.2} launches; {found}",
+            "{} by {names:?}: {:.3} s, {:.3} s, {:.2} launches; {result}",
             if *deformable { "shells" } else { "rigid" },
             median(plain),
             median(derived),

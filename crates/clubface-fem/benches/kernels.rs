@@ -42,15 +42,15 @@ fn main() {
     let rubber = MooneyRivlin { c10: 4e6, c01: 1e6 }.law();
     let ogden = law_from_name("ogden", &[4e6, 3.5, -3e6, -2.0]).expect("the constants are allowed");
     let metal = VonMises { shear: 1e7, hardening: Hardening::linear(2e5, 1e6) }.law();
-    let of = |law| Material { law, bulk: 5e8, maxwell: vec![], density: 1150.0 };
+    let with_law = |law| Material { law, bulk: 5e8, maxwell: vec![], density: 1150.0 };
     let branch = Maxwell { modulus: 0.3, time: 1e-4 };
     let materials = [
-        ("Mooney-Rivlin", of(rubber.clone())),
-        ("Hencky", of(Hencky { shear: 1e7 }.law())),
-        ("Mooney-Rivlin, one branch", Material { maxwell: vec![branch], ..of(rubber.clone()) }),
-        ("Mooney-Rivlin, two branches", Material { maxwell: vec![branch; 2], ..of(rubber) }),
-        ("Ogden", of(ogden)),
-        ("von Mises", of(metal)),
+        ("Mooney-Rivlin", with_law(rubber.clone())),
+        ("Hencky", with_law(Hencky { shear: 1e7 }.law())),
+        ("Mooney-Rivlin, one branch", Material { maxwell: vec![branch], ..with_law(rubber.clone()) }),
+        ("Mooney-Rivlin, two branches", Material { maxwell: vec![branch; 2], ..with_law(rubber) }),
+        ("Ogden", with_law(ogden)),
+        ("von Mises", with_law(metal)),
     ];
     for (name, material) in &materials {
         for (arrangement, element, mesh) in [

@@ -49,19 +49,19 @@ fn ball() -> BallConstruction<f64> {
 fn run(make: &(dyn Fn() -> Simulation<f64> + Sync), options: &Options, threads: usize) -> (f64, String) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let mut impact = make();
-    let found = pool.install(|| impact.run(options, &mut |_| true)).expect("the options are valid");
-    assert!(found.stopped.is_none(), "{:?}", found.stopped);
-    let (v, figures) = (found.ball.velocity, found.records.summary(impact.radius));
+    let result = pool.install(|| impact.run(options, &mut |_| true)).expect("the options are valid");
+    assert!(result.stopped.is_none(), "{:?}", result.stopped);
+    let (v, figures) = (result.ball.velocity, result.records.summary(impact.radius));
     let text = format!(
         "{} steps, {:.1} us each; ball {:.2} m/s, {:.0} rpm, {:.0} N, energies off by {:.0e}",
-        found.steps,
-        found.wall * 1e6 / found.steps as f64,
+        result.steps,
+        result.wall * 1e6 / result.steps as f64,
         v.norm(),
-        found.ball.spin.norm() * 60.0 / std::f64::consts::TAU,
+        result.ball.spin.norm() * 60.0 / std::f64::consts::TAU,
         figures.peak_force,
         figures.energy_error,
     );
-    (found.wall, text)
+    (result.wall, text)
 }
 
 /// The least of some.
@@ -73,13 +73,13 @@ fn least(mut time: impl FnMut() -> f64) -> f64 {
 fn contact_share(mut impact: Simulation<f64>) -> f64 {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("threads");
     let options = Options { duration: 280e-6, ..Options::default() };
-    let found = pool.install(|| impact.run(&options, &mut |_| true)).expect("the options are valid");
-    let step = found.wall / found.steps as f64;
+    let result = pool.install(|| impact.run(&options, &mut |_| true)).expect("the options are valid");
+    let step = result.wall / result.steps as f64;
     let (structure, contact) = (&impact.structure, &mut impact.contact);
     let alone = least(|| {
         let start = Instant::now();
         for _ in 0..100 {
-            contact.assemble(&structure.positions, &structure.velocities, found.step);
+            contact.assemble(&structure.positions, &structure.velocities, result.step);
         }
         start.elapsed().as_secs_f64() / 100.0
     });

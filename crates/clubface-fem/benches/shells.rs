@@ -57,9 +57,9 @@ fn struck(
     structure.translations = count;
     let axis = Vec3::new(head.loft.cos(), head.loft.sin(), 0.0);
     for (v, p) in structure.velocities.iter_mut().zip(head.nodes()) {
-        let beside = *p - axis * p.dot(axis);
+        let in_plane = *p - axis * p.dot(axis);
         let near = p.dot(axis) > -0.01;
-        let share = (1.0 - beside.norm_squared() / 0.02_f64.powi(2)).max(0.0);
+        let share = (1.0 - in_plane.norm_squared() / 0.02_f64.powi(2)).max(0.0);
         *v = Row::from_vec(axis * if near { -SPEED * share } else { 0.0 });
     }
     structure

@@ -103,11 +103,11 @@ impl<R: Kernels> BallConstruction<R> {
             }
             inside = radius;
         }
-        if let Some(mass) = self.mass {
-            if !(mass > 0.0 && mass < 1.0) {
-                let allowed = "it must be above 0 and below 1000 g";
-                return Err(FemError::input("ball.mass", format!("{} g", mass * 1e3), allowed));
-            }
+        if let Some(mass) = self.mass
+            && !(mass > 0.0 && mass < 1.0)
+        {
+            let allowed = "it must be above 0 and below 1000 g";
+            return Err(FemError::input("ball.mass", format!("{} g", mass * 1e3), allowed));
         }
         Ok(())
     }

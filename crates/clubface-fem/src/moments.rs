@@ -81,17 +81,17 @@ impl<P: Pack> Moments<P> {
     #[inline(always)]
     pub fn total(&self) -> Moments<P::Real> {
         #[inline(always)]
-        fn sum<P: Pack>(of: P) -> P::Real {
+        fn sum<P: Pack>(pack: P) -> P::Real {
             let mut sum = P::Real::zero();
             for lane in 0..P::LANES {
-                sum += of.real(lane);
+                sum += pack.real(lane);
             }
             sum
         }
         let each = |v: Vec3<P>| Vec3::new(sum(v.x), sum(v.y), sum(v.z));
         let mut second = [P::Real::zero(); 6];
-        for (total, of) in second.iter_mut().zip(self.second) {
-            *total = sum(of);
+        for (total, pack) in second.iter_mut().zip(self.second) {
+            *total = sum(pack);
         }
         Moments {
             mass: sum(self.mass),
@@ -117,17 +117,17 @@ pub struct Nodes<'a, R: Real> {
 
 impl<R: Real> Nodes<'_, R> {
     /// Moments of some of them.
-    pub fn moments(self, of: &[u32], origin: Origin<R>) -> Moments<R> {
+    pub fn moments(self, pack: &[u32], origin: Origin<R>) -> Moments<R> {
         let count = self.masses.len();
         assert!(self.positions.len() == count && self.velocities.len() == count);
-        assert!(of.iter().all(|&node| (node as usize) < count), "a list of other nodes");
-        R::dispatch(Sum { nodes: self, of, origin })
+        assert!(pack.iter().all(|&node| (node as usize) < count), "a list of other nodes");
+        R::dispatch(Sum { nodes: self, pack, origin })
     }
 }
 
 struct Sum<'a, R: Real> {
     nodes: Nodes<'a, R>,
-    of: &'a [u32],
+    pack: &'a [u32],
     origin: Origin<R>,
 }
 
@@ -135,10 +135,10 @@ impl<R: Real> PackKernel<R> for Sum<'_, R> {
     type Output = Moments<R>;
     #[inline(always)]
     fn run<P: Pack<Real = R>>(self) -> Moments<R> {
-        let Self { nodes, of, origin } = self;
+        let Self { nodes, pack, origin } = self;
         let origin = origin.splat::<P>();
         let mut sum = Moments::zero();
-        for some in of.chunks(P::LANES) {
+        for some in pack.chunks(P::LANES) {
             // Lanes behind the last node repeat it without mass.
             let (mut index, mut masses) = ([some[some.len() - 1]; BLOCK], [R::zero(); BLOCK]);
             for (lane, &node) in some.iter().enumerate() {

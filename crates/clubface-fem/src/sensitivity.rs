@@ -96,7 +96,7 @@ impl Setting {
         if let Some(unknown) = names.find(|name| !known.contains(name)) {
             return Err(FemError::unknown("variable", unknown, known.iter().map(String::as_str)));
         }
-        let mut found =
+        let mut computed =
             Sensitivity { values: [f64::NAN; OUTPUT_COUNT], jacobian: vec![Vec::new(); OUTPUT_COUNT] };
         options.check()?;
         // The time step follows from values alone, which plain numbers give sooner.
@@ -118,11 +118,11 @@ impl Setting {
                 return Err(stopped);
             }
             for (row, output) in lifted.touch.launch(result.ball, result.head).outputs().iter().enumerate() {
-                found.values[row] = output.value;
-                found.jacobian[row].extend_from_slice(&output.tangent[..group.len()]);
+                computed.values[row] = output.value;
+                computed.jacobian[row].extend_from_slice(&output.tangent[..group.len()]);
             }
         }
-        Ok(found)
+        Ok(computed)
     }
 }
 
@@ -149,16 +149,17 @@ fn lift_head<R: Kernels>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64
     let mut thickness: Vec<R> = head.shells.thickness.iter().map(|&t| R::from_f64(t)).collect();
     let mut parts = Vec::new();
     for part in head.parts.iter().filter(|part| !part.elements.is_empty()) {
-        let mut of = |constant: &str, value: f64| number(&format!("head.{}.{constant}", part.name), value);
+        let mut variable =
+            |constant: &str, value: f64| number(&format!("head.{}.{constant}", part.name), value);
         let walls = &mut thickness[part.elements.clone()];
         let mean = walls.iter().map(|t| t.re()).sum::<f64>() / walls.len() as f64;
-        let factor = of("thickness", mean) * mean.recip();
+        let factor = variable("thickness", mean) * mean.recip();
         walls.iter_mut().for_each(|t| *t = *t * factor);
         let Isotropic { young, poisson } = part.material.elastic;
-        let elastic = Isotropic { young: of("youngs", young), poisson: of("poisson", poisson) };
+        let elastic = Isotropic { young: variable("youngs", young), poisson: variable("poisson", poisson) };
         let ShellMaterial { density, hardening, points, .. } = &part.material;
-        let density = of("density", *density);
-        let hardening = hardening.map(|law| law.map(&mut of));
+        let density = variable("density", *density);
+        let hardening = hardening.map(|law| law.map(&mut variable));
         let material = ShellMaterial { elastic, density, hardening, points: *points };
         parts.push(ShellPart {
             name: part.name.clone(),
@@ -175,19 +176,23 @@ fn lift_head<R: Kernels>(head: &ShellHead<f64>, number: &mut dyn FnMut(&str, f64
 fn lift_piece<R: Kernels>(piece: &BallPiece<f64>, number: &mut dyn FnMut(&str, f64) -> R) -> BallPiece<R> {
     let name = &piece.name;
     let BallPiece { radius, layers, material, .. } = piece;
-    let mut of = |constant: &str, value: f64| number(&format!("{name}.{constant}"), value);
+    let mut variable = |constant: &str, value: f64| number(&format!("{name}.{constant}"), value);
     let maxwell = material
         .maxwell
         .iter()
         .enumerate()
         .map(|(i, branch)| Maxwell {
-            modulus: of(&format!("maxwell.{i}.modulus"), branch.modulus),
-            time: of(&format!("maxwell.{i}.time"), branch.time),
+            modulus: variable(&format!("maxwell.{i}.modulus"), branch.modulus),
+            time: variable(&format!("maxwell.{i}.time"), branch.time),
         })
         .collect();
-    let law = map_law(&*material.law, &mut of);
-    let material =
-        Material { law, bulk: of("bulk", material.bulk), maxwell, density: of("density", material.density) };
-    let radius = of("radius", *radius);
+    let law = map_law(&*material.law, &mut variable);
+    let material = Material {
+        law,
+        bulk: variable("bulk", material.bulk),
+        maxwell,
+        density: variable("density", material.density),
+    };
+    let radius = variable("radius", *radius);
     BallPiece { name: name.clone(), radius, layers: *layers, material }
 }

@@ -39,11 +39,11 @@ impl Batch<'_> {
                 return Err(ImpactError::new(name, message));
             }
             for column in columns {
-                if let Column::Values(values) = column {
-                    if values.len() != rows {
-                        let message = format!("a column has {} rows, the batch {rows}", values.len());
-                        return Err(ImpactError::new(name, message));
-                    }
+                if let Column::Values(values) = column
+                    && values.len() != rows
+                {
+                    let message = format!("a column has {} rows, the batch {rows}", values.len());
+                    return Err(ImpactError::new(name, message));
                 }
             }
         }

@@ -50,15 +50,15 @@ pub fn sensitivity_to_all(
 ) -> Result<Sensitivity, ImpactError> {
     let count = INPUT_COUNT + parameters.len();
     let variables: Vec<usize> = (0..count).filter(|&i| differentiable(model, i)).collect();
-    let mut found = sensitivity(model, inputs, parameters, &variables, accuracy)?;
-    for row in &mut found.jacobian {
+    let mut result = sensitivity(model, inputs, parameters, &variables, accuracy)?;
+    for row in &mut result.jacobian {
         let mut whole = vec![f64::NAN; count];
         for (&variable, &derivative) in variables.iter().zip(&*row) {
             whole[variable] = derivative;
         }
         *row = whole;
     }
-    Ok(found)
+    Ok(result)
 }
 
 /// Whether there are derivatives by a variable.
@@ -115,14 +115,14 @@ impl Sensitivities<'_> {
         let mut jacobian = vec![0.0; OUTPUT_COUNT * width];
         let mut rejects = Vec::new();
         for (place, row) in rows.enumerate() {
-            let found = self.shot(row, &mut jacobian);
+            let result = self.shot(row, &mut jacobian);
             for (columns, &output) in results.chunks_mut(1 + width).zip(self.outputs) {
-                columns[0][place] = found.as_ref().map_or(f64::NAN, |values| values[output]);
+                columns[0][place] = result.as_ref().map_or(f64::NAN, |values| values[output]);
                 for (i, column) in columns[1..].iter_mut().enumerate() {
-                    column[place] = if found.is_ok() { jacobian[output * width + i] } else { f64::NAN };
+                    column[place] = if result.is_ok() { jacobian[output * width + i] } else { f64::NAN };
                 }
             }
-            rejects.extend(found.err().map(|error| Reject { row, error }));
+            rejects.extend(result.err().map(|error| Reject { row, error }));
         }
         rejects
     }

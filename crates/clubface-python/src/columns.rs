@@ -92,13 +92,13 @@ pub fn run_in_pieces<'py>(
                 *column = rest;
             }
             let began = Instant::now();
-            let found = match &pool {
+            let result = match &pool {
                 None => work(start..start + count, parts),
                 Some(pool) => {
                     py.detach(|| pool.install(|| in_parallel(chunk, start..start + count, parts, &work)))
                 }
             };
-            rejects.extend(found.into_iter().map(|r| (r.row, r.error.input, r.error.message)));
+            rejects.extend(result.into_iter().map(|r| (r.row, r.error.input, r.error.message)));
             start += count;
             let elapsed = began.elapsed();
             if elapsed < PATIENCE / 4 {

@@ -78,8 +78,8 @@ pub fn sensitivities<'py>(
 #[allow(clippy::needless_pass_by_value)]
 pub fn check(group: &str, inputs: Vec<f64>) -> PyResult<Option<(&'static str, String)>> {
     let inputs = all_inputs(&inputs).map_err(|e| value_error(&e))?;
-    let found = if group == "ball" { check_ball(inputs) } else { check_club(inputs) };
-    Ok(found.err().map(|e| (e.input, e.message)))
+    let computed = if group == "ball" { check_ball(inputs) } else { check_club(inputs) };
+    Ok(computed.err().map(|e| (e.input, e.message)))
 }
 
 /// Launch of one shot and its derivatives: (outputs, array of outputs by (inputs + parameters)). The derivative by an

@@ -97,9 +97,9 @@ pub unsafe extern "C" fn sensitivity(
         sensitivity_to_all(model, all_inputs(inputs)?, parameters, accuracy)
     };
     crate::finish(match run() {
-        Ok(found) => {
-            outputs.copy_from_slice(&found.values);
-            jacobian.copy_from_slice(&found.jacobian.concat());
+        Ok(result) => {
+            outputs.copy_from_slice(&result.values);
+            jacobian.copy_from_slice(&result.jacobian.concat());
             Ok(json!([]))
         }
         Err(fault) => Err(error(&fault)),

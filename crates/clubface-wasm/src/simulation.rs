@@ -29,20 +29,20 @@ fn run(speed: f64, angle: f64, friction: f64, refine: usize) -> Result<Value, Fe
     // SAFETY: the caller provides both functions.
     let environment = Environment { clock: || unsafe { now() }, executor: Arc::new(SingleThread) };
     let mut simulation = ball_against_plane(&ball, speed, angle, friction, &environment)?;
-    let found = simulation.run(&Options::default(), &mut |view| {
+    let result = simulation.run(&Options::default(), &mut |view| {
         // SAFETY: as above.
         unsafe { progress(view.progress.time, view.progress.duration) != 0 }
     })?;
-    if let Some(stopped) = found.stopped {
+    if let Some(stopped) = result.stopped {
         return Err(stopped);
     }
-    let figures = found.records.summary(simulation.radius);
+    let figures = result.records.summary(simulation.radius);
     let layers: usize = ball.pieces.iter().map(|piece| piece.layers).sum();
     Ok(json!({
-        "velocity": found.ball.velocity.array(), "spin": found.ball.spin.array(),
+        "velocity": result.ball.velocity.array(), "spin": result.ball.spin.array(),
         "peak_force": figures.peak_force, "contact_time": figures.contact_time,
         "energy_error": figures.energy_error, "elements": ball.cube.pow(3) + 6 * ball.cube.pow(2) * layers,
-        "steps": found.steps, "wall": found.wall,
+        "steps": result.steps, "wall": result.wall,
     }))
 }
 

@@ -93,33 +93,47 @@ impl<R: Real> Material<R> {
     /// # Errors
     /// As [`Material::check`].
     pub fn check_law(&self, name: &str) -> Result<(), FemError> {
-        let of = |what: &str| format!("{what} of {name}");
+        let qualified = |what: &str| format!("{what} of {name}");
         self.law.check(name)?;
         positive(self.bulk.re(), "Pa", || {
-            of("bulk modulus (which is infinite for a Poisson's ratio of 0.5; use 0.49 to 0.499 for rubber)")
+            qualified(
+                "bulk modulus (which is infinite for a Poisson's ratio of 0.5; use 0.49 to 0.499 for rubber)",
+            )
         })?;
         if self.poisson() > POISSON {
             let allowed = format!(
                 "it must be at most {POISSON}, since the time step goes to zero at 0.5; rubber behaves as if incompressible from 0.49 on"
             );
-            return Err(FemError::input(of("Poisson's ratio"), format!("{:.6}", self.poisson()), allowed));
+            return Err(FemError::input(
+                qualified("Poisson's ratio"),
+                format!("{:.6}", self.poisson()),
+                allowed,
+            ));
         }
         if self.maxwell.len() > MAX_TERMS {
             let allowed = format!("it must be at most {MAX_TERMS}");
-            return Err(FemError::input(of("number of viscoelastic terms"), self.maxwell.len(), allowed));
+            return Err(FemError::input(
+                qualified("number of viscoelastic terms"),
+                self.maxwell.len(),
+                allowed,
+            ));
         }
         if !self.law.description().state.is_empty() && !self.maxwell.is_empty() {
             let allowed =
                 "it must be 0, since the law has state variables of its own (as a metal that yields has)";
-            return Err(FemError::input(of("number of viscoelastic terms"), self.maxwell.len(), allowed));
+            return Err(FemError::input(
+                qualified("number of viscoelastic terms"),
+                self.maxwell.len(),
+                allowed,
+            ));
         }
         for (number, term) in self.maxwell.iter().enumerate() {
-            let of = |what: &str| format!("{what} of viscoelastic term {} of {name}", number + 1);
-            positive(term.modulus.re(), "", || of("relative modulus"))?;
-            positive(term.time.re(), "s", || of("relaxation time"))?;
+            let qualified = |what: &str| format!("{what} of viscoelastic term {} of {name}", number + 1);
+            positive(term.modulus.re(), "", || qualified("relative modulus"))?;
+            positive(term.time.re(), "s", || qualified("relaxation time"))?;
             if term.modulus.re() > BRANCH {
                 let allowed = format!("it must be at most {BRANCH} times the long-term modulus");
-                return Err(FemError::input(of("relative modulus"), term.modulus.re(), allowed));
+                return Err(FemError::input(qualified("relative modulus"), term.modulus.re(), allowed));
             }
         }
         Ok(())

@@ -61,15 +61,15 @@ impl<R: Real> Hardening<R> {
     /// [`FemError::Input`] for none or too many points, or strains that do not increase from zero; `name` is that of
     /// the metal.
     pub fn table(points: &[(R, R)], name: &str) -> Result<Self, FemError> {
-        let of = format!("{name}.hardening");
+        let subject = format!("{name}.hardening");
         if !(1..=HARDENING_POINTS).contains(&points.len()) {
             let allowed = format!("it must have 1 to {HARDENING_POINTS} points");
-            return Err(FemError::input(of, format!("{} points", points.len()), allowed));
+            return Err(FemError::input(subject, format!("{} points", points.len()), allowed));
         }
         if points[0].0.re() != 0.0 || points.windows(2).any(|pair| pair[0].0.re() >= pair[1].0.re()) {
             let strains: Vec<_> = points.iter().map(|point| point.0.re().to_string()).collect();
             let allowed = "plastic strains must begin at 0 and increase";
-            return Err(FemError::input(of, strains.join(", "), allowed));
+            return Err(FemError::input(subject, strains.join(", "), allowed));
         }
         let mut law = Self::perfect(points[0].1);
         let mut before = R::zero();
@@ -82,15 +82,15 @@ impl<R: Real> Hardening<R> {
         Ok(law)
     }
     /// The same metal in other numbers, each made from its name and value.
-    pub fn map<T: Real>(&self, of: &mut dyn FnMut(&str, R) -> T) -> Hardening<T> {
-        let mut law = Hardening::perfect(of("yield", self.yield_stress));
+    pub fn map<T: Real>(&self, subject: &mut dyn FnMut(&str, R) -> T) -> Hardening<T> {
+        let mut law = Hardening::perfect(subject("yield", self.yield_stress));
         for (i, bend) in self.bends[..self.count].iter().enumerate() {
             let at = T::from_f64(bend.at.re());
-            law.bends[i] = Bend { at, slope: of(&format!("hardening.{i}"), bend.slope) };
+            law.bends[i] = Bend { at, slope: subject(&format!("hardening.{i}"), bend.slope) };
         }
         law.count = self.count;
         if self.saturates {
-            law = law.saturating(of("gain", self.gain), of("rate", self.rate));
+            law = law.saturating(subject("gain", self.gain), subject("rate", self.rate));
         }
         law
     }

@@ -75,10 +75,10 @@ impl<R: Real> StateVariables<R> {
     #[must_use]
     pub fn copy(&self, blocks: std::ops::Range<usize>) -> Self {
         let [every_step, energy_only] = self.counts;
-        let of = |count: usize| blocks.start * count..blocks.end * count;
+        let span = |count: usize| blocks.start * count..blocks.end * count;
         Self {
-            every_step: self.every_step[of(every_step)].to_vec(),
-            energy_only: self.energy_only[of(energy_only)].to_vec(),
+            every_step: self.every_step[span(every_step)].to_vec(),
+            energy_only: self.energy_only[span(energy_only)].to_vec(),
             counts: self.counts,
         }
     }

@@ -170,7 +170,7 @@ impl<S: Scalar> Stretches<S> {
     /// `exp(s x)` of a function x without trace whose exponential has stretches up to [`STRETCH`] squared.
     #[inline(always)]
     pub fn exponential(&self, x: &Function<S>, s: S) -> Function<S> {
-        S::outline(Exponential { of: self, x, s })
+        S::outline(Exponential { stretches: self, x, s })
     }
 
     #[inline(always)]
@@ -200,20 +200,20 @@ impl<S: Scalar> Stretches<S> {
 
     /// Trace.
     #[inline(always)]
-    pub fn trace(&self, of: &Function<S>) -> S {
-        self.fourth.trace(&of.0)
+    pub fn trace(&self, function: &Function<S>) -> S {
+        self.fourth.trace(&function.0)
     }
 
     /// Trace of the square.
     #[inline(always)]
-    pub fn square_trace(&self, of: &Function<S>) -> S {
-        self.fourth.trace(&self.fourth.product(&of.0, &of.0))
+    pub fn square_trace(&self, function: &Function<S>) -> S {
+        self.fourth.trace(&self.fourth.product(&function.0, &function.0))
     }
 
     /// Factors of the identity, the tensor and its square.
     #[inline(always)]
-    pub fn factors(&self, of: &Function<S>) -> [S; 3] {
-        S::outline(WholeFactors { of: self, function: of })
+    pub fn factors(&self, function: &Function<S>) -> [S; 3] {
+        S::outline(WholeFactors { stretches: self, function })
     }
 }
 
@@ -244,7 +244,7 @@ impl<S: Scalar> Computation for Logarithm<'_, S> {
 }
 
 struct Exponential<'a, S> {
-    of: &'a Stretches<S>,
+    stretches: &'a Stretches<S>,
     x: &'a Function<S>,
     s: S,
 }
@@ -253,12 +253,12 @@ impl<S: Scalar> Computation for Exponential<'_, S> {
     type Output = Function<S>;
     #[inline(always)]
     fn run(self) -> Function<S> {
-        self.of.series_of_exponential(self.x, self.s)
+        self.stretches.series_of_exponential(self.x, self.s)
     }
 }
 
 struct WholeFactors<'a, S> {
-    of: &'a Stretches<S>,
+    stretches: &'a Stretches<S>,
     function: &'a Function<S>,
 }
 
@@ -266,7 +266,7 @@ impl<S: Scalar> Computation for WholeFactors<'_, S> {
     type Output = [S; 3];
     #[inline(always)]
     fn run(self) -> [S; 3] {
-        let Stretches { whole, root, fourth } = self.of;
+        let Stretches { whole, root, fourth } = self.stretches;
         whole.of_root(root, &root.of_root(fourth, &self.function.0))
     }
 }

@@ -80,18 +80,18 @@ impl<R: Real> Structure<R> {
     pub fn energies(&mut self) -> (Energy, Vec<(f64, f64)>) {
         self.synchronise();
         let [all, _] = self.schedules();
-        let mut found = vec![(Energy::default(), (1.0, 1.0)); self.patches.len()];
+        let mut result = vec![(Energy::default(), (1.0, 1.0)); self.patches.len()];
         let (positions, patches) = (&self.positions, SharedSlice::new(&mut self.patches));
-        let shared = SharedSlice::new(&mut found);
+        let shared = SharedSlice::new(&mut result);
         run(&*self.executor, &all, &|task, _| unsafe {
             if task < patches.count {
                 *shared.get(task) = patches.get(task).energies(positions);
             }
         });
         let mut sum = Energy::default();
-        for (energy, _) in &found {
+        for (energy, _) in &result {
             sum += *energy;
         }
-        (sum, found.into_iter().map(|(_, ratios)| ratios).collect())
+        (sum, result.into_iter().map(|(_, ratios)| ratios).collect())
     }
 }

@@ -32,13 +32,13 @@ impl<R: Real> Structure<R> {
 /// Chunks of nodes by worker: each worker has those of its own patches. Chunks whose nodes are all subcycled only where
 /// `subcycled` is true.
 pub(super) fn chunks_of(schedule: &Schedule, chunks: &[GatherList], subcycled: bool) -> Schedule {
-    let of = |tasks: &Vec<usize>| {
+    let total = |tasks: &Vec<usize>| {
         let own = |&chunk: &usize| {
             tasks.contains(&chunks[chunk].owner) && (subcycled || !chunks[chunk].subcycled())
         };
         (0..chunks.len()).filter(own).collect()
     };
-    schedule.iter().map(of).collect()
+    schedule.iter().map(total).collect()
 }
 
 /// Tasks in the order given, in `count` runs of about the same cost.

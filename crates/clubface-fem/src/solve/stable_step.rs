@@ -54,7 +54,7 @@ impl<R: Real> Structure<R> {
         };
         let mut current: Vec<_> = masses.iter().map(|_| Row([random(), random(), random(), 0.0])).collect();
         let mut before = vec![Row::zero(); masses.len()];
-        let (mut diagonal, mut beside) = (Vec::new(), Vec::new());
+        let (mut diagonal, mut off_diagonal) = (Vec::new(), Vec::new());
         let mut norm = dot(&current, &current, &masses).sqrt();
         for _ in 0..iterations {
             let scale = DISPLACEMENT / normalise(&mut current, norm);
@@ -75,7 +75,7 @@ impl<R: Real> Structure<R> {
             };
             pool.run(&Stage { task: &perturb, schedule: &schedule });
             // The next vector: accelerations, without what lies along the last two.
-            let last = beside.last().copied().unwrap_or(0.0);
+            let last = off_diagonal.last().copied().unwrap_or(0.0);
             before.iter_mut().for_each(|v: &mut Row<f64>| v.0 = v.0.map(|v| -last * v));
             for (patch, _) in self.patches.iter().zip(chosen).filter(|(_, chosen)| **chosen) {
                 for (&node, force) in patch.nodes().iter().zip(patch.forces()) {
@@ -94,10 +94,10 @@ impl<R: Real> Structure<R> {
             std::mem::swap(&mut before, &mut current);
             norm = dot(&current, &current, &masses).sqrt();
             diagonal.push(along);
-            beside.push(norm);
+            off_diagonal.push(norm);
         }
         self.positions = initial;
-        2.0 / largest_eigenvalue(&diagonal, &beside).sqrt()
+        2.0 / largest_eigenvalue(&diagonal, &off_diagonal).sqrt()
     }
 }
 
@@ -127,16 +127,16 @@ fn normalise(field: &mut [Row<f64>], norm: f64) -> f64 {
 /// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last number beside the diagonal, which
 /// belongs to the next row, times the last component of the eigenvector.
 #[must_use]
-pub fn largest_eigenvalue(diagonal: &[f64], beside: &[f64]) -> f64 {
+pub fn largest_eigenvalue(diagonal: &[f64], off_diagonal: &[f64]) -> f64 {
     let n = diagonal.len();
-    let reach = |i: usize| if i == 0 { 0.0 } else { beside[i - 1].abs() } + beside[i].abs();
+    let reach = |i: usize| if i == 0 { 0.0 } else { off_diagonal[i - 1].abs() } + off_diagonal[i].abs();
     let mut high = (0..n).fold(0.0_f64, |most, i| most.max(diagonal[i] + reach(i)));
     let mut low = 0.0;
     // All pivots of the matrix less a number are negative if and only if the number exceeds every eigenvalue.
     let exceeds = |value: f64| {
         let mut pivot = -1.0;
         (0..n).all(|i| {
-            let square = if i == 0 { 0.0 } else { beside[i - 1] * beside[i - 1] };
+            let square = if i == 0 { 0.0 } else { off_diagonal[i - 1] * off_diagonal[i - 1] };
             pivot = diagonal[i] - value - square / pivot;
             pivot < 0.0
         })
@@ -152,9 +152,9 @@ pub fn largest_eigenvalue(diagonal: &[f64], beside: &[f64]) -> f64 {
     // The eigenvector by its recurrence from the last component back, which is stable for the largest eigenvalue.
     let (mut vector, mut next, mut sum) = (1.0_f64, 0.0, 1.0);
     for i in (1..n).rev() {
-        let here = ((high - diagonal[i]) * vector - beside[i] * next) / beside[i - 1];
+        let here = ((high - diagonal[i]) * vector - off_diagonal[i] * next) / off_diagonal[i - 1];
         (next, vector) = (vector, here);
         sum += here * here;
     }
-    high + beside[n - 1] / sum.sqrt()
+    high + off_diagonal[n - 1] / sum.sqrt()
 }

@@ -56,14 +56,14 @@ fn derivatives_of_forces_are_their_differences() {
     let least = |v: &[Vec3<f64>]| v.iter().map(|v| v.norm()).fold(0.0, f64::max);
     for element in [Element::OnePoint, Element::FullyIntegrated] {
         for mixed in [false, true] {
-            let difference = |which: usize| {
+            let difference = |index: usize| {
                 let moved = |side: f64| {
                     let mut at = AT;
-                    at[which] *= 1.0 + side * 1e-6;
+                    at[index] *= 1.0 + side * 1e-6;
                     forces(element, mixed, at)
                 };
                 let (low, high) = (moved(-1.0), moved(1.0));
-                let slope = |(low, high): (&Vec3<f64>, &Vec3<f64>)| (*high - *low) * (0.5e6 / AT[which]);
+                let slope = |(low, high): (&Vec3<f64>, &Vec3<f64>)| (*high - *low) * (0.5e6 / AT[index]);
                 low.iter().zip(&high).map(slope).collect::<Vec<_>>()
             };
             let plain = forces(element, mixed, AT);
@@ -71,29 +71,29 @@ fn derivatives_of_forces_are_their_differences() {
             for lanes in [1, 4, 8] {
                 // With the radius every shape is one of its own; without it none is.
                 for variables in [4, 3] {
-                    let number = |which: usize| {
-                        if which < variables {
-                            Dual::<f64, 4>::variable(AT[which], which)
+                    let number = |index: usize| {
+                        if index < variables {
+                            Dual::<f64, 4>::variable(AT[index], index)
                         } else {
-                            Dual::constant(AT[which])
+                            Dual::constant(AT[index])
                         }
                     };
-                    let found = with_lanes(lanes, || forces(element, mixed, [0, 1, 2, 3].map(number)));
+                    let result = with_lanes(lanes, || forces(element, mixed, [0, 1, 2, 3].map(number)));
                     let what = format!("{element:?}, mixed {mixed}, {lanes} lanes, {variables} variables");
-                    for (force, plain_force) in found.iter().zip(&plain) {
+                    for (force, plain_force) in result.iter().zip(&plain) {
                         let value = Vec3::new(force.x.value, force.y.value, force.z.value);
                         // Products that are fused in one and not in the other.
                         assert!((value - *plain_force).norm() < 1e-11 * least(&plain), "{what}");
                     }
-                    for which in 0..variables {
-                        let size = least(&differences[which]);
-                        for (force, expected) in found.iter().zip(&differences[which]) {
-                            let [x, y, z] = force.array().map(|number| number.tangent[which]);
+                    for index in 0..variables {
+                        let size = least(&differences[index]);
+                        for (force, expected) in result.iter().zip(&differences[index]) {
+                            let [x, y, z] = force.array().map(|number| number.tangent[index]);
                             // Rounding of forces, 1e-15 of 1e4 of what cancels in them, over 1e-6, and the third
                             // derivative.
                             assert!(
                                 (Vec3::new(x, y, z) - *expected).norm() < 1e-5 * size,
-                                "{what}, by {which}"
+                                "{what}, by {index}"
                             );
                         }
                     }

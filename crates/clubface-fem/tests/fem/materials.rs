@@ -55,14 +55,14 @@ fn logarithm_and_powers_of_stretches() {
         let stretches = Stretches::new(c.trace(), c.second());
         let log = stretches.logarithm();
         let identity = Symmetric::diagonal(1.0);
-        let of = |function| {
+        let evaluate = |function| {
             let [one, linear, square] = stretches.factors(&function);
             identity.sandwich(&c).scale(square).plus(linear, &c).plus(one, &identity)
         };
         // Rounding, of the largest stretch.
         let size = a.max(b).max(1.0 / (a * b)).powi(2);
-        let log_error = apart(&of(log), &tensor(a, b, f64::ln));
-        let error = |s, exact| apart(&of(stretches.exponential(&log, s)), &tensor(a, b, exact));
+        let log_error = apart(&evaluate(log), &tensor(a, b, f64::ln));
+        let error = |s, exact| apart(&evaluate(stretches.exponential(&log, s)), &tensor(a, b, exact));
         let (inverse, square) = (error(-1.0, f64::recip), error(2.0, |v| v * v));
         assert!(log_error < 1e-14 * size, "{a} {b}: {log_error}");
         assert!(inverse < 2e-14 * size * size && square < 2e-14 * size * size, "{a} {b}: {inverse} {square}");

@@ -22,11 +22,11 @@ fn workers_have_every_task_once_and_about_the_same_cost() {
 fn eigenvalue_of_a_chain() {
     // Springs and masses in a row: 2 + 2 cos(pi / (n + 1)); the row has ended, so no residual is left.
     let n = 20;
-    let mut beside = vec![-1.0; n];
-    beside[n - 1] = 0.0;
+    let mut off_diagonal = vec![-1.0; n];
+    off_diagonal[n - 1] = 0.0;
     let exact = 2.0 + 2.0 * (std::f64::consts::PI / (n + 1) as f64).cos();
     // Bisection to 2^-60 of the bracket, then rounding.
-    assert!((largest_eigenvalue(&vec![2.0; n], &beside) - exact).abs() < 1e-13);
+    assert!((largest_eigenvalue(&vec![2.0; n], &off_diagonal) - exact).abs() < 1e-13);
 }
 
 /// Fifteen bodies of different mass in a rigid motion: an odd number, so that packs are not full.
@@ -53,14 +53,14 @@ fn a_rigid_motion_is_found_again() {
         // In two lists, of which the first fills its packs.
         let sums =
             with_lanes(lanes, || nodes.moments(&all[..8], origin).plus(&nodes.moments(&all[8..], origin)));
-        let found = BodyMotion::from_moments(&sums, &origin);
+        let result = BodyMotion::from_moments(&sums, &origin);
         // Rounding, as large as the products are.
-        assert!((found.mass - mass).abs() < 1e-16, "{found:?}");
-        assert!((found.centre - centre).norm() < 1e-15, "{found:?}");
-        assert!((found.velocity - drift).norm() < 1e-13, "{found:?}");
-        assert!((found.spin - spin).norm() < 1e-10, "{found:?}");
-        assert!((found.angular_momentum - angular).norm() < 1e-16, "{found:?}");
-        assert!((found.energy - energy).abs() < 1e-14 * energy, "{found:?}");
+        assert!((result.mass - mass).abs() < 1e-16, "{result:?}");
+        assert!((result.centre - centre).norm() < 1e-15, "{result:?}");
+        assert!((result.velocity - drift).norm() < 1e-13, "{result:?}");
+        assert!((result.spin - spin).norm() < 1e-10, "{result:?}");
+        assert!((result.angular_momentum - angular).norm() < 1e-16, "{result:?}");
+        assert!((result.energy - energy).abs() < 1e-14 * energy, "{result:?}");
     }
 }
 
@@ -80,7 +80,7 @@ fn a_step_with_energies_gives_those_between_assembly_and_motion() {
         simulation.structure.subcycle(cube);
         simulation.structure.integrate(simulation.contact.as_mut(), dt, 120, &mut |_, _| true);
     }
-    let (found, ratios, kinetic) =
+    let (result, ratios, kinetic) =
         one.structure.step_with_energies(one.contact.as_mut(), dt, &mut |_, _| true);
     one.structure.synchronise();
     let structure = &mut other.structure;
@@ -89,7 +89,7 @@ fn a_step_with_energies_gives_those_between_assembly_and_motion() {
     let before = structure.velocities.clone();
     structure.advance(other.contact.as_ref(), dt);
     assert!(expected.hourglass > 0.0 && expected.viscous > 0.0);
-    assert_eq!(format!("{found:?} {ratios:?}"), format!("{expected:?} {expected_ratios:?}"));
+    assert_eq!(format!("{result:?} {ratios:?}"), format!("{expected:?} {expected_ratios:?}"));
     // Summed in another order.
     assert!((kinetic / structure.kinetic_energy(&before) - 1.0).abs() < 1e-12);
     assert!(bits(&one.structure) == bits(structure));

@@ -80,10 +80,10 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     /// Tangential force on the ball in state `y`, N.
     #[inline(always)]
     pub fn tangential_force(&self, y: &[S], t: &ContactPoint<S>, normal_force: S) -> Vec3<S> {
-        if sliding(y.len()) {
-            if let Some(force) = self.law.remembered(t, normal_force, [y[SLIP], y[SLIP + 1]]) {
-                return force;
-            }
+        if sliding(y.len())
+            && let Some(force) = self.law.remembered(t, normal_force, [y[SLIP], y[SLIP + 1]])
+        {
+            return force;
         }
         let [normal_force, rate, w] =
             [normal_force, t.rate, t.sliding.norm_squared()].map(Dual::<S, 0>::constant);

@@ -26,11 +26,11 @@ impl FlightBatch<'_> {
             return Err(ImpactError::new("inputs", message));
         }
         for (column, input) in self.inputs.iter().zip(&INPUTS) {
-            if let Column::Values(values) = column {
-                if values.len() != rows {
-                    let message = format!("the column has {} rows, the batch {rows}", values.len());
-                    return Err(ImpactError::new(input.quantity.name, message));
-                }
+            if let Column::Values(values) = column
+                && values.len() != rows
+            {
+                let message = format!("the column has {} rows, the batch {rows}", values.len());
+                return Err(ImpactError::new(input.quantity.name, message));
             }
         }
         Ok(())

@@ -71,11 +71,11 @@ pub fn assert_derivatives(
                 continue;
             }
             let difference = (above[output] - below[output]) / (2.0 * h);
-            let found = exact.jacobian[output][column] * size;
-            let error = (found - difference).abs() / scale(&values, output);
+            let result = exact.jacobian[output][column] * size;
+            let error = (result - difference).abs() / scale(&values, output);
             if !(error <= worst.0) {
                 let output = OUTPUTS[output].name;
-                worst = (error, format!("d {output}/d {name}: {found:e}, differences {difference:e}"));
+                worst = (error, format!("d {output}/d {name}: {result:e}, differences {difference:e}"));
             }
         }
     }
@@ -132,11 +132,11 @@ fn derivatives_of_the_rings_equal_differences() {
 fn a_sensitivity_holds_the_launch_and_the_columns_asked_for() {
     for model in every_model() {
         let (inputs, parameters) = (mishit(Club::Driver, 1.0), published(model, Club::Driver));
-        let of = |variables: &[usize]| {
+        let select = |variables: &[usize]| {
             sensitivity(model, &inputs.0, &parameters, variables, Accuracy::Fast).unwrap()
         };
         let all: Vec<usize> = (0..INPUT_COUNT).collect();
-        let (some, whole) = (of(&[12, 0, 6]), of(&all));
+        let (some, whole) = (select(&[12, 0, 6]), select(&all));
         let shot = hit(model, &inputs, &parameters, Accuracy::Fast);
         for output in 0..OUTPUT_COUNT {
             let value = whole.values[output];
@@ -151,6 +151,6 @@ fn a_sensitivity_holds_the_launch_and_the_columns_asked_for() {
                 assert!(a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan());
             }
         }
-        assert!(of(&[]).jacobian.iter().all(Vec::is_empty));
+        assert!(select(&[]).jacobian.iter().all(Vec::is_empty));
     }
 }

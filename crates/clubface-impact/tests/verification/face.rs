@@ -18,12 +18,12 @@ fn nearest_by_search(face: &Face<f64>, p: Vec3<f64>) -> Vec3<f64> {
     let mut step = 0.1;
     while step > 1e-10 {
         let tries = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (f64::from(i), f64::from(j))));
-        let found = tries
+        let result = tries
             .map(|(i, j)| (best.0 + i * step, best.1 + j * step))
             .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
             .unwrap();
-        if distance(found) < distance(best) {
-            best = found;
+        if distance(result) < distance(best) {
+            best = result;
         } else {
             step *= 0.5;
         }
@@ -50,9 +50,9 @@ proptest! {
     #[test]
     fn the_nearest_point_is_the_nearest(face in curved(), p in place()) {
         let nearest = face.nearest(p);
-        let found = nearest_by_search(&face, p);
-        prop_assert!((nearest.distance.abs() - (found - p).norm()).abs() < 1e-12);
-        prop_assert!(near(p - nearest.normal * nearest.distance, found, 1e-7));
+        let result = nearest_by_search(&face, p);
+        prop_assert!((nearest.distance.abs() - (result - p).norm()).abs() < 1e-12);
+        prop_assert!(near(p - nearest.normal * nearest.distance, result, 1e-7));
         prop_assert!((nearest.normal.norm() - 1.0).abs() < 1e-14);
     }
 

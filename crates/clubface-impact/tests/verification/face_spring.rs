@@ -35,10 +35,10 @@ fn velocities_follow_from_momenta_and_energy_is_half_of_both() {
         let rate = guided.rate(inwards, mean);
         assert!((rate - RATE).abs() < 1e-12 * RATE, "{rate}");
         let recoil = guided.recoil(rate);
-        for (found, wanted) in
+        for (result, wanted) in
             [(mean.velocity + recoil.velocity, AROUND.velocity), (mean.spin + recoil.spin, AROUND.spin)]
         {
-            assert!((found - wanted).norm() < 1e-12 * wanted.norm(), "{found:?} {wanted:?}");
+            assert!((result - wanted).norm() < 1e-12 * wanted.norm(), "{result:?} {wanted:?}");
         }
         // Kinetic energy, by the speeds of its parts: the mass moves with the body and in it.
         let body = 0.5

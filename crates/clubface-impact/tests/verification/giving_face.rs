@@ -17,10 +17,10 @@ fn restitution(model: ImpactModel, parameters: &[f64], face: (f64, f64)) -> f64 
     let inputs = shot(Club::Driver).with(&ball).with(&[("speed", TEST_SPEED), ("loft", 0.0)]);
     let inputs = on_face(inputs, face);
     let touch = FirstTouch::of_inputs(&inputs.0);
-    let found = hit(model, &inputs, parameters, TIGHT);
+    let result = hit(model, &inputs, parameters, TIGHT);
     let point = touch.attitude * touch.contact;
-    let club = found.club_velocity() + found.club_spin().cross(point);
-    (found.ball_velocity() - club).dot(touch.attitude * touch.normal) / touch.approach()
+    let club = result.club_velocity() + result.club_spin().cross(point);
+    (result.ball_velocity() - club).dot(touch.attitude * touch.normal) / touch.approach()
 }
 
 fn face(touch: &FirstTouch<f64>) -> GivingFace<f64> {
@@ -35,8 +35,8 @@ fn the_included_face_gives_the_bits_of_a_rigid_one() {
             let (shot, parameters) = (mishit(club, hand), published(model, club));
             let rigid = hit(model, &shot, &parameters, Accuracy::Fast);
             for time in [20e-6, 85e-6, 250e-6] {
-                let found = hit(model, &on_face(shot, (time, time)), &parameters, Accuracy::Fast);
-                assert_eq!(found.bits(), rigid.bits(), "{}", model.info().name);
+                let result = hit(model, &on_face(shot, (time, time)), &parameters, Accuracy::Fast);
+                assert_eq!(result.bits(), rigid.bits(), "{}", model.info().name);
             }
         }
     }
@@ -81,11 +81,11 @@ fn restitution_rises_with_the_characteristic_time() {
             // Down from an included face as far as the stiffest set, the volumetric one, tells.
             let times = [20e-6, 85e-6, 180e-6, 210e-6, 239e-6, 257e-6, 300e-6];
             let times = if included > 0.0 { &times[2..] } else { &times };
-            let found: Vec<_> =
+            let result: Vec<_> =
                 times.iter().map(|time| restitution(model, &parameters, (*time, included))).collect();
-            println!("{} {included:e}: {found:.4?}", model.info().name);
-            assert!(found.is_sorted_by(|a, b| a < b), "{}: {found:?}", model.info().name);
-            let gained = found[found.len() - 2] - found[found.len() - 3];
+            println!("{} {included:e}: {result:.4?}", model.info().name);
+            assert!(result.is_sorted_by(|a, b| a < b), "{}: {result:?}", model.info().name);
+            let gained = result[result.len() - 2] - result[result.len() - 3];
             // A set of `response` that includes a face is this test's own: there the difference of two faces is right
             // to second order only, and 0.0085.
             let most = if parameter(model, "stiffness").is_some() {
@@ -107,9 +107,9 @@ fn restitution_rises_with_the_characteristic_time() {
 fn restitution_of_ball_and_face_is_that_of_finite_elements() {
     let times = [157e-6, 189e-6, 234e-6, 239e-6, 257e-6];
     for (time, wanted) in times.into_iter().zip([0.794, 0.803, 0.816, 0.823, 0.827]) {
-        let found = restitution(STANDARD, &[0.777, 0.0], (time, 0.0));
-        println!("{time:e}: {found:.4}, finite elements {wanted}");
-        assert!((found - wanted).abs() < 0.004, "{time}: {found}, {wanted}");
+        let result = restitution(STANDARD, &[0.777, 0.0], (time, 0.0));
+        println!("{time:e}: {result:.4}, finite elements {wanted}");
+        assert!((result - wanted).abs() < 0.004, "{time}: {result}, {wanted}");
     }
 }
 
@@ -119,16 +119,16 @@ fn restitution_of_ball_and_face_is_that_of_response_at_other_speeds() {
     let response = RESPONSE.info().defaults();
     for speed in [25.0, 35.0, 50.0, 60.0] {
         let inputs = simple_head(0.04).with(&[("speed", speed)]);
-        let of = |model: ImpactModel, parameters: &[f64], time: f64| {
-            let found = hit(model, &on_face(inputs, (time, 0.0)), parameters, TIGHT);
-            (found.at("velocity_x") - found.at("club_velocity_x")) / speed
+        let rebound = |model: ImpactModel, parameters: &[f64], time: f64| {
+            let result = hit(model, &on_face(inputs, (time, 0.0)), parameters, TIGHT);
+            (result.at("velocity_x") - result.at("club_velocity_x")) / speed
         };
-        let rigid = of(RESPONSE, &response, 0.0);
+        let rigid = rebound(RESPONSE, &response, 0.0);
         for time in [150e-6, 250e-6] {
-            let wanted = of(RESPONSE, &response, time);
-            let found = of(STANDARD, &[rigid, 0.0], time);
-            println!("{speed} m/s, {time:e}: {found:.4}, response {wanted:.4}, rigid {rigid:.4}");
-            assert!((found - wanted).abs() < 0.006, "{speed} {time}: {found} {wanted}");
+            let wanted = rebound(RESPONSE, &response, time);
+            let result = rebound(STANDARD, &[rigid, 0.0], time);
+            println!("{speed} m/s, {time:e}: {result:.4}, response {wanted:.4}, rigid {rigid:.4}");
+            assert!((result - wanted).abs() < 0.006, "{speed} {time}: {result} {wanted}");
         }
     }
 }
@@ -140,12 +140,12 @@ fn restitution_stays_possible() {
     for (own, included) in [(300e-6, 0.0), (0.0, 300e-6), (600e-6, 20e-6)] {
         let face = face(&touch((own, included)));
         for of_set in [0.0, 1e-9, 0.3, 0.83, 1.0] {
-            let found = face.restitution(of_set, 50.0);
-            assert!((0.0..=1.0).contains(&found), "{own} {included} {of_set}: {found}");
+            let result = face.restitution(of_set, 50.0);
+            assert!((0.0..=1.0).contains(&result), "{own} {included} {of_set}: {result}");
             let gives_more = own > included;
             let changes = of_set < 1.0 && (gives_more || of_set > 0.0);
-            assert_eq!(found != of_set, changes);
-            assert!(!changes || (found > of_set) == gives_more);
+            assert_eq!(result != of_set, changes);
+            assert!(!changes || (result > of_set) == gives_more);
         }
     }
 }
@@ -156,12 +156,12 @@ fn restitution_stays_possible() {
 fn the_face_is_the_guided_mass_on_its_spring() {
     let inputs = on_face(mishit(Club::Driver, 1.0), (250e-6, 0.0));
     let touch = FirstTouch::of_inputs(&inputs.0);
-    let found = face(&touch);
+    let result = face(&touch);
     let arm = touch.contact.cross(touch.normal);
     let share = GUIDED_MASS * (touch.club_mass.recip() + arm.dot(touch.inertia.inverse() * arm));
     let compliance = COMPLIANCE * 250e-6f64.powi(2);
-    assert!((found.compliance / (compliance * (1.0 - share).powi(2)) - 1.0).abs() < 1e-12);
-    assert!((found.square_time / (compliance * GUIDED_MASS * (1.0 - share)) - 1.0).abs() < 1e-12);
+    assert!((result.compliance / (compliance * (1.0 - share).powi(2)) - 1.0).abs() < 1e-12);
+    assert!((result.square_time / (compliance * GUIDED_MASS * (1.0 - share)) - 1.0).abs() < 1e-12);
     assert!((touch.spring.stiffness * compliance - 1.0).abs() < 1e-12);
 }
 
@@ -170,8 +170,8 @@ fn the_face_is_the_guided_mass_on_its_spring() {
 #[test]
 fn the_difference_of_two_faces_is_right_to_second_order() {
     let at = |face_: (f64, f64), w: f64| {
-        let found = face(&FirstTouch::of_inputs(&on_face(mishit(Club::Driver, 1.0), face_).0));
-        found.compliance / (1.0 - found.square_time * w * w)
+        let result = face(&FirstTouch::of_inputs(&on_face(mishit(Club::Driver, 1.0), face_).0));
+        result.compliance / (1.0 - result.square_time * w * w)
     };
     for (own, included) in [(257e-6, 239e-6), (85e-6, 250e-6)] {
         let error = |w: f64| {
@@ -259,7 +259,10 @@ fn the_contact_stays_within_the_rings() {
             let rings = &history.rings[0];
             let largest = rings[rings.len() - 1].radius * 20.0 / 19.5;
             let most = history.rings.iter().map(inside).max().unwrap();
-            println!("{own:e} {included:e}: {:.4} of the largest radius, {most} rings", radius / largest);
+            println!(
+                "{own:e} {included:e}: {:.4} rebound the largest radius, {most} rings",
+                radius / largest
+            );
             assert!(radius < largest && radius > 0.9 * largest);
         }
     }

@@ -122,8 +122,8 @@ proptest! {
             (SLIP, vec![("slip_y", 0.0), ("slip_z", 0.0)]),
             (ADJUSTED, vec![("extra_mass", 0.0), ("dcg_x", 0.0), ("dcg_y", 0.0), ("dcg_z", 0.0)]),
         ] {
-            let found = hit(model, &inputs, &changed(model, model.info().defaults(), &nothing), Accuracy::Fast);
-            prop_assert_eq!(found.bits(), standard.bits());
+            let result = hit(model, &inputs, &changed(model, model.info().defaults(), &nothing), Accuracy::Fast);
+            prop_assert_eq!(result.bits(), standard.bits());
         }
     }
 

@@ -70,11 +70,11 @@ fn a_pack_of_one_shot_gives_its_bits_and_its_derivatives_in_any_width() {
             let shot = played(club).with(&[("toe", 0.01), ("path", 0.04)]);
             let variables = [0, 1, 3, 6, 12, 28, INPUT_COUNT, INPUT_COUNT + 1];
             let bits = |width: usize| {
-                let found = with_lanes(width, || {
+                let result = with_lanes(width, || {
                     sensitivity(model, &shot.0, &parameters, &variables, Accuracy::Fast).unwrap()
                 });
-                let derivatives = found.jacobian.iter().flatten().map(|value| value.to_bits()).collect();
-                (Outputs(found.values).bits(), derivatives)
+                let derivatives = result.jacobian.iter().flatten().map(|value| value.to_bits()).collect();
+                (Outputs(result.values).bits(), derivatives)
             };
             let alone: (_, Vec<u64>) = bits(1);
             assert_eq!(bits(4), alone, "{}", model.info().name);

@@ -45,8 +45,8 @@ fn assert_linearized<L: ContactLaw<f64>>(law: L, curvature: f64, tolerance: f64)
         y[CLUB_SPIN + i] += [30.0, -50.0, 20.0][i];
         y[BALL_SPIN + i] += [60.0, -90.0, 120.0][i];
     }
-    let found = contact.linearize(&y);
-    let bodies = [(POSITION, found.by_position, 1e-8), (VELOCITY, found.by_velocity, 1e-5)];
+    let result = contact.linearize(&y);
+    let bodies = [(POSITION, result.by_position, 1e-8), (VELOCITY, result.by_velocity, 1e-5)];
     for (start, jacobian, h) in bodies {
         let columns = jacobian.transpose().rows;
         let largest = columns.iter().map(|column| column.norm()).fold(0.0, f64::max);

@@ -77,9 +77,9 @@ fn the_fast_setting_follows_hertz_to_its_tolerance() {
 
 fn assert_bounce(model: ImpactModel, inputs: &Inputs, parameters: &[f64], exact: &Bounce) {
     let outputs = hit(model, inputs, parameters, TIGHT);
-    let relative = |found: f64, exact: f64, tolerance: f64, what: &str| {
-        let error = (found / exact - 1.0).abs();
-        assert!(error < tolerance, "{} {what}: {found} for {exact}, {error:e}", model.info().name);
+    let relative = |result: f64, exact: f64, tolerance: f64, what: &str| {
+        let error = (result / exact - 1.0).abs();
+        assert!(error < tolerance, "{} {what}: {result} for {exact}, {error:e}", model.info().name);
     };
     relative(restitution(inputs, &outputs), exact.restitution, 1e-8, "restitution");
     // 4000 midpoints leave 1e-7 of the integral, and find the top of the force to 1e-7.

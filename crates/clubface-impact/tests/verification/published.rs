@@ -13,8 +13,8 @@ fn outcome(model: ImpactModel, club: Club) -> Outputs {
     hit(model, &played(club), &published(model, club), TIGHT)
 }
 
-fn within(found: f64, expected: f64, share: f64) -> bool {
-    (found / expected - 1.0).abs() <= share
+fn within(result: f64, expected: f64, share: f64) -> bool {
+    (result / expected - 1.0).abs() <= share
 }
 
 /// Measured drives last 400-500 us with 10-13 kN.

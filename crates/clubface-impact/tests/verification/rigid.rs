@@ -112,7 +112,7 @@ impl Rigid {
     pub fn mobility(&self) -> Mat3<f64> {
         let touch = &self.touch;
         let inverse = touch.inertia.inverse();
-        let of = |p: Vec3<f64>| {
+        let angular = |p: Vec3<f64>| {
             let ball = p * touch.ball.mass.recip()
                 + (self.ball_arm.cross(p) * touch.ball.inertia.recip()).cross(self.ball_arm);
             ball + p * self.club_mass.recip() + (inverse * touch.contact.cross(p)).cross(touch.contact)
@@ -122,6 +122,6 @@ impl Rigid {
             v[i] = 1.0;
             Vec3::from_f64(v)
         };
-        Mat3::from_columns(of(unit(0)), of(unit(1)), of(unit(2)))
+        Mat3::from_columns(angular(unit(0)), angular(unit(1)), angular(unit(2)))
     }
 }

@@ -60,12 +60,12 @@ impl Real for f64 {
         unsafe { *at = self };
     }
     #[inline(always)]
-    fn each_part<A: Copy + Debug + Send + Sync + 'static>(of: A) -> A {
-        of
+    fn each_part<A: Copy + Debug + Send + Sync + 'static>(value: A) -> A {
+        value
     }
     #[inline(always)]
-    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut A, _part: usize) -> &mut A {
-        of
+    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(parts: &mut A, _part: usize) -> &mut A {
+        parts
     }
     #[inline(always)]
     fn add_times(sum: &mut [f64; 4], v: &[f64; 4], s: f64) {

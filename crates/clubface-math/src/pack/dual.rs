@@ -36,12 +36,12 @@ impl<const N: usize> Real for Dual<f64, N> {
         }
     }
     #[inline(always)]
-    fn each_part<A: Copy + Debug + Send + Sync + 'static>(of: A) -> Dual<A, N> {
-        Dual { value: of, tangent: [of; N] }
+    fn each_part<A: Copy + Debug + Send + Sync + 'static>(value: A) -> Dual<A, N> {
+        Dual { value, tangent: [value; N] }
     }
     #[inline(always)]
-    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut Dual<A, N>, part: usize) -> &mut A {
-        if part == 0 { &mut of.value } else { &mut of.tangent[part - 1] }
+    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(parts: &mut Dual<A, N>, part: usize) -> &mut A {
+        if part == 0 { &mut parts.value } else { &mut parts.tangent[part - 1] }
     }
     #[inline(always)]
     fn add_times(sum: &mut Dual<[f64; 4], N>, v: &Dual<[f64; 4], N>, s: f64) {
@@ -82,22 +82,22 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
     type Pair = Dual<S, 1>;
     type Quad = Dual<S::Four, N>;
     #[inline(always)]
-    fn part(self, which: usize) -> S {
-        if which == 0 { self.value } else { self.tangent[which - 1] }
+    fn part(self, index: usize) -> S {
+        if index == 0 { self.value } else { self.tangent[index - 1] }
     }
     #[inline(always)]
-    fn set_part(&mut self, which: usize, part: S) {
-        if which == 0 {
+    fn set_part(&mut self, index: usize, part: S) {
+        if index == 0 {
             self.value = part;
         } else {
-            self.tangent[which - 1] = part;
+            self.tangent[index - 1] = part;
         }
     }
     #[inline(always)]
-    fn quad(self, which: usize) -> Self::Quad {
-        let mut quad = Dual::constant(self.value.four(which));
+    fn quad(self, index: usize) -> Self::Quad {
+        let mut quad = Dual::constant(self.value.four(index));
         for i in 0..N {
-            quad.tangent[i] = self.tangent[i].four(which);
+            quad.tangent[i] = self.tangent[i].four(index);
         }
         quad
     }
@@ -214,8 +214,8 @@ impl<S: Lanes, const N: usize> Pack for Dual<S, N> {
 
 /// One part of a vector.
 #[inline(always)]
-fn part_of<S: Lanes, const N: usize>(of: &Vec3<Dual<S, N>>, part: usize) -> Vec3<S> {
-    Vec3::new(Pack::part(of.x, part), Pack::part(of.y, part), Pack::part(of.z, part))
+fn part_of<S: Lanes, const N: usize>(vector: &Vec3<Dual<S, N>>, part: usize) -> Vec3<S> {
+    Vec3::new(Pack::part(vector.x, part), Pack::part(vector.y, part), Pack::part(vector.z, part))
 }
 
 /// Places of the values of some rows among all parts, and so of each other part behind the first of its kind: worked

@@ -18,12 +18,12 @@ impl<S: Lanes, const N: usize> Part<Dual<S, N>> for S {
         unsafe { S::read(value) }
     }
     #[inline(always)]
-    fn found(self) -> S {
+    fn into_value(self) -> S {
         self
     }
     #[inline(always)]
-    fn from_found(found: S) -> Self {
-        found
+    fn from_value(value: S) -> Self {
+        value
     }
 }
 
@@ -43,11 +43,11 @@ impl<S: Lanes, const N: usize> Part<Dual<S, N>> for Dual<S, 1> {
         unsafe { Self { value: S::read(value), tangent: [S::read(derivative)] } }
     }
     #[inline(always)]
-    fn found(self) -> S {
+    fn into_value(self) -> S {
         self.tangent[0]
     }
     #[inline(always)]
-    fn from_found(found: S) -> Self {
-        Self { value: S::zero(), tangent: [found] }
+    fn from_value(value: S) -> Self {
+        Self { value: S::zero(), tangent: [value] }
     }
 }

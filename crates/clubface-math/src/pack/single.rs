@@ -45,12 +45,12 @@ macro_rules! single_part {
                 unsafe { Self::read(value) }
             }
             #[inline(always)]
-            fn found(self) -> Self {
+            fn into_value(self) -> Self {
                 self
             }
             #[inline(always)]
-            fn from_found(found: Self) -> Self {
-                found
+            fn from_value(value: Self) -> Self {
+                value
             }
         }
     };

@@ -9,7 +9,7 @@ pub trait Lanes: Primal + Pack<Real = f64> {
     /// Packs of at most four lanes that it is made of: [`Pack::Quad`], known to be plain.
     type Four: Lanes;
     /// As of [`Pack::quad`].
-    fn four(self, which: usize) -> Self::Four;
+    fn four(self, index: usize) -> Self::Four;
     /// A pack whose lane `i` is `value(i)`.
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
 }
@@ -44,9 +44,9 @@ pub trait Real: Scalar + Send + Sync {
     /// All of them can be written.
     unsafe fn put_parts(self, at: *mut f64, stride: usize);
     /// The same for each part.
-    fn each_part<A: Copy + Debug + Send + Sync + 'static>(of: A) -> Self::Parts<A>;
+    fn each_part<A: Copy + Debug + Send + Sync + 'static>(value: A) -> Self::Parts<A>;
     /// What there is for one part.
-    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(of: &mut Self::Parts<A>, part: usize) -> &mut A;
+    fn part_mut<A: Copy + Debug + Send + Sync + 'static>(parts: &mut Self::Parts<A>, part: usize) -> &mut A;
     /// `sum += s v` for four numbers at once, by a number that depends on no variable.
     fn add_times(sum: &mut Self::Parts<[f64; 4]>, v: &Self::Parts<[f64; 4]>, s: f64);
     /// `sum += s v` for four numbers at once.
@@ -102,17 +102,17 @@ impl<R: Real> Row<R> {
     }
     /// One of the numbers.
     #[inline(always)]
-    pub fn get(&self, which: usize) -> R {
-        assert!(which < WIDTH);
+    pub fn get(&self, index: usize) -> R {
+        assert!(index < WIDTH);
         // SAFETY: a row is as many times four numbers as one has parts.
-        unsafe { R::from_parts(core::ptr::from_ref(self).cast::<f64>().add(which), WIDTH) }
+        unsafe { R::from_parts(core::ptr::from_ref(self).cast::<f64>().add(index), WIDTH) }
     }
     /// Sets one of the numbers.
     #[inline(always)]
-    pub fn set(&mut self, which: usize, number: R) {
-        assert!(which < WIDTH);
+    pub fn set(&mut self, index: usize, number: R) {
+        assert!(index < WIDTH);
         // SAFETY: as above.
-        unsafe { number.put_parts(core::ptr::from_mut(self).cast::<f64>().add(which), WIDTH) };
+        unsafe { number.put_parts(core::ptr::from_mut(self).cast::<f64>().add(index), WIDTH) };
     }
     /// Adds a vector.
     #[inline(always)]
@@ -144,11 +144,11 @@ pub trait Pack: Scalar + Send + Sync {
     /// What a pack is made of: packs of at most four lanes.
     type Quad: Pack<Real = Self::Real>;
     /// One of the first lanes, the next, and so on.
-    fn quad(self, which: usize) -> Self::Quad;
+    fn quad(self, index: usize) -> Self::Quad;
     /// One of the parts: the value, then each derivative.
-    fn part(self, which: usize) -> Self::Value;
+    fn part(self, index: usize) -> Self::Value;
     /// Sets it.
-    fn set_part(&mut self, which: usize, part: Self::Value);
+    fn set_part(&mut self, index: usize, part: Self::Value);
     /// Each quad from an address of its own; those of quads that the pack does not have are not used.
     ///
     /// # Safety
@@ -225,7 +225,7 @@ pub trait Part<P: Pack>: Pack {
     /// `LANES` consecutive numbers can be read from each.
     unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self;
     /// What a pass has found.
-    fn found(self) -> P::Value;
+    fn into_value(self) -> P::Value;
     /// What adds up to something found: with pairs, its value does not count.
-    fn from_found(found: P::Value) -> Self;
+    fn from_value(value: P::Value) -> Self;
 }

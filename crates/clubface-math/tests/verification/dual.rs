@@ -40,8 +40,8 @@ const FORMULAS_TWICE: [(OursTwice, OracleTwice); 4] =
 /// Both round each of some ten operations; a derivative may cancel to a hundredth of its terms.
 const ROUNDING: f64 = 1e-12;
 
-fn close(found: f64, expected: f64) -> bool {
-    (found - expected).abs() <= ROUNDING * (1.0 + expected.abs())
+fn close(result: f64, expected: f64) -> bool {
+    (result - expected).abs() <= ROUNDING * (1.0 + expected.abs())
 }
 
 /// Away from the origin of the angles, where they jump.
@@ -61,8 +61,8 @@ proptest! {
         prop_assert!(close(at_once, x * y + z) && close(apart, x * y + z));
         let duals = fused::<Dual<f64, 3>>(Dual::variable(x, 0), Dual::variable(y, 1), Dual::variable(z, 2));
         prop_assert!(close(duals.0.value, x * y + z));
-        for (found, expected) in duals.0.tangent.iter().zip([y, x, 1.0]) {
-            prop_assert!(close(*found, expected));
+        for (result, expected) in duals.0.tangent.iter().zip([y, x, 1.0]) {
+            prop_assert!(close(*result, expected));
         }
     }
 
@@ -70,11 +70,11 @@ proptest! {
     fn first_derivatives_equal_those_of_an_independent_implementation(x in 0.3..3.0f64, y in 0.3..3.0f64) {
         prop_assume!(regular(x, y));
         for (ours, oracle) in FORMULAS {
-            let found = ours(Dual::variable(x, 0), Dual::variable(y, 1));
+            let result = ours(Dual::variable(x, 0), Dual::variable(y, 1));
             let by_x = oracle(Dual64::new(x, 1.0), Dual64::new(y, 0.0));
             let by_y = oracle(Dual64::new(x, 0.0), Dual64::new(y, 1.0));
-            prop_assert!(close(found.value, by_x.re));
-            prop_assert!(close(found.tangent[0], by_x.eps) && close(found.tangent[1], by_y.eps));
+            prop_assert!(close(result.value, by_x.re));
+            prop_assert!(close(result.tangent[0], by_x.eps) && close(result.tangent[1], by_y.eps));
         }
     }
 
@@ -84,16 +84,16 @@ proptest! {
         prop_assume!(regular(x, y));
         for (ours, oracle) in FORMULAS_TWICE {
             let inner = |value: f64, seed: f64| Dual { value, tangent: [seed] };
-            let found = ours(
+            let result = ours(
                 Dual { value: inner(x, 1.0), tangent: [inner(0.0, 0.0)] },
                 Dual { value: inner(y, 0.0), tangent: [inner(1.0, 0.0)] },
             );
             let expected = oracle(HyperDual64::new(x, 1.0, 0.0, 0.0), HyperDual64::new(y, 0.0, 1.0, 0.0));
-            prop_assert!(close(found.value.tangent[0], expected.eps1));
-            prop_assert!(close(found.tangent[0].value, expected.eps2));
+            prop_assert!(close(result.value.tangent[0], expected.eps1));
+            prop_assert!(close(result.tangent[0].value, expected.eps2));
             // Second derivatives cancel once more.
             let size = 1e3 * (1.0 + expected.eps1.abs() + expected.eps2.abs());
-            prop_assert!((found.tangent[0].tangent[0] - expected.eps1eps2).abs() < ROUNDING * size);
+            prop_assert!((result.tangent[0].tangent[0] - expected.eps1eps2).abs() < ROUNDING * size);
         }
     }
 
@@ -113,9 +113,9 @@ proptest! {
         for (name, f) in functions {
             let at = |x: f64| f(Dual::variable(x, 0));
             let difference = (at(x + h).value - at(x - h).value) / (2.0 * h);
-            let found = at(x).tangent[0];
+            let result = at(x).tangent[0];
             // safe_sqrt at 0.01: f''' h^2 / 6 = 6e-8.
-            prop_assert!((found - difference).abs() < 1e-6 * (1.0 + found.abs()), "{} {} {}", name, found, difference);
+            prop_assert!((result - difference).abs() < 1e-6 * (1.0 + result.abs()), "{} {} {}", name, result, difference);
         }
     }
 }

@@ -9,9 +9,9 @@ use clubface_math::{Dual, Scalar};
 use proptest::prelude::*;
 
 /// Distance in units in the last place of the true value.
-fn ulps(found: f64, truth: f64) -> f64 {
+fn ulps(result: f64, truth: f64) -> f64 {
     let unit = truth.abs().next_up() - truth.abs();
-    (found - truth).abs() / unit
+    (result - truth).abs() / unit
 }
 
 /// Rounding of the reduced argument, of the polynomial and of the result may each add up: 2 units.
@@ -95,8 +95,8 @@ fn the_angle_of_a_point_holds_in_every_octant_and_on_every_axis() {
         (-123.0, 4.5, -1.5342272708813551),
     ];
     for (y, x, truth) in table {
-        let found = Scalar::atan2(y, x);
-        assert!(ulps(found, truth) <= FUNCTION_ULPS, "atan2({y}, {x}): {found} for {truth}");
+        let result = Scalar::atan2(y, x);
+        assert!(ulps(result, truth) <= FUNCTION_ULPS, "atan2({y}, {x}): {result} for {truth}");
     }
     for (y, x) in [(0.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0)] {
         assert_eq!(Scalar::atan2(y, x), f64::atan2(y, x), "atan2({y}, {x})");
@@ -122,8 +122,8 @@ fn the_friction_factor_is_smooth_through_rest_and_across_its_switch() {
         (100.0, 900.0, 0.03333333333333333),
     ];
     for (c, w, truth) in table {
-        let found: f64 = tanh_ratio(c, w);
-        assert!((found / truth - 1.0).abs() < 1e-14, "c {c}, w {w}: {found} for {truth}");
+        let result: f64 = tanh_ratio(c, w);
+        assert!((result / truth - 1.0).abs() < 1e-14, "c {c}, w {w}: {result} for {truth}");
     }
 }
 
@@ -138,8 +138,8 @@ fn the_slope_of_the_friction_factor_is_exact_down_to_rest() {
         let w = z / (c * c);
         let x = z.sqrt();
         let truth = (x / x.cosh().powi(2) - x.tanh()) / (2.0 * w.powf(1.5));
-        let found = tanh_ratio(Dual::<f64, 1>::constant(c), Dual::variable(w, 0)).tangent[0];
-        assert!((found / truth - 1.0).abs() < 1e-11, "z {z}: {found} for {truth}");
+        let result = tanh_ratio(Dual::<f64, 1>::constant(c), Dual::variable(w, 0)).tangent[0];
+        assert!((result / truth - 1.0).abs() < 1e-11, "z {z}: {result} for {truth}");
     }
 }
 

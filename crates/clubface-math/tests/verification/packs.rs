@@ -45,11 +45,11 @@ impl PackKernel<Number> for Through {
 
 #[test]
 fn packs_hold_the_numbers_and_their_derivatives_in_their_places() {
-    let (wide, found) = Number::dispatch(Through);
+    let (wide, result) = Number::dispatch(Through);
     let (narrow, single) = with_lanes(1, || Number::dispatch(Through));
-    assert_eq!((narrow, found.len()), (1, 16 + 16 + 48 + 48));
+    assert_eq!((narrow, result.len()), (1, 16 + 16 + 48 + 48));
     // Sums and products of whole numbers are exact, fused or not.
-    assert_eq!(found, single, "{wide} lanes");
+    assert_eq!(result, single, "{wide} lanes");
     let first: Vec<Number> = (0..16).map(|i| number(i) + number(7)).collect();
     assert_eq!(single[..16], plain(&first));
     let moved: Vec<Number> = (0..16).map(|i| number(if i == 0 { 99 } else { i - 1 })).collect();
@@ -96,28 +96,28 @@ impl PackKernel<Number> for InParts {
             unsafe { number(i).put_parts(from.as_mut_ptr().add(i), ROOM) };
         }
         let quad = P::Quad::LANES;
-        let mut found = Vec::new();
+        let mut result = Vec::new();
         for first in (0..8).step_by(P::LANES) {
             let (pack, apart) = unsafe {
                 let at = from.as_ptr().add(first);
                 (P::read_parts(at, ROOM), P::read_quads([at.add(3), at.add(3 + quad)], ROOM))
             };
             unsafe { pack.write_parts(to.as_mut_ptr().add(first + 1), ROOM) };
-            found.extend((0..P::LANES).map(|lane| apart.quad(lane / quad).real(lane % quad)));
+            result.extend((0..P::LANES).map(|lane| apart.quad(lane / quad).real(lane % quad)));
         }
-        found.extend((0..9).map(|i| unsafe { Number::from_parts(to.as_ptr().add(i), ROOM) }));
-        plain(&found)
+        result.extend((0..9).map(|i| unsafe { Number::from_parts(to.as_ptr().add(i), ROOM) }));
+        plain(&result)
     }
 }
 
 #[test]
 fn parts_of_numbers_stand_apart_in_their_places() {
     for width in [1, 4, 8] {
-        let found = with_lanes(width, || Number::dispatch(InParts));
+        let result = with_lanes(width, || Number::dispatch(InParts));
         let apart: Vec<Number> = (3..11).map(number).collect();
-        assert_eq!(found[..8], plain(&apart), "{width} lanes");
+        assert_eq!(result[..8], plain(&apart), "{width} lanes");
         let written: Vec<Number> = (0..8).map(number).collect();
-        assert_eq!((found[8], &found[9..]), ([0.0; 3], &plain(&written)[..]), "{width} lanes");
+        assert_eq!((result[8], &result[9..]), ([0.0; 3], &plain(&written)[..]), "{width} lanes");
     }
 }
 
@@ -127,11 +127,11 @@ impl PackKernel<Number> for InPasses {
     type Output = [[Vec<[f64; 3]>; 2]; 2];
     fn run<P: Pack<Real = Number>>(self) -> Self::Output {
         /// One pass.
-        fn mapped<P: Pack, G: Part<P>>(of: &P, factor: &[[f64; 8]; 3], pass: usize) -> P::Value {
+        fn mapped<P: Pack, G: Part<P>>(pack: &P, factor: &[[f64; 8]; 3], pass: usize) -> P::Value {
             // SAFETY: no pack has more lanes.
             let factor = unsafe { G::coefficient(factor[0].as_ptr(), factor[pass].as_ptr()) };
-            let found = (G::of(of, pass) * factor).found();
-            G::from_found(found).found()
+            let result = (G::of(pack, pass) * factor).into_value();
+            G::from_value(result).into_value()
         }
         let pack = P::load(&(0..8).map(number).collect::<Vec<_>>());
         let factor = [[3.0; 8], [0.5; 8], [-2.0; 8]];

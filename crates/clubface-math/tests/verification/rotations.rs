@@ -89,8 +89,8 @@ proptest! {
         let h = 1e-6;
         let step = |h: f64| Quat { w: w + rate.w * h, v: v + rate.v * h }.matrix();
         let expected = start.matrix() * Mat3::cross(spin);
-        let found = (step(h) + step(-h).scale(-1.0)).scale(0.5 / h);
-        prop_assert!(rows_near(found, expected, 1e-8));
+        let result = (step(h) + step(-h).scale(-1.0)).scale(0.5 / h);
+        prop_assert!(rows_near(result, expected, 1e-8));
         // The length of the quaternion does not change: q . dq/dt = 0.
         prop_assert!((w * rate.w + v.dot(rate.v)).abs() < ROUNDING * 10.0);
     }

@@ -139,7 +139,7 @@ impl<P: Pack> Point<P> {
     /// From a block of constants (from lane `first` on).
     #[inline(always)]
     pub fn load(constants: &[P::Real], first: usize, point: usize) -> Self {
-        let at = |which: usize| P::load(&constants[(POINT * point + which) * BLOCK + first..]);
+        let at = |index: usize| P::load(&constants[(POINT * point + index) * BLOCK + first..]);
         let mut gradients = [Vec3::zero(); 3];
         for i in 0..3 {
             gradients[i] = Vec3::new(at(3 * i), at(3 * i + 1), at(3 * i + 2));

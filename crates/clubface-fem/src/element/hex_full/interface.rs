@@ -136,16 +136,16 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                     let cauchy = points.stresses[point].scale(at.inverse_volume).seen_through(f);
                     stress = stress.plus(volume, &cauchy);
                     strain = strain.plus(volume, &logarithmic(f, &at));
-                    let mut found = P::zero();
-                    stage.plastic_strain(&mut state, point * BLOCK + first, &mut found);
-                    plastic = plastic.max(found);
+                    let mut result = P::zero();
+                    stage.plastic_strain(&mut state, point * BLOCK + first, &mut result);
+                    plastic = plastic.max(result);
                 }
                 let share = points.volume.recip();
                 let pressure = bulk * (element.volume() * share - 1.0);
                 let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
-                for which in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
-                    let number = patch.first + block * BLOCK + first + which;
-                    (self.sink)(number, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, which));
+                for index in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
+                    let number = patch.first + block * BLOCK + first + index;
+                    (self.sink)(number, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, index));
                 }
             }
         }

@@ -68,8 +68,8 @@ impl<R: Real> FullPatch<R> {
                 });
                 corners[block][corner * BLOCK + lane] = local;
             }
-            for (which, value) in constants(&mesh.corners(element)).into_iter().enumerate() {
-                stored[block][which * BLOCK + lane] = value;
+            for (index, value) in constants(&mesh.corners(element)).into_iter().enumerate() {
+                stored[block][index * BLOCK + lane] = value;
             }
         }
         if blocks * BLOCK == elements.len() {

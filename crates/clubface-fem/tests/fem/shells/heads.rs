@@ -55,9 +55,9 @@ fn struck() -> Simulation<f64> {
 
 /// A run to its end.
 fn run(impact: &mut Simulation<f64>, options: &Options) -> SimulationResult<f64> {
-    let found = impact.run(options, &mut |_| true).expect("the options are valid");
-    assert!(found.stopped.is_none(), "{:?}", found.stopped);
-    found
+    let result = impact.run(options, &mut |_| true).expect("the options are valid");
+    assert!(result.stopped.is_none(), "{:?}", result.stopped);
+    result
 }
 
 /// The same ball thrown at a plane: its own cover sets the step.
@@ -76,9 +76,9 @@ fn a_core_that_rests_in_every_second_step_changes_nothing() {
     for pair in pairs {
         let [with, without] = pair.map(|(mut impact, safety)| {
             let options = Options { safety: Some(safety), ..Options::default() };
-            let found = run(&mut impact, &options);
-            let figures = found.records.summary(impact.radius);
-            (found.ball, found.head, figures.peak_force, figures.energy_error)
+            let result = run(&mut impact, &options);
+            let figures = result.records.summary(impact.radius);
+            (result.ball, result.head, figures.peak_force, figures.energy_error)
         });
         assert_ne!(with.0.velocity.x.to_bits(), without.0.velocity.x.to_bits(), "nothing has rested");
         // Both schemes are of the second order, with steps below a hundredth of the time of contact.
@@ -97,8 +97,8 @@ fn a_core_under_one_layer_of_cover_is_not_subcycled() {
     // is the error of the steps.
     let options = Options { safety: Some(0.75), ..Options::default() };
     let mut impact = thrown(1);
-    let found = run(&mut impact, &options);
-    let error = found.records.summary(impact.radius).energy_error;
+    let result = run(&mut impact, &options);
+    let error = result.records.summary(impact.radius).energy_error;
     assert!(error < 1e-3, "energies off by {error}");
 }
 
@@ -108,8 +108,8 @@ fn the_force_does_not_come_and_go_with_the_steps() {
     let head = Driver::roh_and_lee().mesh().expect("the head is valid").head;
     let mut impact = met(&head, &rubber_ball(), 0.0, 0.0);
     let options = Options { duration: 200e-6, ..Options::default() };
-    let found = impact.run(&options, &mut |_| true).expect("the options are valid");
-    let forces: Vec<f64> = found.records.contact.iter().map(|frame| frame.normal).collect();
+    let result = impact.run(&options, &mut |_| true).expect("the options are valid");
+    let forces: Vec<f64> = result.records.contact.iter().map(|frame| frame.normal).collect();
     let most = forces.iter().copied().fold(0.0, f64::max);
     // What changes its sign from step to step, over some steps: 0.9% as nodes of so coarse a ball arrive, 2.4% with a
     // ball that rests as a whole.
@@ -164,7 +164,7 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
     let mut impact = struck();
     let options = Options { duration: 150e-6, ..Options::default() };
     let (mut frames, mut touched, mut force, mut area) = (0, 0, 0.0, 0.0);
-    let found = impact
+    let result = impact
         .run(&options, &mut |mut snapshot| {
             let (centre, axes) = (snapshot.centre, snapshot.axes());
             let sum = snapshot.contact_forces().fold(Vec3::zero(), |sum, node| sum + node.force);
@@ -175,9 +175,9 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
                 let masses = &whole.structure.masses[..whole.ball_nodes];
                 let each = whole.structure.positions.iter().zip(masses);
                 let first = each.fold(Vec3::zero(), |sum, (row, m)| sum + row.vec() * *m);
-                let found = first * masses.iter().sum::<f64>().recip();
+                let result = first * masses.iter().sum::<f64>().recip();
                 // Rounding of some thousand summands.
-                assert!((found - centre).norm() < 1e-14, "{found:?} {centre:?}");
+                assert!((result - centre).norm() < 1e-14, "{result:?} {centre:?}");
                 let surface = &whole.structure.positions;
                 assert!(places.iter().all(|place| surface.iter().any(|row| row.vec() == *place)));
                 touched += places.len();
@@ -188,11 +188,12 @@ fn what_is_seen_of_a_run_is_as_its_nodes_are() {
             true
         })
         .expect("the options are valid");
-    assert!(matches!(found.stopped, Some(FemError::Unfinished { .. })), "{:?}", found.stopped);
+    assert!(matches!(result.stopped, Some(FemError::Unfinished { .. })), "{:?}", result.stopped);
     assert!(frames > 25, "{frames} frames");
     assert!(touched > 100, "{touched} touches");
     // The force of the step before the last frame.
-    let last = found.records.contact.iter().rev().find(|frame| (frame.tangential / force - 1.0).abs() < 1e-9);
+    let last =
+        result.records.contact.iter().rev().find(|frame| (frame.tangential / force - 1.0).abs() < 1e-9);
     // Rounding of a hundred summands.
     let last = last.unwrap_or_else(|| panic!("{force} N is in no record"));
     assert!((area / last.area - 1.0).abs() < 1e-12, "{area} m2, in the record {}", last.area);
@@ -225,8 +226,8 @@ fn a_stiff_head_is_rigid() {
     let head = driver.mesh().expect("the head is valid").head;
     let options = Options { until_separation: true, ..Options::default() };
     let launch = |mut impact: Simulation<f64>| {
-        let found = run(&mut impact, &options);
-        [found.ball, found.head]
+        let result = run(&mut impact, &options);
+        [result.ball, result.head]
     };
     let touch = delivered(&head, 0.012, 40.0);
     let rigid = ball_against_rigid_head(&rubber_ball(), &touch, 0.3, &Environment::native());

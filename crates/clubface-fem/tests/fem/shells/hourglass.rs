@@ -32,8 +32,8 @@ fn stiffness(component: usize) -> f64 {
 
 /// Relative to what is expected; the amplitude is 1e-6 of a side, its square beside it.
 fn assert_close(component: usize, expected: f64) {
-    let found = stiffness(component);
-    assert!((found / expected - 1.0).abs() < 1e-5, "{component}: {found} {expected}");
+    let result = stiffness(component);
+    assert!((result / expected - 1.0).abs() < 1e-5, "{component}: {result} {expected}");
 }
 
 #[test]

@@ -35,12 +35,12 @@ fn frequency(n: usize, edge: Edge, coefficient: f64, shape: fn(f64) -> (f64, f64
     let rigidity = YOUNG * THICKNESS.powi(3) / 12.0 / (1.0 - POISSON * POISSON);
     let exact = coefficient / (SIDE * SIDE) * (rigidity / (DENSITY * THICKNESS)).sqrt();
     // Of the momentum along the shape.
-    let found = period_of(body.dt, 3.3 * TAU / exact, || {
+    let result = period_of(body.dt, 3.3 * TAU / exact, || {
         body.step(0.0);
         let pairs = body.structure.velocities.iter().zip(&mode).zip(&body.structure.masses);
         pairs.map(|((v, w), m)| v.vec().dot(w.vec()) * m).sum()
     });
-    TAU / found / exact
+    TAU / result / exact
 }
 
 #[test]

@@ -100,8 +100,8 @@ impl Body {
         let mut structure =
             Structure::new(rows(&mesh.nodes), all, patches.collect(), &loads.nodes, &Environment::native());
         structure.translations = count;
-        let place = |(node, which): Freedom| {
-            let (row, component) = (node + which / 3 * count, which % 3);
+        let place = |(node, index): Freedom| {
+            let (row, component) = (node + index / 3 * count, index % 3);
             (row, component, structure.positions[row].0[component])
         };
         let held = held.map(place).collect();

@@ -49,8 +49,8 @@ impl Strip {
         let mut now = [0.0; 2];
         for (&row, force) in self.patch.nodes().iter().zip(self.patch.forces()) {
             if row % 4 % 2 == 1 {
-                let which = usize::from(row >= 4);
-                now[which] -= force.0[which] / self.sides[1];
+                let index = usize::from(row >= 4);
+                now[index] -= force.0[index] / self.sides[1];
             }
         }
         let area = self.sides[0] * self.sides[1];
@@ -87,11 +87,11 @@ fn stress_of_the_surfaces_and_its_axes() {
         for (side, bent) in [(0, 0.5 * THICKNESS * 0.05), (1, -0.5 * THICKNESS * 0.05)] {
             let strain = 1e-4 + bent;
             let along = |v: [f64; 3]| Symmetric([v[0], v[1], v[2], 0.0, 0.0, 0.0]).seen_through(&turn).0;
-            let close = |found: [f64; 6], exact: [f64; 6], size: f64| {
+            let close = |result: [f64; 6], exact: [f64; 6], size: f64| {
                 // A strain increment is the change of squared lengths over the last one, off by a share of its own
                 // size.
-                let most = found.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-                assert!(most < 3e-4 * size, "{found:?} {exact:?}");
+                let most = result.iter().zip(exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+                assert!(most < 3e-4 * size, "{result:?} {exact:?}");
             };
             close(output.stress[side], along([YOUNG * strain, 0.0, 0.0]), YOUNG * 1e-4);
             close(output.strain[side], along([strain, -0.5 * strain, -0.5 * strain]), 1e-4);
@@ -117,7 +117,7 @@ fn tension_loading_unloading_and_back() {
         strip.stress()
     };
     // A strain increment is the change of squared lengths over the last one, off by a share of its own size, 1e-4.
-    let close = |found: f64, exact: f64| assert!((found - exact).abs() < 2e-4 * YIELD, "{found} {exact}");
+    let close = |result: f64, exact: f64| assert!((result - exact).abs() < 2e-4 * YIELD, "{result} {exact}");
     close(go(&mut strip, 0.9 * first), 0.9 * YIELD);
     let top = YIELD + tangent * (0.02 - first);
     close(go(&mut strip, 0.02), top);
@@ -151,16 +151,16 @@ fn bending_moment_of_a_strip_that_yields() {
             strip.step(0.0, curvature / f64::from(steps));
             let k = f64::from(step) / f64::from(steps);
             let exact = if k < 1.0 { k } else { 1.5 - 0.5 / (k * k) };
-            let found = strip.now[1] / moment;
+            let result = strip.now[1] / moment;
             // Linear until the first point yields, which lies below the surface in Gauss' rule.
             assert!(
-                (found / exact - 1.0).abs() < if k < 1.0 { 1e-9 } else { allowed },
-                "{rule:?} {k}: {found}"
+                (result / exact - 1.0).abs() < if k < 1.0 { 1e-9 } else { allowed },
+                "{rule:?} {k}: {result}"
             );
             // A sum over points is all there is to it.
             let points = rule.points();
             let sum: f64 = points.iter().map(|(z, w)| 1.5 * w * z * (z * k).clamp(-1.0, 1.0)).sum();
-            assert!((found - sum).abs() < 1e-6, "{rule:?} {k}: {found} {sum}");
+            assert!((result - sum).abs() < 1e-6, "{rule:?} {k}: {result} {sum}");
         }
         // Springback is elastic: the moment falls to nothing over the curvature M / (E I) of an elastic strip.
         let last = strip.now[1];
@@ -259,8 +259,8 @@ fn energy_of_a_struck_plate_closes() {
 fn points_and_resultants_agree_in_elastic_metal() {
     let plain = struck(&titanium(), 100).0;
     for points in [Rule::Gauss(2), Rule::Gauss(5), Rule::Lobatto(3), Rule::Lobatto(5)] {
-        let found = struck(&ShellMaterial { points: Some(points), ..titanium() }, 100).0;
-        for (a, b) in plain.iter().zip(&found) {
+        let result = struck(&ShellMaterial { points: Some(points), ..titanium() }, 100).0;
+        for (a, b) in plain.iter().zip(&result) {
             // Rounding, over displacements of millimetres.
             assert!((a.vec() - b.vec()).norm() < 1e-12, "{points:?}: {a:?} {b:?}");
         }

@@ -98,10 +98,10 @@ impl Friction {
         // A sticking ring's traction replaces its known slip only when all of them have been found.
         for axis in 0..2 {
             let sticking = (0..m).filter(|&j| self.sticks[j]);
-            let found: Vec<S> = sticking.map(|j| self.exchange_row(j, &traction[axis])).collect();
+            let result: Vec<S> = sticking.map(|j| self.exchange_row(j, &traction[axis])).collect();
             let sticking = (0..m).filter(|&j| self.sticks[j]);
-            for (j, found) in sticking.zip(found) {
-                traction[axis][j] = found;
+            for (j, result) in sticking.zip(result) {
+                traction[axis][j] = result;
             }
         }
     }

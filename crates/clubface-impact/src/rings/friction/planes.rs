@@ -11,8 +11,8 @@ pub(super) fn eights<T>(row: &[T], m: usize) -> &[[T; 8]] {
 
 /// `out` = the leading m x m block of `matrix` times `of`, both components.
 #[inline(always)]
-pub(super) fn product(matrix: &[f64], stride: usize, m: usize, of: &Plane, out: &mut Plane) {
-    let [of_y, of_z] = [&of[0][..m], &of[1][..m]];
+pub(super) fn product(matrix: &[f64], stride: usize, m: usize, plane: &Plane, out: &mut Plane) {
+    let [of_y, of_z] = [&plane[0][..m], &plane[1][..m]];
     for start in (0..m).step_by(8) {
         let (mut y, mut z) = ([0.0; 8], [0.0; 8]);
         for ((column, of_y), of_z) in matrix.chunks_exact(stride).zip(of_y).zip(of_z) {

@@ -186,8 +186,8 @@ fn totals_of_drives_are_those_of_trackmans_normal_ground() {
         (133.0, 14.2, 256.0),
         (140.0, 13.7, 271.0),
     ] {
-        let found = value(&firm(launch(speed, angle, 2050.0, 0.0)), "total") / yard;
-        assert!((found - total).abs() < 13.0, "{speed} mph: {found} yd instead of {total}");
+        let result = value(&firm(launch(speed, angle, 2050.0, 0.0)), "total") / yard;
+        assert!((result - total).abs() < 13.0, "{speed} mph: {result} yd instead of {total}");
     }
 }
 

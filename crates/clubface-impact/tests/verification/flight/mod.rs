@@ -53,7 +53,7 @@ fn value(inputs: &[f64; INPUT_COUNT], name: &str) -> f64 {
 }
 
 #[track_caller]
-fn assert_close(found: f64, expected: f64, tolerance: f64) {
-    let error = (found - expected).abs();
-    assert!(error <= tolerance * expected.abs().max(1.0), "{found} is not {expected} (error {error:e})");
+fn assert_close(result: f64, expected: f64, tolerance: f64) {
+    let error = (result - expected).abs();
+    assert!(error <= tolerance * expected.abs().max(1.0), "{result} is not {expected} (error {error:e})");
 }

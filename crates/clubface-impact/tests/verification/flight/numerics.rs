@@ -89,10 +89,10 @@ fn derivatives_are_those_of_finite_differences() {
         );
         for (i, output) in OUTPUTS.iter().enumerate() {
             let difference = (up[i] - down[i]) / (2.0 * h);
-            let found = exact.jacobian[i][j];
+            let result = exact.jacobian[i][j];
             // In units of the output's size over the input's.
-            let error = (found - difference).abs() * size / exact.values[i].abs().max(1.0);
-            assert!(error < 2e-6, "d {} / d {}: {found} and {difference}", output.name, input.quantity.name);
+            let error = (result - difference).abs() * size / exact.values[i].abs().max(1.0);
+            assert!(error < 2e-6, "d {} / d {}: {result} and {difference}", output.name, input.quantity.name);
         }
     }
     assert_eq!(exact.values, flown(&shot).outputs());
@@ -112,20 +112,20 @@ fn derivatives_of_many_flights_are_those_of_each_alone() {
     let wanted = FlightSensitivities { batch, outputs: &outputs, variables: &variables };
     wanted.validate(shots.len()).unwrap();
     for width in [1, 4, 8] {
-        let mut found = vec![vec![0.0; shots.len()]; wanted.columns()];
-        let slices = found.iter_mut().map(Vec::as_mut_slice).collect();
+        let mut result = vec![vec![0.0; shots.len()]; wanted.columns()];
+        let slices = result.iter_mut().map(Vec::as_mut_slice).collect();
         let rejects = with_lanes(width, || wanted.run(0..shots.len(), slices));
         assert_eq!(rejects.iter().map(|reject| reject.row).collect::<Vec<_>>(), [6]);
         for (row, shot) in shots.iter().enumerate() {
             let Ok(alone) = sensitivity(shot) else {
-                assert!(found.iter().all(|column| column[row].is_nan()));
+                assert!(result.iter().all(|column| column[row].is_nan()));
                 continue;
             };
             for (place, &output) in outputs.iter().enumerate() {
                 let first = place * (1 + variables.len());
-                assert_eq!(found[first][row].to_bits(), alone.values[output].to_bits());
+                assert_eq!(result[first][row].to_bits(), alone.values[output].to_bits());
                 for (i, &variable) in variables.iter().enumerate() {
-                    let (one, other) = (found[first + 1 + i][row], alone.jacobian[output][variable]);
+                    let (one, other) = (result[first + 1 + i][row], alone.jacobian[output][variable]);
                     assert_eq!(one.to_bits(), other.to_bits(), "row {row}, {} by {}", output, variable);
                 }
             }
@@ -153,9 +153,9 @@ fn derivatives_through_the_landing_are_exact_without_air() {
         (angle, [-vy / speed_squared, vx / speed_squared]),
         (time, [0.0, 2.0 / GRAVITY]),
     ];
-    for (found, derivatives) in expected {
-        assert_close(found.tangent[0], derivatives[0], 1e-12);
-        assert_close(found.tangent[1], derivatives[1], 1e-12);
+    for (result, derivatives) in expected {
+        assert_close(result.tangent[0], derivatives[0], 1e-12);
+        assert_close(result.tangent[1], derivatives[1], 1e-12);
     }
 }
 

@@ -45,21 +45,21 @@ fn carries_of_the_tour_averages_from_their_published_launch() {
     for ((club, [speed, angle, spin, height, descent, carry]), deviation) in TOUR.into_iter().zip(DEVIATIONS)
     {
         let shot = launch(speed, angle, spin, 0.0);
-        let found = [
+        let result = [
             100.0 * (value(&shot, "carry") / YARD / carry - 1.0),
             value(&shot, "apex") / YARD - height,
             value(&shot, "landing_angle").to_degrees() - descent,
         ];
         println!(
             "{club:15} carry {carry} yd {:+.1} %, height {height} yd {:+.1}, descent {descent} deg {:+.1}; run {:.1} yd",
-            found[0],
-            found[1],
-            found[2],
+            result[0],
+            result[1],
+            result[2],
             (value(&shot, "total") - value(&shot, "carry")) / YARD,
         );
-        assert!(club != "driver" || found[0].abs() < 3.0);
+        assert!(club != "driver" || result[0].abs() < 3.0);
         for i in 0..3 {
-            assert!((found[i] - deviation[i]).abs() < 0.051, "{club}: {found:?}, was {deviation:?}");
+            assert!((result[i] - deviation[i]).abs() < 0.051, "{club}: {result:?}, was {deviation:?}");
         }
     }
 }
@@ -97,10 +97,10 @@ fn coefficients_are_those_of_measured_balls() {
         (1.61e5, 0.09, 0.234, 0.151),
         (1.98e5, 0.044, 0.231, 0.115),
     ] {
-        let found = drag_coefficient(s, reynolds);
-        assert!((found - drag).abs() < 0.05, "C_D {found} at {reynolds}, {s}: {drag} measured");
-        let found = lift_coefficient(s);
-        assert!(!((found - lift).abs() > 0.05), "C_L {found} at {s}: {lift} measured");
+        let result = drag_coefficient(s, reynolds);
+        assert!((result - drag).abs() < 0.05, "C_D {result} at {reynolds}, {s}: {drag} measured");
+        let result = lift_coefficient(s);
+        assert!(!((result - lift).abs() > 0.05), "C_L {result} at {s}: {lift} measured");
     }
 }
 

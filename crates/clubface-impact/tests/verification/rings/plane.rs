@@ -41,8 +41,8 @@ fn the_rebound_follows_maw_barber_and_fawcett() {
     ];
     for resolution in [COARSE, fine(20)] {
         for (before, after) in curve {
-            let found = rebound_psi(before, resolution);
-            assert!((found - after).abs() < 0.03, "psi {before}: {found} for {after}");
+            let result = rebound_psi(before, resolution);
+            assert!((result - after).abs() < 0.03, "psi {before}: {result} for {after}");
         }
     }
 }
@@ -77,9 +77,9 @@ fn the_rebound_converges_as_rings_are_added() {
 fn default_steps_give_the_spin_within_half_a_percent() {
     let finest = Resolution { rings: 20, steps_per_ring: 16, longest_step: 0.001 };
     for psi in [0.1, 0.3, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 3.0, 4.0, 5.0] {
-        let (found, converged) = (rebound_psi(psi, COARSE), rebound_psi(psi, finest));
-        let error = (found - converged) / (psi - converged);
-        assert!(error.abs() < 0.005, "psi {psi}: {found} for {converged}");
+        let (result, converged) = (rebound_psi(psi, COARSE), rebound_psi(psi, finest));
+        let error = (result - converged) / (psi - converged);
+        assert!(error.abs() < 0.005, "psi {psi}: {result} for {converged}");
     }
 }
 

@@ -36,8 +36,8 @@ macro_rules! pack {
     (@four $four:ident) => {
         type Four = $four;
         #[inline(always)]
-        fn four(self, which: usize) -> $four {
-            self.quad(which)
+        fn four(self, index: usize) -> $four {
+            self.quad(index)
         }
     };
     (

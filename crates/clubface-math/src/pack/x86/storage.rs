@@ -85,10 +85,10 @@ impl Pack for F64x8 {
     storage!(_mm512_set1_pd, _mm512_loadu_pd, _mm512_storeu_pd);
     type Quad = F64x4;
     #[inline(always)]
-    fn quad(self, which: usize) -> F64x4 {
+    fn quad(self, index: usize) -> F64x4 {
         // SAFETY: as above.
         F64x4(unsafe {
-            if which == 0 { _mm512_castpd512_pd256(self.0) } else { _mm512_extractf64x4_pd::<1>(self.0) }
+            if index == 0 { _mm512_castpd512_pd256(self.0) } else { _mm512_extractf64x4_pd::<1>(self.0) }
         })
     }
     #[inline(always)]

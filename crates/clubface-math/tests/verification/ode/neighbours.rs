@@ -72,17 +72,18 @@ impl Kernel for Motions<'_> {
     fn run<S: Lanes>(self) -> Vec<End> {
         let mut ends = Vec::new();
         for pack in self.motions.chunks(S::LANES) {
-            let of = |value: fn(&Motion) -> f64| S::from_fn(|lane| value(&pack[lane.min(pack.len() - 1)]));
-            let problem = Pendulum { pace: of(|m| m.pace), drag: of(|m| m.drag) };
-            let start = [S::zero(), of(|m| m.start), S::zero()];
+            let gather =
+                |value: fn(&Motion) -> f64| S::from_fn(|lane| value(&pack[lane.min(pack.len() - 1)]));
+            let problem = Pendulum { pace: gather(|m| m.pace), drag: gather(|m| m.drag) };
+            let start = [S::zero(), gather(|m| m.start), S::zero()];
             let control = Control {
                 tolerance: 1e-6,
                 scale: [S::one(); 3],
-                first: of(|m| 0.02 / m.pace),
+                first: gather(|m| 0.02 / m.pace),
                 longest: S::from_f64(1.0),
                 max_steps: MOST_STEPS,
             };
-            let mut watch = Until::new(of(|m| m.end), start);
+            let mut watch = Until::new(gather(|m| m.end), start);
             let outcome = match self.stepper {
                 Stepper::DormandPrince => integrate(&DORMAND_PRINCE, &problem, start, &control, &mut watch),
                 Stepper::BogackiShampine => {
@@ -135,9 +136,9 @@ proptest! {
     fn a_lane_that_is_not_a_number_leaves_its_neighbours_alone(
         mut motions in prop::collection::vec(motion(), 8),
         bad in 0..8usize,
-        which in 0..4usize,
+        index in 0..4usize,
     ) {
-        match which {
+        match index {
             0 => motions[bad].pace = f64::NAN,
             1 => motions[bad].drag = f64::NAN,
             2 => motions[bad].start = f64::NAN,

@@ -15,8 +15,8 @@ fn observed_order<M: Method<Curves, f64, 3>>(method: &M, problem: &Curves, steps
 /// The next term of the error is a step length smaller: 0.2 in the observed order at these steps. An order condition
 /// that fails costs a whole order.
 fn assert_order<M: Method<Curves, f64, 3>>(method: &M, problem: &Curves, steps: usize, order: f64) {
-    let (found, errors) = observed_order(method, problem, steps);
-    assert!((found - order).abs() < 0.2, "order {found} for {order}: {errors:?}");
+    let (result, errors) = observed_order(method, problem, steps);
+    assert!((result - order).abs() < 0.2, "order {result} for {order}: {errors:?}");
 }
 
 #[test]
@@ -55,9 +55,9 @@ fn error_estimates_fall_with_the_order_they_declare() {
         let y = curves_at(0.4);
         let rate = problem.rhs(&y);
         let estimate = |h: f64| distance(&method.attempt(&problem, &y, &rate, h).error, &[0.0; 3]);
-        let found = (estimate(0.02) / estimate(0.01)).log2();
+        let result = (estimate(0.02) / estimate(0.01)).log2();
         let order = f64::from(M::ERROR_ORDER);
-        assert!((found - order).abs() < 0.2, "estimate of order {found} for {order}");
+        assert!((result - order).abs() < 0.2, "estimate of order {result} for {order}");
     }
     assert_estimate(&DORMAND_PRINCE, Curves(Linearization::Exact));
     assert_estimate(&BOGACKI_SHAMPINE, Curves(Linearization::Exact));

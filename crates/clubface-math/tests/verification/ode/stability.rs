@@ -50,8 +50,8 @@ fn no_decaying_motion_grows_at_any_step() {
         let size = 10f64.powf(f64::from(exponent) / 4.0);
         for angle in 0..=90 {
             let (sine, cosine) = f64::from(angle).to_radians().sin_cos();
-            let found = growth(-size * cosine, size * sine);
-            assert!(found <= 1.0 + 1e-12, "size {size}, {angle} deg from the real axis: {found}");
+            let result = growth(-size * cosine, size * sine);
+            assert!(result <= 1.0 + 1e-12, "size {size}, {angle} deg from the real axis: {result}");
         }
     }
 }
