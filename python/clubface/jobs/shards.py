@@ -1,4 +1,4 @@
-"""Which chunks fall to one of several jobs that share a study: every n-th, so that slow regions are shared out."""
+"""Which parts fall to one of several jobs that share a computation: every n-th, so that slow regions are shared out."""
 
 from __future__ import annotations
 
@@ -10,27 +10,21 @@ from typing import NamedTuple
 from clubface.errors import InputError
 from clubface.support.checks import check_text
 
+__all__ = ["Shard", "shard_of"]
+
 FORMS = 'such as 3/40 (the third of 40), or "slurm" or "kubernetes/40" in a job of an array'
-MOST = 1_000_000
+MAX_SHARDS = 1_000_000
 
 
 class Shard(NamedTuple):
-    """One of several jobs.
-
-    Attributes
-    ----------
-    number
-        From 1 on.
-    of
-        How many there are.
-    """
+    """One of several jobs: its number, from 1 on, and how many there are."""
 
     number: int
     of: int
 
-    def of_all(self, chunks: int) -> range:
-        """Return which of all chunks fall to it."""
-        return range(self.number - 1, chunks, self.of)
+    def of_all(self, parts: int) -> range:
+        """Return which of all parts fall to it."""
+        return range(self.number - 1, parts, self.of)
 
 
 def shard_of(text: str, environment: Mapping[str, str] = os.environ) -> Shard:
@@ -46,32 +40,23 @@ def shard_of(text: str, environment: Mapping[str, str] = os.environ) -> Shard:
         The variables.
     """
     check_text("shard", text)
-    name, _, count = text.partition("/")
-    if name == "slurm":
-        step = _variable("SLURM_ARRAY_TASK_STEP", environment, "1") or 1
-        first = _variable("SLURM_ARRAY_TASK_MIN", environment)
-        number = (_variable("SLURM_ARRAY_TASK_ID", environment) - first) // step + 1
-        of = _whole(count, text) if count else _variable("SLURM_ARRAY_TASK_COUNT", environment)
-    elif name == "kubernetes" and count:
-        number, of = _variable("JOB_COMPLETION_INDEX", environment) + 1, _whole(count, text)
-    elif re.fullmatch(r"\d{1,7}/\d{1,7}", text, re.ASCII):
-        number, of = int(name), int(count)
-    else:
+    match = re.fullmatch(r"(?:(\d{1,7})|slurm|kubernetes)(?:/(\d{1,7}))?", text, re.ASCII)
+    if match is None or (match[2] is None and text != "slurm"):
         raise InputError("shard", text, FORMS)
-    if not (1 <= number <= of <= MOST):
-        told = text if name.isdecimal() else f"{text}, which is {number}/{of} here"
-        raise InputError("shard", told, f"a number from 1 to the number of shards, {FORMS}")
-    return Shard(number, of)
 
+    def variable(name: str, default: str | None = None) -> int:
+        value = environment.get(name, default)
+        if value is None or not re.fullmatch(r"\d{1,9}", value, re.ASCII):
+            raise InputError(name, value, "a whole number, as the scheduler sets it in every job of an array")
+        return int(value)
 
-def _whole(text: str, given: str) -> int:
-    if not re.fullmatch(r"\d{1,7}", text, re.ASCII):
-        raise InputError("shard", given, FORMS)
-    return int(text)
-
-
-def _variable(name: str, environment: Mapping[str, str], otherwise: str | None = None) -> int:
-    found = environment.get(name, otherwise)
-    if found is None or not re.fullmatch(r"\d{1,9}", found, re.ASCII):
-        raise InputError(name, found, "a whole number, as the scheduler sets it in every job of an array")
-    return int(found)
+    if text.startswith("slurm"):
+        step, first = variable("SLURM_ARRAY_TASK_STEP", "1") or 1, variable("SLURM_ARRAY_TASK_MIN")
+        number = (variable("SLURM_ARRAY_TASK_ID") - first) // step + 1
+    else:
+        number = int(match[1]) if match[1] else variable("JOB_COMPLETION_INDEX") + 1
+    count = int(match[2]) if match[2] else variable("SLURM_ARRAY_TASK_COUNT")
+    if not 1 <= number <= count <= MAX_SHARDS:
+        given = text if match[1] else f"{text}, which is {number}/{count} here"
+        raise InputError("shard", given, f"a number from 1 to the number of shards, {FORMS}")
+    return Shard(number, count)

@@ -175,7 +175,9 @@ def figure(values: Floats) -> Figure | None:
 
 
 def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
-    prepared = Inference(club=head, prior="wide", samples=SAMPLES, speed_at=shots.speed_at, face_at=shots.face_at)
+    prepared = Inference(
+        club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=shots.speed_at, face_at=shots.face_at
+    )
     places = np.unique(np.linspace(0, len(shots) - 1, most).round().astype(int))
     means, doubts, refused, remarked = [], [], 0, []
     for place in places:

@@ -1,9 +1,4 @@
-"""The inputs of each task of a study: a pure function of its number, or a row of a file.
-
-Which inputs task i of a study has: a pure function of the study and i, so that any worker can compute any task.
-
-The rows of a file as the tasks of a study: every one must hold numbers, or the study would not be what it says.
-"""
+"""The inputs of each task of a study: a pure function of its number, so that any worker can compute any task."""
 
 from __future__ import annotations
 

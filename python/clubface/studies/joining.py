@@ -17,7 +17,7 @@ from clubface.shots.tables.headings import heading_of
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.studies.running import ChunkTally
-from clubface.studies.store import METADATA, Names, StudyStore, Values, arrow_array, encoding, open_store
+from clubface.studies.store import METADATA, Names, ParquetFormat, StudyStore, Values, open_store
 from clubface.support.files import whole_file
 from clubface.units import from_si
 
@@ -114,17 +114,9 @@ def _writer(path: Path | None, store: StudyStore) -> AbstractContextManager[Writ
 def _parquet(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write Parquet, a row group a part."""
     arrow = pyarrow_for(path)
-    text = arrow.dictionary(arrow.int32(), arrow.string())
-    fields = [
-        arrow.field(name, text if unit is None else arrow.float64(), metadata=unit and {"unit": unit})
-        for name, unit in store.columns.items()
-    ]
-    schema = arrow.schema(fields, {METADATA: json.dumps(store.record["provenance"]).encode()})
-    options = encoding(store.columns, [name for name, unit in store.columns.items() if unit is None])
-    with whole_file(path) as file, arrow.parquet.ParquetWriter(file, schema, **options) as writer:
-        yield lambda columns: writer.write_table(
-            arrow.Table.from_arrays([arrow_array(arrow, columns[name]) for name in store.columns], schema=schema)
-        )
+    form = ParquetFormat(store.columns, {METADATA: json.dumps(store.record["provenance"]).encode()})
+    with whole_file(path) as file, arrow.parquet.ParquetWriter(file, form.schema, **form.options) as writer:
+        yield lambda columns: writer.write_table(form.table(columns))
 
 
 @contextmanager

@@ -12,7 +12,7 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,7 +27,7 @@ from clubface.studies.study import StudyFile, read_study
 from clubface.support.files import InputFile, count_as_read, prepared_folder, whole_file
 from clubface.support.fingerprint import check_same, fingerprint, fingerprints, first_difference
 
-__all__ = ["Names", "StudyStore", "Values", "begin", "open_folder", "open_store", "store_folder"]
+__all__ = ["Names", "ParquetFormat", "StudyStore", "Values", "begin", "open_folder", "open_store", "store_folder"]
 
 RECORD, PARTS, INPUTS, SUFFIX = "record.json", "parts", "inputs", ".parquet"
 PARTS_PER_FOLDER = 1000
@@ -119,9 +119,9 @@ class StudyStore:
         tasks = self.tasks(chunk)
         metadata = {"study": self.identity, "first": tasks.start, "tasks": len(tasks)}
         metadata |= {**notes, **self.record["provenance"]}
-        content = _parquet(columns, self.columns, metadata)
+        form = ParquetFormat(self.columns, {METADATA: json.dumps(metadata).encode(), CHECKSUM: HOLE})
         with whole_file(prepare_parent(self.path(chunk))) as file:
-            file.write(content)
+            file.write(form.bytes(columns))
 
     def read(self, chunk: int) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
         """Return the columns and the metadata of a chunk's part.
@@ -300,41 +300,50 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
     return opened
 
 
-def arrow_array(pyarrow: Any, column: NDArray[Any] | Names) -> Any:
-    """Return a column as Parquet files have it: numbers, or a dictionary of names."""
-    if isinstance(column, Names):
-        codes = pyarrow.array(column.codes.astype("int32"))
-        return pyarrow.DictionaryArray.from_arrays(codes, pyarrow.array(column.choices))
-    return pyarrow.array(column)
+class ParquetFormat:
+    """How columns are written to Parquet: numbers as float64 with their units, names as a dictionary.
 
+    Attributes
+    ----------
+    schema
+        For a ``ParquetWriter``.
+    options
+        What writes it fast and small: few numbers are equal, but many share their first bytes.
+    """
 
-def encoding(columns: Iterable[str], names: Sequence[str]) -> dict[str, Any]:
-    """Return the options that write Parquet fast and small: few numbers are equal, but many share their first bytes."""
-    numbers = [name for name in columns if name not in names]
-    return {
-        "compression": "snappy",
-        "write_statistics": False,
-        "use_dictionary": list(names),
-        "use_byte_stream_split": numbers,
-    }
+    def __init__(self, units: Mapping[str, str | None], metadata: Mapping[bytes, bytes]) -> None:
+        self._arrow = arrow = pyarrow_for("")
+        text = arrow.dictionary(arrow.int32(), arrow.string())
+        fields = [
+            arrow.field(name, arrow.float64() if unit else text, metadata={"unit": unit} if unit else None)
+            for name, unit in units.items()
+        ]
+        self.schema = arrow.schema(fields, metadata)
+        self.options = {
+            "compression": "snappy",
+            "write_statistics": False,
+            "use_dictionary": [name for name, unit in units.items() if unit is None],
+            "use_byte_stream_split": [name for name, unit in units.items() if unit is not None],
+        }
 
+    def table(self, columns: Values) -> Any:
+        """Return columns as an Arrow table."""
+        arrays = [self._array(columns[name]) for name in self.schema.names]
+        return self._arrow.Table.from_arrays(arrays, schema=self.schema)
 
-def _parquet(columns: Values, units: Mapping[str, str | None], metadata: Mapping[str, Any]) -> bytes:
-    """Return a Parquet file of columns, with units, metadata and its checksum."""
-    pyarrow = pyarrow_for("")
-    arrays = [arrow_array(pyarrow, each) for each in columns.values()]
-    fields = [
-        pyarrow.field(name, each.type, metadata={"unit": unit} if (unit := units.get(name)) else None)
-        for name, each in zip(columns, arrays, strict=True)
-    ]
-    schema = pyarrow.schema(fields, {METADATA: json.dumps(metadata).encode(), CHECKSUM: HOLE})
-    stream = pyarrow.BufferOutputStream()
-    names = [name for name, each in columns.items() if isinstance(each, Names)]
-    table = pyarrow.Table.from_arrays(arrays, schema=schema)
-    pyarrow.parquet.write_table(table, stream, **encoding(columns, names))
-    content = stream.getvalue().to_pybytes()
-    place, checksum = content.rindex(HOLE), hashlib.sha256(content).hexdigest().encode()
-    return content[:place] + checksum + content[place + len(HOLE) :]
+    def _array(self, column: NDArray[Any] | Names) -> Any:
+        if isinstance(column, Names):
+            codes = self._arrow.array(column.codes.astype("int32"))
+            return self._arrow.DictionaryArray.from_arrays(codes, self._arrow.array(column.choices))
+        return self._arrow.array(column)
+
+    def bytes(self, columns: Values) -> bytes:
+        """Return columns as a file whose checksum stands in the place of ``HOLE``."""
+        stream = self._arrow.BufferOutputStream()
+        self._arrow.parquet.write_table(self.table(columns), stream, **self.options)
+        content = stream.getvalue().to_pybytes()
+        place, checksum = content.rindex(HOLE), hashlib.sha256(content).hexdigest().encode()
+        return content[:place] + checksum + content[place + len(HOLE) :]
 
 
 def _read_parquet(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:

@@ -46,7 +46,7 @@ from clubface.studies.designs import (
     design,
     table_columns,
 )
-from clubface.studies.kinds.kind import Column, Computed, Kind, Task, kind
+from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, Task, kind
 from clubface.support.checks import check_choice, check_name, is_count
 from clubface.support.files import InputRecord, absolute
 from clubface.support.strict_toml import Document
@@ -128,7 +128,7 @@ class StudyFile:
             Something is wrong with the study or with a file that it names.
         """
         with self.inputs.active():
-            task = self.kind.prepare(self)
+            task = self.kind.prepare(DescribedStudy(self.table, self.sweep, self.design, self.folder, self.wrap))
         self.inputs.close()
         return Loaded(task, self.inputs)
 

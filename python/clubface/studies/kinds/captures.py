@@ -18,7 +18,7 @@ from clubface.equipment.described import HANDS
 from clubface.errors import InputError
 from clubface.simulation.results import inputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import Column, Described, Kind, OneByOne, Values, chosen_columns, loaded
+from clubface.studies.kinds.kind import Column, DescribedStudy, Kind, OneByOne, Values, chosen_columns, loaded
 from clubface.support.checks import MOST_SEED, check_choice
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
@@ -43,7 +43,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {**NUMBERS, **named}
 
 
-def _task(study: Described) -> OneByOne:
+def _task(study: DescribedStudy) -> OneByOne:
     table = study.table
     held: dict[str, Any] = {"seed": 1, "roughness": ROUGHNESS, "club": "driver", "hand": None}
     held |= {"estimator": next(iter(ESTIMATORS))}

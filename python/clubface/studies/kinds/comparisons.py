@@ -1,26 +1,20 @@
-"""Studies of two shots side by side, and of face maps.
-
-Studies of two shots side by side, such as two clubs, at every input that is swept.
-
-Studies of face maps: sweet spot, area and forgiveness of a face, with any input of club, delivery and air swept.
-"""
+"""Studies of two shots at every input that is swept, such as those of two clubs, and of face maps."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from dataclasses import replace
 from typing import Any
 
 from numpy.typing import NDArray
 
 from clubface.equipment.backends import MODULES
-from clubface.errors import ClubfaceError, FileError, InputError, Told
+from clubface.errors import InputError, Told
 from clubface.simulation.impact import Tally
 from clubface.studies.axes import Swept, inputs_named, number
 from clubface.studies.designs import Design
 from clubface.studies.kinds.impacts import IMPACTS as IMPACT, Impacts
-from clubface.studies.kinds.kind import Column, Computed, Described, Kind, OneByOne, Values, chosen_columns
+from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, OneByOne, Values, chosen_columns
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
 from clubface.support.checks import check_names
 
@@ -42,34 +36,11 @@ class DesignWithout:
         return {each.name: found[each.name] for each in self.axes}
 
 
-@dataclass(frozen=True)
-class OneShot:
-    """One of the two shots. See :class:`clubface.studies.kinds.kind.Described`."""
-
-    of: Described
-    table: Mapping[str, Any]
-    design: Design
-
-    @property
-    def sweep(self) -> Mapping[str, Any]:
-        """What is swept of it."""
-        return {each.name: self.of.sweep.get(each.name) for each in self.design.axes}
-
-    @property
-    def folder(self) -> Path:
-        """The folder of the study."""
-        return self.of.folder
-
-    def wrap(self, error: ClubfaceError) -> FileError:
-        """Return an error with file and line."""
-        return self.of.wrap(error)
+def _first(study: DescribedStudy) -> DescribedStudy:
+    return replace(study, table={name: each for name, each in study.table.items() if name != OTHER})
 
 
-def _first(study: Described) -> OneShot:
-    return OneShot(study, {name: each for name, each in study.table.items() if name != OTHER}, study.design)
-
-
-def _second(study: Described) -> OneShot:
+def _second(study: DescribedStudy) -> DescribedStudy:
     """Return the second shot: what it has itself is not swept in it."""
     other = study.table.get(OTHER)
     if not isinstance(other, Mapping) or not other:
@@ -82,10 +53,11 @@ def _second(study: Described) -> OneShot:
         if name in swept and place.count(".") == 2:
             wanted = "given in one of both places alone, or for all models"
             raise InputError(name, Told(f"in [sweep] and for one model as {OTHER}.{place}"), wanted)
-    shot = OneShot(study, table, DesignWithout(study.design, replaced_by(own)))
-    if isinstance(given := other.get("parameters"), str) and (both := [*filter(is_parameter, shot.sweep)]):
+    design = DesignWithout(study.design, replaced_by(own))
+    sweep = {each.name: study.sweep.get(each.name) for each in design.axes}
+    if isinstance(given := other.get("parameters"), str) and (both := [*filter(is_parameter, sweep)]):
         raise InputError("parameters", given, f"a table of values: {both[0]} is swept, and a whole set has it, too")
-    return shot
+    return replace(study, table=table, sweep=sweep, design=design)
 
 
 class Comparisons:
@@ -94,7 +66,7 @@ class Comparisons:
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: Described) -> None:
+    def __init__(self, study: DescribedStudy) -> None:
         first = Impacts(_first(study))
         try:
             self._both = (first, Impacts(_second(study)))
@@ -155,7 +127,7 @@ def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swep
     return {**shots, **{name: Swept(unit) for name, unit in PLACE.items()}}
 
 
-def _task(study: Described) -> OneByOne:
+def _task(study: DescribedStudy) -> OneByOne:
     from clubface.design.face_map import SHARE, checked_grid, map_face
 
     shot_inputs, table = ShotInputs(study), study.table

@@ -1,9 +1,4 @@
-"""Studies by finite elements: cases, and meshed heads.
-
-Studies of cases of finite elements, as of ``clubface fem run``: launch, forces and deformation of single impacts.
-
-Studies of meshed heads: restitution, characteristic time, stress and mass over the face and over their designs.
-"""
+"""Studies by finite elements: cases as of ``clubface fem run``, and tests of meshed heads over faces and designs."""
 
 from __future__ import annotations
 
@@ -27,7 +22,7 @@ from clubface.fem.heads.user_mesh import MeshHead
 from clubface.fem.stress import BLOW, peak_stress
 from clubface.simulation.results import inputs, outputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import Column, Described, Kind, OneByOne, Values, chosen_columns, loaded, resolved
+from clubface.studies.kinds.kind import Column, DescribedStudy, Kind, OneByOne, Values, chosen_columns, loaded, resolved
 from clubface.support.files import input_file, path_of
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
@@ -64,7 +59,7 @@ def _swept_cases(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
     return {**delivered, **own, **{name: Swept(None) for name in NAMED}}
 
 
-def _case_task(study: Described) -> OneByOne:
+def _case_task(study: DescribedStudy) -> OneByOne:
     if not isinstance(study.table.get("case"), str):
         raise InputError("case", study.table.get("case"), 'a case of finite elements, as in case = "paper"')
     base = case_of(resolved(study.table["case"], study.folder))
@@ -133,7 +128,7 @@ def _swept_heads(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
     return {**numbers, "head": Swept(None), "ball": Swept(None)}
 
 
-def _head_task(study: Described) -> OneByOne:
+def _head_task(study: DescribedStudy) -> OneByOne:
     table, designed = study.table, _design_units()
     swept = {each.name for each in study.design.axes}
     if "head" not in swept and not isinstance(table.get("head"), str):

@@ -1,11 +1,4 @@
-"""Studies of golfers: where their shots go, and the clubs best for them.
-
-Studies of where the shots of golfers go: means, spreads, percentiles, ellipses, lies and strokes.
-
-Studies of optimisations: the best club as a bound, a limit, a golfer, a hole or the air changes.
-
-What studies of golfers have in common: the figures of a golfer and of a hole that may be swept.
-"""
+"""Studies of golfers: where their shots go, and the best club as a bound, a golfer, a hole or the air changes."""
 
 from __future__ import annotations
 
@@ -28,7 +21,7 @@ from clubface.errors import InputError
 from clubface.simulation.inputs import DIMENSIONS, OF_CLUB
 from clubface.simulation.results import flight_outputs, inputs, outputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import Column, Described, Kind, OneByOne, Values, chosen_columns, loaded
+from clubface.studies.kinds.kind import Column, DescribedStudy, Kind, OneByOne, Values, chosen_columns, loaded
 from clubface.studies.kinds.shot_inputs import BY_GROUP, KEYS, ShotInputs, swept_conditions, swept_shots
 from clubface.support.checks import MOST_SEED, check_names, is_count
 
@@ -124,7 +117,7 @@ def _of_golfer(name: str, value: Any) -> InputError:
     return InputError(name, value, "left out: the golfer says how the club is delivered")
 
 
-def _dispersion_task(study: Described) -> OneByOne:
+def _dispersion_task(study: DescribedStudy) -> OneByOne:
     from clubface.design.dispersion import COUNT, MOST, dispersion
     from clubface.design.golfer import golfer as golfer_of
 
@@ -210,7 +203,7 @@ def _unit(dimension: str) -> str:
     return units.SI_UNITS[dimension]
 
 
-def _optimisation_task(study: Described) -> OneByOne:
+def _optimisation_task(study: DescribedStudy) -> OneByOne:
     if not isinstance(study.table.get("file"), str):
         raise InputError("file", study.table.get("file"), 'the file of an optimisation, as in file = "better.toml"')
     asked = read(study.folder / study.table["file"])

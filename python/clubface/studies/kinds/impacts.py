@@ -1,11 +1,4 @@
-"""Studies of impacts, of best lofts, and of nothing but what a study costs.
-
-Studies of impacts and the flights that follow: any input of a shot swept, by any model.
-
-Studies of the dynamic loft with which a ball is carried farthest, with any other input of a shot swept.
-
-Tasks that compute next to nothing: what a study costs by itself on a machine or a cluster is measured with them.
-"""
+"""Studies of impacts and flights, of the loft of the longest carry, and of nothing, by which overhead is measured."""
 
 from __future__ import annotations
 
@@ -22,7 +15,7 @@ from clubface.simulation.flight import fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds.kind import Column, Computed, Described, Kind, OneByOne, Values, chosen_columns
+from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, OneByOne, Values, chosen_columns
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.checks import without_warnings
 
@@ -36,7 +29,7 @@ class Impacts:
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: Described) -> None:
+    def __init__(self, study: DescribedStudy) -> None:
         self._design, self._shot_inputs = study.design, ShotInputs(study)
         every = {name: Column(each.unit, each.meaning) for name, each in {**outputs(), **flight_outputs()}.items()}
         self.columns = chosen_columns(study.table, every, USUAL)
@@ -105,7 +98,7 @@ def _swept_best_lofts(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dic
     return {name: each for name, each in swept_shots(table, sweep).items() if name != "loft"}
 
 
-def _best_loft_task(study: Described) -> OneByOne:
+def _best_loft_task(study: DescribedStudy) -> OneByOne:
     from clubface.design.best_loft import best_loft
 
     shot_inputs = ShotInputs(study)
@@ -141,7 +134,7 @@ class Empty:
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: Described, seconds: float) -> None:
+    def __init__(self, study: DescribedStudy, seconds: float) -> None:
         self._design, self._seconds = study.design, seconds
         self.columns = {"square": Column("1", "square of the input x")}
         self.depends_on = {}
@@ -159,7 +152,7 @@ def _swept_empty(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
     return {"x": Swept("1")}
 
 
-def _empty_task(study: Described) -> Empty:
+def _empty_task(study: DescribedStudy) -> Empty:
     seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
     if not 0.0 <= seconds <= 3600.0:
         raise InputError("seconds", seconds, "from 0 to 3600 s")

@@ -1,14 +1,8 @@
 """Kinds of studies: their interface, their list, and tasks computed one after the other.
 
-What a study may compute: the interface of a kind of study and of its task.
-
-A kind is a module with a ``KIND``. The study names it, gives it a table of its own, and sweeps what it says may be
-swept. From the study it makes a task, whose columns at any index follow from the study and the index alone. One more is
-added by one such module and one line in :mod:`clubface.studies.kinds.kind`.
-
-The list of kinds of studies.
-
-Tasks of studies that are computed one after the other, each by one call of the package.
+A study names its kind, gives it a table of its own, and sweeps what the kind says may be swept. From the study the kind
+makes a task, whose columns at any index follow from the study and the index alone. Another kind is a ``Kind`` in a
+module beside this one, and a line in ``KINDS``.
 """
 
 from __future__ import annotations
@@ -34,15 +28,7 @@ T = TypeVar("T")
 
 
 class Column(NamedTuple):
-    """A column that a task computes.
-
-    Attributes
-    ----------
-    unit
-        Its SI unit, "1" for none.
-    meaning
-        One line.
-    """
+    """A column that a task computes: its SI unit ("1" for none), and its meaning in one line."""
 
     unit: str
     meaning: str
@@ -67,15 +53,7 @@ class Computed(NamedTuple):
 
 
 class Task(Protocol):
-    """What is computed.
-
-    Attributes
-    ----------
-    columns
-        The columns by name.
-    depends_on
-        What beside study and version may change bits of the result, such as the processor; told with each part.
-    """
+    """What is computed: its columns, and what beside study and version may change bits of them, as the processor."""
 
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
@@ -85,32 +63,18 @@ class Task(Protocol):
         ...
 
 
-class Described(Protocol):
-    """What a kind knows of a study, which is a :class:`clubface.studies.study.StudyFile`."""
+@dataclass(frozen=True)
+class DescribedStudy:
+    """What a kind knows of a study.
 
-    @property
-    def table(self) -> Mapping[str, Any]:
-        """The table of the kind, as in the file."""
-        ...
+    Relative names of files begin in the ``folder``, and ``wrap`` puts file and line on an error about the ``table``.
+    """
 
-    @property
-    def sweep(self) -> Mapping[str, Any]:
-        """The table [sweep], as in the file."""
-        ...
-
-    @property
-    def design(self) -> Design:
-        """Which inputs each task has."""
-        ...
-
-    @property
-    def folder(self) -> Path:
-        """The folder in which relative names of files begin."""
-        ...
-
-    def wrap(self, error: ClubfaceError) -> FileError:
-        """Return an error about a value of the kind's table with file and line."""
-        ...
+    table: Mapping[str, Any]
+    sweep: Mapping[str, Any]
+    design: Design
+    folder: Path
+    wrap: Callable[[ClubfaceError], FileError]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -135,10 +99,10 @@ class Kind:
     name: str
     keys: tuple[str, ...]
     swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
-    task: Callable[[Described], Task]
+    task: Callable[[DescribedStudy], Task]
     apart: tuple[str, ...] = ()
 
-    def prepare(self, study: Described) -> Task:
+    def prepare(self, study: DescribedStudy) -> Task:
         """Return the task of a study; an error about a value of the kind's table names file and line."""
         try:
             return self.task(study)
@@ -146,7 +110,7 @@ class Kind:
             raise study.wrap(error) from None
 
 
-def loaded(study: Described, key: str, load: Callable[[Any], T], unless_given: str | None = None) -> dict[Any, T]:
+def loaded(study: DescribedStudy, key: str, load: Callable[[Any], T], unless_given: str | None = None) -> dict[Any, T]:
     """Return what a study names under a key of its kind's table, or sweeps there, by that name, each read now.
 
     ``load`` takes a name, or the path of a file from the folder of the study.
@@ -216,7 +180,7 @@ class OneByOne:
 
     def __init__(
         self,
-        study: Described,
+        study: DescribedStudy,
         columns: Mapping[str, Column],
         compute: Callable[[Values], Mapping[str, float | Callable[[], float]]],
         *,

@@ -17,7 +17,7 @@ from clubface.simulation.flight import LEVEL, Air, check_conditions, conditions,
 from clubface.simulation.inputs import parameter_set, tolerance
 from clubface.simulation.results import flight_inputs, inputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import Described, loaded, resolved
+from clubface.studies.kinds.kind import DescribedStudy, loaded, resolved
 from clubface.support.checks import check_choice, check_names
 from clubface.support.files import is_path
 from clubface.support.processes import vector_units
@@ -67,7 +67,7 @@ def is_parameter(name: str) -> bool:
 class Conditions:
     """Air, wind and ground of flights: what a table holds, and what is swept of it."""
 
-    def __init__(self, study: Described) -> None:
+    def __init__(self, study: DescribedStudy) -> None:
         self._held = {group: study.table.get(group) for group in CONDITIONS}
         for group, known in BY_GROUP.items():
             held = self._held[group]
@@ -105,7 +105,7 @@ class ShotInputs:
         As of :class:`clubface.studies.kinds.kind.Task`.
     """
 
-    def __init__(self, study: Described, *, needs: Sequence[str] = ("club", "speed")) -> None:
+    def __init__(self, study: DescribedStudy, *, needs: Sequence[str] = ("club", "speed")) -> None:
         _check(study, needs)
         self._folder = study.folder
         self.table = table = study.table
@@ -221,7 +221,7 @@ def _ball(named: Any) -> Any:
     return made if is_path(named) else named
 
 
-def _check(study: Described, needs: Sequence[str]) -> None:
+def _check(study: DescribedStudy, needs: Sequence[str]) -> None:
     """Refuse what no shot can have, before one is computed."""
     table = study.table
     for name in CHOSEN:
