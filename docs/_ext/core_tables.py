@@ -19,6 +19,8 @@ from clubface import _core, units
 from clubface.equipment.models import model, models
 from clubface.equipment.parameters import builtin_sets
 from clubface.inference.evaluation.model_errors import published
+from clubface.present.terminal import headings_and_rows
+from clubface.results.table import Table
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour, tour as tour_averages, tour_tables
 
@@ -30,6 +32,12 @@ def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> li
         return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
 
     return [line(heads), line(["---"] * len(heads)), *(line(row) for row in rows)]
+
+
+def result_table(table: Table) -> list[str]:
+    """Lay out a table of a result in Markdown, with the units people read."""
+    heads, rows = headings_and_rows(table)
+    return markdown_table([f"{words} ({unit})" if unit else words for words, unit in heads], rows)
 
 
 class CoreTable(SphinxDirective):

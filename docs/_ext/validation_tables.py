@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
-from core_tables import CoreTable, markdown_table
+from core_tables import CoreTable, markdown_table, result_table
 from sphinx.application import Sphinx
 
 from clubface.equipment.models import DEFAULT_MODEL, models
@@ -100,9 +100,8 @@ class BehindTheChart(CoreTable):
 
     def table(self) -> list[str]:
         """One row a model, place of the strike and quantity; what the numbers say below."""
-        found = chart.chart()
-        rows = markdown_table(chart.HEADS, chart.table_rows(found.errors))
-        return [*rows, "", *(f"* {each}" for each in chart.narrative(found))]
+        result = chart.chart().to_result()
+        return [*result_table(result.table()), "", *(f"* {each.sentence}" for each in result.notes[:-1])]
 
 
 class Reasons(CoreTable):

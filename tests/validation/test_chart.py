@@ -51,6 +51,10 @@ def test_the_normal_of_the_place_struck_runs_through_the_mass_centre():
     assert np.cross(struck, normal) == pytest.approx(0.0, abs=1e-12)
 
 
-def test_the_command_prints_what_it_found(clubface_):
+def test_the_command_prints_the_ratio_and_the_errors_of_each_model(clubface_, behind):
     assert "1.123" in clubface_("chart").out
-    assert clubface_("chart", "--json").json["drives"] == 60
+    document = clubface_("chart", "--json").json
+    assert document["values"]["drives"] == 60
+    first, launch, *_ = document["tables"]["errors"]["rows"]
+    assert (first["unit"], first["mean_error"]) == ("%", pytest.approx(100.0 * behind.errors[0].ball_speed[0]))
+    assert (launch["unit"], launch["mean_error"]) == ("deg", pytest.approx(behind.errors[0].launch[0] / DEG))

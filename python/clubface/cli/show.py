@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Annotated, Any
 
 from clubface.cli import app, options, output
@@ -16,6 +17,7 @@ from clubface.units import unit as unit_named
 JSON: options.Group = {"as_json": (options.Json, False)}
 PLOT: options.Group = {"plot": (Annotated[str | None, options.picture("a picture")], None)}
 REPORT: options.Group = {"report": (options.Report, None)}
+FOLDER: options.Group = {"folder": (options.Folder, None)}
 UNITS: options.Group = {
     "unit": (
         Annotated[
@@ -58,6 +60,8 @@ class Output:
         The file of the main table; ``written`` tells that the command writes it itself.
     plot, report
         Files of picture and report.
+    folder
+        The folder of tables and pictures.
     units
         Units for people, by quantity.
     """
@@ -66,6 +70,7 @@ class Output:
     target: str | None = None
     plot: str | None = None
     report: str | None = None
+    folder: str | None = None
     units: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
@@ -81,20 +86,29 @@ class Output:
         given = list(inputs)
         found = cls(
             bool(texts.get("as_json")), texts.get("target"), texts.get("plot"), texts.get("report"),
-            _units(texts.get("unit")),
+            texts.get("folder"), _units(texts.get("unit")),
         )  # fmt: skip
         if found.as_json and found.units and found.plot is None and found.report is None:
             raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
         output.check_target("--output", found.target, TABLES if kinds is None else kinds, given)
         output.check_picture(found.plot, given)
         output.check_report(found.report, given)
+        output.prepare_folder(found.folder)
         return found
 
-    def show(self, result: Result, *, table: str | None = "", more: Sequence[str] = ()) -> None:
+    def show(
+        self,
+        result: Result,
+        *,
+        table: str | None = "",
+        more: Sequence[object] = (),
+        parts: Mapping[str, Result] | None = None,
+    ) -> None:
         """Print a result, write the files that were asked for, and say which.
 
         ``table`` names the table that is written to the target, "" being the main one; None if the command has written
-        it. ``more`` are further files that the command wrote.
+        it. ``more`` are further files that the command wrote. ``parts`` are written into the folder in place of the
+        whole, each into one of its own.
         """
         result = result.replace(provenance=result.provenance.with_files())
         if self.target is not None and table is not None:
@@ -110,6 +124,12 @@ class Output:
             from clubface.present.report import write_report
 
             write_report(result, self.report, units=self.units, command=app.command())
+        if self.folder is not None:
+            from clubface.present.folder import write_folder
+
+            for name, each in ({"": result} if parts is None else parts).items():
+                target = Path(self.folder, name)
+                more = [*more, *write_folder(each, target, units=self.units, command=app.command())]
         if self.as_json:
             from clubface.present.files import json_text
 

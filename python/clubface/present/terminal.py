@@ -122,12 +122,14 @@ def headings_and_rows(
         unit = "1" if each.is_mixed or not len(table) else each.printed_unit_at(0, units)
         heads.append((each.heading, "" if unit == "1" else _WRITTEN.get(unit, unit)))
     rows = [[each.shown(row, units) for each in columns] for row in count]
-    mixed = [place for place, each in enumerate(columns) if each.is_mixed]
-    if mixed:
-        heads.insert(mixed[0], ("unit", ""))
-        for row, cells in zip(count, rows, strict=True):
-            unit = columns[mixed[0]].printed_unit_at(row, units)
-            cells.insert(mixed[0], "" if unit == "1" else _WRITTEN.get(unit, unit))
+    before: list[str] = []
+    added = 0
+    for place, each in enumerate(columns):
+        if each.is_mixed and (shown := [each.printed_unit_at(row, units) for row in count]) != before:
+            heads.insert(place + added, ("unit", ""))
+            for unit, cells in zip(shown, rows, strict=True):
+                cells.insert(place + added, "" if unit == "1" else _WRITTEN.get(unit, unit))
+            before, added = shown, added + 1
     return heads, rows
 
 

@@ -175,16 +175,20 @@ class Table:
 
     @property
     def file_columns(self) -> tuple[Column, ...]:
-        """The columns that files have; quantities and units that differ from row to row are texts of their own."""
-        mixed = next((each for each in self.columns if each.is_mixed), None)
-        kept = [each for each in self.columns if each.in_files]
-        if mixed is not None:
-            place = kept.index(mixed)
-            of = [mixed.quantity_at(row) for row in range(len(self))]
-            if not any(each.name == "quantity" for each in kept):
-                kept.insert(place, text("quantity", ["" if each is None else each.name for each in of]))
-                place += 1
-            kept.insert(place, text("unit", ["" if each is None else each.metric.unit for each in of]))
+        """The columns that files have; quantities and units that differ from row to row are columns before them."""
+        kept: list[Column] = []
+        named = any(each.name == "quantity" for each in self.columns)
+        before: list[str] | None = None
+        for each in (one for one in self.columns if one.in_files):
+            if each.is_mixed:
+                quantities = [each.quantity_at(row) for row in range(len(self))]
+                if before is None and not named:
+                    kept.append(text("quantity", ["" if one is None else one.name for one in quantities]))
+                units_of = ["" if one is None else one.metric.unit for one in quantities]
+                if units_of != before:
+                    kept.append(text("unit" if before is None else f"{each.name}_unit", units_of))
+                before = units_of
+            kept.append(each)
         return tuple(kept)
 
     def keys(self) -> list[str]:

@@ -8,19 +8,22 @@ launch says no more than the launch.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from clubface import published_data, units
+from clubface import published_data
 from clubface.equipment.balls import ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
+from clubface.quantities import quantity
+from clubface.results.notes import note
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
-from clubface.validation.check import Judged
+from clubface.validation.check import SHARE, Judged
 from clubface.validation.tour import loft_of_ratio, spin_ratio
 
 TABLE = "optimum-trackman-2010"
@@ -49,7 +52,8 @@ class Errors(NamedTuple):
     spin: tuple[float, float, float]
 
 
-class Chart(NamedTuple):
+@dataclass(frozen=True)
+class Chart(Described):
     """What the chart holds.
 
     Attributes
@@ -70,6 +74,46 @@ class Chart(NamedTuple):
     ratio: tuple[float, float]
     loft: float
     errors: list[Errors]
+
+    def to_result(self) -> Result:
+        """Return the errors of the models, and what they say of the chart, as a result."""
+        table = published_data.table(TABLE)
+        ratio, spread = self.ratio
+        best = self.errors[0]
+        return Result(
+            kind="chart", title=f"{table.title}, ball {BALL}", tables=(self._error_table(),),
+            values=(
+                text("drives", [self.drives]),
+                column("ratio", [ratio], "1", label="I w/(m R v_t), mean", digits=3),
+                column("ratio_deviation", [spread], "1", label="I w/(m R v_t), standard deviation", digits=3),
+                column("loft_error", [self.loft], "loft", label="root mean square error of the computed loft", digits=2),
+            ),
+            notes=(
+                note("chart-spin", model=best.model, struck=best.struck, drives=self.drives, mean=best.spin[0],
+                     deviation=best.spin[2]),
+                note("chart-loft", ratio=ratio, deviation=spread, error_loft=self.loft),
+                note("chart-is-model"),
+                note("published-table", title=table.title, source=table.source),
+            ),
+        )  # fmt: skip
+
+    def _error_table(self) -> Table:
+        """Return a row a model and quantity."""
+        names = {"ball_speed": SHARE, "launch": quantity("launch"), "spin": SHARE}
+        rows = [(each, name) for each in self.errors for name in names]
+        kinds = [names[name] for _, name in rows]
+        means, magnitudes, deviations = zip(*(getattr(each, name) for each, name in rows), strict=True)
+        return Table(
+            "errors",
+            (
+                text("model", [each.model for each, _ in rows]), text("struck", [each.struck for each, _ in rows]),
+                text("quantity", [quantity(name).label for _, name in rows]),
+                Column("mean_error", means, kinds, difference=True),
+                Column("mean_magnitude", magnitudes, kinds, label="mean |error|"),
+                Column("deviation", deviations, kinds, label="standard deviation"),
+            ),
+            "Model less chart",
+        )  # fmt: skip
 
 
 def chart() -> Chart:
@@ -118,37 +162,3 @@ def _errors(model: str, struck: str, head: Club, where: tuple[float, float]) -> 
 
 def _spread(errors: Floats) -> tuple[float, float, float]:
     return float(errors.mean()), float(np.abs(errors).mean()), float(errors.std())
-
-
-HEADS = ["model", "struck", "quantity", "mean error", "mean |error|", "spread"]
-
-
-def table_rows(errors: Sequence[Errors]) -> list[list[str]]:
-    """Return a row a model and quantity, under ``HEADS``."""
-    return [
-        [each.model, each.struck, quantity, *_cells(values, unit)]
-        for each in errors
-        for quantity, values, unit in (
-            ("ball speed", each.ball_speed, "%"), ("launch angle", each.launch, "deg"), ("spin", each.spin, "%"),
-        )
-    ]  # fmt: skip
-
-
-def _cells(values: Sequence[float], unit: str) -> list[str]:
-    """Write mean, mean magnitude and spread of errors."""
-    shown = [float(units.from_si(each, unit)) for each in values]
-    return [f"{number:{sign}.1f}{'%' if unit == '%' else ' deg'}" for number, sign in zip(shown, "+  ", strict=True)]
-
-
-def narrative(found: Chart) -> list[str]:
-    """Return what the numbers say."""
-    best = found.errors[0]
-    mean, spread = (100.0 * each for each in (best.spin[0], best.spin[2]))
-    middle, wide = found.ratio
-    return [
-        f"{best.model} struck {best.struck} has the spin of these {found.drives} drives to {mean:+.1f}% on average,"
-        f" with a standard deviation of {spread:.1f}%.",
-        f"I w/(m R v_t) is {middle:.3f}, with a standard deviation of {wide:.3f}, so that every dynamic loft is launch"
-        f" + asin(I w/({middle:.3f} m R v)) to {math.degrees(found.loft):.2f} degrees.",
-        "The chart is a model, and judges none.",
-    ]

@@ -14,6 +14,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named
 from clubface.errors import RangeWarning
 from clubface.published_data import PublishedTable
+from clubface.quantities import Quantity, Reading, quantity as quantity_named
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_conditioned import impact_at_launch
@@ -27,6 +28,18 @@ CERTAINTIES = {
     A_MODEL: "computed by another model, whose agreement is no proof",
 }
 """How sure a published figure is, as far as it can judge a model: words, and what they mean."""
+SHARE = Quantity("share", "1", Reading("%", 1), Reading("%", 1), "share")
+"""Errors and tolerances that are shares of the published value."""
+READINGS = {
+    "mph": "ball_speed", "deg": "launch", "rpm": "spin", "yd": "carry", "mm": "toe", "us": "contact_time",
+    "1": "restitution", "%": "",
+}  # fmt: skip
+"""Quantities as which figures are read and written, by the unit of the figure; a share for per cent."""
+
+
+def reading(unit: str) -> Quantity:
+    """Return the quantity as which figures of this unit are read and written."""
+    return quantity_named(READINGS[unit]) if READINGS[unit] else SHARE
 
 
 class Figure(NamedTuple):
