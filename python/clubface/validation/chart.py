@@ -86,7 +86,7 @@ class Chart(Described):
                 text("drives", [self.drives]),
                 column("ratio", [ratio], "1", label="I w/(m R v_t), mean", digits=3),
                 column("ratio_deviation", [spread], "1", label="I w/(m R v_t), standard deviation", digits=3),
-                column("loft_error", [self.loft], "loft", label="root mean square error of the computed loft", digits=2),
+                column("loft_error", [self.loft], "loft", label="error of the computed loft (RMS)", digits=2),
             ),
             notes=(
                 note("chart-spin", model=best.model, struck=best.struck, drives=self.drives, mean=best.spin[0],
