@@ -9,7 +9,7 @@ import clubface
 from clubface import published_data
 from clubface.design.rules import rules
 from clubface.fem.materials import laws
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import published
 from clubface.shots.monitors import FORMATS
 from clubface.simulation import results
 

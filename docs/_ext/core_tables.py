@@ -18,7 +18,7 @@ from sphinx.util.docutils import SphinxDirective
 from clubface import _core, units
 from clubface.equipment.models import model, models
 from clubface.equipment.parameters import builtin_sets
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import published
 from clubface.present.terminal import headings_and_rows
 from clubface.results.table import Table
 from clubface.shots.measured import QUANTITIES

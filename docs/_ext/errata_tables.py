@@ -11,8 +11,7 @@ from sphinx.application import Sphinx
 import clubface
 from clubface import units
 from clubface.equipment.balls import published_ball
-from clubface.inference.evaluation.evaluation import contradictions
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import contradictions, published
 from clubface.shots.measured import QUANTITIES
 from clubface.support.arrays import Floats
 from clubface.validation import benchmark_data

@@ -9,9 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.inference.evaluation.tables import TITLES
 from clubface.shots.measured import QUANTITIES
 
+TITLES = {
+    "ball_speed": "Ball speed", "launch": "Launch angle", "azimuth": "Azimuth", "backspin": "Backspin",
+    "sidespin": "Sidespin",
+}  # fmt: skip
 RESULTS = Path(__file__).parent.parent / "findings.json"
 DIGITS = {"ball_speed": 2, "launch": 2, "azimuth": 2, "backspin": 0, "sidespin": 0, "spin": 0, "carry": 1}
 UNITS = {**QUANTITIES, "spin": "rpm", "carry": "yd"}
@@ -33,3 +36,16 @@ def shown(value: float | None, quantity: str, sign: str = "") -> str:
 def heads(first: str) -> list[str]:
     """Return the headings of a table over the launch quantities."""
     return [first, *(f"{TITLES[name].lower()}, {unit}" for name, unit in QUANTITIES.items())]
+
+
+def percent(part: float, whole: float) -> str:
+    """Write a percentage with three digits, as Caldwell and McPhee (2023) do."""
+    return "" if whole == 0.0 or math.isnan(part) else f"{100.0 * part / whole:.3g}%"
+
+
+def duration(seconds: float) -> str:
+    """Write a time with a unit that suits it."""
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"

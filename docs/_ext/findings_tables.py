@@ -6,14 +6,13 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from core_tables import CoreTable, markdown_table
-from findings_results import UNITS, heads, results, shown
+from findings_results import TITLES, UNITS, duration, heads, percent, results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.inference.evaluation.model_errors import published
-from clubface.inference.evaluation.tables import TITLES, duration, percent
+from clubface.inference.evaluation import published
 from clubface.inference.findings import bias_of, bias_of_magnitudes
 from clubface.quantities import display_unit
 from clubface.shots.measured import QUANTITIES

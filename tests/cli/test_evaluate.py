@@ -1,5 +1,6 @@
 """``clubface evaluate`` on the benchmark shots."""
 
+import hashlib
 from pathlib import Path
 
 import pytest
@@ -15,19 +16,29 @@ pytest.importorskip("pyarrow")
 SHOTS = str(FOLDER / "7-iron.parquet")
 
 
+def parameters(document):
+    """Values by model and name."""
+    return {(row["model"], row["parameter"]): row["value"] for row in document["tables"]["parameters"]["rows"]}
+
+
 def test_the_club_is_taken_from_the_shots_and_tables_are_printed(clubface_):
     ran = clubface_("evaluate", SHOTS, "--models", "standard,slip")
     assert ran.status == 0
     text = " ".join(ran.out.split())
-    for words in ("Mean absolute error, 120 shots", "As published for the 7-iron", "Best model", "0.25", "5.12%*"):
+    for words in ("Models compared with 120 measured shots: 7-iron", "Best model", "0.25", "printed 5.12 %"):
         assert words in text
 
 
-def test_json_holds_errors_models_and_notes(clubface_):
-    document = clubface_("evaluate", SHOTS, "--models", "slip", "--json").json
-    assert (document["club"], document["shots"]) == ("7-iron", 120)
-    assert set(document["errors"]) == {"ball_speed", "launch", "azimuth", "backspin", "sidespin"}
-    assert document["models"]["slip"]["parameters"]["values"]["slip_z"] == 0.0423
+def test_json_has_errors_models_and_the_fingerprint_of_the_shots(clubface_, tmp_path):
+    shots = tmp_path / "shots.parquet"
+    shots.write_bytes(Path(SHOTS).read_bytes())
+    document = clubface_("evaluate", str(shots), "--models", "slip", "--json").json
+    assert (document["values"]["club"], document["values"]["shots"]) == ("7-iron", 120)
+    errors = document["tables"]["errors"]["rows"]
+    assert {row["quantity"] for row in errors} == {"ball_speed", "launch", "azimuth", "backspin", "sidespin"}
+    assert parameters(document)["slip", "slip_z"] == 0.0423
+    (used,) = document["provenance"]["files"]
+    assert used["sha256"] == hashlib.sha256(shots.read_bytes()).hexdigest()
 
 
 def test_parameters_of_several_files_and_settings_are_used(clubface_, tmp_path):
@@ -38,19 +49,20 @@ def test_parameters_of_several_files_and_settings_are_used(clubface_, tmp_path):
         (tmp_path / f"{model}.toml").write_text(changed.to_toml())
     files = [part for name in ("slip", "standard") for part in ("--parameters", str(tmp_path / f"{name}.toml"))]
     ran = clubface_("evaluate", SHOTS, "--models", "slip,standard,adjusted", *files, "--set", "slip_z=0.2", "--json")
-    values = {name: each["parameters"]["values"] for name, each in ran.json["models"].items()}
-    assert (values["slip"]["slip_y"], values["slip"]["slip_z"]) == (0.1, 0.2)
-    assert values["standard"]["cor"] == 0.8
-    assert values["adjusted"]["extra_mass"] == 0.0101
+    values = parameters(ran.json)
+    assert (values["slip", "slip_y"], values["slip", "slip_z"]) == (0.1, 0.2)
+    assert values["standard", "cor"] == 0.8
+    assert values["adjusted", "extra_mass"] == pytest.approx(10.1)  # g
 
 
 def test_noise_is_given_with_units(clubface_):
     ran = clubface_(
         "evaluate", SHOTS, "--models", "slip", "--noise", "launch=0.1 deg", "--delivery-noise", "face=1 deg", "--json"
     )
-    noise = ran.json["noise"]
-    assert noise["monitor"]["launch"] == pytest.approx(0.1 * 3.141592653589793 / 180)
-    assert noise["perfect_model_mae"]["azimuth"] > 0.5 * 3.141592653589793 / 180
+    noise = {row["quantity"]: row for row in ran.json["tables"]["noise"]["rows"]}
+    assert noise["launch"]["deviation"] == pytest.approx(0.1)
+    assert noise["face"]["deviation"] == pytest.approx(1.0)
+    assert noise["azimuth"]["perfect_mae"] > 0.5
 
 
 def test_the_report_is_written(clubface_, tmp_path, monkeypatch):
@@ -95,7 +107,10 @@ def test_a_launch_monitors_file_is_read_as_it_is(clubface_):
         "--only is missing; give one of the several clubs that were hit: Driver (1), 7 Iron (2)",
     )
     document = clubface_("evaluate", trackman, "--only", "7 iron", "--models", "standard", "--json").json
-    assert (document["club"], document["shots"]) == ("7-iron", 1)  # of the other one the clubhead speed is missing
-    assert not any("referred to" in note for note in document["notes"])  # no face angle was measured
+    assert (document["values"]["club"], document["values"]["shots"]) == (
+        "7-iron",
+        1,
+    )  # of the other one the clubhead speed is missing
+    assert not any("referred to" in note["text"] for note in document["notes"])  # no face angle was measured
     document = clubface_("evaluate", trackman, "--only", "driver", "--models", "standard", "--json").json
-    assert any("referred to the face centre of driver" in note for note in document["notes"])
+    assert any("referred to the face centre of driver" in note["text"] for note in document["notes"])

@@ -16,8 +16,9 @@ pytest.importorskip("matplotlib")
 from clubface.design.best_loft import Beside
 from clubface.design.pictures import chart_figure
 from clubface.fem.pictures import paper_figure, sweep_figure
-from clubface.inference.evaluation.model_errors import published
-from clubface.inference.evaluation.picture import error_figure
+from clubface.inference.evaluation import published
+from clubface.inference.evaluation.result import error_picture
+from clubface.present.drawing import draw
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import tour, validate
 from clubface.validation.pictures import launch_figure, validation_figure
@@ -140,7 +141,7 @@ def test_published_errors_are_drawn_at_their_values():
         sizes={name: dict.fromkeys(expected, size) for name in names},
         published={model: published()[model, "driver"] for model in expected},
     )  # fmt: skip
-    panels = error_figure(result).axes
+    panels = draw(error_picture(result)).axes
     for column, (name, axes) in enumerate(zip(names, panels, strict=False)):
         drawn = [line.get_xydata()[0].tolist() for line in axes.lines if line.get_marker() == "D"]
         assert [x for x, _ in drawn] == pytest.approx([row[column] for row in expected.values()]), QUANTITIES[name]

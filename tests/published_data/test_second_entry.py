@@ -11,7 +11,7 @@ import pytest
 
 from clubface import published_data
 from clubface.fem.paper import LEAST_FACTOR, PUBLISHED, other_solvers
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import published
 from clubface.support.files import DATA
 from clubface.units import to_si
 

@@ -1,4 +1,4 @@
-"""``clubface evaluate``: models beside measured shots."""
+"""``clubface evaluate``: models compared with measured shots."""
 
 from __future__ import annotations
 
@@ -7,19 +7,16 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
-from clubface.cli.failures import say, say_written
-from clubface.cli.output import print_numbers
+from clubface.cli import options, output, show
+from clubface.cli.failures import say
 from clubface.cli.recorded import RECORDED, recorded_shots
 
 app = typer.Typer(add_completion=False)
 
-_MODELS = options.option("--models", "--model", metavar="NAME", text=options.MODELS_TEXT)
 _PARAMETERS = options.option(
-    "--parameters",
-    metavar="NAME|FILE",
+    "--parameters", metavar="NAME|FILE",
     text="A published parameter set or a TOML file; models that it does not fit keep theirs. Repeatable.",
-)
+)  # fmt: skip
 _NOISE = options.option(
     "--noise", metavar="NAME=VALUE", text='Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'
 )
@@ -34,7 +31,9 @@ def evaluate(
     shots: Annotated[
         str, typer.Argument(metavar="SHOTS", help="Deliveries and launches: CSV, Parquet or a launch monitor's file.")
     ],
-    models: Annotated[list[str] | None, _MODELS] = None,
+    models: Annotated[
+        list[str] | None, options.option("--models", "--model", metavar="NAME", text=options.MODELS_TEXT)
+    ] = None,
     parameters: Annotated[list[str] | None, _PARAMETERS] = None,
     setting: options.Setting = None,
     noise: Annotated[list[str] | None, _NOISE] = None,
@@ -49,35 +48,19 @@ def evaluate(
     """Compare models with measured shots: how large their errors are, what these depend on, which model is best."""
     names = options.model_names(models)
     output.prepare_folder(folder)
-    from clubface.inference.evaluation import report, tables
     from clubface.inference.evaluation.evaluation import evaluate as compute
+    from clubface.inference.evaluation.result import refuse_input
 
     if folder is not None:
-        report.refuse_input(folder, shots)
-
+        refuse_input(folder, shots)
     recorded = recorded_shots(shots, texts)
-    sets = options.parameter_sets(names, recorded.club.parameters, parameters, setting)
-    result = compute(
-        recorded, models=names, parameters=sets, ball=texts["ball"],
+    evaluation = compute(
+        recorded, models=names, ball=texts["ball"],
+        parameters=options.parameter_sets(names, recorded.club.parameters, parameters, setting),
         noise=options.pairs(noise or (), "--noise"),
         delivery_noise=options.pairs(delivery_noise or (), "--delivery-noise"),
-        compared_at="launch" if at_launch else "delivery", resamples=resamples, seed=seed, progress=_progress(),
+        compared_at="launch" if at_launch else "delivery", resamples=resamples, seed=seed,
+        progress=(lambda name: say(f"computing {name}")) if sys.stderr.isatty() else None,
     )  # fmt: skip
-    files = result.write(folder) if folder is not None else []
-    if as_json:
-        output.print_json(report.document(result))
-    else:
-        if remarks := tables.remarks(result):
-            output.print_notes(remarks)
-            print()
-        shown = [*tables.in_published_form(result), *tables.published_form(result)]
-        for table in [*shown, tables.best_models(result), tables.noise_floor(result)]:
-            print_numbers(table.heads, table.rows, title=table.title)
-            print()
-        output.print_notes(tables.notes(result))
-    say_written(files)
-
-
-def _progress() -> Any:
-    """Tell on a terminal which model is being computed."""
-    return (lambda name: say(f"computing {name}")) if sys.stderr.isatty() else None
+    written = [] if folder is None else evaluation.write(folder)
+    show.Output(as_json).show(evaluation.to_result(), more=[str(each) for each in written])

@@ -149,7 +149,7 @@ def _key(mark: Mark) -> Any:
     """Return the entry of a mark in a legend."""
     if mark.kind in ("bars", "area", "stack", "band", "steps", "shade"):
         return Patch(facecolor=_colour(mark), alpha=0.6, label=mark.label)
-    if mark.kind in ("points", "intervals"):
+    if mark.kind == "points" or (mark.kind == "intervals" and mark.symbol):
         return Line2D([], [], label=mark.label, **_point_look(mark))
     return Line2D([], [], label=mark.label, **_line_look(mark))
 

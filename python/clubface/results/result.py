@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import UnknownNameError
@@ -113,6 +115,13 @@ class Result:
             if each.in_files
         }
         return xarray.Dataset(variables, attrs={"title": self.title, "kind": self.kind})
+
+    def write(self, folder: str | os.PathLike[str], tables: Mapping[str, Table] | None = None) -> list[Path]:
+        """Write a report (HTML and Markdown), JSON and pictures into a folder, named by the kind; return the files.
+
+        ``tables`` are further ones by the name of their file.
+        """
+        return import_module("clubface.present.files").write_folder(self, folder, tables or {})
 
     def _repr_html_(self) -> str:
         # Found by name, since presentation stands above results.

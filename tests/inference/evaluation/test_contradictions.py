@@ -12,8 +12,7 @@ import clubface
 from clubface import units
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
-from clubface.inference.evaluation.evaluation import contradictions, pairs
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import contradictions, pairs, published
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data
 

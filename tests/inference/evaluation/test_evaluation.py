@@ -1,26 +1,20 @@
 """Models beside measured shots: statistics against hand-worked ones, and known answers on shots made for them."""
 
-import csv
 import dataclasses
-import io
+import hashlib
 import json
 import math
-import re
-from html.parser import HTMLParser
 
 import numpy as np
 import pytest
 
 import clubface
 from clubface.errors import InputError, UnknownNameError
-from clubface.inference.evaluation import report, tables
-from clubface.inference.evaluation.evaluation import evaluate
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import evaluate, published
 from clubface.inference.evaluation.noise import TO_MEAN_ABSOLUTE
 from clubface.inference.evaluation.statistics import best_of, fewest_groups, fewest_resamples
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RecordedShots
-from clubface.support.checks import plain
 from clubface.validation import benchmark_data
 
 RPM, DEG = math.pi / 30, math.pi / 180
@@ -28,6 +22,15 @@ RPM, DEG = math.pi / 30, math.pi / 180
 
 TRUTH = {"slip_y": 0.05}
 """The parameters of slip that made the shots: grip that pure rolling lacks."""
+
+
+def codes(evaluation):
+    """Data of the notes by code, the last of each."""
+    return {each.code: each.data for each in evaluation.to_result().notes}
+
+
+def rows_of(evaluation, table):
+    return evaluation.to_result().to_dict()["tables"][table]["rows"]
 
 
 def made(n=200, *, model="slip", noise=True, seed=3, **changes):
@@ -93,19 +96,6 @@ def test_noise_of_the_delivery_reaches_the_launch_by_its_sensitivity():
     assert found.floor["launch"] < 0.1 * found.floor["azimuth"]
 
 
-def test_the_same_seed_gives_the_same_report_and_another_one_does_not(result):
-    def told(seed):
-        found = evaluate(
-            made(), club="driver", models=["standard", "slip", "volumetric"], seed=seed, noise={"ball_speed": 0.2}
-        )
-        document = report.document(found)
-        for each in document["models"].values():
-            del each["seconds_per_shot"]
-        return json.dumps(document, default=str)
-
-    assert told(0) == told(0) != told(1)
-
-
 def test_a_shot_that_one_model_cannot_compute_is_left_out_for_all():
     shots = made(30)
     shots.deliveries["toe"][4] = 0.2
@@ -114,7 +104,7 @@ def test_a_shot_that_one_model_cannot_compute_is_left_out_for_all():
     (failed,) = found.failed
     assert failed.line == 6
     assert failed.reason.startswith("standard: impact at 200.0 mm is outside the face")
-    assert "cannot compute them: 1 shot (" in " ".join(tables.remarks(found))
+    assert codes(found)["shots-not-computed"]["shots"] == 1
 
 
 def test_missing_values_leave_out_no_more_than_they_must():
@@ -125,32 +115,6 @@ def test_missing_values_leave_out_no_more_than_they_must():
     assert found.sizes["backspin"]["standard"].shots == 19
     assert found.sizes["launch"]["standard"].shots == 29
     assert found.shots.dropped == ((2, "speed was not measured"),)
-
-
-def test_one_shot_and_shots_all_alike_are_reported_without_what_they_cannot_tell():
-    one = evaluate(made(1), club="driver", models=["standard", "slip"])
-    assert math.isnan(one.sizes["launch"]["slip"].std)
-    assert not any(lines for each in one.trends.values() for lines in each.values())
-    alike = evaluate(made(1).select([0] * 12), club="driver", models=["standard", "slip"])
-    assert not any(lines for each in alike.trends.values() for lines in each.values())
-    for each in (one, alike):
-        text = report.as_markdown(each)
-        assert "nan" not in text.lower().replace("finan", "")
-        assert "What the errors go with" not in text
-        assert "no intervals" in text
-        assert all(best.equals for best in each.best.values())
-        assert report.document(each)["notes"]
-        json.dumps(plain(report.document(each)), allow_nan=False)
-
-
-def test_shots_that_look_like_another_clubs_are_told_before_the_tables():
-    pytest.importorskip("pyarrow")
-    shots = benchmark_data.load("7-iron").measured
-    with pytest.raises(InputError, match="the shots name 7-iron, not driver"):
-        evaluate(shots, club="driver", models="standard", resamples=100)
-    found = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
-    text = report.as_markdown(found)
-    assert "is this the right club?" in text[: text.index("## ")]
 
 
 def test_groups_are_one_a_shot_of_the_source():
@@ -180,7 +144,7 @@ def test_shots_of_a_file_belong_together_by_their_player(tmp_path):
     assert found.sizes["launch"]["slip"] == same.sizes["launch"]["slip"]
     assert found.sizes["launch"]["slip"].mae_interval != alone.sizes["launch"]["slip"].mae_interval
     assert all(not each.is_worse for best in found.best.values() for each in best.rivals)
-    assert "resamples of the 4 groups of shots, such as players" in report.as_markdown(found)
+    assert codes(found)["evaluation-intervals"]["drawn"] == "4 groups of shots, such as players"
     one = dataclasses.replace(read, players=np.full(40, "Ann", dtype=object))
     assert evaluate(one, club="driver", models="standard").groups is None
 
@@ -241,63 +205,6 @@ def test_wrong_percentages_of_the_paper_are_flagged_and_right_ones_are_not():
     assert known["area", "7-iron"].caveats == ()
 
 
-def test_tables_of_the_report_have_a_cell_in_every_column(result):
-    for section in report.sections(result):
-        for table in section.tables:
-            assert {len(row) for row in table.rows} == {len(table.heads)}, table.title
-
-
-def test_the_markdown_shows_the_error_beside_the_published_one(result):
-    text = report.as_markdown(result)
-    row = next(line for line in text.splitlines() if line.startswith("| volumetric |") and "2.12" in line)
-    mae = result.sizes["ball_speed"]["volumetric"].mae / 0.44704
-    assert f"| {mae:.2f} |" in row
-    assert row.endswith("| 2.12 | 2.91 |")
-    # Words stand to the left of their column and numbers to the right.
-    lines = text.splitlines()
-    rules = {lines[at - 1]: each for at, each in enumerate(lines) if set(each) <= set("|-: ") and "---" in each}
-    assert rules
-    for head, rule in rules.items():
-        below = lines[lines.index(rule, lines.index(head)) + 1]
-        for cell, side in zip(below.split(" | "), rule.split(" | "), strict=True):
-            if re.fullmatch(r"[|\s]*[-+]?[\d.]+[|\s]*", cell):
-                assert side.strip("| ") == "---:", (head, cell)
-        assert rule.startswith("| --- |")
-
-
-def test_the_html_is_one_well_formed_document_with_its_pictures(result):
-    class Reader(HTMLParser):
-        def __init__(self):
-            super().__init__()
-            self.open, self.pictures = [], 0
-
-        def handle_starttag(self, tag, attrs):
-            self.pictures += tag == "img" and dict(attrs)["src"].startswith("data:image/png;base64,")
-            if tag not in ("meta", "img"):
-                self.open.append(tag)
-
-        def handle_endtag(self, tag):
-            assert self.open.pop() == tag
-
-    reader = Reader()
-    reader.feed(report.as_html(result, dict.fromkeys(report.PICTURES, b"png")))
-    assert reader.open == []
-    assert reader.pictures == 3
-
-
-def test_the_report_is_written_with_its_pictures(result, tmp_path):
-    pytest.importorskip("matplotlib")
-    files = {each.name: each for each in result.write(tmp_path / "new" / "out")}
-    assert set(files) == {
-        "evaluation.md", "evaluation.html", "evaluation.json", "evaluation.csv", "errors.png", "errors.svg",
-        "trends.png", "trends.svg", "agreement.png", "agreement.svg",
-    }  # fmt: skip
-    document = json.loads(files["evaluation.json"].read_text())
-    assert document["errors"]["launch"]["slip"]["mae"] == result.sizes["launch"]["slip"].mae
-    assert len(files["evaluation.csv"].read_text().splitlines()) == 201
-    assert all(each.stat().st_size > 1000 for each in files.values())
-
-
 def test_pictures_are_drawn_of_few_quantities_and_shots(tmp_path):
     pytest.importorskip("matplotlib")
     shots = made(1)
@@ -306,108 +213,97 @@ def test_pictures_are_drawn_of_few_quantities_and_shots(tmp_path):
     assert len(evaluate(shots, club="driver", models="standard").write(tmp_path)) == 10
 
 
-def test_the_table_of_shots_holds_every_number_in_its_unit_and_nothing_where_there_is_none():
+def test_the_same_seed_gives_the_same_result_and_another_one_does_not():
+    def document(seed):
+        found = evaluate(
+            made(), club="driver", models=["standard", "slip", "volumetric"], seed=seed, noise={"ball_speed": 0.2}
+        )
+        document = found.to_dict()
+        for each in document["tables"]["models"]["rows"]:
+            del each["processor_time_s"]
+        return json.dumps(document)
+
+    assert document(0) == document(0) != document(1)
+
+
+def test_shots_of_another_club_are_refused_or_noted():
+    pytest.importorskip("pyarrow")
+    shots = benchmark_data.load("7-iron").measured
+    with pytest.raises(InputError, match="the shots name 7-iron, not driver"):
+        evaluate(shots, club="driver", models="standard", resamples=100)
+    found = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
+    assert "is this the right club?" in found.to_result().notes[0].sentence
+
+
+def test_one_shot_and_shots_all_alike_leave_empty_what_they_cannot_show():
+    one = evaluate(made(1), club="driver", models=["standard", "slip"])
+    assert math.isnan(one.sizes["launch"]["slip"].std)
+    alike = evaluate(made(1).select([0] * 12), club="driver", models=["standard", "slip"])
+    for each in (one, alike):
+        assert not any(lines for models in each.trends.values() for lines in models.values())
+        assert all(best.equals for best in each.best.values())
+        assert "evaluation-no-intervals" in codes(each)
+        assert {row["mae_low"] for row in rows_of(each, "errors")} == {None}
+        assert "nan" not in str(each.to_result()).lower()
+        json.dumps(each.to_dict(), allow_nan=False)
+
+
+def test_a_report_is_written_with_pictures_and_fingerprints_of_its_files(tmp_path):
+    pytest.importorskip("matplotlib")
+    made(40).write(tmp_path / "shots.csv")
+    found = evaluate(tmp_path / "shots.csv", club="driver", models=["standard", "slip"])
+    files = {each.name: each for each in found.write(tmp_path / "new" / "out")}
+    assert set(files) == {
+        "evaluation.md", "evaluation.html", "evaluation.json", "evaluation.csv", "errors.png", "errors.svg",
+        "trends.png", "trends.svg", "agreement.png", "agreement.svg",
+    }  # fmt: skip
+    document = json.loads(files["evaluation.json"].read_text())
+    (row,) = (
+        each for each in document["tables"]["errors"]["rows"] if (each["model"], each["quantity"]) == ("slip", "launch")
+    )
+    assert row["mae"] == pytest.approx(found.sizes["launch"]["slip"].mae / DEG, rel=1e-14)
+    (used,) = document["provenance"]["files"]
+    assert used["sha256"] == hashlib.sha256((tmp_path / "shots.csv").read_bytes()).hexdigest()
+    assert used["sha256"] in files["evaluation.html"].read_text()
+    assert len(files["evaluation.csv"].read_text().splitlines()) == 41
+    assert all(each.stat().st_size > 1000 for each in files.values())
+
+
+def test_the_table_of_shots_has_every_number_and_nothing_where_there_is_none():
     shots = made(8)
     shots.launches["sidespin"][2] = math.nan
-    found = evaluate(shots, club="driver", models=["slip"], parameters={"slip": TRUTH})
-    rows = list(csv.DictReader(io.StringIO(report.as_csv(found))))
-    sizes = {"ball_speed": 0.44704, "launch": DEG, "azimuth": DEG, "backspin": RPM, "sidespin": RPM}
-    units_ = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
+    table = evaluate(shots, club="driver", models=["slip"], parameters={"slip": TRUTH}).shots_table()
     predicted = clubface.impact("driver", shots.deliveries, model="slip", parameters=TRUTH)
-    for name, size in sizes.items():
-        told = [row[f"slip_{name}_{units_[name]}"] for row in rows]
-        # Nine digits are written.
-        assert [float(each) for each in told] == pytest.approx(getattr(predicted, name) / size, rel=6e-9)
-    measured = [row["sidespin_rpm"] for row in rows]
-    assert [each == "" for each in measured] == [place == 2 for place in range(8)]
+    for name in QUANTITIES:
+        assert table[f"slip_{name}"].values == getattr(predicted, name).tolist()
+    assert [row["sidespin_rpm"] is None for row in table.records()] == [place == 2 for place in range(8)]
 
 
-def test_the_table_of_trends_is_in_the_unit_of_the_error_per_step_of_the_delivery():
+def test_slopes_are_in_the_unit_of_the_error_per_step_of_the_delivery():
     # A model without slip misses by an error that grows with the impact's place: 2 rpm a millimetre are planted.
     shots = made(300, noise=False)
     planted = 2.0 * RPM * shots.deliveries["toe"] / 1e-3
     shots.launches["sidespin"] = np.asarray(shots.launches["sidespin"]) - planted
-    found = evaluate(shots, club="driver", models=["slip"], parameters={"slip": TRUTH})
-    table = tables.trend_table(found, "sidespin")
-    (place,) = (number for number, head in enumerate(table.heads) if "toe" in head)
-    assert table.heads[place] == "per mm of toe"
-    assert table.rows[0][place].startswith("+2.0")
+    rows = rows_of(evaluate(shots, club="driver", models=["slip"], parameters={"slip": TRUTH}), "trends")
+    (row,) = (each for each in rows if (each["quantity"], each["covariate"]) == ("sidespin", "toe"))
+    assert row["unit"] == "rpm per mm"
+    assert row["slope"] == pytest.approx(2.0, rel=1e-9)
 
 
-SIZES = {"ball_speed": 0.44704, "launch": DEG, "azimuth": DEG, "backspin": RPM, "sidespin": RPM}
-
-
-def test_every_cell_of_the_noise_is_its_number(result):
+def test_the_noise_explains_all_of_a_perfect_model_and_little_of_a_wrong_one(result):
     """A normal error of standard deviation s has the mean magnitude s sqrt(2 / pi) and the mean square s^2."""
-    rows = tables.noise_floor(result).rows
-    assert len(rows) == len(QUANTITIES)
-    for row, (name, least) in zip(rows, result.floor.items(), strict=True):
-        digits = 0 if "spin" in name else 2
-        best = result.sizes[name]["slip"]
-        deviation = least / math.sqrt(2.0 / math.pi)
-        share = min(100.0, 100.0 * deviation**2 / best.rms**2)
-        assert row[1:] == [
-            f"{result.monitor_noise[name] / SIZES[name]:.{digits}f}", f"{least / SIZES[name]:.{digits}f}",
-            f"{best.mae / SIZES[name]:.{digits}f} (slip)", f"{share:.0f}%",
-        ]  # fmt: skip
-        # The model that made the shots is off by the noise alone: 100 %, of which 200 shots tell 10 % three times over.
-        assert share == pytest.approx(100.0, abs=30.0)
-
-
-def test_the_share_of_noise_in_a_model_that_is_wrong_is_small(result):
+    # The model that made the shots is off by the noise alone: 100 %, of which 200 shots tell 10 % three times over.
+    assert [row["share"] for row in rows_of(result, "noise")] == pytest.approx([1.0] * len(QUANTITIES), abs=0.3)
     found = evaluate(made(noise=False), club="driver", models=["standard"], noise={"ball_speed": 0.05})
-    for row, (name, least) in zip(tables.noise_floor(found).rows, found.floor.items(), strict=True):
-        share = 100.0 * (least**2 * math.pi / 2.0) / found.sizes[name]["standard"].rms ** 2
-        assert row[-1] == f"{min(share, 100.0):.0f}%"
+    for row, (name, least) in zip(rows_of(found, "noise"), found.floor.items(), strict=True):
+        assert row["share"] == pytest.approx(min(1.0, least**2 * math.pi / 2 / found.sizes[name]["standard"].rms ** 2))
     perfect = evaluate(made(noise=False), club="driver", models=["slip"], parameters={"slip": TRUTH})
-    assert {row[-1] for row in tables.noise_floor(perfect).rows} == {"100%"}
+    assert {row["share"] for row in rows_of(perfect, "noise")} == {1.0}
 
 
-def test_the_best_models_and_the_detail_have_their_numbers(result):
-    for row, (name, best) in zip(tables.best_models(result).rows, result.best.items(), strict=True):
-        digits = 0 if "spin" in name else 2
-        assert row[1:3] == [best.model, f"{result.sizes[name][best.model].mae / SIZES[name]:.{digits}f}"]
-        worse = next((each for each in best.rivals if each.is_worse), None)
-        if worse is not None:
-            low, high = (f"{each / SIZES[name]:.{digits + 1}f}" for each in worse.interval)
-            assert row[4:6] == [worse.model, f"{worse.difference / SIZES[name]:.{digits + 1}f} [{low}, {high}]"]
-    for name in QUANTITIES:
-        digits = 0 if "spin" in name else 2
-        for row, (model, size) in zip(tables.detail(result, name).rows, result.sizes[name].items(), strict=True):
-            shown = [f"{each / SIZES[name]:.{digits}f}" for each in (size.mae, size.std, size.worst)]
-            assert [row[0], row[1], row[4], row[7]] == [model, *shown]
-            assert row[3] == f"{100 * size.mae / result.mean[name]:.3g}%"
-
-
-@pytest.mark.parametrize(
-    ("seconds", "words"),
-    [(1.0, "1 s"), (12.34, "12.3 s"), (0.999, "999 ms"), (1e-3, "1 ms"), (0.9e-3, "900 us"), (1e-6, "1 us"),
-     (5e-7, "500 ns"), (1e-9, "1 ns")],
-)  # fmt: skip
-def test_times_are_told_in_a_unit_that_suits_them(seconds, words):
-    assert tables.duration(seconds) == words
-
-
-def test_a_probability_is_no_finer_than_the_resamples_tell():
-    """Twenty of the resamples, or one in a thousand, is the least that is told."""
-    assert tables.probability(0.01, 2000) == "0.01"
-    assert tables.probability(0.0099, 2000) == "< 0.01"
-    assert tables.probability(0.001, 100_000) == "0.001"
-    assert tables.probability(0.00099, 100_000) == "< 0.001"
-    assert tables.probability(0.123, 100) == "< 0.2"
-    assert tables.probability(0.234, 100) == "0.23"
-
-
-def test_no_number_of_a_printed_table_is_broken_and_none_is_cut_off(result):
-    page = report.as_html(result)
-    assert "overflow: visible" in page
-    tables = re.findall(r'<table style="--print:([\d.]+)pt">(.*?)</table>', page, re.DOTALL)
-    assert len(tables) == page.count("<table")
-    for size, body in tables:
-        rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
-        # The longest piece of each column that holds digits, in digits 0.64 of their size wide, on A4 with margins.
-        pieces = [
-            [piece for cell in column for piece in cell.split() if re.search(r"\d", piece)]
-            for column in zip(*rows, strict=True)
-        ]
-        assert sum(max(map(len, each), default=0) for each in pieces) * 0.64 * float(size) < 493.0
+def test_published_errors_stand_beside_those_found(result):
+    rows = {(row["quantity"], row["model"]): row for row in rows_of(result, "errors")}
+    row = rows["ball_speed", "volumetric"]
+    # Table 2 of Caldwell and McPhee (2023): 2.12 mph, with a standard deviation of 2.91 mph.
+    assert (row["published_mae"], row["published_std"]) == pytest.approx((2.12 * 0.44704, 2.91 * 0.44704))
+    assert row["behind"] == pytest.approx(row["mae"] - rows["ball_speed", result.best["ball_speed"].model]["mae"])

@@ -10,7 +10,7 @@ from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import FileError
 from clubface.inference import findings
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import published
 from clubface.inference.findings import (
     bias_of,
     bias_of_magnitudes,

@@ -12,7 +12,7 @@ import clubface
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.inference import findings
-from clubface.inference.evaluation.model_errors import published
+from clubface.inference.evaluation import published
 from clubface.inference.findings import bias_of, bias_of_magnitudes, error_budget
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour

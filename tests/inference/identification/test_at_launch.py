@@ -8,7 +8,6 @@ import pytest
 
 import clubface
 from clubface.errors import InputError
-from clubface.inference.evaluation.report import document
 from clubface.inference.identification.problem import free_parameters, prepared_shots
 from clubface.inference.identification.simulator import Simulator
 from clubface.shots.measured import measured_shots
@@ -119,9 +118,9 @@ def test_an_evaluation_at_the_measured_launch_sees_the_model_that_made_the_shots
     # 0.2 degrees in the 7 between launch and normal are 3% of the spin of a shot, 0.4% of the mean of 60.
     assert spin[1].bias == pytest.approx(0.0, abs=0.01 * at_launch.mean["backspin"])
     assert at_launch.quantities == ["ball_speed", "backspin", "sidespin"]
-    assert document(at_launch)["compared_at"] == "launch"
-    assert document(usual)["loft_origins"][0]["origin"] == "computed from the ball"
-    assert any("--at-launch" in note for note in document(usual)["notes"])
+    assert at_launch.to_dict()["values"]["compared_at"] == "launch"
+    assert usual.to_dict()["tables"]["loft_origins"]["rows"][0]["origin"] == "computed from the ball"
+    assert any("--at-launch" in note["text"] for note in usual.to_dict()["notes"])
 
 
 def test_what_measurement_alone_explains_holds_the_noise_of_the_launch_that_is_met():

@@ -1,49 +1,34 @@
-"""Models beside measured shots, and whether published parameters can have the published accuracy.
-
-Comparison of models with measured shots: one call from a file to everything that the report shows.
-
-Whether published parameters can have the published accuracy, told by pairs of models.
-
-Every model was compared with the same measured launches. So on these shots the mean launches of two models differ by at
-most the sum of their mean absolute errors, whatever was measured. Where the published parameters of two models are
-further apart on such shots, at least one of the two sets, or of the published errors, is not what was computed with.
-"""
+"""Comparison of models with measured shots: one call from a file to everything that the report shows."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from itertools import combinations
 from time import process_time
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.equipment.balls import published_ball
-from clubface.equipment.parameters import ParameterSet
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError, RangeWarning, Told
 from clubface.inference.evaluation import noise as noises
-from clubface.inference.evaluation.model_errors import ModelErrors, published
-from clubface.inference.evaluation.report import write
+from clubface.inference.evaluation.result import Evaluation
 from clubface.inference.evaluation.statistics import Resamples, error_sizes, fewest_resamples, trends
-from clubface.shots.measured import DELIVERY, QUANTITIES, MeasuredShots, measured_shots
+from clubface.shots.measured import DELIVERY, QUANTITIES, measured_shots
 from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots, RejectedRow
-from clubface.simulation.impact import impact, model_names, warn_if_outside
+from clubface.simulation.impact import Parameters, impact, model_names, warn_if_outside
 from clubface.simulation.inputs import parameter_set
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_conditioned import impact_at_launch
+from clubface.simulation.provenance import provenance_of
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_count, is_count, without_warnings
-from clubface.validation import benchmark_data
+from clubface.support.files import recorded
 
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    from clubface.equipment.balls import Ball
-    from clubface.equipment.clubs import Club
-
+__all__ = ["evaluate"]
 
 FEWEST_RESAMPLES = 100
 """Resamples below which no interval is worth showing; several models take more, see ``fewest_resamples``."""
@@ -51,14 +36,7 @@ SHORTEST = 0.02
 """Seconds; a computation shorter than this is timed over several runs."""
 
 
-class Evaluation(ModelErrors):
-    """Models compared with measured shots, in SI units; its attributes are those of :class:`ModelErrors`."""
-
-    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write the report (Markdown, HTML, JSON, CSV) and pictures into ``folder``; return the files."""
-        return write(self, folder)
-
-
+@recorded
 def evaluate(
     shots: RecordedShots | str | os.PathLike[str],
     *,
@@ -66,7 +44,7 @@ def evaluate(
     only: str | None = None,
     mismatch: str = "refuse",
     models: str | Iterable[str] = "all",
-    parameters: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, Parameters] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
     noise: Mapping[str, Any] | None = None,
@@ -131,12 +109,13 @@ def evaluate(
         )
         raise InputError("resamples", resamples, f"a whole number from {max(enough, FEWEST_RESAMPLES)} on{why}")
     monitor, disturbance = noises.monitor_noise(noise), noises.delivery_disturbance(delivery_noise)
-    recorded = shots if isinstance(shots, RecordedShots) else read(shots)
-    if groups is not None and recorded is not shots:
+    source = shots if isinstance(shots, RecordedShots) else read(shots)
+    if groups is not None and source is not shots:
         advice = "give RecordedShots, to which groups can belong, one to each shot"
         raise InputError("groups", Told("for a file"), advice)
-    taken = measured_shots(recorded, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
-    belonging = _groups_of(groups, recorded, taken)
+    taken = measured_shots(source, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
+    # Only the players among the shots taken count: those of one player chosen from a file of several are no group.
+    labels = source.select(taken.places).groups() if groups is None else _labels(groups, len(source))[taken.places]
     given = parameters or {}
     for name in given:
         if name not in names:
@@ -176,12 +155,12 @@ def evaluate(
     if not kept.any():
         raise InputError("shots", taken.source, f"at least one shot that every model can compute ({failed[0].reason})")
     taken = taken.select(kept)
-    belonging = None if belonging is None else belonging[kept]
+    labels = None if labels is None else labels[kept]
     predicted = {name: {key: values[kept] for key, values in each.items()} for name, each in predicted.items()}
     sizes, best, lines = {}, {}, {}
     for quantity, measured in taken.launch.items():
         there = np.isfinite(measured)
-        drawn = Resamples(resamples, int(there.sum()), seed, None if belonging is None else belonging[there])
+        drawn = Resamples(resamples, int(there.sum()), seed, None if labels is None else labels[there])
         errors = {name: (predicted[name][quantity] - measured)[there] for name in names}
         sizes[quantity], best[quantity] = error_sizes(errors, drawn)
         delivery = {name: values[there] for name, values in taken.delivery.items()}
@@ -196,7 +175,8 @@ def evaluate(
         shots=taken, parameters=sets, predicted=predicted, sizes=sizes, best=best, trends=lines,
         floor={name: least[name] for name in sizes if name in least}, monitor_noise=monitor,
         delivery_noise=disturbance, seconds=seconds, failed=failed, resamples=resamples, seed=seed,
-        groups=None if belonging is None else len(set(belonging.tolist())),
+        groups=None if labels is None else len(set(labels.tolist())),
+        provenance=provenance_of(launches.values()).with_files(),
     )  # fmt: skip
 
 
@@ -214,78 +194,9 @@ def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[s
     return result, spent / shots
 
 
-def _groups_of(
-    groups: Sequence[object] | NDArray[Any] | None, shots: RecordedShots, taken: MeasuredShots
-) -> NDArray[Any] | None:
-    """Return the groups of the shots taken, of which ``groups`` gives one for every shot of the source.
-
-    Players are told apart among the shots taken: those of one player chosen from a file of several are no group.
-    """
-    if groups is None:
-        return shots.select(taken.places).groups()
-    found = np.asarray(groups)
-    if found.shape != (len(shots),):
-        raise InputError("groups", Told(f"of shape {found.shape}"), f"one for each shot: ({len(shots)},)")
-    return found[taken.places]
-
-
-class Pair(NamedTuple):
-    """Two models with one club in one quantity, SI.
-
-    Attributes
-    ----------
-    club, quantity
-        The club, and one of the five launch quantities.
-    first, second
-        Names of the models.
-    difference
-        Mean of the first model less mean of the second, on the same shots.
-    allowed
-        The sum of their published mean absolute errors.
-    """
-
-    club: str
-    quantity: str
-    first: str
-    second: str
-    difference: float
-    allowed: float
-
-    @property
-    def contradicts(self) -> bool:
-        """Whether the means are further apart than the published errors allow."""
-        return abs(self.difference) > self.allowed
-
-
-def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
-    """Compare all models of which errors are published, with each club in each quantity.
-
-    The shots are the deliveries of the benchmark, as their motion capture shows them: those of the publication are not
-    public, and the mean launches are the same.
-
-    Parameters
-    ----------
-    parameters
-        Sets to use in place of the default ones, by model and club.
-    """
-    accuracy, found = published(), []
-    for club in benchmark_data.CLUBS:
-        shots = benchmark_data.load(club)
-        deliveries, head = shots.measured.deliveries, shots.head
-        means: dict[str, dict[str, float]] = {}
-        for model in (name for name, of in accuracy if of == club):
-            chosen = (parameters or {}).get((model, club)) or ParameterSet.builtin(model, club)
-            with without_warnings(RangeWarning):  # of their own shots, or of what stands for them
-                launch = impact(head, deliveries, model=model, parameters=chosen, ball=published_ball())
-            means[model] = {name: float(launch.get(name).mean()) for name in QUANTITIES}
-        for first, second in combinations(means, 2):
-            for name in QUANTITIES:
-                allowed = accuracy[first, club].mae[name] + accuracy[second, club].mae[name]
-                found.append(Pair(club, name, first, second, means[first][name] - means[second][name], allowed))
-    return found
-
-
-def contradictions(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
-    """Return the pairs that cannot both be right, the clearest first; ``parameters`` as for :func:`pairs`."""
-    clear = [each for each in pairs(parameters) if each.contradicts]
-    return sorted(clear, key=lambda each: -abs(each.difference) / each.allowed)
+def _labels(groups: Sequence[object] | NDArray[Any], shots: int) -> NDArray[Any]:
+    """Return the groups given, one for every shot of the source."""
+    labels = np.asarray(groups)
+    if labels.shape != (shots,):
+        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one for each shot: ({shots},)")
+    return labels

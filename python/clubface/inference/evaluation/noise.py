@@ -10,7 +10,7 @@ import numpy as np
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.inference.evaluation.model_errors import monitor_errors
+from clubface.inference.evaluation.published_accuracy import monitor_errors
 from clubface.shots.measured import QUANTITIES
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.arrays import Floats

@@ -1,30 +1,30 @@
-"""The errors of models on measured shots, and the accuracy that was published of them.
+"""Published accuracy of the models, and whether published parameters can have it.
 
-The errors of models on measured shots, their sizes and trends, and which model is best.
-
-Published accuracy of the models, for comparison with what is found on other shots.
+Every model was compared with the same measured launches. So on these shots the mean launches of two models differ by at
+most the sum of their mean absolute errors, whatever was measured. Where the published parameters of two models are
+further apart on such shots, at least one of the two sets, or of the published errors, is not what was computed with.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import combinations
+from typing import Any, NamedTuple
 
 from clubface import units
-from clubface.inference.evaluation.statistics import Best, ErrorSize, Trend
-from clubface.shots.measured import QUANTITIES, MeasuredShots
-from clubface.shots.recorded import RejectedRow
-from clubface.support.arrays import Floats
-from clubface.support.checks import Frozen
+from clubface.equipment.balls import published_ball
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import RangeWarning
+from clubface.shots.measured import QUANTITIES
+from clubface.simulation.impact import impact
+from clubface.support.checks import Frozen, without_warnings
 from clubface.support.files import DATA
 from clubface.support.strict_toml import Document
+from clubface.validation import benchmark_data
 
-if TYPE_CHECKING:
-    from clubface.equipment.parameters import ParameterSet
+__all__ = ["Pair", "PublishedAccuracy", "contradictions", "monitor_errors", "pairs", "published"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,8 +105,7 @@ def published() -> Mapping[tuple[str, str], PublishedAccuracy]:
             cost=entry.get("cost"),
             caveats=(),
         )
-        caveats = (*entry.get("caveats", ()), *wrong_percentages(each))
-        found[each.model, each.club] = PublishedAccuracy(**{**vars(each), "caveats": caveats})
+        found[each.model, each.club] = replace(each, caveats=(*entry.get("caveats", ()), *wrong_percentages(each)))
     return Frozen(found)
 
 
@@ -137,85 +136,63 @@ def _si(values: list[float] | None) -> dict[str, float]:
     return {name: units.to_si(value, QUANTITIES[name]) for name, value in _named(values).items()}
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ModelErrors:
-    """Models compared with measured shots, in SI units.
+class Pair(NamedTuple):
+    """Two models with one club in one quantity, SI.
 
     Attributes
     ----------
-    shots
-        The shots that all models could compute.
-    parameters
-        The parameters of each model, in the order in which the models were asked for.
-    predicted
-        The launches that each model computes, by quantity.
-    sizes
-        The size of the errors, by quantity and then by model.
-    best
-        The best model of each quantity, and which others are as good.
-    trends
-        How the errors depend on the delivery, by quantity and then by model.
-    floor
-        Mean absolute error that a perfect model would have with the noise assumed, where it is known.
-    monitor_noise, delivery_noise
-        Standard deviations of the noise assumed.
-    seconds
-        Processor time of each model [s] for one shot.
-    failed
-        Shots that a model could not compute, with the reason; they are left out.
-    resamples, seed
-        Number of bootstrap resamples, and the seed of the random numbers.
-    groups
-        Number of groups of shots that belong together, such as players, which are drawn whole; None if there are none.
+    club, quantity
+        The club, and one of the five launch quantities.
+    first, second
+        Names of the models.
+    difference
+        Mean of the first model less mean of the second, on the same shots.
+    allowed
+        The sum of their published mean absolute errors.
     """
 
-    shots: MeasuredShots
-    parameters: dict[str, ParameterSet]
-    predicted: dict[str, dict[str, Floats]]
-    sizes: dict[str, dict[str, ErrorSize]]
-    best: dict[str, Best]
-    trends: dict[str, dict[str, list[Trend]]]
-    floor: dict[str, float]
-    monitor_noise: dict[str, float]
-    delivery_noise: dict[str, float]
-    seconds: dict[str, float]
-    failed: tuple[RejectedRow, ...]
-    resamples: int
-    seed: int
-    groups: int | None = None
+    club: str
+    quantity: str
+    first: str
+    second: str
+    difference: float
+    allowed: float
 
     @property
-    def models(self) -> list[str]:
-        """The models, in the order asked for."""
-        return list(self.parameters)
+    def contradicts(self) -> bool:
+        """Whether the means are further apart than the published errors allow."""
+        return abs(self.difference) > self.allowed
 
-    @property
-    def quantities(self) -> list[str]:
-        """The launch quantities that were measured."""
-        return list(self.sizes)
 
-    @cached_property
-    def mean(self) -> dict[str, float]:
-        """Mean magnitude of each measured quantity, to which percentages refer."""
-        return {name: float(np.nanmean(np.abs(values))) for name, values in self.shots.launch.items()}
+def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
+    """Compare all models of which errors are published, with each club in each quantity.
 
-    @property
-    def published(self) -> dict[str, PublishedAccuracy]:
-        """Published accuracy of these models, for clubs of this family."""
-        family = self.shots.club.parameters
-        return {name: published()[name, family] for name in self.models if (name, family) in published()}
+    The shots are the deliveries of the benchmark, as their motion capture shows them: those of the publication are not
+    public, and the mean launches are the same.
 
-    def errors(self, model: str, quantity: str) -> Floats:
-        """Return model minus measured values, one element a shot; NaN where the value was not measured."""
-        return self.predicted[model][quantity] - self.shots.launch[quantity]
+    Parameters
+    ----------
+    parameters
+        Sets to use in place of the default ones, by model and club.
+    """
+    accuracy, found = published(), []
+    for club in benchmark_data.CLUBS:
+        shots = benchmark_data.load(club)
+        deliveries, head = shots.measured.deliveries, shots.head
+        means: dict[str, dict[str, float]] = {}
+        for model in (name for name, of in accuracy if of == club):
+            chosen = (parameters or {}).get((model, club)) or ParameterSet.builtin(model, club)
+            with without_warnings(RangeWarning):  # of their own shots, or of what stands for them
+                launch = impact(head, deliveries, model=model, parameters=chosen, ball=published_ball())
+            means[model] = {name: float(launch.get(name).mean()) for name in QUANTITIES}
+        for first, second in combinations(means, 2):
+            for name in QUANTITIES:
+                allowed = accuracy[first, club].mae[name] + accuracy[second, club].mae[name]
+                found.append(Pair(club, name, first, second, means[first][name] - means[second][name], allowed))
+    return found
 
-    def cost(self, model: str) -> float:
-        """Return the cost of Caldwell and McPhee (2023), equation 22, with mean magnitudes."""
-        return sum(self.sizes[name][model].mae / self.mean[name] for name in self.quantities)
 
-    def __repr__(self) -> str:
-        lines = [f"{len(self.models)} models on {len(self.shots)} shots of {self.shots.club.name}"]
-        for name, best in self.best.items():
-            others = f", no worse than {' and '.join(best.equals)}" if best.equals else ""
-            lines.append(f"  {name}: best {best.model}{others}")
-        return "\n".join(lines)
+def contradictions(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
+    """Return the pairs that cannot both be right, the clearest first; ``parameters`` as for :func:`pairs`."""
+    clear = [each for each in pairs(parameters) if each.contradicts]
+    return sorted(clear, key=lambda each: -abs(each.difference) / each.allowed)
