@@ -1,4 +1,4 @@
-//! Cost of the ball on a rigid plane (the reference case), in nanoseconds per element and step, beside the launch it
+//! Cost of the ball on a rigid plane (the reference case), in nanoseconds per element and step, next to the launch it
 //! computes.
 //!
 //! `cargo bench -p clubface-fem --bench ball`: criterion's figures for some steps after the impact in which nothing

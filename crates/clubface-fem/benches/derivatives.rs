@@ -1,5 +1,5 @@
-//! Cost of derivatives: a launch with four of them beside the launch alone, the ball called "modern" against a rigid
-//! driver.
+//! Cost of derivatives: a launch with four of them compared with the launch alone, the ball called "modern" against a
+//! rigid driver.
 //!
 //! `cargo bench -p clubface-fem --bench derivatives`: the least CPU time of some runs in turn, on one thread, and
 //! the least time of a step, which is what the machine does when nobody else uses it.

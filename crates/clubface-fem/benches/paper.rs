@@ -1,4 +1,4 @@
-//! Cost of the case of Roh and Lee as a whole, beside the launch it computes: their ball and head of shells, then the
+//! Cost of the case of Roh and Lee as a whole, next to the launch it computes: their ball and head of shells, then the
 //! same struck by a rigid head.
 //!
 //! `cargo bench -p clubface-fem --bench paper`: the least of some runs, which is what the machine does when nobody

@@ -1,4 +1,4 @@
-//! Cost of a head of shells (that of Roh and Lee, struck on its face), in nanoseconds per element and step, beside the
+//! Cost of a head of shells (that of Roh and Lee, struck on its face), in nanoseconds per element and step, next to the
 //! energies it computes.
 //!
 //! `cargo bench -p clubface-fem --bench shells`: the least time of a step, nodes included, which is what the machine

@@ -1,4 +1,4 @@
-//! Time of a flight beside the flight: one shot, shots in a batch on one core, all derivatives.
+//! Time of a flight next to its result: one shot, shots in a batch on one core, all derivatives.
 
 use clubface_impact::columns::Column;
 use clubface_impact::flight::{

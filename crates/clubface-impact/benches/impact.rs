@@ -1,4 +1,4 @@
-//! Time of an impact beside the launch, by every model: shots in a batch on one core, one shot, all derivatives.
+//! Time of an impact next to the launch, by every model: shots in a batch on one core, one shot, all derivatives.
 
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::Column;

@@ -1,4 +1,4 @@
-//! Time of the rings beside what they found: one solve, a sphere on a plane, a drive and an iron shot.
+//! Time of the rings next to their results: one solve, a sphere on a plane, a drive and an iron shot.
 
 use clubface_impact::Accuracy;
 use clubface_impact::batch::Batch;

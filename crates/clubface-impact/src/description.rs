@@ -1,4 +1,4 @@
-//! What a model says of itself: name, source, laws and a table of parameters.
+//! Descriptions of models: name, source, laws and a table of parameters.
 
 /// One parameter of a model.
 #[derive(Clone, Copy, Debug)]
@@ -65,7 +65,7 @@ impl Law {
     }
 }
 
-/// What a model says of itself.
+/// Description of a model.
 #[derive(Clone, Copy, Debug)]
 pub struct ModelInfo {
     /// Name, as on the command line.
@@ -82,8 +82,8 @@ pub struct ModelInfo {
     pub laws: &'static [Law],
     /// Laws it obeys only while the named parameter is zero.
     pub laws_without: Option<(&'static str, &'static [Law])>,
-    /// The parameter that tells the restitution, if its default was found with a driver and so includes the driver's face;
-    /// nothing if the defaults are of the ball alone.
+    /// The parameter that sets the restitution, if its default was fitted to a driver and so includes the driver's
+    /// face; nothing if the defaults are of the ball alone.
     pub face_in: Option<&'static str>,
     /// Whether the shots of a pack may differ (a model that branches on values runs one shot at a time).
     pub lanes: bool,

@@ -35,7 +35,7 @@ pub(crate) fn fault(name: &'static str, value: f64, allowed: &str) -> ImpactErro
     ImpactError::new(name, format!("{} {allowed}", shown(value)))
 }
 
-/// The same for an angle, told in degrees.
+/// The same for an angle, in degrees.
 pub(crate) fn angle_fault(name: &'static str, value: f64, allowed: &str) -> ImpactError {
     ImpactError::new(name, format!("{} deg {allowed}", shown(value.to_degrees())))
 }

@@ -17,8 +17,8 @@ use crate::face_spring::{COMPLIANCE, GUIDED_MASS};
 use crate::first_touch::FirstTouch;
 use clubface_math::{Mask, Scalar};
 
-/// Twice the energy of a normal impact over the square of its largest force, m/N: 13.2 kN by the ball `modern` of finite
-/// elements on the rigid head of Caldwell and McPhee's driver, at 160 ft/s.
+/// Twice the energy of a normal impact over the square of its largest force, m/N: 13.2 kN by the ball `modern` of
+/// finite elements on the rigid head of Caldwell and McPhee's driver, at 160 ft/s.
 const BALL_COMPLIANCE: f64 = 5.06e-7;
 /// The energy of that impact, J.
 const BALL_ENERGY: f64 = 44.2;
@@ -66,7 +66,7 @@ impl<S: Scalar> GivingFace<S> {
     pub fn restitution(&self, of_set: S, speed: S) -> S {
         let energy = self.mass * speed.squared() * 0.5;
         let ball = (energy * BALL_ENERGY.recip()).powf(STIFFENING) * BALL_COMPLIANCE;
-        // The ball's share of the energy, over that beside the included face.
+        // The ball's share of the energy, over that with the included face.
         let with_included = ball + self.included;
         let share = with_included / (with_included + self.compliance);
         let root = share.sqrt();
@@ -80,9 +80,9 @@ impl<S: Scalar> GivingFace<S> {
     }
 }
 
-/// Whether a face that gives less than the included one has taken no more than a quarter of the energy of the impact from
-/// what the parameters hold, given the largest force. A face of 250 us holds a seventh of it; parameters of which it would
-/// hold more are too stiff to include it, and what is left of them stiffens without end.
+/// Whether a face that gives less than the included one has taken no more than a quarter of the energy of the impact
+/// from what the parameters hold, given the largest force. A face of 250 us holds a seventh of it; parameters of which
+/// it would hold more are too stiff to include it, and what is left of them stiffens without end.
 #[inline(always)]
 pub fn possible<S: Scalar>(touch: &FirstTouch<S>, peak_force: S) -> S::Mask {
     if !touch.gives() {

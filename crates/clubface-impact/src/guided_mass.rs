@@ -7,7 +7,7 @@
 //! u' = (pi - m (a.V0 + (c x a).W0)) / (m (1 - m (1/M + (c x a).I^-1 (c x a)))) with V0 = p/M and W0 = I^-1 L,
 //! the body around the guided mass has V = V0 - m u' a / M and W = W0 - m u' I^-1 (c x a).
 //!
-//! After impact the guided mass goes on vibrating; the motion of the head is told by V0 and W0, its mean.
+//! After impact the guided mass goes on vibrating; V0 and W0, its mean, describe the motion of the head.
 
 use crate::face_spring::FaceSpring;
 use crate::first_touch::Motion;

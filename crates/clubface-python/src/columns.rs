@@ -40,7 +40,7 @@ pub fn value_error(error: &clubface_impact::ImpactError) -> PyErr {
 }
 
 /// A pool of `threads` threads, or the shared one for 0.
-fn pool_of(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
+fn thread_pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let built = match threads {
         0 => shared_pool(),
         _ => rayon::ThreadPoolBuilder::new().num_threads(threads).build().map(Arc::new),
@@ -49,7 +49,7 @@ fn pool_of(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
 }
 
 /// Longest time without a look at signals.
-const PATIENCE: Duration = Duration::from_millis(40);
+const SIGNAL_INTERVAL: Duration = Duration::from_millis(40);
 
 /// Computed rows: outputs by rows, and rejects as (row, input, message).
 pub type Computed<'py> = (Bound<'py, PyArray2<f64>>, Vec<(usize, &'static str, String)>);
@@ -78,7 +78,7 @@ pub fn run_in_pieces<'py>(
         let all =
             writer.as_slice_mut().map_err(|_| PyValueError::new_err("output array is not contiguous"))?;
         // Few rows: a thread hand-over would cost more than the GIL held for them.
-        let pool = if rows <= chunk { None } else { Some(pool_of(threads)?) };
+        let pool = if rows <= chunk { None } else { Some(thread_pool(threads)?) };
         let workers = pool.as_ref().map_or(1, |pool| pool.current_num_threads());
         let mut columns: Vec<&mut [f64]> = all.chunks_mut(rows.max(1)).collect();
         let mut start = 0;
@@ -101,9 +101,9 @@ pub fn run_in_pieces<'py>(
             rejects.extend(result.into_iter().map(|r| (r.row, r.error.input, r.error.message)));
             start += count;
             let elapsed = began.elapsed();
-            if elapsed < PATIENCE / 4 {
+            if elapsed < SIGNAL_INTERVAL / 4 {
                 piece *= 2;
-            } else if elapsed > PATIENCE && piece > chunk {
+            } else if elapsed > SIGNAL_INTERVAL && piece > chunk {
                 piece = (piece / 2).next_multiple_of(chunk);
             }
             if rows > chunk {

@@ -1,6 +1,6 @@
 //! clubface in WebAssembly: arrays in, arrays out. All values SI and radians.
 //!
-//! Plain exports without generated glue; `clubface.js` beside this crate calls them. Numbers pass through memory that
+//! Plain exports without generated glue; `clubface.js` in this crate calls them. Numbers pass through memory that
 //! the caller allocates here. A function returns 0, or 1 for an error; text (an error, a description, rejected rows,
 //! figures) is JSON and waits at [`text_at`] until the next call.
 //!

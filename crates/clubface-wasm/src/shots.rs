@@ -32,7 +32,7 @@ fn columns(values: &[f64], rows: usize) -> Vec<Column<'_>> {
 /// contact; not above 0 for the fast setting. Rejected rows are NaN and left as text.
 ///
 /// # Safety
-/// The addresses hold as many numbers as said.
+/// The addresses hold as many numbers as given.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn launches(
     model: usize,
@@ -65,11 +65,11 @@ pub unsafe extern "C" fn launches(
     crate::finish(run().map(|rejects| rejected(&rejects)).map_err(|fault: ImpactError| error(&fault)))
 }
 
-/// Launch of one shot, and its derivatives: a row an output, by the inputs and then the parameters. NaN by an input that is
-/// not differentiable. The rest as for [`launches`].
+/// Launch of one shot, and its derivatives: a row an output, by the inputs and then the parameters. NaN by an input
+/// that is not differentiable. The rest as for [`launches`].
 ///
 /// # Safety
-/// The addresses hold as many numbers as said.
+/// The addresses hold as many numbers as given.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn sensitivity(
     model: usize,
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn sensitivity(
 /// Flights of `rows` launches; `inputs` and `outputs` are columns in their order, one after the other.
 ///
 /// # Safety
-/// The addresses hold as many numbers as said.
+/// The addresses hold as many numbers as given.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn flights(inputs: *const f64, rows: usize, outputs: *mut f64) -> u32 {
     if rows == 0 {

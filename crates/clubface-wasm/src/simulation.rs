@@ -6,12 +6,12 @@ use clubface_fem::cases::ball_against_plane;
 use clubface_fem::element::Element;
 use clubface_fem::environment::{Environment, SingleThread};
 use clubface_fem::material::{Hencky, Material, MooneyRivlin};
-use clubface_fem::solve::Options;
+use clubface_fem::solve::{Options, Progress, Recording};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
 #[link(wasm_import_module = "clubface")]
-extern "C" {
+unsafe extern "C" {
     fn now() -> f64;
     fn progress(time: f64, duration: f64) -> u32;
 }
@@ -29,20 +29,18 @@ fn run(speed: f64, angle: f64, friction: f64, refine: usize) -> Result<Value, Fe
     // SAFETY: the caller provides both functions.
     let environment = Environment { clock: || unsafe { now() }, executor: Arc::new(SingleThread) };
     let mut simulation = ball_against_plane(&ball, speed, angle, friction, &environment)?;
-    let result = simulation.run(&Options::default(), &mut |view| {
-        // SAFETY: as above.
-        unsafe { progress(view.progress.time, view.progress.duration) != 0 }
-    })?;
-    if let Some(stopped) = result.stopped {
+    // SAFETY: as above.
+    let mut report = |at: &Progress| unsafe { progress(at.time, at.duration) != 0 };
+    let record = simulation.record(&Options::default(), Recording::default(), None, &mut report)?;
+    if let Some(stopped) = record.stopped {
         return Err(stopped);
     }
-    let figures = result.records.summary(simulation.radius);
     let layers: usize = ball.pieces.iter().map(|piece| piece.layers).sum();
     Ok(json!({
-        "velocity": result.ball.velocity.array(), "spin": result.ball.spin.array(),
-        "peak_force": figures.peak_force, "contact_time": figures.contact_time,
-        "energy_error": figures.energy_error, "elements": ball.cube.pow(3) + 6 * ball.cube.pow(2) * layers,
-        "steps": result.steps, "wall": result.wall,
+        "velocity": record.ball.velocity.array(), "spin": record.ball.spin.array(),
+        "peak_force": record.summary.peak_force, "contact_time": record.summary.contact_time,
+        "energy_error": record.summary.energy_error, "elements": ball.cube.pow(3) + 6 * ball.cube.pow(2) * layers,
+        "steps": record.steps, "wall": record.wall,
     }))
 }
 

@@ -11,7 +11,7 @@ const TOLERANCE: f64 = 1e-9;
 /// Newton step, in reference coordinates, after which a projection is exact to 1e-12, since each step squares the
 /// error: the second of a node that was searched in the last time step, the third or fourth in a new quadrilateral.
 const LAST_STEP: f64 = 1e-6;
-/// Most Newton steps in one quadrilateral; none of those beside a point needs as many.
+/// Most Newton steps in one quadrilateral; no quadrilateral near a point needs as many.
 const MOST_STEPS: usize = 12;
 /// Largest reference coordinate of a projection outside its quadrilateral.
 const LIMIT: f64 = 3.0;

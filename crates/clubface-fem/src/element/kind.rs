@@ -1,7 +1,7 @@
 //! Kinds of solid elements by name, and the numbers that elements are compiled for: all kernels are made here, once,
-//! whoever calls them.
+//! for every caller.
 //!
-//! Patches are generic over their numbers, and whoever made one of plain numbers would compile its kernels again. The
+//! Patches are generic over their numbers, so that every user of plain numbers would compile its kernels again. The
 //! functions of [`Kernels`] are not generic.
 
 use super::hex_full::full_patches;
@@ -64,7 +64,7 @@ impl Element {
 
 /// A number that elements are made of.
 pub trait Kernels: Number {
-    /// As of [`Element::patches`].
+    /// See [`Element::patches`].
     fn solid(
         kind: Element,
         mesh: &SolidMesh<Self>,

@@ -6,7 +6,7 @@ use clubface_math::{Mat3, Pack, Scalar};
 /// Output of an element, in the axes of the positions.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ElementOutput {
-    /// Cauchy stress, Pa, components as of [`Symmetric`]: on the outer and the inner side of a shell, twice that of a
+    /// Cauchy stress, Pa, components as in [`Symmetric`]: on the outer and the inner side of a shell, twice that of a
     /// solid element.
     pub stress: [[f64; 6]; 2],
     /// Logarithmic strain in the same places; of a shell only the elastic part.

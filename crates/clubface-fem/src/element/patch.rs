@@ -1,4 +1,4 @@
-//! What the solver asks of a patch of elements, whatever their kind.
+//! Interface between the solver and patches of elements of any kind.
 
 use super::field::Scratch;
 use super::output::OutputSink;

@@ -1,4 +1,4 @@
-//! What a law says of itself: to files, to checks and to the page of laws.
+//! Descriptions of laws, for files, checks and the page of laws.
 
 use crate::error::FemError;
 
@@ -28,7 +28,7 @@ impl Constant {
     }
 }
 
-/// What a law says of itself.
+/// Description of the law.
 #[derive(Clone, Copy, Debug)]
 pub struct Description {
     /// Name, as in files.

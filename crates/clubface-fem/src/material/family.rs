@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// A law as its file declares it, over no number in particular.
 pub trait Family: Debug + Send + Sync + 'static {
-    /// What it says of itself.
+    /// Description of the law.
     const DESCRIPTION: Description;
     /// The law over packs: [`super::Elastic`] or [`super::WithState`] of what the file implements.
     type Over<P: Pack>: PointLaw<P>;
@@ -41,7 +41,7 @@ pub type Constructor<R> = fn(&[R]) -> Arc<dyn Law<R>>;
 /// A line of the table of laws.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// What the law says of itself.
+    /// Description of the law.
     pub description: &'static Description,
     /// The law over plain numbers.
     pub plain: Constructor<f64>,
@@ -53,7 +53,7 @@ pub struct Entry {
 pub trait Law<R: Real>: Debug + Send + Sync {
     /// Its line in a table.
     fn entry(&self) -> Entry;
-    /// What it says of itself.
+    /// Description of the law.
     fn description(&self) -> &'static Description {
         self.entry().description
     }

@@ -64,7 +64,7 @@ impl<S: Scalar, L: OfInvariants<S>> Isochoric<S> for Invariants<L> {
 
 /// A law whose stress depends on state variables, some numbers a point.
 pub trait Inelastic<S: Pack>: Copy {
-    /// `2 dW/dC̄`, Pa, as of [`Isochoric::stress`], at the end of a step; the state variables move on.
+    /// `2 dW/dC̄`, Pa, as in [`Isochoric::stress`], at the end of a step; the state variables move on.
     fn update(&self, c: &Symmetric<S>, state: &mut Numbers<S::Real>) -> Symmetric<S>;
     /// Elastic energy, and work that became heat, J/m3.
     fn energy(&self, c: &Symmetric<S>, state: &Numbers<S::Real>) -> [S; 2];
@@ -74,10 +74,10 @@ pub trait Inelastic<S: Pack>: Copy {
     }
 }
 
-/// A law at the points of a pack, whoever wrote it; the pack begins with a lane, counted over all blocks of state
+/// A law of any kind at the points of a pack; the pack begins with a lane, counted over all blocks of state
 /// variables.
 pub trait PointLaw<P: Pack>: Copy + 'static {
-    /// As of [`Inelastic::update`].
+    /// See [`Inelastic::update`].
     fn update(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> Symmetric<P>;
     /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight; the state variables move on.
     #[inline(always)]
@@ -92,9 +92,9 @@ pub trait PointLaw<P: Pack>: Copy + 'static {
         let kinematics = Kinematics::of(*at);
         kinematics.second_piola(&self.update(&kinematics.c, state, lane), pressure, weight)
     }
-    /// As of [`Inelastic::energy`].
+    /// See [`Inelastic::energy`].
     fn energy(&self, c: &Symmetric<P>, state: &mut StateVariables<P::Real>, lane: usize) -> [P; 2];
-    /// As of [`Inelastic::plastic_strain`].
+    /// See [`Inelastic::plastic_strain`].
     fn plastic_strain(&self, _state: &mut StateVariables<P::Real>, _lane: usize) -> P {
         P::zero()
     }

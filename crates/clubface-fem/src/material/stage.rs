@@ -48,11 +48,11 @@ impl<S: Scalar> PointEnergy<S> {
     }
 }
 
-/// Points as of [`Points`], whose energies are asked for.
+/// Points as in [`Points`] whose energies are computed.
 pub struct EnergyPoints<'a, P: Pack> {
-    /// As of [`Points::lane`].
+    /// See [`Points::lane`].
     pub lane: usize,
-    /// As of [`Points::step`].
+    /// See [`Points::step`].
     pub step: usize,
     /// State variables of all blocks.
     pub state: &'a mut StateVariables<P::Real>,
@@ -120,7 +120,7 @@ impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
     }
 }
 
-/// Second Piola-Kirchhoff stress at a point, as of [`PointLaw::second_piola`].
+/// Second Piola-Kirchhoff stress at a point, as in [`PointLaw::second_piola`].
 trait PointStress<P: Pack> {
     fn at(
         &self,

@@ -45,7 +45,7 @@ impl<R: Real> Structure<R> {
     }
 
     /// Takes one full step. Returns the energies of the elements (J) at the positions from which it starts, the
-    /// smallest and largest volume ratio of each patch, and the kinetic energy as of [`Structure::kinetic_energy`], J.
+    /// smallest and largest volume ratio of each patch, and the kinetic energy as in [`Structure::kinetic_energy`], J.
     pub fn step_with_energies(
         &mut self,
         contact: &mut dyn Contact<R>,

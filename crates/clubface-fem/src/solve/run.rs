@@ -8,7 +8,7 @@ use crate::error::FemError;
 use clubface_impact::first_touch::Motion;
 use clubface_math::Real;
 
-/// What a run has found.
+/// Result of a run.
 #[derive(Clone, Debug)]
 pub struct SimulationResult<R> {
     /// Ball after the impact: velocity of the mass centre, and angular momentum over the inertia of the undeformed

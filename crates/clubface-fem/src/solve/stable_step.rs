@@ -6,7 +6,8 @@ use super::worker_pool::{Stage, WorkerPool};
 use crate::contact::PenaltySprings;
 use clubface_math::{Real, Row};
 
-/// Largest displacement of a stiffness probe, m: small beside any element, large beside the rounding of positions.
+/// Largest displacement of a stiffness probe, m: small compared with an element, large compared with the rounding of
+/// positions.
 const DISPLACEMENT: f64 = 1e-8;
 
 /// The step (s) rounded down to one of 64 in every factor of two: cases that hardly differ then have the same step, and
@@ -124,7 +125,7 @@ fn normalise(field: &mut [Row<f64>], norm: f64) -> f64 {
     most.into_iter().fold(0.0, f64::max)
 }
 
-/// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last number beside the diagonal, which
+/// Largest eigenvalue of a symmetric tridiagonal matrix, plus its residual: the last off-diagonal number, which
 /// belongs to the next row, times the last component of the eigenvector.
 #[must_use]
 pub fn largest_eigenvalue(diagonal: &[f64], off_diagonal: &[f64]) -> f64 {

@@ -166,7 +166,7 @@ impl WorkerPool<'_> {
     }
 }
 
-/// Counts a task when it has ended, in whatever way.
+/// Counts a task when it ends, also by a panic.
 struct Done<'a>(&'a AtomicUsize);
 
 impl Drop for Done<'_> {

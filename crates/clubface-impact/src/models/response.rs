@@ -2,9 +2,9 @@
 //! face, and with which spin.
 //!
 //! An impact is one impulse, as in the impulse models of Caldwell and McPhee (2023), but with the mechanism that Roh
-//! and Lee found: the tangential force turns round before separation, and its lever is shorter than the ball's radius. Both
-//! follow from the time that the contact lasts and from how easily ball and head move, so they are functions of the
-//! impact, and not constants.
+//! and Lee found: the tangential force turns round before separation, and its lever is shorter than the ball's radius.
+//! Both follow from the time that the contact lasts and from how easily ball and head move, so they are functions of
+//! the impact, and not constants.
 
 mod coefficients;
 mod effective;
@@ -170,8 +170,8 @@ impl<S: Scalar> Response<S> {
         middle * normal + Vec3::select(over, along * scale, along)
     }
 
-    /// What turns the ball beside the impulse, N m s: about the normal the friction of a face and a ball that turn,
-    /// and across it the pressure, which is greater ahead of a ball that rolls.
+    /// Moments on the ball in addition to those of the impulse, N m s: about the normal the friction of a face and a
+    /// ball that turn, and across it the pressure, which is greater ahead of a ball that rolls.
     #[inline(always)]
     fn couple(
         &self,

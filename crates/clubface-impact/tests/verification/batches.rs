@@ -1,4 +1,4 @@
-//! A batch is its shots one by one, bit for bit, whatever stands beside them and however many threads share the work.
+//! A batch is its shots one by one, bit for bit, whatever else is in the batch and however many threads share the work.
 
 use crate::shots::*;
 use clubface_impact::batch::{Batch, CHUNK};

@@ -127,7 +127,8 @@ fn derivatives_of_the_rings_equal_differences() {
     }
 }
 
-/// The values beside the derivatives are those of the shot, and a choice of variables is that part of all of them.
+/// The values that come with the derivatives are those of the shot, and a choice of variables is that part of all of
+/// them.
 #[test]
 fn a_sensitivity_holds_the_launch_and_the_columns_asked_for() {
     for model in every_model() {

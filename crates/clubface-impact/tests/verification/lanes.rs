@@ -50,7 +50,7 @@ proptest! {
         }
     }
 
-    /// Different clubs in one pack: plane beside torus.
+    /// Different clubs in one pack: a plane and a torus.
     #[test]
     fn different_clubs_may_share_a_pack(shots in prop::collection::vec(any_delivery(), 8)) {
         let shots: Vec<Inputs> = shots.into_iter().map(|(_, inputs)| inputs).collect();

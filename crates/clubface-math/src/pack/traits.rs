@@ -8,7 +8,7 @@ use core::fmt::Debug;
 pub trait Lanes: Primal + Pack<Real = f64> {
     /// Packs of at most four lanes that it is made of: [`Pack::Quad`], known to be plain.
     type Four: Lanes;
-    /// As of [`Pack::quad`].
+    /// See [`Pack::quad`].
     fn four(self, index: usize) -> Self::Four;
     /// A pack whose lane `i` is `value(i)`.
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
@@ -25,7 +25,7 @@ pub trait Kernel {
 /// A number that is stored in arrays, with the packs that compute on it: `f64`, or `f64` with derivatives.
 ///
 /// It is made of parts: its value, then each derivative. Arrays that packs read keep the parts of several numbers
-/// apart, values beside values, so that every part of a pack is one load.
+/// apart, values next to values, so that every part of a pack is one load.
 pub trait Real: Scalar + Send + Sync {
     /// Number of parts.
     const PARTS: usize;
@@ -209,8 +209,8 @@ pub trait Pack: Scalar + Send + Sync {
     fn put_rows(rows: &mut [Row<Self::Real>], value: Vec3<Self>);
 }
 
-/// What one pass of a linear map acts on. Such a map goes through the parts of a pack `P` one after the other, each in a
-/// pass of its own, so that the numbers of one pass fit the registers. Where its coefficients depend on no variable,
+/// What one pass of a linear map acts on. Such a map goes through the parts of a pack `P` one after the other, each in
+/// a pass of its own, so that the numbers of one pass fit the registers. Where its coefficients depend on no variable,
 /// passes act on plain packs. Where they depend on the variable of a pass, this acts on pairs of value and derivative,
 /// and what it finds is the derivative; the value belongs to the first pass.
 pub trait Part<P: Pack>: Pack {
@@ -224,7 +224,7 @@ pub trait Part<P: Pack>: Pack {
     /// # Safety
     /// `LANES` consecutive numbers can be read from each.
     unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self;
-    /// What a pass has found.
+    /// Result of a pass.
     fn into_value(self) -> P::Value;
     /// What adds up to something found: with pairs, its value does not count.
     fn from_value(value: P::Value) -> Self;

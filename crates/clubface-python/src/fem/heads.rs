@@ -1,6 +1,6 @@
 //! Heads of shells: the parametric driver as a mesh, mass properties of any mesh.
 
-use super::inputs::{AnyHead, any_head, error_of};
+use super::inputs::{AnyHead, build_head, to_py_error};
 use clubface_fem::element::{Isotropic, ShellMaterial};
 use clubface_fem::head::Driver;
 use clubface_fem::mesh::{
@@ -34,7 +34,7 @@ pub struct DriverValues {
     inertia: [Option<f64>; 3],
 }
 
-fn driver_of(values: DriverValues) -> Driver<f64> {
+fn build_driver(values: DriverValues) -> Driver<f64> {
     let [loft, bulge, roll, width, depth, crown, sole, rounding] = values.shape;
     let shape = DriverShape { loft, bulge, roll, width, depth, crown, sole, rounding };
     let [face_centre, face_edge, crown, sole, skirt] = values.thickness;
@@ -55,7 +55,7 @@ fn driver_of(values: DriverValues) -> Driver<f64> {
 /// The mesh of a parametric driver, tuned: {nodes, quads, thickness, added, parts: [(name, elements)], scale, trims}.
 #[pyfunction]
 pub fn fem_driver(py: Python<'_>, driver: DriverValues) -> PyResult<Bound<'_, PyDict>> {
-    let meshed = driver_of(driver).mesh().map_err(|e| error_of(&e))?;
+    let meshed = build_driver(driver).mesh().map_err(|e| to_py_error(&e))?;
     let shells = &meshed.head.shells;
     let dict = PyDict::new(py);
     dict.set_item("nodes", PyArray1::from_iter(py, shells.nodes.iter().flat_map(|p| p.array())))?;
@@ -88,8 +88,8 @@ pub fn fem_iron(py: Python<'_>, shape: [f64; 9], elements: [usize; 3]) -> PyResu
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_head_properties<'py>(py: Python<'py>, head: AnyHead<'py>) -> PyResult<Bound<'py, PyDict>> {
-    let head = any_head(&head)?;
-    head.check().map_err(|e| error_of(&e))?;
+    let head = build_head(&head)?;
+    head.check().map_err(|e| to_py_error(&e))?;
     let MassProperties { mass, centre, inertia } = head.mass_properties();
     let dict = PyDict::new(py);
     dict.set_item("mass", mass)?;

@@ -51,7 +51,7 @@ pub struct RunValues {
     pub(super) fields: bool,
 }
 
-pub(super) fn error_of(error: &FemError) -> PyErr {
+pub(super) fn to_py_error(error: &FemError) -> PyErr {
     match error {
         FemError::Input { name, value, allowed } => {
             PyValueError::new_err((name.clone(), value.clone(), allowed.clone()))
@@ -60,10 +60,10 @@ pub(super) fn error_of(error: &FemError) -> PyErr {
     }
 }
 
-pub(super) fn ball_of(values: &BallValues) -> PyResult<BallConstruction<f64>> {
+pub(super) fn build_ball(values: &BallValues) -> PyResult<BallConstruction<f64>> {
     let mut pieces = Vec::new();
     for piece in &values.pieces {
-        let law = law_from_name(&piece.law, &piece.constants).map_err(|e| error_of(&e))?;
+        let law = law_from_name(&piece.law, &piece.constants).map_err(|e| to_py_error(&e))?;
         let maxwell = piece.maxwell.iter().map(|&(modulus, time)| Maxwell { modulus, time }).collect();
         let material = Material { law, bulk: piece.bulk, maxwell, density: piece.density };
         pieces.push(BallPiece {
@@ -73,7 +73,7 @@ pub(super) fn ball_of(values: &BallValues) -> PyResult<BallConstruction<f64>> {
             material,
         });
     }
-    let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
+    let element = Element::from_name(&values.element).map_err(|e| to_py_error(&e))?;
     Ok(BallConstruction { pieces, cube: values.cube, element, mass: values.mass })
 }
 
@@ -89,11 +89,11 @@ pub struct PlasticValues {
     table: Vec<(f64, f64)>,
 }
 
-pub(super) fn hardening_of(values: &PlasticValues, name: &str) -> PyResult<Hardening<f64>> {
+pub(super) fn build_hardening(values: &PlasticValues, name: &str) -> PyResult<Hardening<f64>> {
     let law = if values.table.is_empty() {
         Hardening::linear(values.yield_stress, values.modulus)
     } else {
-        Hardening::table(&values.table, name).map_err(|e| error_of(&e))?
+        Hardening::table(&values.table, name).map_err(|e| to_py_error(&e))?
     };
     Ok(if values.gain > 0.0 { law.saturating(values.gain, values.rate) } else { law })
 }
@@ -154,54 +154,55 @@ pub struct HeadValues<'py> {
     loft: f64,
 }
 
-fn nodes_of(values: &PyReadonlyArray1<'_, f64>) -> PyResult<Vec<Vec3<f64>>> {
+fn read_nodes(values: &PyReadonlyArray1<'_, f64>) -> PyResult<Vec<Vec3<f64>>> {
     Ok(values.as_slice()?.chunks_exact(3).map(|p| Vec3::new(p[0], p[1], p[2])).collect())
 }
 
-fn groups_of<const N: usize>(values: &PyReadonlyArray1<'_, u32>) -> PyResult<Vec<[u32; N]>> {
+fn read_groups<const N: usize>(values: &PyReadonlyArray1<'_, u32>) -> PyResult<Vec<[u32; N]>> {
     Ok(values.as_slice()?.chunks_exact(N).map(|g| std::array::from_fn(|i| g[i])).collect())
 }
 
-fn one_mesh(fits: bool) -> PyResult<()> {
+fn check_one_mesh(fits: bool) -> PyResult<()> {
     let error = || PyValueError::new_err(("mesh of the head", "", "its arrays must belong to one mesh"));
     if fits { Ok(()) } else { Err(error()) }
 }
 
-pub(super) fn any_head(values: &AnyHead<'_>) -> PyResult<Box<dyn DeformableHead<f64>>> {
+pub(super) fn build_head(values: &AnyHead<'_>) -> PyResult<Box<dyn DeformableHead<f64>>> {
     Ok(match values {
-        AnyHead::Shells(values) => Box::new(head_of(values)?),
-        AnyHead::Solid(values) => Box::new(solid_of(values)?),
+        AnyHead::Shells(values) => Box::new(build_shell_head(values)?),
+        AnyHead::Solid(values) => Box::new(build_solid_head(values)?),
     })
 }
 
-fn solid_of(values: &SolidValues<'_>) -> PyResult<SolidHead<f64>> {
-    let (nodes, elements) = (nodes_of(&values.nodes)?, groups_of::<8>(&values.elements)?);
-    let (face, added) = (groups_of::<4>(&values.face)?, values.added.as_slice()?.to_vec());
+fn build_solid_head(values: &SolidValues<'_>) -> PyResult<SolidHead<f64>> {
+    let (nodes, elements) = (read_nodes(&values.nodes)?, read_groups::<8>(&values.elements)?);
+    let (face, added) = (read_groups::<4>(&values.face)?, values.added.as_slice()?.to_vec());
     let count = nodes.len();
     let named = elements.iter().flatten().chain(face.iter().flatten());
-    one_mesh(added.len() == count && named.into_iter().all(|&n| (n as usize) < count))?;
+    check_one_mesh(added.len() == count && named.into_iter().all(|&n| (n as usize) < count))?;
     let shear = values.shear;
     let law = match &values.plastic {
         None => Hencky { shear }.law(),
-        Some(plastic) => VonMises { shear, hardening: hardening_of(plastic, "head")? }.law(),
+        Some(plastic) => VonMises { shear, hardening: build_hardening(plastic, "head")? }.law(),
     };
     let material = Material { law, bulk: values.bulk, maxwell: vec![], density: values.density };
-    let element = Element::from_name(&values.element).map_err(|e| error_of(&e))?;
+    let element = Element::from_name(&values.element).map_err(|e| to_py_error(&e))?;
     let layer = vec![0; elements.len()];
     let solid = SolidMesh { nodes, elements, layer };
     let grooves = values.grooves.map(|[width, depth, pitch, wall]| Grooves { width, depth, pitch, wall });
     Ok(SolidHead { solid, face, material, grooves, element, added, loft: values.loft })
 }
 
-pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
-    let (nodes, quads) = (nodes_of(&values.nodes)?, groups_of::<4>(&values.quads)?);
+pub(super) fn build_shell_head(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
+    let (nodes, quads) = (read_nodes(&values.nodes)?, read_groups::<4>(&values.quads)?);
     let (thickness, added) = (values.thickness.as_slice()?.to_vec(), values.added.as_slice()?.to_vec());
     let (mut parts, mut start) = (Vec::new(), 0);
     for part in &values.parts {
         let elastic = Isotropic { young: part.youngs, poisson: part.poisson };
-        let hardening = part.plastic.as_ref().map(|values| hardening_of(values, &part.name)).transpose()?;
+        let hardening =
+            part.plastic.as_ref().map(|values| build_hardening(values, &part.name)).transpose()?;
         let points = part.points.or(hardening.map(|_| DEFAULT_POINTS));
-        let points = points.map(|points| Rule::from_name(&part.rule, points).map_err(|e| error_of(&e)));
+        let points = points.map(|points| Rule::from_name(&part.rule, points).map_err(|e| to_py_error(&e)));
         let material =
             ShellMaterial { elastic, density: part.density, hardening, points: points.transpose()? };
         let elements = start..start + part.elements;
@@ -210,6 +211,6 @@ pub(super) fn head_of(values: &HeadValues<'_>) -> PyResult<ShellHead<f64>> {
     }
     let count = nodes.len();
     let named = quads.iter().flatten().all(|&n| (n as usize) < count);
-    one_mesh(start == quads.len() && thickness.len() == start && added.len() == count && named)?;
+    check_one_mesh(start == quads.len() && thickness.len() == start && added.len() == count && named)?;
     Ok(ShellHead { shells: ShellMesh { nodes, quads, thickness }, parts, added, loft: values.loft })
 }

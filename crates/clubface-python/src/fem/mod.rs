@@ -17,13 +17,15 @@ use clubface_fem::solve::Progress;
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{INPUT_COUNT, Shot};
 use clubface_math::Dual;
-use inputs::{AnyHead, BallValues, HeadValues, RunValues, any_head, ball_of, error_of, head_of};
+use inputs::{
+    AnyHead, BallValues, HeadValues, RunValues, build_ball, build_head, build_shell_head, to_py_error,
+};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 pub use run::FemImpact;
-use run::{on_threads, options_of, pool_of, record};
+use run::{on_threads, record, run_options, run_pool};
 
 /// The laws that files choose by name: [{name, summary, source, constants, dimensions, meanings, bounds: (least, most),
 /// each one a constant, needed: how many of them, group: how many more at a time}, ...].
@@ -50,14 +52,14 @@ pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_check_law(law: &str, constants: Vec<f64>) -> PyResult<()> {
-    law_from_name(law, &constants).map(|_| ()).map_err(|e| error_of(&e))
+    law_from_name(law, &constants).map(|_| ()).map_err(|e| to_py_error(&e))
 }
 
 /// Shear modulus of a law by name (Pa), and its derivatives by the constants (SI), which are not checked.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_shear(law: &str, constants: Vec<f64>) -> PyResult<(f64, Vec<f64>)> {
-    let entry = entry_from_name(LAWS, law, constants.len()).map_err(|e| error_of(&e))?;
+    let entry = entry_from_name(LAWS, law, constants.len()).map_err(|e| to_py_error(&e))?;
     let slope = |i: usize| {
         let mut lifted: Vec<_> = constants.iter().map(|&value| Dual::constant(value)).collect();
         lifted[i] = Dual::variable(constants[i], 0);
@@ -70,9 +72,9 @@ pub fn fem_shear(law: &str, constants: Vec<f64>) -> PyResult<(f64, Vec<f64>)> {
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
-    let ball = ball_of(&ball)?;
+    let ball = build_ball(&ball)?;
     let still = clubface_math::Mat3::diagonal(1.0);
-    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| error_of(&e))?;
+    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| to_py_error(&e))?;
     let dict = PyDict::new(py);
     dict.set_item("mass", meshed.mass)?;
     dict.set_item("inertia", meshed.inertia)?;
@@ -89,9 +91,9 @@ pub fn fem_ball<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, P
 #[allow(clippy::needless_pass_by_value)]
 pub fn fem_mesh<'py>(py: Python<'py>, ball: BallValues) -> PyResult<Bound<'py, PyDict>> {
     const ROUND: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
-    let ball = ball_of(&ball)?;
+    let ball = build_ball(&ball)?;
     let still = clubface_math::Mat3::diagonal(1.0);
-    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| error_of(&e))?;
+    let meshed = ball.mesh(&still, clubface_math::Vec3::zero()).map_err(|e| to_py_error(&e))?;
     let nodes: Vec<Vec<f64>> = meshed.mesh.nodes.iter().map(|p| p.array().to_vec()).collect();
     let elements: Vec<Vec<u32>> =
         meshed.mesh.elements.iter().map(|e| ROUND.iter().map(|&corner| e[corner]).collect()).collect();
@@ -117,9 +119,9 @@ pub fn fem_plane<'py>(
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<FemImpact> {
-    let (pool, ball) = (pool_of(&run)?, ball_of(&ball)?);
+    let (pool, ball) = (run_pool(&run)?, build_ball(&ball)?);
     let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::of_pool(&pool))
-        .map_err(|e| error_of(&e))?;
+        .map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &run, None, progress)
 }
 
@@ -136,13 +138,13 @@ pub fn fem_head<'py>(
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<FemImpact> {
-    let (pool, touch, ball) = (pool_of(&run)?, touch_of(&inputs)?, ball_of(&ball)?);
+    let (pool, touch, ball) = (run_pool(&run)?, first_touch(&inputs)?, build_ball(&ball)?);
     let mut simulation = ball_against_rigid_head(&ball, &touch, friction, &Environment::of_pool(&pool))
-        .map_err(|e| error_of(&e))?;
+        .map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &run, Some(&touch), progress)
 }
 
-/// A shot with a head that deforms; `inputs` as of [`fem_head`], those of the clubhead are the head's.
+/// A shot with a head that deforms; `inputs` as for [`fem_head`]; those of the clubhead are the head's.
 #[pyfunction]
 #[pyo3(signature = (ball, head, inputs, friction, run, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -155,15 +157,16 @@ pub fn fem_deformable<'py>(
     run: RunValues,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<FemImpact> {
-    let (pool, touch, ball, head) = (pool_of(&run)?, touch_of(&inputs)?, ball_of(&ball)?, any_head(&head)?);
+    let (pool, touch, ball, head) =
+        (run_pool(&run)?, first_touch(&inputs)?, build_ball(&ball)?, build_head(&head)?);
     let mut simulation =
         ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::of_pool(&pool))
-            .map_err(|e| error_of(&e))?;
+            .map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &run, Some(&touch), progress)
 }
 
 /// Both bodies at first touch, for inputs in the order of `inputs()`.
-fn touch_of(inputs: &[f64]) -> PyResult<FirstTouch<f64>> {
+fn first_touch(inputs: &[f64]) -> PyResult<FirstTouch<f64>> {
     let inputs: &[f64; INPUT_COUNT] =
         inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
     clubface_impact::check::check(inputs).map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
@@ -171,14 +174,14 @@ fn touch_of(inputs: &[f64]) -> PyResult<FirstTouch<f64>> {
 }
 
 /// The shot of a ball and a head whose launch is differentiated.
-fn setting_of(
+fn build_setting(
     ball: &BallValues,
     head: Option<&HeadValues<'_>>,
     inputs: &[f64],
     friction: f64,
 ) -> PyResult<Setting> {
     let inputs = inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
-    Ok(Setting { ball: ball_of(ball)?, head: head.map(head_of).transpose()?, inputs, friction })
+    Ok(Setting { ball: build_ball(ball)?, head: head.map(build_shell_head).transpose()?, inputs, friction })
 }
 
 /// Names of the variables of [`fem_sensitivity`].
@@ -189,7 +192,7 @@ pub fn fem_variables(
     head: Option<HeadValues<'_>>,
     inputs: Vec<f64>,
 ) -> PyResult<Vec<String>> {
-    Ok(setting_of(&ball, head.as_ref(), &inputs, 0.0)?.variables())
+    Ok(build_setting(&ball, head.as_ref(), &inputs, 0.0)?.variables())
 }
 
 /// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives in some directions,
@@ -208,10 +211,10 @@ pub fn fem_sensitivity<'py>(
     directions: Vec<Vec<(String, f64)>>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Derivatives<'py>> {
-    let setting = setting_of(&ball, head.as_ref(), &inputs, friction)?;
+    let setting = build_setting(&ball, head.as_ref(), &inputs, friction)?;
     clubface_impact::check::check(&setting.inputs)
         .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
-    let (pool, options) = (pool_of(&run)?, options_of(&run)?);
+    let (pool, options) = (run_pool(&run)?, run_options(&run)?);
     let mut raised = None;
     let result = py.detach(|| {
         let mut observer = |index: usize, at: &Progress| {
@@ -228,6 +231,6 @@ pub fn fem_sensitivity<'py>(
     if let Some(error) = raised {
         return Err(error);
     }
-    let result = result.map_err(|e| error_of(&e))?;
+    let result = result.map_err(|e| to_py_error(&e))?;
     Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &result.jacobian)?))
 }

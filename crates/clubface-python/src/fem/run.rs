@@ -1,6 +1,6 @@
 //! Runs a simulation and gives its record to Python.
 
-use super::inputs::{RunValues, error_of};
+use super::inputs::{RunValues, to_py_error};
 use clubface_fem::contact::ContactMethod;
 use clubface_fem::solve::{ElementHistory, ImpactRecord, Options, Progress, Recording, Simulation};
 use clubface_impact::first_touch::FirstTouch;
@@ -10,20 +10,20 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-pub(super) fn options_of(run: &RunValues) -> PyResult<Options> {
+pub(super) fn run_options(run: &RunValues) -> PyResult<Options> {
     Ok(Options {
         duration: run.duration,
         safety: run.safety,
         interval: run.interval,
         until_separation: run.until_separation,
-        contact: ContactMethod::from_name(&run.contact).map_err(|e| error_of(&e))?,
+        contact: ContactMethod::from_name(&run.contact).map_err(|e| to_py_error(&e))?,
         bulk_viscosity: run.bulk_viscosity,
         ..Options::default()
     })
 }
 
 /// Threads of a run alone: rayon's global pool has none in a process that was forked from one that used it.
-pub(super) fn pool_of(run: &RunValues) -> PyResult<Arc<rayon::ThreadPool>> {
+pub(super) fn run_pool(run: &RunValues) -> PyResult<Arc<rayon::ThreadPool>> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(run.threads)
         .build()
@@ -47,7 +47,7 @@ pub(super) fn record(
     touch: Option<&FirstTouch<f64>>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<FemImpact> {
-    let options = options_of(run)?;
+    let options = run_options(run)?;
     let recording = Recording { frames: run.frames, fields: run.fields };
     let progress = progress.map(Bound::unbind);
     let mut raised = None;
@@ -61,7 +61,7 @@ pub(super) fn record(
         };
         on_threads(pool, || simulation.record(&options, recording, touch, &mut report))
     });
-    let record = result.map_err(|e| error_of(&e))?;
+    let record = result.map_err(|e| to_py_error(&e))?;
     match raised {
         Some(error) if !error.is_instance_of::<PyKeyboardInterrupt>(py) => Err(error),
         _ => Ok(FemImpact::new(record)),

@@ -1,11 +1,11 @@
 //! The eight-node hexahedron with one integration point, in total Lagrangian form, with physical hourglass control.
 //!
-//! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform
-//! deformation (the base vectors at the centre), four of bending (hourglass), to which one point is blind (Flanagan
-//! and Belytschko, Int. J. Numer. Methods Eng. 17, 1981). What the base vectors leave of these, the patterns, are
-//! held by springs of one stiffness each, whatever the direction: their energy knows no rotation. The stiffness is
-//! made of those that a rectangular, incompressible block of the element's size has in bending, shear and torsion,
-//! without bulk stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
+//! Positions are taken apart into eight modes by sums and differences: one of translation, three of uniform deformation
+//! (the base vectors at the centre), four of bending (hourglass), to which one point is blind (Flanagan and Belytschko,
+//! Int. J. Numer. Methods Eng. 17, 1981). What the base vectors leave of these, the patterns, are held by springs of
+//! one stiffness each, whatever the direction: their energy does not depend on rotation. The stiffness is made of those
+//! that a rectangular, incompressible block of the element's size has in bending, shear and torsion, without bulk
+//! stiffness (after Belytschko and Bindeman, Comput. Methods Appl. Mech. Eng. 105, 1993).
 //!
 //! The materials are isotropic, so each element may look at its undeformed shape from a frame of its own: one in
 //! which the first base vector lies along x and the second in the xy plane. Its Jacobian is then triangular (six
@@ -121,7 +121,8 @@ impl<P: Pack> Component<P> {
         Self { bases: [P::zero(); 3], patterns: [P::zero(); 4] }
     }
 
-    /// What acts on the base vectors under a stress as of [`super::stress::on_bases`], and on the hourglass patterns, N.
+    /// What acts on the base vectors under a stress as in [`super::stress::on_bases`], and on the hourglass patterns,
+    /// N.
     #[inline(always)]
     pub fn loads<const SLOPES: bool>(
         &self,
@@ -151,7 +152,7 @@ impl<P: Pack> Component<P> {
         self.set_part(pass, &Component::<G>::new(&constants.shape(pass), &low, &high));
     }
 
-    /// One pass of the forces, N, as of [`Component::forces`], from what acts on the modes.
+    /// One pass of the forces, N, as in [`Component::forces`], from what acts on the modes.
     #[inline(always)]
     pub fn part_of_forces<G: Part<P>, const SLOPES: bool>(
         &self,
@@ -170,7 +171,7 @@ impl<P: Pack> Component<P> {
         Component { bases: part(&self.bases, pass), patterns: part(&self.patterns, pass) }
     }
 
-    /// Sets what a pass has found.
+    /// Stores the result of a pass.
     #[inline(always)]
     pub fn set_part<G: Part<P>>(&mut self, pass: usize, part: &Component<G>) {
         set_part(&mut self.bases, pass, &part.bases);

@@ -1,4 +1,4 @@
-//! What the solver asks of patches of one-point hexahedra.
+//! Interface between the solver and patches of one-point hexahedra.
 
 use super::lattice::Lattice;
 use super::output::{Energies, Output};

@@ -28,7 +28,7 @@ pub fn part<P: Pack, G: Part<P>, const N: usize>(packs: &[P; N], pass: usize) ->
     parts
 }
 
-/// Sets what a pass has found.
+/// Stores the result of a pass.
 #[inline(always)]
 pub fn set_part<P: Pack, G: Part<P>, const N: usize>(packs: &mut [P; N], pass: usize, parts: &[G; N]) {
     for i in 0..N {
@@ -36,7 +36,7 @@ pub fn set_part<P: Pack, G: Part<P>, const N: usize>(packs: &mut [P; N], pass: u
     }
 }
 
-/// What a pass has found.
+/// Result of a pass.
 #[inline(always)]
 pub fn into_values<P: Pack, G: Part<P>, const N: usize>(parts: &[G; N]) -> [P::Value; N] {
     let mut packs = [P::Value::zero(); N];
@@ -46,7 +46,7 @@ pub fn into_values<P: Pack, G: Part<P>, const N: usize>(parts: &[G; N]) -> [P::V
     packs
 }
 
-/// What adds up to it.
+/// What a pass adds to, from values.
 #[inline(always)]
 pub fn from_values<P: Pack, G: Part<P>, const N: usize>(packs: &[P::Value; N]) -> [G; N] {
     let mut parts = [G::zero(); N];

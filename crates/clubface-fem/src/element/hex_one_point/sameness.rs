@@ -40,7 +40,7 @@ pub fn similar<R: Real>(blocks: &[Block<R>], slopes: &[Lines]) -> bool {
 /// Whether constants are the same to rounding, given as shapes and the stiffnesses behind them, which have as many
 /// parts as given.
 pub fn alike<T>(a: &[T], b: &[T], parts: usize) -> bool {
-    // Beside the largest of its kind: values and derivatives of a stiffness are kinds of their own. Those of the
+    // Relative to the largest of its kind: values and derivatives of a stiffness are kinds of their own. Those of the
     // inverse Jacobian are of one kind.
     let count = SHAPE + STIFFNESSES * parts;
     assert_eq!(size_of::<T>(), count * size_of::<[f64; BLOCK]>());

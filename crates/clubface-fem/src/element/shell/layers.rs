@@ -82,7 +82,7 @@ impl<P: Pack> SectionResponse<P> for Layers<'_, P> {
 }
 
 impl<P: Pack> Layers<'_, P> {
-    /// As of [`super::response::Response::sides`].
+    /// See [`super::response::Response::sides`].
     #[inline(always)]
     pub fn sides(&self, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         // Points go from the inner side to the outer.
@@ -94,7 +94,7 @@ impl<P: Pack> Layers<'_, P> {
         ([outer, inner], plastic)
     }
 
-    /// As of [`super::response::Response::energy`].
+    /// See [`super::response::Response::energy`].
     #[inline(always)]
     pub fn energy(&self, section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
         let mut density = P::zero();

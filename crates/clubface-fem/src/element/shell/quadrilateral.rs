@@ -47,7 +47,7 @@ pub struct Resultants<P> {
     pub across: Across<P>,
 }
 
-/// What acts across the section or beside its strains.
+/// What acts on the section in addition to its strains.
 #[derive(Clone, Copy)]
 pub struct Across<P> {
     /// Transverse shear forces, N/m: xz, yz.

@@ -164,7 +164,7 @@ pub struct ElasticSection;
 impl ElasticSection {
     /// Numbers of state.
     pub const LENGTH: usize = ACROSS + 6;
-    /// As of [`super::response::Response::sides`].
+    /// See [`super::response::Response::sides`].
     #[inline(always)]
     pub fn sides<P: Pack>(section: &Section<P>, state: &Numbers<P::Real>) -> ([[P; 3]; 2], P) {
         let (membrane, bending): ([P; 3], [P; 3]) = (state.load(ACROSS), state.load(ACROSS + 3));
@@ -176,7 +176,7 @@ impl ElasticSection {
         }
         ([outer, inner], P::zero())
     }
-    /// As of [`super::response::Response::energy`].
+    /// See [`super::response::Response::energy`].
     #[inline(always)]
     pub fn energy<P: Pack>(section: &Section<P>, area: P, state: &Numbers<P::Real>) -> (P, P) {
         let membrane = section.energy(&state.load(ACROSS)) / section.thickness;

@@ -104,7 +104,7 @@ fn a_core_under_one_layer_of_cover_is_not_subcycled() {
 
 #[test]
 fn the_force_does_not_come_and_go_with_the_steps() {
-    // The head's shells are so small beside the ball's elements that all of the ball could be subcycled.
+    // The head's shells are so small compared with the ball's elements that all of the ball could be subcycled.
     let head = Driver::roh_and_lee().mesh().expect("the head is valid").head;
     let mut impact = met(&head, &rubber_ball(), 0.0, 0.0);
     let options = Options { duration: 200e-6, ..Options::default() };

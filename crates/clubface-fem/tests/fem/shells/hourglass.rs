@@ -30,7 +30,7 @@ fn stiffness(component: usize) -> f64 {
     2.0 * energy.hourglass / (AMPLITUDE * AMPLITUDE)
 }
 
-/// Relative to what is expected; the amplitude is 1e-6 of a side, its square beside it.
+/// Relative to what is expected; the amplitude is 1e-6 of a side, its square relative to it.
 fn assert_close(component: usize, expected: f64) {
     let result = stiffness(component);
     assert!((result / expected - 1.0).abs() < 1e-5, "{component}: {result} {expected}");

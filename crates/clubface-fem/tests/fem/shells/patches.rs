@@ -111,7 +111,7 @@ fn forces_do_the_work_that_becomes_energy() {
     let forces = patch.nodes().iter().zip(patch.forces());
     let work: f64 = forces.map(|(&row, force)| -force.vec().dot(displacements[row as usize].vec())).sum();
     let energy = patch.energy(&positions).total();
-    // The square of displacement gradients of 1e-9 beside them.
+    // The square of displacement gradients of 1e-9 relative to them.
     assert!((work / (2.0 * energy) - 1.0).abs() < 1e-8, "{work} {energy}");
 }
 

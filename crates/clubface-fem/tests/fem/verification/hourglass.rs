@@ -49,7 +49,7 @@ fn a_bent_element_has_the_mean_period_of_a_block_that_bends_and_shears() {
                 [bends(l[a]), bends(l[b]), shears].map(|k| k.sqrt().recip()).iter().sum::<f64>() / 3.0;
             for axis in 0..3 {
                 for result in stiffness(l, &[a, b], axis) {
-                    // The square of the amplitude beside the work of 1e-10 J.
+                    // The square of the amplitude relative to the work of 1e-10 J.
                     let error = result * period * period - 1.0;
                     assert!(error.abs() < 1e-4, "{l:?} {third} {axis}: {error}");
                 }

@@ -1,4 +1,4 @@
-//! Every lane steps on its own: what it computes does not depend on the lanes beside it.
+//! Every lane steps on its own: what it computes does not depend on the other lanes.
 
 use super::problems::Until;
 use clubface_math::ode::{

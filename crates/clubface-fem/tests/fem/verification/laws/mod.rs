@@ -14,7 +14,7 @@ use clubface_math::{Dual, Mat3, Pack, PackKernel, Scalar, Vec3};
 use std::sync::Arc;
 
 materials! {
-    /// Laws that stand beside these tests.
+    /// Laws that exist only in these tests.
     static ADDED;
     gent::Gent<()>;
 }
@@ -369,6 +369,6 @@ fn the_table_is_all_that_a_law_needs() {
     }
     let unknown = from_table::<f64>(&table(), "gum", &[1.0]).expect_err("there is none").to_string();
     assert!(unknown.contains("mooney-rivlin") && unknown.contains("gent"), "{unknown}");
-    // One that stands beside the tests is none of the crate's.
+    // A law of the tests is not one of the crate.
     assert!(law_from_name::<f64>("gent", &[1e6, 20.0]).is_err());
 }
