@@ -166,7 +166,7 @@ def test_a_file_of_deliveries_is_predicted_and_bad_rows_are_kept_aside(clubface_
     source, target = tmp_path / "in.csv", tmp_path / "out.csv"
     source.write_text("club_speed_mph,attack_deg\n113,-1.3\nfast,0\n105,2\n")
     ran = clubface_("predict", str(source), "--club", "driver", "--model", "volumetric", "-o", str(target), "--json")
-    assert (ran.json["rows"], ran.json["written"], ran.json["rejected"]) == (3, 2, 1)
+    assert [ran.json["values"][name] for name in ("rows", "written", "rejected")] == [3, 2, 1]
     with target.open() as file:
         first = next(csv.DictReader(file))
     shot = clubface.impact("driver", speed="113 mph", attack="-1.3 deg", model="volumetric")

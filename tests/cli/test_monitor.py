@@ -30,8 +30,9 @@ def test_a_file_becomes_one_table_and_the_rejected_rows_are_told(clubface_, tmp_
     out, rejects = tmp_path / "shots.csv", tmp_path / "rejects.csv"
     ran = clubface_("monitor", "read", str(DATA / "trackman.csv"), "-o", str(out), "--rejects", str(rejects))
     assert ran.status == 0
-    for said in ("1 Driver, 2 7 Iron", f"3 shots: {out}", "3 rows rejected", "line 7: Club Path: 'x' is not a number"):
+    for said in ("1 Driver, 2 7 Iron", "3 rows rejected", "7     Club Path: 'x' is not a number"):
         assert said in ran.out
+    assert f"wrote {rejects}, {out}" in ran.err
     assert read_shots(out).launches["ball_speed"][0] == pytest.approx(147.5 * MPH, rel=1e-14)
     with open(rejects, newline="") as file:
         assert [row["line"] for row in csv.DictReader(file)] == ["7", "8", "9"]
@@ -39,12 +40,14 @@ def test_a_file_becomes_one_table_and_the_rejected_rows_are_told(clubface_, tmp_
 
 def test_the_document_says_what_was_read(clubface_):
     ran = clubface_("monitor", "read", str(DATA / "rapsodo.csv"), "--unit", "speed=m/s", "--hand", "left", "--json")
-    found = ran.json
-    assert (found["format"], found["shots"], found["clubs"]) == ("rapsodo", 3, {"d": 2, "7i": 1})
-    assert found["quantities"]["ball_speed"] == {
-        "unit": "m/s", "shots": 3, "mean": pytest.approx((142.4 + 141 + 111.5) / 3)
-    }  # fmt: skip
-    assert found["rejected"] == [{"line": 11, "reason": "7 cells where there are 18 columns"}]
+    tables = {name: each["rows"] for name, each in ran.json["tables"].items()}
+    (session,) = tables["session"]
+    assert (session["format"], session["shots"]) == ("rapsodo", 3)
+    assert tables["clubs"] == [{"club": "d", "shots": 2}, {"club": "7i", "shots": 1}]
+    (ball_speed,) = (each for each in tables["quantities"] if each["quantity"] == "ball_speed")
+    assert (ball_speed["unit"], ball_speed["shots"]) == ("m/s", 3)
+    assert ball_speed["mean"] == pytest.approx((142.4 + 141 + 111.5) / 3)
+    assert tables["rejected"] == [{"line": 11, "reason": "7 cells where there are 18 columns"}]
 
 
 def test_club_data_is_referred_to_the_clubs_that_are_named(clubface_, tmp_path):
@@ -53,12 +56,13 @@ def test_club_data_is_referred_to_the_clubs_that_are_named(clubface_, tmp_path):
     ran = clubface_(
         "monitor", "read", str(DATA / "foresight-play.csv"), "--club", "Driver=driver", "-o", path, "--json"
     )
-    assert any("referred to its centre of gravity of driver" in note for note in ran.json["notes"])
-    before, after = (each["quantities"]["path"]["mean"] for each in (measured, ran.json))
-    # One of the two is a driver: closing at 2600 deg/s its face centre moves some 2 deg more to the left.
-    assert np.degrees(after - before) == pytest.approx(
-        0.5 * np.degrees(np.radians(2600) * 0.0408 / (102.5 * MPH)), abs=0.1
+    assert any("referred to its centre of gravity of driver" in note["text"] for note in ran.json["notes"])
+    before, after = (
+        next(row["mean"] for row in each["tables"]["quantities"]["rows"] if row["quantity"] == "path")
+        for each in (measured, ran.json)
     )
+    # One of the two is a driver: closing at 2600 deg/s its face centre moves some 2 deg more to the left.
+    assert after - before == pytest.approx(0.5 * np.degrees(np.radians(2600) * 0.0408 / (102.5 * MPH)), abs=0.1)
     both = clubface_("monitor", "read", str(DATA / "foresight-play.csv"), "--club", "driver", "--club", "7-iron")
     assert_mistake(both, "--club is '7-iron'", "NAME=CLUB")
 
@@ -85,13 +89,15 @@ def test_a_mistake_is_one_message(clubface_, arguments, words):
 
 
 def test_layouts_are_listed_and_shown(clubface_):
-    names = [each["name"] for each in clubface_("monitor", "formats", "--json").json]
+    listed = clubface_("monitor", "formats", "--json").json["tables"]["formats"]["rows"]
+    names = [each["name"] for each in listed]
     assert names == ["trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope", "gspro", "square"]
     text = clubface_("monitor", "formats").out
     assert all(name in text for name in names)
     shown = clubface_("monitor", "formats", "garmin")
     assert "Schwungbahn" in shown.out
-    assert clubface_("monitor", "formats", "garmin", "--json").json["columns"]["sidespin"]["positive"] == "left"
+    columns = clubface_("monitor", "formats", "garmin", "--json").json["tables"]["columns"]["rows"]
+    assert [each["positive"] for each in columns if each["quantity"] == "sidespin"] == ["left"]
 
 
 def test_shots_of_a_table_are_sent_and_what_is_refused_is_told(clubface_):

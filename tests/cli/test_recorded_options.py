@@ -38,7 +38,8 @@ def commands(tmp_path):
 
 
 def notes_of(ran):
-    return " ".join([*ran.json.get("notes", []), *ran.json.get("warnings", []), ran.err.replace("\n", " ")])
+    notes = [each["text"] if isinstance(each, dict) else each for each in ran.json.get("notes", [])]
+    return " ".join([*notes, *ran.json.get("warnings", []), ran.err.replace("\n", " ")])
 
 
 @pytest.mark.parametrize("name", ["evaluate", "identify", "infer", "predict", "monitor summary", "monitor read"])

@@ -96,7 +96,7 @@ def range_session(write):
 
 def test_a_condition_on_the_player_chooses_his_shots(clubface_, range_session, tmp_path):
     ran = clubface_("monitor", "summary", str(range_session), "--where", "player == 'ben'", "--json")
-    assert [(each["club"], each["shots"]) for each in ran.json["clubs"]] == [("Driver", 4)]
+    assert [(each["club"], each["shots"]) for each in ran.json["tables"]["clubs"]["rows"]] == [("Driver", 4)]
     assert clubface_("monitor", "summary", str(range_session), "--where", "player == 'Eve'").status == 2
     target = tmp_path / "out.csv"
     ran = clubface_(

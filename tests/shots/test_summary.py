@@ -7,7 +7,7 @@ import pytest
 
 from clubface import shots as launch_monitor
 from clubface.errors import InputError
-from clubface.shots.session_summary import summarised
+from clubface.shots.session_summary import session_picture, summarised
 
 YD, MPH = 0.9144, 0.44704
 BAG = (
@@ -60,7 +60,7 @@ def test_the_command_prints_a_table_and_draws_a_picture(clubface_, bag, tmp_path
     ran = clubface_("monitor", "summary", str(bag), "--plot", str(picture))
     assert ran.status == 0
     rows = [line.split() for line in ran.out.splitlines()]
-    assert ["Dr", "2", "148.0", "2.8", "1.46", "0.01", "2500", "245.0", "7.1", "0.0", "14.1", "87.0"] in rows
+    assert ["Dr", "2", "148.0", "2.8", "1.460", "0.014", "2500", "245.0", "7.1", "0.0", "14.1", "87.0"] in rows
     said = " ".join(ran.out.split())
     assert "total_spin in 1 of 6 shots, such as -21474836480 rpm" in said
     assert "total spin was not measured in every shot: 1 of 2 of Dr, 2 of 3 of 7i" in said
@@ -71,34 +71,30 @@ def test_the_command_prints_a_table_and_draws_a_picture(clubface_, bag, tmp_path
 
 def test_conditions_and_json(clubface_, bag):
     ran = clubface_("monitor", "summary", str(bag), "--where", "club == 'driver' or smash > 1.39", "--json")
-    assert [(each["club"], each["shots"]) for each in ran.json["clubs"]] == [("Dr", 2), ("7i", 1)]
-    assert ran.json["clubs"][0]["gap"]["length"] == pytest.approx((245 - 160) * YD, rel=1e-13)
-    assert ran.json["clubs"][0]["gap"]["error"] is None
+    clubs = ran.json["tables"]["clubs"]["rows"]
+    assert [(each["club"], each["shots"]) for each in clubs] == [("Dr", 2), ("7i", 1)]
+    assert clubs[0]["gap_m"] == pytest.approx((245 - 160) * YD, rel=1e-13)
+    assert clubs[0]["gap_error_m"] is None
     assert clubface_("monitor", "summary", str(bag), "--where", "carry > 999 yd").status == 2
 
 
 def test_a_picture_needs_carries(write):
-    pytest.importorskip("matplotlib")
-    from clubface.shots.session_picture import session_figure
-
     shots = launch_monitor.read(write("ball_speed_mph\n150\n"))
     with pytest.raises(InputError, match="no carry"):
-        session_figure(shots, summarised(shots))
+        session_picture(shots, summarised(shots))
 
 
 def test_the_picture_shows_each_club_where_it_lands(bag):
-    pytest.importorskip("matplotlib")
-    from clubface.shots.session_picture import session_figure
-
     shots = launch_monitor.read(bag)
-    landings, carries = session_figure(shots, summarised(shots)).axes
-    assert [len(line.get_xdata()) for line in landings.lines[:3]] == [2, 3, 1]
-    np.testing.assert_allclose(landings.lines[1].get_ydata(), [160, 156, 158], rtol=1e-14)
-    (ellipse,) = landings.patches  # of the only club with three shots
-    np.testing.assert_allclose(ellipse.get_center(), [1.0, 158.0], rtol=1e-14)
+    landings, carries = session_picture(shots, summarised(shots)).panels()
+    points = [mark for mark in landings.marks if mark.kind == "points"]
+    assert [len(mark.x) for mark in points] == [2, 3, 1]
+    np.testing.assert_allclose(points[1].y, YD * np.array([160, 156, 158]), rtol=1e-14)
+    (ellipse,) = (mark for mark in landings.marks if mark.kind == "outline")  # of the only club with three shots
     # Sides of 4, -2 and 1 and carries of 160, 156 and 158 yd lie on a line: the ellipse is a stroke as long as twice
     # the standard deviation along it, sqrt(3**2 + 2**2). A square root of rounding remains of its width.
-    sizes = sorted([ellipse.width, ellipse.height])
-    np.testing.assert_allclose(sizes, [0.0, 2 * np.sqrt(13)], rtol=1e-12, atol=1e-6)
-    assert [label.get_text() for label in carries.get_xticklabels()] == ["Dr", "7i", "PW"]
-    assert any("gap 87" in text.get_text() for text in carries.texts)
+    around = np.column_stack([ellipse.x, ellipse.y]) / YD - [1.0, 158.0]
+    assert 2 * np.hypot(*around.T).max() == pytest.approx(2 * np.sqrt(13), rel=2e-3)  # 72 corners
+    np.testing.assert_allclose(around @ [2, -3], 0.0, atol=1e-5)
+    assert list(carries.x.names) == ["Dr", "7i", "PW"]
+    assert any("gap 87" in text for mark in carries.marks for text in mark.texts)

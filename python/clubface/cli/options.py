@@ -39,7 +39,7 @@ def output(metavar: str, text: str) -> Any:
     return option("--output", "-o", metavar=metavar, text=text)
 
 
-def text_option(name: str, panel: str, metavar: str, text: str) -> tuple[Any, None]:
+def text_option(name: str, panel: str | None, metavar: str, text: str) -> tuple[Any, None]:
     """Return the annotation and default of an option whose value is text or None."""
     return Annotated[str | None, option(name, panel=panel, metavar=metavar, text=text)], None
 

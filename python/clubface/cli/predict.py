@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
 from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import options, show
 from clubface.cli.failures import say
 from clubface.cli.output import progress_bar
 from clubface.cli.recorded import CHOICE, assumed
@@ -16,7 +15,7 @@ app = typer.Typer(add_completion=False)
 
 
 @app.command()
-@options.takes(CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR)
+@options.takes(CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR, show.JSON)
 def predict(
     deliveries: Annotated[
         str,
@@ -33,7 +32,6 @@ def predict(
     ] = None,
     resume: options.Resume = False,
     carry: Annotated[bool, typer.Option("--carry/--no-carry", help="Compute the flight too.")] = True,
-    as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
@@ -52,10 +50,7 @@ def predict(
             mismatch=texts["mismatch"], assume=assumed(texts),
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip
-    if as_json:
-        output.print_json({each.name: getattr(report, each.name) for each in fields(report)})
-    else:
-        print(report)
+    show.Output(as_json=texts["as_json"]).show(report.to_result())
     if report.rejected and not report.written:
         say("not one delivery could be used")
         raise typer.Exit(2)

@@ -19,6 +19,8 @@ from clubface.results.pictures import Axis, Mark, Panel, Picture
 
 ROW_HEIGHT = 2.4
 """Inches of a row of panels unless a picture says its height."""
+LONGEST_NAMES = 60
+"""Letters of all names below a panel, beyond which they are turned."""
 _GREYS = {-1: "0.5", -2: "0.1"}
 
 
@@ -123,7 +125,9 @@ def _set_axis(axes: Axes, axis: Axis, name: str) -> None:
     if low is not None or high is not None:
         getattr(axes, f"set_{name}lim")(low, high)
     if axis.names is not None:
-        getattr(axes, f"set_{name}ticks")(range(len(axis.names)), axis.names)
+        long = name == "x" and sum(map(len, axis.names)) > LONGEST_NAMES
+        turned = {"rotation": 35, "ha": "right"} if long else {}
+        getattr(axes, f"set_{name}ticks")(range(len(axis.names)), axis.names, **turned)
         axes.grid(visible=False, axis=name)  # pyright: ignore[reportArgumentType]
     if not axis.ticks:
         getattr(axes, f"set_{name}ticks")([])

@@ -13,13 +13,16 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from clubface.results.notes import note
+from clubface.results.result import Result
+from clubface.results.table import table, text
 from clubface.shots.formats import CG, FACE, Field, Format, common_names
 from clubface.shots.tables.headings import HAND, plain, shot_words
-from clubface.support.checks import Frozen
+from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
 from clubface.units import DIMENSIONLESS
 
-__all__ = ["FORMATS", "TABLE"]
+__all__ = ["FORMATS", "TABLE", "format_result", "formats_result"]
 
 _NAMES = ("trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope", "gspro", "square")
 """In the order in which they are listed and recognised."""
@@ -65,3 +68,43 @@ TABLE = Format(
     face_at=FACE,
 )
 """Its club data is taken where models want it unless columns ``speed_at`` and ``face_at`` say otherwise."""
+
+
+def formats_result() -> Result:
+    """Return the layouts that are read, by name."""
+    layouts = list(FORMATS.values())
+    return Result(
+        "monitor-formats",
+        "Files of launch monitors",
+        tables=(
+            table("formats", text("name", [each.name for each in layouts], label="format"),
+                  text("title", [each.title for each in layouts], label="written by")),
+        ),
+        hints=(note("monitor-any-other-file"),),
+    )  # fmt: skip
+
+
+def format_result(name: str) -> Result:
+    """Return the columns of a layout.
+
+    Raises
+    ------
+    UnknownNameError
+        There is no layout of that name.
+    """
+    check_choice("format", name, FORMATS)
+    layout = FORMATS[name]
+    fields = layout.fields.values()
+    return Result(
+        "monitor-format",
+        f"{layout.title}; {layout.source}",
+        tables=(
+            table("columns", text("quantity", list(layout.fields)),
+                  text("headings", [", ".join(each.shown) for each in fields], label="columns"),
+                  text("unit", [each.unit or "as the file says" for each in fields],
+                       label="unit unless named"),
+                  text("positive", [each.positive or "" for each in fields])),
+            table("layout", *(text(each, [getattr(layout, each)]) for each in
+                              ("name", "title", "speed_at", "face_at", "source")), printed=False),
+        ),
+    )  # fmt: skip

@@ -18,6 +18,10 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import FileError, InputError, RangeWarning, Told
 from clubface.jobs.store import Store, unfinished_folder
+from clubface.results.notes import free_text
+from clubface.results.provenance import Computation, Provenance
+from clubface.results.result import Described, Result
+from clubface.results.table import table, text
 from clubface.shots.prediction_source import Source, open_source
 from clubface.shots.recorded import SIDES
 from clubface.shots.summary_rows import summaries_in
@@ -283,7 +287,7 @@ MOST_ROWS = 1_000_000
 
 
 @dataclass(frozen=True, kw_only=True)
-class PredictReport:
+class PredictReport(Described):
     """What became of a file of deliveries.
 
     Attributes
@@ -312,6 +316,8 @@ class PredictReport:
         Rows done by an earlier run.
     provenance
         The model, its parameters with source and caveats, club, ball and version.
+    hand
+        The hand of the player, "right" or "left", where no column says it.
     """
 
     source: str
@@ -328,6 +334,7 @@ class PredictReport:
     first_rejects: tuple[tuple[int, str], ...] = ()
     resumed: int = 0
     provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    hand: str = "right"
 
     def __str__(self) -> str:
         lines = [f"{self.written} of {self.rows} deliveries computed: {self.output}"]
@@ -336,6 +343,43 @@ class PredictReport:
             lines += [f"  {line}: {reason}" for line, reason in self.first_rejects]
         lines += [f"note: {note}" for note in self.notes]
         return "\n".join(lines)
+
+    def to_result(self) -> Result:
+        """Return how many rows were written and rejected, what the columns are, and the first rejects."""
+        columns = [
+            *(("used", heading, quantity, unit) for heading, (quantity, unit) in self.used.items()),
+            *(("passed through", heading, "", "") for heading in self.passed),
+            *(("added", heading, "", "") for heading in self.added),
+        ]
+        names = ("rows", "written", "rejected", "blank", "resumed", "output", "rejects")
+        labels = {"rows": "deliveries", "blank": "blank lines", "resumed": "of an earlier run"}
+        made = self.provenance
+        return Result(
+            "prediction",
+            f"Launches of {self.source}",
+            values=tuple(
+                text(name, [getattr(self, name)], label=labels.get(name, ""),
+                     printed=name in ("rows", "written") or bool(getattr(self, name)))
+                for name in names
+            ),
+            tables=(
+                table("columns", *(text(name, list(each)) for name, each in zip(
+                    ("use", "heading", "quantity", "unit"), zip(*columns, strict=True), strict=True)), printed=False),
+                table("first_rejects", text("line", [line for line, _ in self.first_rejects]),
+                      text("reason", [reason for _, reason in self.first_rejects]),
+                      title=f"{self.rejected} rejected{f'; the first {SHOWN}' if self.rejected > SHOWN else ''}"),
+            ),
+            notes=tuple(free_text(self.notes)),
+            provenance=Provenance(
+                inputs={"deliveries": self.source},
+                computations=(Computation(made["club"]["name"], made["ball"]["name"], made["model"]["name"],
+                                          made["parameters"]["name"], self.hand),),
+                sources=tuple(f"{what.capitalize()} {made[what]['name']}: {words}" for what in ("model", "parameters")
+                              if (words := " ".join(str(made[what][key]) for key in ("source", "reference")
+                                                    if made[what].get(key)))),
+                caveats=tuple(map(str, made["parameters"]["caveats"])),
+            ),
+        )  # fmt: skip
 
 
 @recorded
@@ -478,6 +522,7 @@ def predict(
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,
+        hand=SIDES[side],
     )
 
 

@@ -3,21 +3,36 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.errors import InputError, Told
+from clubface.results.notes import Note, free_text, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Table, column, table, text
 from clubface.shots.club_names import same_club
 from clubface.shots.recorded import RecordedShots
+from clubface.shots.recorded_result import rejected_table
+from clubface.support.arrays import Floats
+from clubface.units import from_si
 
-QUANTITIES = {
-    "speed": "mph", "ball_speed": "mph", "smash": "1", "attack": "deg", "launch": "deg", "azimuth": "deg",
-    "total_spin": "rpm", "spin_axis": "deg", "carry": "yd", "side": "yd", "total": "yd",
-}  # fmt: skip
-"""The quantities that are summed up, and the units in which people read them."""
+__all__ = ["ClubSummary", "Gap", "Spread", "session_picture", "session_result", "summarised"]
+
+QUANTITIES = (
+    "speed", "ball_speed", "smash", "attack", "launch", "azimuth", "total_spin", "spin_axis", "carry", "side", "total",
+)  # fmt: skip
+"""The quantities that are summed up."""
+SURE = 2.0
+"""Standard errors that a gap must have to be one."""
+FEWEST = 3
+"""Shots from which an ellipse is drawn."""
 
 
 class Spread(NamedTuple):
@@ -72,6 +87,12 @@ class ClubSummary:
     spreads: Mapping[str, Spread]
     gap: Gap | None
 
+    @property
+    def title(self) -> str:
+        """The club, and whose it is where that must be said."""
+        club = self.club or "the shots"
+        return f"{self.player}'s {club}" if self.player else club
+
 
 def summarised(shots: RecordedShots) -> list[ClubSummary]:
     """Return a summary of each club, the longest first; names of the same club, as 7i and 7 Iron, are taken together.
@@ -92,29 +113,145 @@ def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> li
             known[name] = next((each for each in groups if same_club(each, name)), name)
         groups.setdefault(known[name], []).append(place)
     values = shots.deliveries | shots.launches
-    found = [(name, np.array(places), _spreads(values, places)) for name, places in groups.items()]
-    length = "carry" if any("carry" in each for _, _, each in found) else "ball_speed"
-    found.sort(key=lambda each: -each[2][length].mean if length in each[2] else math.inf)
-    shorter = [*(each[2] for each in found[1:]), None]
+    clubs = [(name, np.array(places), _spreads(values, places)) for name, places in groups.items()]
+    length = "carry" if any("carry" in each for _, _, each in clubs) else "ball_speed"
+    clubs.sort(key=lambda each: -each[2][length].mean if length in each[2] else math.inf)
+    shorter = [*(each[2] for each in clubs[1:]), {}]
     return [
-        ClubSummary(player, name, whole[places], spreads, _gap(spreads, after))
-        for (name, places, spreads), after in zip(found, shorter, strict=True)
+        ClubSummary(player, name, whole[places], spreads, _gap(spreads.get("carry"), after.get("carry")))
+        for (name, places, spreads), after in zip(clubs, shorter, strict=True)
     ]
 
 
-def _spreads(values: Mapping[str, NDArray[np.float64]], places: list[int]) -> dict[str, Spread]:
-    found = {}
+def _spreads(values: Mapping[str, Floats], places: list[int]) -> dict[str, Spread]:
+    spreads = {}
     for name in QUANTITIES:
-        told = values[name][places] if name in values else np.empty(0)
-        told = told[np.isfinite(told)]
-        if told.size:
-            deviation = float(told.std(ddof=1)) if told.size > 1 else math.nan
-            found[name] = Spread(told.size, float(told.mean()), deviation)
-    return found
+        measured = values[name][places] if name in values else np.empty(0)
+        measured = measured[np.isfinite(measured)]
+        if measured.size:
+            deviation = float(measured.std(ddof=1)) if measured.size > 1 else math.nan
+            spreads[name] = Spread(measured.size, float(measured.mean()), deviation)
+    return spreads
 
 
-def _gap(longer: Mapping[str, Spread], shorter: Mapping[str, Spread] | None) -> Gap | None:
-    if shorter is None or "carry" not in longer or "carry" not in shorter:
+def _gap(longer: Spread | None, shorter: Spread | None) -> Gap | None:
+    if longer is None or shorter is None:
         return None
-    one, other = longer["carry"], shorter["carry"]
-    return Gap(one.mean - other.mean, math.hypot(one.error, other.error))
+    return Gap(longer.mean - shorter.mean, math.hypot(longer.error, shorter.error))
+
+
+def session_result(shots: RecordedShots) -> Result:
+    """Return counts, means, spreads and gaps of each club, with the picture of where its shots land."""
+    clubs = summarised(shots)
+    return Result(
+        "session-summary",
+        f"{shots.source} ({shots.format})",
+        tables=(_clubs_table(clubs), rejected_table(shots.rejected, shots.row_word)),
+        notes=(*free_text(shots.notes), *_remarks(clubs)),
+        provenance=Provenance(inputs={"file": shots.source, "read as": shots.format}),
+        draw=lambda: [session_picture(shots, clubs)],
+    )
+
+
+def _clubs_table(clubs: Sequence[ClubSummary]) -> Table:
+    measured = [name for name in QUANTITIES if any(name in each.spreads for each in clubs)]
+    several = any(each.player for each in clubs)
+    columns = [
+        text("player", [each.player for each in clubs], printed=False),
+        text("whose", [each.player or "not named" for each in clubs], label="player", in_files=False)
+        if several
+        else None,
+        text("club", [each.club for each in clubs], printed=False),
+        text("named", [each.club or "without a name" for each in clubs], label="club", in_files=False),
+        text("shots", [each.places.size for each in clubs]),
+    ]
+    for name in measured:
+        spreads = [each.spreads.get(name) for each in clubs]
+        columns += [
+            column(name, [math.nan if each is None else each.mean for each in spreads]),
+            column(f"{name}_deviation", [math.nan if each is None else each.deviation for each in spreads], name,
+                   label="±"),
+            text(f"{name}_shots", [0 if each is None else each.shots for each in spreads], printed=False),
+        ]  # fmt: skip
+    if any(each.gap for each in clubs):
+        gaps = [each.gap or Gap(math.nan, math.nan) for each in clubs]
+        columns += [
+            column("gap", [each.length for each in gaps], "carry", label="gap"),
+            column("gap_error", [each.error for each in gaps], "carry", printed=False),
+        ]
+    return table("clubs", *columns)
+
+
+def _remarks(clubs: Sequence[ClubSummary]) -> Iterator[Note]:
+    yield note("session-deviation")
+    for name in dict.fromkeys(name for each in clubs for name in each.spreads):
+        counts = [(each, each.spreads[name].shots) for each in clubs if name in each.spreads]
+        if few := [f"{count} of {each.places.size} of {each.title}" for each, count in counts
+                   if count < each.places.size]:  # fmt: skip
+            yield note("session-partly-measured", quantity=name.replace("_", " "), counts=few)
+    for longer, shorter in pairwise(clubs):
+        if longer.gap is not None and not longer.gap.length > SURE * longer.gap.error:
+            data = {"longer": longer.title, "shorter": shorter.title, "gap_carry": longer.gap.length}
+            if math.isnan(longer.gap.error):
+                yield note("session-gap-of-a-single-shot", **data)
+            else:
+                yield note("session-gap-not-sure", **data, error_carry=longer.gap.error)
+
+
+def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Picture:
+    """Return the picture of a session: where shots land, with an ellipse of one standard deviation, carries and gaps.
+
+    Raises
+    ------
+    InputError
+        The file has no carry.
+    """
+    drawn = [each for each in clubs if "carry" in each.spreads]
+    if not drawn:
+        raise InputError("picture", Told("of carries"), "leave it out: the file has no carry")
+    landings: list[Mark] = [Mark("rule", x=0.0, style=-1)]
+    carries: list[Mark] = []
+    for place, each in enumerate(drawn):
+        if "side" in each.spreads:
+            landings += _landings(shots, each, place)
+        carry = each.spreads["carry"]
+        spread = 0.0 if carry.shots < 2 else carry.deviation
+        carries.append(Mark("intervals", x=[place], y=[carry.mean], y0=[carry.mean - spread], y1=[carry.mean + spread],
+                            style=place, symbol=str(place), size=5.0))  # fmt: skip
+        label = f"{from_si(carry.mean, 'yd'):.0f}" + (f"\ngap {from_si(each.gap.length, 'yd'):.0f}" if each.gap else "")
+        carries.append(
+            Mark("points", x=[place], y=[carry.mean], texts=[label], style=place, symbol=str(place), size=5.0)
+        )
+    names = [f"{each.player}: {each.club or 'without a name'}" if each.player else each.club or "without a name"
+             for each in drawn]  # fmt: skip
+    ends = [shots.launches["carry"][each.places] for each in drawn]
+    low, high = (float(each(np.concatenate(ends))) for each in (np.nanmin, np.nanmax))
+    carry_axis = axis("carry", limits=(low - 0.1 * (high - low + 1.0), high + 0.12 * (high - low + 1.0)))
+    panels = [
+        Panel(
+            carries,
+            Axis(names=names, limits=(-0.5, len(names) - 0.5)),
+            carry_axis,
+            "carry, standard deviation, and gap to the next club (yd)",
+        )
+    ]
+    if len(landings) > 1:
+        panels.insert(0, Panel(landings, axis("side", "side, to the right"), carry_axis,
+                               "landings, one standard deviation"))  # fmt: skip
+    return Picture("session", "Where the shots of each club land, and how far the clubs carry", [panels], height=4.4,
+                   share_y=True)  # fmt: skip
+
+
+def _landings(shots: RecordedShots, club: ClubSummary, place: int) -> Iterator[Mark]:
+    """Yield the landings of a club, and their ellipse where there are enough."""
+    points = np.array([shots.launches[name][club.places] for name in ("side", "carry")])
+    points = points[:, np.isfinite(points).all(axis=0)]
+    yield Mark(
+        "points", x=points[0], y=points[1], label=club.title, style=place, symbol=str(place), size=3.0, faint=True
+    )
+    if points.shape[1] >= FEWEST:
+        sizes, directions = np.linalg.eigh(np.cov(points))
+        turn = np.linspace(0.0, 2.0 * np.pi, 73)
+        circle = np.sqrt(np.maximum(sizes, 0.0))[:, None] * np.array([np.cos(turn), np.sin(turn)])
+        x, y = points.mean(axis=1)[:, None] + directions @ circle
+        yield Mark("outline", x=x, y=y, style=place, dash=0, size=1.2)

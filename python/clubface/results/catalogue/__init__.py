@@ -7,6 +7,7 @@ from clubface.results.catalogue.design import SENTENCES as _DESIGN
 from clubface.results.catalogue.equipment import SENTENCES as _EQUIPMENT
 from clubface.results.catalogue.inference import SENTENCES as _INFERENCE
 from clubface.results.catalogue.shot import SENTENCES as _SHOT
+from clubface.results.catalogue.shots import SENTENCES as _SHOTS
 from clubface.results.catalogue.validation import SENTENCES as _VALIDATION
 
 SENTENCES: dict[str, str] = {
@@ -15,5 +16,6 @@ SENTENCES: dict[str, str] = {
     **_EQUIPMENT,
     **_INFERENCE,
     **_SHOT,
+    **_SHOTS,
     **_VALIDATION,
 }
