@@ -16,12 +16,18 @@ def of_quantity(document, name):
 
 
 def test_the_golfers_are_listed_and_shown_with_their_sources(clubface_):
-    assert [each["name"] for each in clubface_("golfer", "list", "--json").json] == list(golfers())
+    assert [each["name"] for each in clubface_("golfer", "list", "--json").json["tables"]["golfers"]["rows"]] == list(
+        golfers()
+    )
     assert "bogey-driver" in clubface_("golfer", "list").out
     shown = " ".join(clubface_("golfer", "show", "bogey-driver").out.split())
-    for words in ("face deg -0.50 2.90", "Broadie and Ko (2009)", "TrackMan (2024)", "15 % of the shots are mishits"):
+    for words in ("face angle deg -0.50 2.90", "Broadie and Ko (2009)", "TrackMan (2024)"):
         assert words in shown
-    assert clubface_("golfer", "show", "bogey-driver", "--json").json["mean"][0] == pytest.approx(92 * 0.44704)
+    document = clubface_("golfer", "show", "bogey-driver", "--json").json
+    row = document["tables"]["delivery"]["rows"][0]
+    assert (row["variable"], row["mean"], row["unit"]) == ("speed", pytest.approx(92 * 0.44704), "m/s")
+    (mishits,) = (each["data"] for each in document["notes"] if each["code"] == "golfer-mishits")
+    assert mishits == {"percent": 15.0, "scale": 2.0}
 
 
 def test_a_golfer_that_was_written_is_one_to_start_from(clubface_, tmp_path):
@@ -87,7 +93,7 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     assert_mistake(clubface_(*estimate, "--like", str(mine), "-o", str(mine)), "--output", "another file")
     assert_mistake(clubface_(*estimate, "--ball", "distance"), "--ball")
     written = clubface_("golfer", "show", str(mine), "-o", str(tmp_path / "other.toml"), "--json")
-    assert written.json["name"] == "mine"
+    assert written.json["values"]["name"] == "mine"
 
 
 def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_delivers(clubface_, tmp_path):
@@ -157,10 +163,14 @@ def test_a_golfer_in_whom_little_varies_is_hit_with(clubface_, tmp_path, spread,
 
 
 def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
-    rows = clubface_("best-loft", "--speed", "100 mph", "--attack", "0 deg", "--json").json["rows"]
-    assert np.degrees(rows[0]["loft"]) == pytest.approx(14.3, abs=1.5)
-    assert "on average" in clubface_("best-loft", "--chart", "trackman").out
-    assert len(clubface_("best-loft", "--chart", "ping", "--json").json["rows"]) == 121
+    tables = clubface_("best-loft", "--speed", "100 mph", "--attack", "0 deg", "--json").json["tables"]
+    assert tables["best_lofts"]["rows"][0]["loft_deg"] == pytest.approx(14.3, abs=1.5)
+    tables = clubface_("best-loft", "--chart", "trackman", "--json").json["tables"]
+    away = [each["loft_deg"] - each["published_loft_deg"] for each in tables["best_lofts"]["rows"]]
+    loft = tables["differences"]["rows"][0]
+    means = [loft["mean"], loft["least"], loft["greatest"]]
+    assert means == pytest.approx([np.mean(away), min(away), max(away)])
+    assert len(clubface_("best-loft", "--chart", "ping", "--json").json["tables"]["best_lofts"]["rows"]) == 121
 
 
 @pytest.mark.parametrize(

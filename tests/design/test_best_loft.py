@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from clubface.design.best_loft import beside_ping, beside_trackman, best_loft
+from clubface.design.best_loft import best_loft, compare_with_chart
 from clubface.design.dispersion import Hitting
 from clubface.design.golfer import golfer
 from clubface.design.variance import by_derivatives
@@ -19,7 +19,8 @@ def test_within_a_degree_and_a_half_of_trackmans_chart():
     """80, 100 and 120 mph at -5, 0 and +5 degrees among the 30 rows."""
     import clubface
 
-    found, published = beside_trackman()
+    compared = compare_with_chart("trackman")
+    found, published = compared.best, compared.published
     away = (found.loft - published["dynamic_loft"]) / DEG
     assert len(away) == 30
     assert np.abs(away).max() < 1.5
@@ -43,7 +44,8 @@ def test_near_pings_chart_in_launch_and_spin():
     """Launches at ball speeds of 120 mph and more, as drives have, of strikes 3 mm above the face centre, which is the
     median of public drives; TrackMan's differ from them by as much. Not those of attack angles beyond 4 degrees: there
     the drag that rises where balls slow takes more from a high ball of little spin than PING has it, see the page."""
-    found, published = beside_ping(high="3 mm")
+    compared = compare_with_chart("ping", high="3 mm")
+    found, published = compared.best, compared.published
     drives = (published["ball_speed"] / MPH > 119.0) & (np.abs(published["attack"]) < 4.5 * DEG)
     assert drives.sum() == 35
     assert found.ball_speed[drives] == pytest.approx(published["ball_speed"][drives], rel=2e-3)

@@ -231,7 +231,8 @@ def test_a_number_in_degrees_or_miles_is_not_taken_for_si(part, given, name):
 def test_the_page_tells_what_rests_on_each_assumed_figure():
     """The table of docs/dispersion.md, to the digits that it shows."""
     import clubface
-    from clubface.design.golfer_estimate import doubts, is_assumed
+    from clubface.design.golfer import is_assumed
+    from clubface.design.golfer_estimate import doubts
 
     page = Path(__file__).parents[2].joinpath("docs", "dispersion.md").read_text()
     rows = re.findall(r"^\| `(\S+-(?:driver|iron))` \| ([a-z, ]+) \| ([\d.]+) yd \| (.*) \|$", page, re.MULTILINE)

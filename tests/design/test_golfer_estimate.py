@@ -17,6 +17,11 @@ NAMES = ("speed", "path", "loft", "face", "toe", "high")
 SPREAD = np.array([0.5, 1.5 * DEG, 1.2 * DEG, 2.0 * DEG, 8e-3, 6e-3])
 
 
+def codes(estimate):
+    """The data of its notes by their code."""
+    return {each.code: each.data for each in estimate.notes}
+
+
 def known(**changes):
     correlation = np.eye(6)
     correlation[1, 3] = correlation[3, 1] = 0.5
@@ -44,7 +49,7 @@ def test_drift_does_not_count():
     found = estimate_golfer(hit(known(), 200, 1, drift=1.5))
     assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.2)
     assert found.drift.min() > 1.15
-    assert any("drifted" in note for note in found.notes)
+    assert "golfer-drifted" in codes(found)
     still = estimate_golfer(hit(known(), 200, 1))
     assert spreads(still) == pytest.approx(spreads(found), rel=0.03)
     place = [found.golfer.variables.index(name) for name in ("path", "face")]
@@ -122,7 +127,7 @@ def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
     assert found.golfer.source("mishits") == "measured: shots.csv"
     few = estimate_golfer(hit(known(), 20, 3)).golfer
     assert few.source("mishits") == "assumed: as of handicap-5-driver"  # 20 shots tell nothing of them
-    assert any("not measured" in note for note in found.notes)
+    assert "golfer-not-measured" in codes(found)
 
 
 def test_a_left_handers_shots_make_a_left_hander_who_hits_a_left_handed_club():
@@ -150,7 +155,7 @@ def test_what_is_the_same_in_every_shot_tells_the_mean_alone():
     assert found.golfer.mean[place] == 3.0 * DEG
     assert found.golfer.spread[place] == pytest.approx(like.spread[like.variables.index("lie")])
     assert found.golfer.source("mean of lie") == "the same in every shot: shots.csv"
-    assert any("the same in every shot" in note and "lie" in note for note in found.notes)
+    assert codes(found)["golfer-same-in-every-shot"]["names"] == ["lie"]
     assert "lie" not in found.measured
 
 
@@ -246,7 +251,7 @@ def test_the_report_of_ten_shots_works_however_strong_their_correlations():
     speed, path = 45.0 + 0.5 * drawn[:, 0], 1.5 * DEG * (drawn[:, 1] + 0.3 * drawn[:, 3])
     face, loft = 2.0 * DEG * drawn[:, 1], -1.5 * DEG * (drawn[:, 1] - 0.3 * drawn[:, 2])
     found = estimate_golfer(session(speed=speed, path=path, face=face, loft=14.0 * DEG + loft))
-    assert any("Ledoit" in note for note in found.notes)
+    assert "golfer-shrunk" in codes(found)
     doubt = doubts(found.golfer, clubface.club("driver"), count=64)
     assert "correlation" in [each.figure for each in doubt.figures]
 
@@ -277,7 +282,7 @@ def test_the_shots_that_a_dispersion_writes_give_the_golfer_back(tmp_path, name)
     assert np.abs(np.log(found.golfer.spread / of.spread)[places]).max() < (4.0 * found.error / of.spread[places]).max()
     assert found.drift == pytest.approx(1.0, abs=0.12)
     assert found.golfer.correlation == pytest.approx(of.correlation, abs=0.3)
-    assert not any("order of play" in note or "drifted" in note for note in found.notes)
+    assert not {"golfer-disorder", "golfer-drifted"} & set(codes(found))
 
 
 def test_the_rows_of_a_dispersion_are_the_same_for_the_same_seed(tmp_path):
@@ -300,6 +305,6 @@ def test_rows_that_are_not_in_the_order_of_play_give_the_spread_about_the_mean(s
         values = {name: each[order] for name, each in values.items()}
     found = estimate_golfer(session(**values))
     assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.2)
-    assert any("order of play" in note for note in found.notes)
+    assert "golfer-disorder" in codes(found)
     speed = found.drift[found.measured.index("speed")]
     assert speed > 5.0 if sort else found.drift.min() < 0.9

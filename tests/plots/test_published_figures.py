@@ -13,8 +13,8 @@ from fem_runs import coarse_drive
 
 pytest.importorskip("matplotlib")
 
-from clubface.design.best_loft import Beside
-from clubface.design.pictures import chart_figure
+from clubface.design.best_loft import ChartComparison
+from clubface.design.best_loft_result import chart_picture
 from clubface.fem.pictures import paper_figure, sweep_figure
 from clubface.inference.evaluation import published
 from clubface.inference.evaluation.result import error_picture
@@ -116,15 +116,15 @@ def test_the_pga_averages_of_2023_are_those_of_the_chart():
         assert [drawn[club] for club in ("driver", "6-iron", "pitching-wedge")] == pytest.approx(expected)
 
 
-@pytest.mark.parametrize(("table", "column", "unit"), [
-    ("optimum-trackman-2010", "dynamic_loft", "deg"), ("optimum-ping-2019", "launch", "deg"),
-])  # fmt: skip
-def test_a_chart_of_best_lofts_is_drawn_as_it_was_published(table, column, unit):
+@pytest.mark.parametrize(
+    ("chart", "table", "column"),
+    [("trackman", "optimum-trackman-2010", "dynamic_loft"), ("ping", "optimum-ping-2019", "launch")],
+)
+def test_a_chart_of_best_lofts_is_drawn_as_it_was_published(chart, table, column):
     rows = published_data.table(table)
-    found = SimpleNamespace(loft=rows[column] + 0.01)
-    of = Beside(found, dict(rows.columns))
-    figure = chart_figure(of, {"loft": (column, "loft", unit)}, table)
-    assert figure.axes[0].lines[1].get_xdata() == pytest.approx(rows.get(column, unit))
+    best = SimpleNamespace(**{name: np.zeros(len(rows[column])) for name in ("loft", "launch", "spin", "carry")})
+    picture = chart_picture(ChartComparison(chart, best, dict(rows.columns)))
+    assert picture.panels()[0].marks[1].x == pytest.approx(rows[column])
 
 
 def test_published_errors_are_drawn_at_their_values():

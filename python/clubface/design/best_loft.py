@@ -7,27 +7,42 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from functools import partial
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from clubface import published_data, units
+from clubface.design.best_loft_result import best_loft_result, chart_result
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Told
+from clubface.results.result import Described, Result
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Parameters, impact
+from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
-from clubface.support.checks import without_warnings
+from clubface.support.checks import check_choice, without_warnings
 
 LEAST, MOST = np.radians(-2.0), np.radians(50.0)
 """Between which lofts [rad] the best is looked for."""
 POINTS, ROUNDS = 27, 4
 """Lofts tried at a time, and how often the steps about the best are made finer, 13 times each time."""
-CHARTS = {"trackman": "optimum-trackman-2010", "ping": "optimum-ping-2019"}
-"""The tables of the published charts."""
+
+
+class Chart(NamedTuple):
+    """A published chart: whose it is, the name of its table, and which values of :class:`BestLoft` it has."""
+
+    owner: str
+    table: str
+    compared: tuple[str, ...]
+
+
+CHARTS = {
+    "trackman": Chart("TrackMan", "optimum-trackman-2010", ("loft", "launch", "spin", "carry")),
+    "ping": Chart("PING", "optimum-ping-2019", ("launch", "spin")),
+}
 BEYOND = np.radians(15.0)
 """How much more loft than attack angle [rad] a shot has that is hit to see why none flies."""
 HALVINGS = 14
@@ -36,7 +51,8 @@ SMASH = 1.46
 """Ball speed over club speed to begin with, where the ball speed is wanted."""
 
 
-class BestLoft(NamedTuple):
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BestLoft(Described):
     """The shots of the longest carry, each value an array over the cases, SI and radians.
 
     Attributes
@@ -49,6 +65,10 @@ class BestLoft(NamedTuple):
         What it gives; the spin is the total spin.
     within
         How far from the best a loft may be, below and above, before a yard of carry is lost, shape (cases, 2).
+    flown
+        The launches.
+    air, wind
+        Those of the flights.
     """
 
     speed: Floats
@@ -60,6 +80,13 @@ class BestLoft(NamedTuple):
     carry: Floats
     total: Floats
     within: Floats
+    flown: Launch
+    air: Any = None
+    wind: Any = None
+
+    def to_result(self) -> Result:
+        """Return the best lofts as a result."""
+        return best_loft_result(self)
 
 
 def best_loft(
@@ -115,11 +142,12 @@ def best_loft(
 
     def hit(lofts: Floats) -> tuple[Any, Any]:
         nonlocal done
-        told = progress and partial(_told, progress, done, shots)
+        before = done
         with without_warnings(RangeWarning):
             launch = impact(
                 club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts},
-                on_error="nan", progress=told, **fixed,
+                on_error="nan",
+                progress=None if progress is None else lambda some: progress(before + some, shots), **fixed,
             )  # fmt: skip
             done += lofts.size
             return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
@@ -146,20 +174,10 @@ def best_loft(
         np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)
     )
     return BestLoft(
-        speed=speeds,
-        attack=attacks,
-        loft=best,
-        ball_speed=ball_speed,
-        launch=launched,
-        spin=spin,
-        carry=flight.carry[:, 0],
-        total=flight.total[:, 0],
+        speed=speeds, attack=attacks, loft=best, ball_speed=ball_speed, launch=launched, spin=spin,
+        carry=flight.carry[:, 0], total=flight.total[:, 0], flown=launch, air=air, wind=wind,
         within=_within(lambda lofts: hit(lofts)[1].carry, best, flight.carry[:, 0]),
-    )
-
-
-def _told(progress: Callable[[int, int], object], before: int, shots: int, some: int) -> None:
-    progress(before + some, shots)
+    )  # fmt: skip
 
 
 def _reached(distance: Floats) -> Floats:
@@ -180,39 +198,74 @@ def _within(distance: Any, best: Floats, reached: Floats) -> Floats:
     return np.stack(found, axis=1)
 
 
-class Beside(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class ChartComparison(Described):
     """Best lofts and those of a published chart, in its order.
 
     Attributes
     ----------
-    found
+    name
+        Of the chart: one of ``CHARTS``.
+    best
         What was found for the speeds and attack angles of the chart.
     published
         Columns of the chart [SI].
     """
 
-    found: BestLoft
+    name: str
+    best: BestLoft
     published: Mapping[str, Floats]
 
+    @property
+    def chart(self) -> str:
+        """Whose chart it is."""
+        return CHARTS[self.name].owner
 
-def beside_trackman(**options: Any) -> Beside:
-    """Return the best lofts for the rows of TrackMan's chart of 2010; options as for :func:`best_loft`."""
-    table = published_data.table(CHARTS["trackman"])
-    rows = table["optimum_of"] == "carry"
-    published = {name: table[name][rows] for name in table.columns if name != "optimum_of"}
-    return Beside(best_loft(published["club_speed"], published["attack"], **options), published)
+    @property
+    def table(self) -> str:
+        """Name of the published table."""
+        return CHARTS[self.name].table
+
+    @property
+    def compared(self) -> tuple[str, ...]:
+        """Values of :class:`BestLoft` that the chart has as well."""
+        return CHARTS[self.name].compared
+
+    def quantity(self, key: str) -> str:
+        """Return what a column of the chart is called here."""
+        return {"dynamic_loft": "loft", "club_speed": "speed"}.get(key, key)
+
+    def column(self, name: str) -> Floats:
+        """Return the column of the chart of a value of :class:`BestLoft`."""
+        return next(values for key, values in self.published.items() if self.quantity(key) == name)
+
+    def to_result(self) -> Result:
+        """Return best lofts and chart as a result."""
+        return chart_result(self)
 
 
-def beside_ping(**options: Any) -> Beside:
-    """Return the best launches for the rows of PING's chart of 2019, which gives ball speeds and no lofts.
+def compare_with_chart(chart: str, **options: Any) -> ChartComparison:
+    """Return the best lofts for the rows of a published chart.
 
-    Each club speed is that with which the longest drive has the published ball speed, after two corrections.
+    The chart of PING gives ball speeds and no lofts. Each club speed is that with which the longest drive has the
+    published ball speed, after two corrections.
+
+    Parameters
+    ----------
+    chart
+        "trackman", TrackMan's chart of 2010, or "ping", PING's of 2019.
+    **options
+        As for :func:`best_loft`.
     """
-    table = published_data.table(CHARTS["ping"])
-    published = {name: table[name] for name in table.columns}
+    check_choice("chart", chart, CHARTS)
+    table = published_data.table(CHARTS[chart].table)
+    rows = table["optimum_of"] == "carry" if "optimum_of" in table.columns else slice(None)
+    published = {name: table[name][rows] for name in table.columns if name != "optimum_of"}
+    if "club_speed" in published:
+        return ChartComparison(chart, best_loft(published["club_speed"], published["attack"], **options), published)
     speed = published["ball_speed"] / SMASH
-    found = best_loft(speed, published["attack"], **options)
+    best = best_loft(speed, published["attack"], **options)
     for _ in range(2):
-        speed = speed * published["ball_speed"] / found.ball_speed
-        found = best_loft(speed, published["attack"], **options)
-    return Beside(found, published)
+        speed = speed * published["ball_speed"] / best.ball_speed
+        best = best_loft(speed, published["attack"], **options)
+    return ChartComparison(chart, best, published)

@@ -242,6 +242,13 @@ class Golfer:
         correlated = int((self.correlation != 0.0).sum()) > len(self.variables)
         return names + ["correlation"] * correlated + ["mishits"] * (self.mishit_share > 0.0)
 
+    def figures_by_source(self) -> dict[str, list[str]]:
+        """Return the names of all figures in words, by their source."""
+        found: dict[str, list[str]] = {}
+        for figure in self.figures():
+            found.setdefault(self.source(figure), []).append(figure.replace("_", " "))
+        return found
+
     def delivery(self) -> Delivery:
         """Return the mean delivery."""
         return Delivery(**dict(zip(self.variables, map(float, self.mean), strict=True)))
@@ -516,12 +523,15 @@ def written(value: float, name: str) -> str:
     return f"{0.0 if math.isclose(number, 0.0, abs_tol=1e-14) else number:.12g} {unit}"
 
 
+def is_assumed(of: Golfer, figure: str) -> bool:
+    """Return whether a figure of a golfer has no published or measured source."""
+    return of.source(figure).startswith(ASSUMED)
+
+
 def golfer_sources(of: Golfer) -> list[str]:
     """Return where the figures of a golfer come from, those of one source together."""
-    figures: dict[str, list[str]] = {}
-    for figure in of.figures():
-        figures.setdefault(of.source(figure), []).append(figure.replace("_", " "))
-    return [f"Golfer {of.title or of.name}, {', '.join(names)}: {source}" for source, names in figures.items()]
+    sources = of.figures_by_source().items()
+    return [f"Golfer {of.title or of.name}, {', '.join(figures)}: {source}" for source, figures in sources]
 
 
 def golfers() -> tuple[str, ...]:

@@ -28,17 +28,18 @@ figure and not of the sample.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from clubface.design.dispersion import dispersion
-from clubface.design.golfer import ASSUMED, Golfer, golfer as golfer_named, golfers
+from clubface.design.golfer import Golfer, golfer as golfer_named, golfers, is_assumed
 from clubface.equipment.clubs import Club
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
+from clubface.results.notes import Note, free_text, note
 from clubface.shots.formats import CG, FACE
 from clubface.shots.measured import ReadyShots, ready_shots
 from clubface.shots.recorded import RecordedShots
@@ -256,7 +257,7 @@ class Estimate(NamedTuple):
     drift: Floats
     shrinkage: float
     like: str
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
 
     def __repr__(self) -> str:
         return f"estimated from {self.shots} shots; measured: {', '.join(self.measured)}\n{self.golfer}"
@@ -336,7 +337,7 @@ def estimate_golfer(
         drift = values.std(axis=0, ddof=1) / total[[fitted.variables.index(each) for each in names]]
     else:
         drift = 1.0 / np.sqrt(_zigzag(before))
-    notes = _notes(shots, len(values), names, base, drift, same, order, shrinks)
+    notes = tuple(_notes(shots, len(values), names, base, drift, same, order, shrinks))
     return Estimate(fitted, len(values), names, error, drift, shrinks, base.name, notes)
 
 
@@ -443,39 +444,28 @@ def _together(
 def _notes(
     shots: ReadyShots, count: int, names: tuple[str, ...], base: Golfer, drift: Floats, same: Mapping[str, float],
     order: str | None, shrinks: float,
-) -> tuple[str, ...]:  # fmt: skip
-    found = list(shots.notes)
+) -> Iterator[Note]:  # fmt: skip
+    yield from free_text(shots.notes)
     if left := len(shots) - count:
-        found.append(f"{left} of {len(shots)} shots lack some of the club data and were left out")
-    missing = [name for name in base.variables if name not in names and name not in same]
+        yield note("golfer-shots-left-out", left=left, shots=len(shots))
     if same:
-        found.append(f"the same in every shot, and therefore spread as of {base.name}: {', '.join(same)}")
-    if missing:
-        found.append(f"not measured, and therefore as of {base.name}: {', '.join(missing)}")
+        yield note("golfer-same-in-every-shot", like=base.name, names=list(same))
+    if missing := [name for name in base.variables if name not in names and name not in same]:
+        yield note("golfer-not-measured", like=base.name, names=missing)
     if count < ENOUGH:
-        found.append(f"{count} shots tell nothing of mishits: they are taken as of {base.name}")
+        yield note("golfer-few-for-mishits", shots=count, like=base.name)
     if {"loft", "face"} & set(names) and shots.face_at != FACE:
-        found.append(
-            "where on the face loft and face angle were taken is not known, or not in all shots: what the curved face"
-            " adds off its centre may count twice"
-        )
+        yield note("golfer-place-of-face-unknown")
     if shots.speed_at != CG:
-        found.append("speed, attack angle and path are not all known to be those of the head's centre of gravity")
+        yield note("golfer-place-of-speed-unknown")
     if len(names) > 1 and shrinks >= 0.005:
-        found.append(
-            f"correlations from {count} shots are drawn towards 0 by {shrinks:.0%} (Ledoit and Wolf, 2004): the fewer"
-            " the shots, the more of them is chance"
-        )
+        yield note("golfer-shrunk", shots=count, shrinkage=shrinks)
     drifted = [name for name, ratio in zip(names, drift, strict=True) if ratio > 1.0 + 3.0 / np.sqrt(count)]
     if order is not None:
-        found.append(
-            f"{order}, so that they do not stand in the order of play: spreads are taken about the mean of the session,"
-            " and a drift would be in them"
-        )
+        yield note("golfer-disorder", reason=order)
     elif drifted:
-        found.append(f"the session drifted in {', '.join(drifted)}; the drift is not in the spreads")
-    found.append("the errors of the monitor are in the spreads")
-    return tuple(found)
+        yield note("golfer-drifted", names=drifted)
+    yield note("golfer-monitor-errors")
 
 
 OFF = 0.3
@@ -516,21 +506,19 @@ class Doubts(NamedTuple):
         Standard deviation [m] of each of ``QUANTITIES`` with all figures as they are.
     figures
         Each figure, the one that changes the landings most first.
+    shots
+        Shots of each change.
     """
 
     off: float
     spread: dict[str, float]
     figures: tuple[Doubt, ...]
+    shots: int = COUNT
 
     def changes(self, of: Doubt, name: str) -> tuple[float, float]:
         """Return by which share a quantity spreads more with the figure smaller and larger; 0 if it never differs."""
         now, (less, more) = self.spread[name], of.spread[name]
         return (less / now - 1.0, more / now - 1.0) if now > 0.0 else (0.0, 0.0)
-
-
-def is_assumed(golfer: Golfer, figure: str) -> bool:
-    """Return whether a figure of a golfer has no published or measured source."""
-    return golfer.source(figure).startswith(ASSUMED)
 
 
 def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) -> Doubts:
@@ -554,11 +542,11 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
         return {name: found.spread(name) for name in QUANTITIES}
 
     figures = []
-    for figure in _figures(player):
+    for figure in _varying(player):
         less, more = (spreads(changed(player, figure, factor)) for factor in (1.0 - off, 1.0 + off))
         told = {name: (less[name], more[name]) for name in QUANTITIES}
         figures.append(Doubt(figure, is_assumed(golfer, figure), told))
-    found = Doubts(off, spreads(player), tuple(figures))
+    found = Doubts(off, spreads(player), tuple(figures), count)
     order = sorted(figures, key=lambda each: -max(abs(found.changes(each, name)[1]) for name in QUANTITIES))
     return found._replace(figures=tuple(order))
 
@@ -591,8 +579,7 @@ def possible(correlation: Floats) -> Floats:
     return 0.5 * (scaled + scaled.T)
 
 
-def _figures(golfer: Golfer) -> list[str]:
-    found = [f"spread of {name}" for name, each in zip(golfer.variables, golfer.spread, strict=True) if each > 0.0]
-    if np.count_nonzero(golfer.correlation) > len(golfer.variables):
-        found.append("correlation")
-    return [*found, "mishits"] if golfer.mishit_share > 0.0 else found
+def _varying(golfer: Golfer) -> list[str]:
+    """Return the figures that spread the shots: spreads above 0, correlations and mishits."""
+    still = {f"spread of {name}" for name, each in zip(golfer.variables, golfer.spread, strict=True) if each == 0.0}
+    return [each for each in golfer.figures() if not each.startswith("mean") and each not in still]

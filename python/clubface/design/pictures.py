@@ -1,9 +1,5 @@
 """Pictures of designs: comparisons, dispersions, faces, golfers, best lofts, optima, fittings and searches.
 
-The picture of best lofts: by club speed, a line an attack angle, or beside a published chart.
-
-The picture of a golfer: how much more or less the landings spread if a figure of his delivery is off.
-
 The picture of an optimum: where the shots land before and after, and the front or the place within the bounds.
 
 The picture of a fitting: where the shots of the best combinations land, and how far the others are behind.
@@ -25,96 +21,17 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.design.best_loft import Beside, BestLoft
-from clubface.design.golfer_estimate import QUANTITIES as GOLFER_QUANTITIES, Doubts
 from clubface.design.optimisation.fitting import Combination, Fitting, told as combination_name
 from clubface.design.optimisation.fitting_run import landings
 from clubface.design.optimisation.landings import SHARE, own_value
 from clubface.design.optimisation.study import UNITS
 from clubface.design.shells.report import SHORT
 from clubface.design.shells.study import QUANTITIES as SHELL_QUANTITIES
-from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, styled
-from clubface.units import from_si
+from clubface.plots import COLOURS, DASHES, WIDTH, styled
 
 if TYPE_CHECKING:
     from clubface.design.optimisation.result import Optimum
     from clubface.design.shells.run import Improved
-
-
-@styled
-def best_loft_figure(of: BestLoft) -> Figure:
-    """Draw loft and carry over the club speed; bars reach as far as a yard of carry is lost."""
-    figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
-    lofts, carries = figure.subplots(1, 2)
-    for place, attack in enumerate(np.unique(of.attack)):
-        rows = of.attack == attack
-        order = np.argsort(of.speed[rows], kind="stable")
-        speed, loft, carry = (from_si(each[rows][order], unit) for each, unit in
-                              ((of.speed, "mph"), (of.loft, "deg"), (of.carry, "yd")))  # fmt: skip
-        look = {
-            "color": COLOURS[place % len(COLOURS)], "linestyle": DASHES[place % len(DASHES)],
-            "marker": MARKERS[place % len(MARKERS)], "label": f"attack {from_si(attack, 'deg') + 0.0:.3g}°",
-        }  # fmt: skip
-        lofts.errorbar(speed, loft, yerr=from_si(of.within[rows][order], "deg").T, capsize=2.0, elinewidth=0.7, **look)
-        carries.plot(speed, carry, **look)
-    lofts.set_ylabel("best dynamic loft (deg)")
-    lofts.set_title("Bars: within them less than a yard is lost")
-    carries.set_ylabel("carry (yd)")
-    carries.set_title("How far the ball carries with it")
-    for axes in (lofts, carries):
-        axes.set_xlabel("club speed (mph)")
-    lofts.legend()
-    return figure
-
-
-@styled
-def chart_figure(of: Beside, shown: Mapping[str, tuple[str, str, str]], chart: str) -> Figure:
-    """Draw what was found over what a chart has.
-
-    ``shown`` gives name in the chart, name of what was found and unit, by title.
-    """
-    panels: Sequence[tuple[str, tuple[str, str, str]]] = list(shown.items())
-    figure = Figure(figsize=(WIDTH, 2.4 * ((len(panels) + 1) // 2)), layout="constrained")
-    for axes, (title, (published, own, unit)) in zip(
-        figure.subplots((len(panels) + 1) // 2, 2).ravel(), panels, strict=False
-    ):
-        theirs, ours = from_si(of.published[published], unit), from_si(getattr(of.found, own), unit)
-        ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
-        axes.plot(ends, ends, color="0.6", linewidth=0.8)
-        axes.plot(theirs, ours, "o", color=COLOURS[0], alpha=0.8)
-        axes.set_xlabel(f"{chart} ({unit})")
-        axes.set_ylabel(f"found here ({unit})")
-        axes.set_title(title)
-    return figure
-
-
-GOLFER_BARS = 8
-"""Figures that are drawn: those that change the landings most."""
-
-
-@styled
-def golfer_figure(of: Doubts) -> Figure:
-    """Draw the change of the spread of carry and side, a bar a figure, hatched where it is assumed."""
-    figures = of.figures[:GOLFER_BARS]
-    figure = Figure(figsize=(WIDTH, 0.9 + 0.27 * len(figures)), layout="constrained")
-    for axes, name in zip(figure.subplots(1, 2, sharey=True), GOLFER_QUANTITIES, strict=True):
-        for row, each in enumerate(figures):
-            less, more = (100.0 * change for change in of.changes(each, name))
-            hatch = "////" if each.assumed else None
-            for value, colour in ((less, COLOURS[6]), (more, COLOURS[1])):
-                axes.barh(row, value, color=colour, hatch=hatch, edgecolor="white", linewidth=0.0)
-        axes.axvline(0.0, color="0.3", linewidth=0.8)
-        axes.set_yticks(range(len(figures)), [each.figure.replace("_", " ") for each in figures])
-        axes.set_ylim(len(figures) - 0.5, -0.5)
-        axes.set_xlabel(f"change of the spread of {name} (%)")
-        axes.set_title({"carry": "Short and long", "side": "Left and right"}[name])
-    handles = [
-        figure.axes[0].barh(-5, 0, color=colour, label=label)
-        for colour, label in ((COLOURS[6], f"{of.off:.0%} smaller"), (COLOURS[1], f"{of.off:.0%} larger"))
-    ]
-    handles.append(figure.axes[0].barh(-5, 0, color="0.7", hatch="////", edgecolor="white", label="assumed"))
-    figure.legend(handles=handles, loc="outside lower right", ncols=3)
-    return figure
 
 
 POINTS = 400

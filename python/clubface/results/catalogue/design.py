@@ -1,6 +1,22 @@
 """Sentences about comparisons, face maps, golfers, dispersions, best lofts and optimisations."""
 
 SENTENCES = {
+    "best-loft-delivered": (
+        "This is the loft that the face has when it meets the ball, not the one that is stamped on the club."
+    ),
+    "best-loft-inclined": (
+        "With a club that moves {attack:sides} at {speed:0}, the ball carries farthest with {loft} of loft at impact: "
+        "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than a yard."
+    ),
+    "best-loft-launch-difference": (
+        "The best launch here is {loft:higher/lower} than in the chart of {chart} on average."
+    ),
+    "best-loft-level": (
+        "With a club that moves level at {speed:0}, the ball carries farthest with {loft} of loft at impact: "
+        "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than a yard."
+    ),
+    "best-loft-loft-difference": ("The best loft here is {loft:higher/lower} than in the chart of {chart} on average."),
+    "best-loft-within": "the last two columns: with so much less or more loft a yard of carry is lost",
     "comparison-difference": (
         "Compared with {first}, with {name} the ball leaves {ball_speed:faster/slower}, spins {backspin:more/less 0} "
         "and carries {carry:farther/shorter}."
@@ -27,6 +43,56 @@ SENTENCES = {
     ),
     "dispersion-stroke-averages": "strokes: averages of the PGA Tour by distance and lie (Broadie, 2011 and 2012)",
     "dispersion-strokes": "On the hole given, the shot leaves {strokes:.2f} strokes to play, as tour players count.",
+    "golfer-all-assumed": (
+        "How much the shots differ from each other has no source, and counts as assumed for every part of the "
+        "delivery: take it as typical, not as measured."
+    ),
+    "golfer-disorder": (
+        "{reason}, so that they do not stand in the order of play: spreads are taken about the mean of the session, "
+        "and a drift would be in them"
+    ),
+    "golfer-doubt-carry": (
+        "The carry differs by {spread_carry} from shot to shot (standard deviation). It rests most on the {figure} "
+        "({state}): if that were {off:.0%} larger, the shots would differ by {more:.0%} more."
+    ),
+    "golfer-doubt-side": (
+        "Where the ball lands to the sides differs by {spread_carry} from shot to shot (standard deviation). It rests "
+        "most on the {figure} ({state}): if that were {off:.0%} larger, the shots would differ by {more:.0%} more."
+    ),
+    "golfer-drift": (
+        "drift compares the whole session with shots that follow each other: well above 1, something was changed on "
+        "the way; well below 1, the rows do not stand in the order of play; chance alone moves it by {chance:.2f} "
+        "(standard deviation)"
+    ),
+    "golfer-drifted": "the session drifted in {names}; the drift is not in the spreads",
+    "golfer-error": "error of ± is how well that is known, as a standard error",
+    "golfer-face-spread": "The face angle differs by {spread_face} from shot to shot.",
+    "golfer-few-for-mishits": "{shots:n shot} show nothing of mishits: they are taken as of {like}",
+    "golfer-list": "± is the standard deviation from shot to shot; clubface golfer show NAME gives the sources",
+    "golfer-mishits": "{percent:.3g} % of the shots are mishits, {scale:.3g} times as far off in everything",
+    "golfer-monitor-errors": "the errors of the monitor are in the spreads",
+    "golfer-not-measured": "not measured, and therefore as of {like}: {names}",
+    "golfer-place-of-face-unknown": (
+        "where on the face loft and face angle were taken is not known, or not in all shots: what the curved face adds "
+        "off its centre may count twice"
+    ),
+    "golfer-place-of-speed-unknown": (
+        "speed, attack angle and path are not all known to be those of the head's centre of gravity"
+    ),
+    "golfer-rest-assumed": "For the rest it is assumed.",
+    "golfer-same-in-every-shot": "the same in every shot, and therefore spread as of {like}: {names}",
+    "golfer-shots": "These figures come from {shots:n shot}, in the order in which they were hit.",
+    "golfer-shots-left-out": "{left} of {shots:n shot} lack some of the club data and were left out",
+    "golfer-shrunk": (
+        "correlations from {shots:n shot} are drawn towards 0 by {shrinkage:.0%} (Ledoit and Wolf, 2004): the fewer "
+        "the shots, the more of them is chance"
+    ),
+    "golfer-sourced": "How much these differ from shot to shot was measured or published: {names}.",
+    "golfer-source": "{figures}: {source}",
+    "golfer-speed": "The club reaches the ball at {speed:0}.",
+    "golfer-speed-spread": "Two shots of three are within {spread_speed} of that.",
+    "golfer-spread": "± is the standard deviation from shot to shot, mishits left out",
+    "golfer-weak-correlations": "{weak:n correlation} below ±{limit:g} are not listed",
     "map-centre": (
         "Struck at the centre of the face, {club} sends the ball off at {ball_speed} and carries it {carry:0}."
     ),

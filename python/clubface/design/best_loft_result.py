@@ -1,0 +1,144 @@
+"""Best lofts as results: by club speed and attack angle, or with those of a published chart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from clubface import published_data
+from clubface.quantities import quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.provenance import flight_conditions, provenance_of
+
+if TYPE_CHECKING:
+    from clubface.design.best_loft import BestLoft, ChartComparison
+
+SHOWN = {"loft": "loft", "ball_speed": "ball_speed", "launch": "launch", "spin": "total_spin", "carry": "carry"}
+"""Columns that are printed, and what they are of."""
+_SAME_ANGLE = 9e-4
+"""Attack angles below this are level [rad]."""
+
+
+def best_loft_result(of: BestLoft) -> Result:
+    """Return best lofts as a result."""
+    columns = (*_cases(of), *(_own(of, name) for name in SHOWN), *_other(of))
+    title = f"Best dynamic loft for carry: {of.flown.club.name}, {of.flown.model}"
+    return Result(
+        kind="best-loft", title=title, tables=(Table("best_lofts", columns),),
+        summary=(*_summary(of), note("best-loft-delivered")), notes=(note("best-loft-within"),),
+        provenance=provenance_of([of.flown], flight_conditions(of.air, of.wind)), draw=lambda: [best_loft_picture(of)],
+    )  # fmt: skip
+
+
+def chart_result(of: ChartComparison) -> Result:
+    """Return best lofts with those of a published chart as a result."""
+    best, chart = of.best, of.chart
+    columns = _cases(best)
+    for name in of.compared:
+        columns += [_own(best, name), column(f"published_{name}", of.column(name), SHOWN[name], label=chart)]
+    columns += [_own(best, name, printed=False) for name in SHOWN if name not in of.compared]
+    columns += _other(best, printed=False)
+    published = {of.quantity(name): name for name in of.published}
+    columns += [
+        column(f"published_{name}", of.published[key], SHOWN.get(name, name), printed=False)
+        for name, key in published.items()
+        if name not in of.compared
+    ]
+    kinds = [quantity(SHOWN[name]) for name in of.compared]
+    away = [getattr(best, name) - of.column(name) for name in of.compared]
+    differences = (
+        text("quantity", of.compared, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        *(Column(word, [float(pick(each)) for each in away], kinds, difference=True)
+          for word, pick in (("mean", np.mean), ("least", np.min), ("greatest", np.max))),
+    )  # fmt: skip
+    launch = "best-loft-launch-difference" if of.compared[0] == "launch" else "best-loft-loft-difference"
+    source = published_data.table(of.table).source
+    return Result(
+        kind="best-loft", title=f"Best dynamic loft for carry and the chart of {chart}: {best.flown.club.name}, "
+        f"{best.flown.model}",
+        tables=(
+            Table("best_lofts", tuple(columns)), Table("differences", differences, "Best less published"),
+        ),
+        summary=(
+            *_summary(best), note("best-loft-delivered"), note(launch, chart=chart, loft=float(np.mean(away[0]))),
+        ),
+        provenance=provenance_of(
+            [best.flown], flight_conditions(best.air, best.wind), [f"Chart of {chart}: {source}"]
+        ),
+        draw=lambda: [chart_picture(of)],
+    )  # fmt: skip
+
+
+def _cases(of: BestLoft) -> list[Column]:
+    return [column("speed", of.speed, digits=1), column("attack", of.attack)]
+
+
+def _own(of: BestLoft, name: str, *, printed: bool = True) -> Column:
+    label = "best loft" if name == "loft" else ""
+    return column(name, getattr(of, name), SHOWN[name], label=label or quantity(SHOWN[name]).label, printed=printed)
+
+
+def _other(of: BestLoft, *, printed: bool = True) -> list[Column]:
+    return [
+        column("total", of.total, printed=False),
+        column("yard_lost_less", of.within[:, 0], "loft", label="a yard is lost with less", printed=printed),
+        column("yard_lost_more", of.within[:, 1], "loft", label="or with more", printed=printed),
+    ]
+
+
+def _summary(of: BestLoft) -> Iterator[Note]:
+    """Yield the best loft of the slowest and the fastest club that moves most nearly level."""
+    level = abs(of.attack) == abs(of.attack).min()
+    for speed in sorted({float(of.speed[level].min()), float(of.speed[level].max())}):
+        place = int((level & (of.speed == speed)).argmax())
+        attack = float(of.attack[place])
+        less, more = map(float, of.within[place])
+        yield note(
+            "best-loft-level" if abs(attack) < _SAME_ANGLE else "best-loft-inclined", attack=attack, speed=speed,
+            loft=float(of.loft[place]), carry=float(of.carry[place]), less_loft=less, more_loft=more,
+        )  # fmt: skip
+
+
+def best_loft_picture(of: BestLoft) -> Picture:
+    """Return loft and carry over the club speed; bars reach as far as a yard of carry is lost."""
+    lofts, carries = [], []
+    for place, attack in enumerate(np.unique(of.attack)):
+        rows = np.flatnonzero(of.attack == attack)
+        rows = rows[np.argsort(of.speed[rows], kind="stable")]
+        speed, loft, carry = of.speed[rows], of.loft[rows], of.carry[rows]
+        label = f"attack {np.degrees(attack) + 0.0:.3g}°"
+        lofts += [
+            Mark("line", speed, loft, style=place, label=label),
+            Mark("intervals", speed, loft, y0=loft - of.within[rows, 0], y1=loft + of.within[rows, 1], style=place,
+                 symbol=str(place), label=label),
+        ]  # fmt: skip
+        carries += [
+            Mark("line", speed, carry, style=place, label=label),
+            Mark("points", speed, carry, style=place, symbol=str(place), label=label),
+        ]
+    panels: list[Panel | None] = [
+        Panel(lofts, axis("speed"), axis("loft", "best dynamic loft"), "Bars: within them less than a yard is lost"),
+        Panel(carries, axis("speed"), axis("carry"), "How far the ball carries with it"),
+    ]
+    return Picture("best-loft", "Best loft and its carry over the club speed", [panels], height=3.4, legend=True)
+
+
+def chart_picture(of: ChartComparison) -> Picture:
+    """Return what was found over what a chart has."""
+    panels: list[Panel | None] = []
+    for name in of.compared:
+        theirs, ours = of.column(name), getattr(of.best, name)
+        ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
+        marks = [Mark("line", ends, ends, style=-1, size=0.8, dash=0), Mark("points", theirs, ours)]
+        kind = SHOWN[name]
+        panels.append(Panel(marks, axis(kind, of.chart), axis(kind, "found here"), quantity(kind).label))
+    panels += [None] * (len(panels) % 2)
+    rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
+    return Picture(
+        "best-loft-chart", f"What was found here over what the chart of {of.chart} has", rows, height=2.5 * len(rows)
+    )

@@ -1,0 +1,211 @@
+"""Golfers as results: how they deliver the club, where each figure comes from, and what rests on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from clubface.design.golfer import Golfer, golfer_sources, is_assumed, to_toml
+from clubface.equipment.clubs import Club
+from clubface.quantities import Quantity, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.impact import impact
+from clubface.simulation.provenance import flight_conditions, provenance_of
+
+if TYPE_CHECKING:
+    from clubface.design.golfer_estimate import Doubts, Estimate
+
+WEAK = 0.2
+"""Correlations below this are counted but not printed: in a few dozen shots chance alone makes them."""
+MOST_BARS = 8
+"""Figures that are drawn: those that change the landings most."""
+
+
+def golfers_result(golfers: Sequence[Golfer]) -> Result:
+    """Return a list of golfers as a result."""
+    columns = (
+        text("name", [each.name for each in golfers], label="golfer"),
+        text("title", [each.title for each in golfers], printed=False),
+        text("club", [each.club for each in golfers], printed=False),
+        column("mean_speed", [_moment(each, "mean", "speed") for each in golfers], label="club speed", digits=0),
+        column("spread_speed", [_moment(each, "spread", "speed") for each in golfers], label="±"),
+        column("spread_face", [_moment(each, "spread", "face") for each in golfers], label="face ±"),
+        column("mishits", [each.mishit_share for each in golfers], "1", unit="%", digits=0),
+    )
+    return Result("golfers", "Golfers", (Table("golfers", columns),), notes=(note("golfer-list"),))
+
+
+def golfer_result(
+    of: Golfer, club: Club | None = None, estimate: Estimate | None = None, doubts: Doubts | None = None
+) -> Result:
+    """Return a golfer as a result.
+
+    Parameters
+    ----------
+    of
+        The golfer.
+    club
+        The club he hits; None where it is unknown.
+    estimate, doubts
+        From which shots he was estimated, and what rests on each figure.
+    """
+    launches = [] if club is None else [impact(club, of.for_hand(club.hand).delivery())]
+    inputs = {"golfer": of.title or of.name, "hand": "right" if of.hand > 0 else "left"}
+    if doubts is not None:
+        inputs |= {"shots of each change": str(doubts.shots), "seed": "0", **flight_conditions()}
+    title = f"{of.title or of.name} ({of.club})"
+    tables = [_delivery_table(of, estimate), *_correlation_tables(of)]
+    if doubts is not None and doubts.figures:
+        tables.append(_doubt_table(doubts))
+    values = [
+        text("name", [of.name], printed=False), text("title", [of.title], printed=False),
+        text("club", [of.club], printed=False),
+        text("hand", ["right" if of.hand > 0 else "left"], printed=False),
+        text("mishit_share", [of.mishit_share], printed=False), text("mishit_scale", [of.mishit_scale], printed=False),
+    ]  # fmt: skip
+    if estimate is not None:
+        title = f"{title}, {estimate.shots} shots"
+        values += [
+            text("shots", [estimate.shots], printed=False), text("shrinkage", [estimate.shrinkage], printed=False),
+            text("like", [estimate.like], printed=False),
+        ]  # fmt: skip
+    provenance = provenance_of(launches, inputs, golfer_sources(of))
+    return Result(
+        kind="golfer", title=title, values=tuple(values), tables=tuple(tables),
+        summary=tuple(_summary(of, estimate, doubts)), notes=tuple(_notes(of, estimate)),
+        provenance=provenance + Provenance(descriptions={f"{of.name}.toml": to_toml(of)}),
+        draw=None if doubts is None or not doubts.figures else lambda: [doubts_picture(doubts)],
+    )  # fmt: skip
+
+
+def _moment(of: Golfer, part: str, name: str) -> float | None:
+    return float(getattr(of, part)[of.variables.index(name)]) if name in of.variables else None
+
+
+def _finer(name: str) -> Quantity:
+    """Return a variable as a quantity, speeds and angles with a digit more."""
+    of = quantity(name)
+    return of._replace(golf=of.golf._replace(digits=2)) if of.golf.unit in ("mph", "deg") else of
+
+
+def _delivery_table(of: Golfer, estimate: Estimate | None) -> Table:
+    kinds = [_finer(name) for name in of.variables]
+    columns = [
+        text("variable", of.variables, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        Column("mean", of.mean.tolist(), kinds), Column("spread", of.spread.tolist(), kinds, "±"),
+    ]  # fmt: skip
+    if estimate is not None:
+        error, drift = (
+            dict(zip(estimate.measured, map(float, each), strict=True)) for each in (estimate.error, estimate.drift)
+        )
+        columns += [
+            Column("error_of_spread", [error.get(name) for name in of.variables], kinds, "error of ±"),
+            column("drift", [drift.get(name) for name in of.variables], "1", digits=2),
+        ]
+    return Table("delivery", tuple(columns))
+
+
+def _correlation_tables(of: Golfer) -> list[Table]:
+    pairs = [(one, other) for one in range(len(of.variables)) for other in range(one) if of.covariance[one, other]]
+    if not pairs:
+        return []
+    pairs.sort(key=lambda pair: -abs(of.correlation[pair]))
+    columns = (
+        text("one", [of.variables[one] for one, _ in pairs]),
+        text("other", [of.variables[other] for _, other in pairs]),
+        column("correlation", [float(of.correlation[pair]) for pair in pairs], "1", digits=2, difference=True),
+        text("covariance", [float(of.covariance[pair]) for pair in pairs], printed=False),
+    )  # fmt: skip
+    strong = [place for place, pair in enumerate(pairs) if abs(of.correlation[pair]) >= WEAK]
+    return [Table("correlations", columns, "Correlations", printed=bool(strong), shown_rows=strong)]
+
+
+def _doubt_table(of: Doubts) -> Table:
+    columns = [
+        text("figure", [each.figure.replace("_", " ") for each in of.figures]),
+        text("assumed", [each.assumed for each in of.figures]),
+    ]
+    for name, now in of.spread.items():
+        for place, way in enumerate(("smaller", "larger")):
+            changes = [of.changes(each, name)[place] for each in of.figures]
+            columns += [
+                column(f"{name}_change_{way}", changes, "1", label=f"{name} {way}", unit="%", digits=1,
+                       difference=True),
+                column(f"{name}_spread_{way}", [each.spread[name][place] for each in of.figures], "m", printed=False),
+            ]  # fmt: skip
+        columns.append(column(f"{name}_spread", [now] * len(of.figures), "m", printed=False))
+    return Table("doubts", tuple(columns), f"Change of the spread of the landings if a figure is {of.off:.0%} off")
+
+
+def _summary(of: Golfer, estimate: Estimate | None, doubts: Doubts | None) -> Iterator[Note]:
+    if estimate is not None:
+        yield note("golfer-shots", shots=estimate.shots)
+    yield note("golfer-speed", speed=_moment(of, "mean", "speed"))
+    for name in ("speed", "face"):
+        if spread := _moment(of, "spread", name):
+            yield note(f"golfer-{name}-spread", **{f"spread_{name}": spread})
+    if of.mishit_share > 0.0:
+        yield note("golfer-mishits", percent=100.0 * of.mishit_share, scale=of.mishit_scale)
+    varies = [name for name, spread in zip(of.variables, of.spread, strict=True) if spread > 0.0]
+    sourced = [name.replace("_", " ") for name in varies if not is_assumed(of, f"spread of {name}")]
+    if not sourced:
+        yield note("golfer-all-assumed")
+    else:
+        yield note("golfer-sourced", names=sourced)
+        if len(sourced) < len(varies):
+            yield note("golfer-rest-assumed")
+    if doubts is not None and doubts.figures:
+        for name in doubts.spread:
+            most = max(doubts.figures, key=lambda each, name=name: each.spread[name][1])
+            more = doubts.changes(most, name)[1]
+            yield note(
+                f"golfer-doubt-{name}", figure=most.figure.replace("_", " "), off=doubts.off, more=more,
+                state="assumed" if most.assumed else "sourced", spread_carry=doubts.spread[name],
+            )  # fmt: skip
+
+
+def _notes(of: Golfer, estimate: Estimate | None) -> Iterator[Note]:
+    yield note("golfer-spread")
+    if estimate is not None:
+        yield note("golfer-error")
+        yield note("golfer-drift", chance=0.5 / estimate.shots**0.5)
+    size = np.abs(of.correlation[np.tril_indices(len(of.variables), -1)])
+    if weak := int(((size >= 0.005) & (size < WEAK)).sum()):
+        yield note("golfer-weak-correlations", weak=weak, limit=WEAK)
+    if of.mishit_share > 0.0:
+        yield note("golfer-mishits", percent=100.0 * of.mishit_share, scale=of.mishit_scale)
+    if estimate is not None:
+        yield from estimate.notes
+        return
+    for source, figures in of.figures_by_source().items():
+        yield note("golfer-source", figures=figures, source=source)
+
+
+def doubts_picture(of: Doubts) -> Picture:
+    """Return how the spread of the landings changes if a figure is off; bars of assumed figures are faint."""
+    figures = of.figures[:MOST_BARS]
+    names = [each.figure.replace("_", " ") for each in figures]
+    panels: list[Panel | None] = []
+    for name, title in (("carry", "Short and long"), ("side", "Left and right")):
+        marks = [Mark("rule", x=0.0, style=-2)]
+        for way, style, place in (("smaller", 6, 0), ("larger", 1, 1)):
+            for assumed in (False, True):
+                rows = [row for row, each in enumerate(figures) if each.assumed == assumed]
+                change: list[Any] = [of.changes(figures[row], name)[place] for row in rows]
+                label = f"{of.off:.0%} {way}{', assumed' * assumed}"
+                if rows:
+                    marks.append(
+                        Mark("bars", np.array(change), np.array(rows), style=style, faint=assumed, label=label)
+                    )
+        y = axis(names=names, reversed=True) if not panels else axis(reversed=True, ticks=False)
+        panels.append(Panel(marks, axis("change", f"change of the spread of {name}", like="1", unit="%"), y, title))
+    return Picture(
+        "doubts", f"How much the spread of the landings changes if a figure is {of.off:.0%} smaller or larger",
+        [panels], height=1.2 + 0.27 * len(figures), legend=True,
+    )  # fmt: skip
