@@ -103,6 +103,7 @@ class Place:
         parameter = getattr(error, "parameter", None) or self.title
         names = [re.split(r" of |\[", parameter)[0]]
         names += [names[0].rpartition(".")[0]] * ("." in names[0])
+        names += [parameter.rpartition(" ")[2]] * (" " in parameter)
         if isinstance(error, UnknownNameError) and isinstance(error.value, str):
             names.append(error.value)  # the name that is unknown may be a key itself
         at = self.document.line_of(self.path)

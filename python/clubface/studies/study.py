@@ -31,8 +31,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from clubface import units
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
+from clubface.schema import NAME, TEXT, Choice, Place, Quantity, Record, Simple, Table, count, file_key
 from clubface.studies.axes import Axis, Swept, axis, inputs_named
 from clubface.studies.designs import (
     DESIGNS,
@@ -46,12 +46,11 @@ from clubface.studies.designs import (
     design,
     table_columns,
 )
-from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, Task, kind
-from clubface.support.checks import check_choice, check_name, is_count
+from clubface.studies.kinds.kind import KINDS, Column, Computed, DescribedStudy, Kind, Task, kind
+from clubface.support.checks import MOST_SEED
 from clubface.support.files import InputRecord, absolute
 from clubface.support.strict_toml import Document
 
-KEYS = ("name", "kind", "design", "samples", "seed", "chunk", "seconds", "units")
 SAMPLED = (HYPERCUBE, SOBOL)
 MOST_ROWS = 500_000
 """Tasks of a chunk."""
@@ -141,7 +140,7 @@ class StudyFile:
 
     def wrap(self, error: ClubfaceError) -> FileError:
         """Return an error about a value of the kind's table with file and line."""
-        return error if isinstance(error, FileError) else self.document.wrap(error, self.kind.name)
+        return error if isinstance(error, FileError) else Place(self.document, (self.kind.name,)).wrap(error)
 
 
 class Loaded:
@@ -170,61 +169,61 @@ def read_study(path: str | os.PathLike[str], inputs: InputRecord | None = None) 
         return _read(path, record)
 
 
-def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
-    document = Document.read(path)
-    data = document.data
-    head = _table(document, "study")
-    document.check_keys(head, KEYS, (), "study")
-    try:
-        chosen = kind(head.get("kind", "impact"))
-        check_choice("design", method := head.get("design", GRID), DESIGNS)
-        check_name(name := head.get("name", Path(path).stem))
-        if not is_count(seed := head.get("seed", 0), 0, 2**63 - 1):
-            raise InputError("seed", seed, "a whole number from 0")
-        chunk, seconds = _chunk(head)
-        table_units = _units(head, method)
-        for key in ("samples", "seed"):
-            if key in head and method not in SAMPLED:
-                raise InputError(key, head[key], f"leave it out of the design {method}, which is not sampled")
-    except ClubfaceError as error:
-        raise document.wrap(error, "study") from None
-    document.check_keys(data, ("study", chosen.name, "sweep"), ("sweep",))
-    table, sweep = _table(document, chosen.name), _table(document, "sweep")
-    document.check_keys(table, chosen.keys, (), chosen.name)
-    try:
-        known = chosen.swept(table, sweep)
-        sweep = _flat(sweep, known)
-    except ClubfaceError as error:
-        raise document.wrap(error, chosen.name) from None
-    try:
-        made = _design(document, known, sweep, (method, head.get("samples"), seed), table_units)
-        _check_held(document, chosen, table, {each.name: known[each.name] for each in made.axes})
-    except InputError as error:
-        if error.parameter == "samples" or (error.parameter or "").startswith("the unit of"):
-            raise document.wrap(error, "study") from None
-        raise document.error(str(error), error.parameter.rpartition(" ")[2], "sweep") from None
-    return StudyFile(
-        path=Path(path), name=name, kind=chosen, table=table, sweep=sweep, method=method, seed=seed,
-        design=Remembered(made), chunk=chunk, seconds=seconds, document=document, units=table_units,
-        inputs=inputs,
+@dataclass(frozen=True, kw_only=True)
+class StudyTable:
+    """How the tasks of a study are chosen and cut into chunks."""
+
+    name: str | None = file_key(NAME, "what it is called; the name of the file unless given", default=None)
+    kind: str = file_key(Choice(tuple(KINDS)), "what is computed", default="impact")
+    design: str = file_key(Choice(tuple(DESIGNS)), "how the tasks are chosen", default=GRID)
+    samples: Any = file_key(
+        Simple("a whole number"), "of a Latin hypercube (McKay et al. 1979) or a scrambled Sobol sequence", default=None
+    )
+    seed: int | None = file_key(count(0, MOST_SEED), "of the same", default=None)
+    chunk: int | None = file_key(count(1, MOST_ROWS), "tasks of a chunk", default=None)
+    seconds: float | None = file_key(
+        Quantity("s", 0.01, 600, allowed="from 0.01 to 600 s; 1 to 10 s are usual"),
+        "in its place: the time that a chunk should take on one processor; 2 s unless given",
+        default=None,
+    )
+    units: Mapping[str, str] = file_key(
+        Record(TEXT, example='{ speed = "mph", angle = "deg" }'),
+        "units of columns of the design `table` that name none", default_factory=dict,
     )  # fmt: skip
 
+    def __post_init__(self) -> None:
+        if self.chunk is not None and self.seconds is not None:
+            raise InputError("seconds", self.seconds, "leave it out, since the chunk is given")
+        for key in ("samples", "seed"):
+            if getattr(self, key) is not None and self.design not in SAMPLED:
+                allowed = f"leave it out of the design {self.design}, which is not sampled"
+                raise InputError(key, getattr(self, key), allowed)
+        if self.units and self.design != TABLE:
+            raise InputError("units", self.units, f"leave it out of the design {self.design}, which reads no table")
 
-def _units(head: Mapping[str, Any], method: str) -> Mapping[str, str]:
-    """Return the units of columns of the table that name none."""
-    given = head.get("units", {})
-    if not isinstance(given, dict) or not all(isinstance(each, str) for each in given.values()):
-        raise InputError("units", given, 'a table of units, as in { speed = "mph", angle = "deg" }')
-    if given and method != TABLE:
-        raise InputError("units", given, f"leave it out of the design {method}, which reads no table")
-    return given
 
-
-def _table(document: Document, name: str) -> dict[str, Any]:
-    found = document.data.get(name, {})
-    if not isinstance(found, dict):
-        raise document.error(f"{name} must be a table, [{name}]", name)
-    return found
+def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
+    document = Document.read(path)
+    data, place = document.data, Place(document)
+    head: StudyTable = Table(StudyTable).read(data.get("study", {}), place.key("study"))
+    chosen = kind(head.kind)
+    kinds = {"study": Simple(), chosen.name: Record(chosen.keys), "sweep": Record(Simple())}
+    Record(kinds, ("sweep",)).read(data, place)
+    table = data.get(chosen.name, {})
+    with Place(document, (chosen.name,)).errors():
+        known = chosen.swept(table, data["sweep"])
+        sweep = _flat(data["sweep"], known)
+    try:
+        made = _design(document, known, sweep, head)
+        _check_held(document, chosen, table, {each.name: known[each.name] for each in made.axes})
+    except InputError as error:
+        of_study = error.parameter == "samples" or error.parameter.startswith("the unit of")
+        raise Place(document, ("study" if of_study else "sweep",)).wrap(error) from None
+    return StudyFile(
+        path=Path(path), name=head.name or Path(path).stem, kind=chosen, table=table, sweep=sweep, method=head.design,
+        seed=head.seed or 0, design=Remembered(made), chunk=head.chunk, seconds=head.seconds or SECONDS,
+        document=document, units=head.units, inputs=inputs,
+    )  # fmt: skip
 
 
 def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
@@ -242,49 +241,27 @@ def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept:
     shared = {key: value for key, value in table.items() if key not in kind.apart}
     for name, place, _ in inputs_named(shared, swept):
         if name in swept:
-            inside, _, key = place.rpartition(".")
-            line = document.line(key, f"{kind.name}.{inside}" if inside else kind.name)
+            line = document.line_of((kind.name, *place.split(".")))
             where = f"as {place} of [{kind.name}]{'' if line is None else f' in line {line}'}"
             raise InputError(name, Told(f"held and swept, {where} and in [sweep]"), "given in one of both places alone")
 
 
-def _chunk(head: Mapping[str, Any]) -> tuple[int | None, float]:
-    """Return the tasks of a chunk, if they are given, and the time that it should take [s]."""
-    if "chunk" in head:
-        if "seconds" in head:
-            raise InputError("seconds", head["seconds"], "leave it out, since the chunk is given")
-        if not is_count(head["chunk"], 1, MOST_ROWS):
-            raise InputError("chunk", head["chunk"], f"a whole number of tasks from 1 to {MOST_ROWS}")
-        return head["chunk"], SECONDS
-    seconds = units.parse(head.get("seconds", SECONDS), "time", name="seconds")
-    if not 0.01 <= seconds <= 600.0:
-        raise InputError("seconds", head["seconds"], "from 0.01 to 600 s; 1 to 10 s are usual")
-    return None, seconds
-
-
-def _design(
-    document: Document,
-    known: Mapping[str, Swept],
-    sweep: Mapping[str, Any],
-    how: tuple[str, Any, int],
-    table_units: Mapping[str, str],
-) -> Design:
-    """Return the design of a study from what may be swept, its method, samples and seed, and units of its table."""
-    method, samples, seed = how
+def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], head: StudyTable) -> Design:
+    """Return the design of a study from what may be swept, and how it is chosen."""
     axes: list[Axis] = []
     for name, given in sweep.items():
         if name == TABLE:
             continue
         if name not in known:
-            raise document.error(str(UnknownNameError("input", name, known)), name, "sweep")
+            raise UnknownNameError("input", name, known)
         axes.append(axis(name, given, known[name]))
-    if method != TABLE:
+    if head.design != TABLE:
         if TABLE in sweep:
             raise InputError(TABLE, sweep[TABLE], 'leave it out, or write design = "table" under [study]')
-        return design(method, axes, samples, seed)
+        return design(head.design, axes, head.samples, head.seed or 0)
     if not isinstance(sweep.get(TABLE), str):
         raise InputError(TABLE, sweep.get(TABLE), 'the name of a file of the design "table", as in "deliveries.csv"')
-    columns = table_columns(Path(document.path).parent / sweep[TABLE], known, table_units)
+    columns = table_columns(Path(document.path).parent / sweep[TABLE], known, head.units)
     for each in axes:
         if each.name in columns:
             raise InputError(each.name, Told("given twice"), "in the table or in [sweep], not in both")

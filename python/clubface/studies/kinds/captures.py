@@ -16,9 +16,20 @@ from clubface.capture.synthetic.synthetic_swing import random_swing
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
+from clubface.schema import Choice, Quantity, count
 from clubface.simulation.results import inputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import Column, DescribedStudy, Kind, OneByOne, Values, chosen_columns, loaded
+from clubface.studies.kinds.kind import (
+    ONE_NAME,
+    OUTPUTS,
+    Column,
+    DescribedStudy,
+    Kind,
+    OneByOne,
+    Values,
+    chosen_columns,
+    loaded,
+)
 from clubface.support.checks import MOST_SEED, check_choice
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
@@ -82,4 +93,11 @@ def _task(study: DescribedStudy) -> OneByOne:
     return OneByOne(study, chosen_columns(table, columns, usual), compute)
 
 
-CAPTURES = Kind(name="capture", keys=(*NAMES, *NUMBERS, "outputs"), swept=_swept, task=_task)
+KEYS = {
+    "club": ONE_NAME,
+    "hand": Choice(HANDS),
+    "estimator": Choice(tuple(ESTIMATORS)),
+    **{name: count(*each.limits) if each.limits else Quantity(each.unit or "1") for name, each in NUMBERS.items()},
+    "outputs": OUTPUTS,
+}
+CAPTURES = Kind(name="capture", keys=KEYS, swept=_swept, task=_task)

@@ -10,11 +10,21 @@ from numpy.typing import NDArray
 
 from clubface.equipment.backends import MODULES
 from clubface.errors import InputError, Told
+from clubface.schema import Quantity, Record, Simple
 from clubface.simulation.impact import Tally
 from clubface.studies.axes import Swept, inputs_named, number
 from clubface.studies.designs import Design
 from clubface.studies.kinds.impacts import IMPACTS as IMPACT, Impacts
-from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, OneByOne, Values, chosen_columns
+from clubface.studies.kinds.kind import (
+    OUTPUTS,
+    Column,
+    Computed,
+    DescribedStudy,
+    Kind,
+    OneByOne,
+    Values,
+    chosen_columns,
+)
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
 from clubface.support.checks import check_names
 
@@ -93,7 +103,13 @@ class Comparisons:
         return Computed(found, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
 
 
-COMPARISONS = Kind(name="comparison", keys=(*IMPACT.keys, OTHER), swept=swept_shots, task=Comparisons, apart=(OTHER,))
+OTHER_SHOT = Record(
+    {name: Record(Simple()) if name == "held" else each for name, each in KEYS.items()},
+    example='other = { club = "3-wood" }',
+)
+COMPARISONS = Kind(
+    name="comparison", keys={**IMPACT.keys, OTHER: OTHER_SHOT}, swept=swept_shots, task=Comparisons, apart=(OTHER,)
+)
 
 
 PLACE = {"spread_toe": "m", "spread_high": "m", "about_toe": "m", "about_high": "m", "share": "1"}
@@ -168,4 +184,5 @@ def _task(study: DescribedStudy) -> OneByOne:
     return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
 
 
-MAPS = Kind(name="map", keys=(*KEYS, *PLACE, "grid", "outputs"), swept=_swept, task=_task)
+MAP_KEYS = {**KEYS, **{name: Quantity(unit) for name, unit in PLACE.items()}, "grid": Simple(), "outputs": OUTPUTS}
+MAPS = Kind(name="map", keys=MAP_KEYS, swept=_swept, task=_task)

@@ -20,9 +20,21 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.read import FOLDER, from_toml
 from clubface.fem.heads.user_mesh import MeshHead
 from clubface.fem.stress import BLOW, peak_stress
+from clubface.schema import Quantity
 from clubface.simulation.results import inputs, outputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import Column, DescribedStudy, Kind, OneByOne, Values, chosen_columns, loaded, resolved
+from clubface.studies.kinds.kind import (
+    ONE_NAME,
+    OUTPUTS,
+    Column,
+    DescribedStudy,
+    Kind,
+    OneByOne,
+    Values,
+    chosen_columns,
+    loaded,
+    resolved,
+)
 from clubface.support.files import input_file, path_of
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
@@ -87,7 +99,7 @@ def _varied(base: Case, task: Values) -> Case:
     return base.replace(settings=settings, **changes)
 
 
-CASES = Kind(name="fem", keys=("case", "outputs"), swept=_swept_cases, task=_case_task)
+CASES = Kind(name="fem", keys={"case": ONE_NAME, "outputs": OUTPUTS}, swept=_swept_cases, task=_case_task)
 
 
 PLACE = {"toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "blow": "m/s", "friction": "1", "safety": "1"}
@@ -188,4 +200,10 @@ def _changed(design: Any, changes: tuple[tuple[str, float], ...]) -> Any:
     return design
 
 
-MESHED_HEADS = Kind(name="head", keys=("head", "ball", *PLACE, "outputs"), swept=_swept_heads, task=_head_task)
+HEAD_KEYS = {
+    "head": ONE_NAME,
+    "ball": ONE_NAME,
+    **{name: Quantity(unit) for name, unit in PLACE.items()},
+    "outputs": OUTPUTS,
+}
+MESHED_HEADS = Kind(name="head", keys=HEAD_KEYS, swept=_swept_heads, task=_head_task)

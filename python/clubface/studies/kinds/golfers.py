@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
+from clubface.design.dispersion import MOST as MOST_SHOTS
 from clubface.design.golfer import Golfer, golfer as golfer_of
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.run import optimise
@@ -18,12 +19,23 @@ from clubface.design.strokes import Hole
 from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
 from clubface.errors import InputError
+from clubface.schema import Items, Record, count, entries
 from clubface.simulation.inputs import DIMENSIONS, OF_CLUB
 from clubface.simulation.results import flight_outputs, inputs, outputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import Column, DescribedStudy, Kind, OneByOne, Values, chosen_columns, loaded
+from clubface.studies.kinds.kind import (
+    ONE_NAME,
+    OUTPUTS,
+    Column,
+    DescribedStudy,
+    Kind,
+    OneByOne,
+    Values,
+    chosen_columns,
+    loaded,
+)
 from clubface.studies.kinds.shot_inputs import BY_GROUP, KEYS, ShotInputs, swept_conditions, swept_shots
-from clubface.support.checks import MOST_SEED, check_names, is_count
+from clubface.support.checks import MOST_SEED
 
 HOLE = ("length", "fairway", "rough", "green")
 
@@ -118,20 +130,15 @@ def _of_golfer(name: str, value: Any) -> InputError:
 
 
 def _dispersion_task(study: DescribedStudy) -> OneByOne:
-    from clubface.design.dispersion import COUNT, MOST, dispersion
+    from clubface.design.dispersion import COUNT, dispersion
     from clubface.design.golfer import golfer as golfer_of
 
     table = study.table
     swept = {each.name: each for each in study.design.axes}
     shot_inputs = ShotInputs(study, needs=())
     seed = held_number("seed", table.get("seed", 0), SEED)
-    if not isinstance(count := table.get("shots", COUNT), int) or not is_count(count, 1, MOST):
-        raise InputError("shots", count, f"a whole number from 1 to {MOST}")
+    shots, share = table.get("shots", COUNT), table.get("ellipse", SHARE)
     percentiles = table.get("percentiles", PERCENTILES)
-    if not isinstance(percentiles, list | tuple) or not all(is_count(each, 1, 99) for each in percentiles):
-        raise InputError("percentiles", percentiles, "a list of whole numbers from 1 to 99")
-    if not is_count(share := table.get("ellipse", SHARE), 1, 99):
-        raise InputError("ellipse", share, "a whole number of percent from 1 to 99")
     if "golfer" not in table and "golfer" not in swept:
         raise InputError("golfer", None, 'give it, as in golfer = "tour-driver"')
     for name, value in table.get("held", {}).items():
@@ -141,9 +148,6 @@ def _dispersion_task(study: DescribedStudy) -> OneByOne:
     clubs = {} if "club" in {*table, *swept} else {name: club_of(each.club) for name, each in golfers.items()}
     held = None
     if "hole" in table:
-        if not isinstance(table["hole"], Mapping):
-            raise InputError("hole", table["hole"], 'a table, as in hole = { length = "400 yd" }')
-        check_names("value of the hole", table["hole"], Hole.__dataclass_fields__)
         if not {"length", "hole_length"} & {*table["hole"], *swept}:
             raise InputError("hole", table["hole"], 'a table with the length, as in hole = { length = "400 yd" }')
         held = Hole(**{"length": "400 yd", **table["hole"]})
@@ -159,7 +163,7 @@ def _dispersion_task(study: DescribedStudy) -> OneByOne:
         if delivery := options.pop("delivery"):
             raise _of_golfer(*next(iter(delivery.items())))
         found = dispersion(
-            golfer, **options, **shot_inputs.conditions.at(task), count=count, threads=1,
+            golfer, **options, **shot_inputs.conditions.at(task), count=shots, threads=1,
             seed=int(task.get("seed", seed)),
             hole=changed_hole(held, task),
         )  # fmt: skip
@@ -175,7 +179,12 @@ def _dispersion_task(study: DescribedStudy) -> OneByOne:
 
 
 DISPERSIONS = Kind(
-    name="dispersion", keys=(*KEYS, "golfer", "shots", "seed", "hole", "percentiles", "ellipse", "outputs"),
+    name="dispersion",
+    keys={
+        **KEYS, "golfer": ONE_NAME, "shots": count(1, MOST_SHOTS), "seed": count(0, MOST_SEED),
+        "hole": Record({name: each.value for name, each in entries(Hole).items()}, example='{ length = "400 yd" }'),
+        "percentiles": Items(count(1, 99)), "ellipse": count(1, 99), "outputs": OUTPUTS,
+    },
     swept=_swept_dispersions, task=_dispersion_task,
 )  # fmt: skip
 
@@ -278,4 +287,6 @@ def _mapping(group: str, given: Any) -> Mapping[str, Any]:
     return given or {}
 
 
-OPTIMISATIONS = Kind(name="optimise", keys=("file", "outputs"), swept=_swept_optimisations, task=_optimisation_task)
+OPTIMISATIONS = Kind(
+    name="optimise", keys={"file": ONE_NAME, "outputs": OUTPUTS}, swept=_swept_optimisations, task=_optimisation_task
+)

@@ -11,11 +11,21 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError, RangeWarning, RuleWarning
+from clubface.schema import Quantity
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, OneByOne, Values, chosen_columns
+from clubface.studies.kinds.kind import (
+    OUTPUTS,
+    Column,
+    Computed,
+    DescribedStudy,
+    Kind,
+    OneByOne,
+    Values,
+    chosen_columns,
+)
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.checks import without_warnings
 
@@ -79,7 +89,7 @@ def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str
     ]
 
 
-IMPACTS = Kind(name="impact", keys=(*KEYS, "outputs"), swept=swept_shots, task=Impacts)
+IMPACTS = Kind(name="impact", keys={**KEYS, "outputs": OUTPUTS}, swept=swept_shots, task=Impacts)
 
 
 COLUMNS = {
@@ -115,7 +125,7 @@ def _best_loft_task(study: DescribedStudy) -> OneByOne:
     return OneByOne(study, chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
 
 
-BEST_LOFTS = Kind(name="best-loft", keys=(*KEYS, "outputs"), swept=_swept_best_lofts, task=_best_loft_task)
+BEST_LOFTS = Kind(name="best-loft", keys={**KEYS, "outputs": OUTPUTS}, swept=_swept_best_lofts, task=_best_loft_task)
 
 
 class Empty:
@@ -159,4 +169,4 @@ def _empty_task(study: DescribedStudy) -> Empty:
     return Empty(study, seconds)
 
 
-EMPTY = Kind(name="empty", keys=("seconds",), swept=_swept_empty, task=_empty_task)
+EMPTY = Kind(name="empty", keys={"seconds": Quantity("s")}, swept=_swept_empty, task=_empty_task)

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.schema import TEXT, Items, Simple, Value
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
 from clubface.support.checks import check_choice, without_warnings
@@ -86,7 +87,7 @@ class Kind:
     name
         As in the file of a study, and the name of the table that the kind has there.
     keys
-        The keys of that table.
+        The kinds of value under the keys of that table, which stays as it is in the file.
     swept
         From the kind's table and [sweep], as the file has them, to the inputs that may be swept.
     task
@@ -97,7 +98,7 @@ class Kind:
     """
 
     name: str
-    keys: tuple[str, ...]
+    keys: Mapping[str, Value]
     swept: Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Swept]]
     task: Callable[[DescribedStudy], Task]
     apart: tuple[str, ...] = ()
@@ -156,6 +157,9 @@ def kind(name: str) -> Kind:
     return getattr(import_module(f"clubface.studies.kinds.{module}"), kind_name)
 
 
+ONE_NAME = Simple("one name in quotes; several go to [sweep]", lambda given: isinstance(given, str), {"type": "string"})
+OUTPUTS = Items(TEXT, 1, allowed='a list of quantities, as in ["carry"]')
+"""Kinds of value that the tables of several kinds have."""
 Values = Mapping[str, Any]
 """What is swept, of one task: numbers [SI] and names."""
 

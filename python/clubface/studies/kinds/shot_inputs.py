@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -9,16 +10,16 @@ from typing import Any, TypeGuard
 from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.balls import RIGID, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
-from clubface.equipment.described import HANDS
+from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet, read_sets
 from clubface.errors import InputError, UnknownNameError
+from clubface.schema import Choice, Quantity, Record, Simple, Value
 from clubface.simulation.flight import LEVEL, Air, check_conditions, conditions, ground_of
 from clubface.simulation.inputs import parameter_set, tolerance
 from clubface.simulation.results import flight_inputs, inputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import DescribedStudy, loaded, resolved
-from clubface.support.checks import check_choice, check_names
+from clubface.studies.kinds.kind import ONE_NAME, DescribedStudy, loaded, resolved
 from clubface.support.files import is_path
 from clubface.support.processes import vector_units
 from clubface.support.strict_toml import Document
@@ -26,7 +27,6 @@ from clubface.support.strict_toml import Document
 CHOSEN = ("model", "club", "ball", "hand")
 """What has names: one shot after the other cannot have its own, so that shots are computed by these."""
 CONDITIONS = ("air", "wind", "ground")
-KEYS = (*CHOSEN, "parameters", "accuracy", "held", *CONDITIONS)
 WANTED = {
     "club": 'give it, as in club = "driver"',
     "speed": 'give it under [sweep], or hold it, as in held = { speed = "113 mph" }',
@@ -38,6 +38,20 @@ OF_WIND = {"wind_x": "m/s", "wind_y": "m/s", "wind_z": "m/s", "wind_speed": "m/s
 OF_AIR = {name: "m" if name == "altitude" else flight_inputs()[name].unit for name in Air.__dataclass_fields__}
 OF_GROUND = {name: each.unit for name, each in flight_inputs().items() if each.group == "ground"}
 """Units of the numbers of the conditions."""
+HELD = {
+    name: Quantity(each.unit, special={FLAT: math.inf} if name in ("bulge", "roll") else {})
+    for name, each in inputs().items()
+    if name != "hand"
+}
+KEYS: Mapping[str, Value] = {
+    **dict.fromkeys(("club", "ball", "model"), ONE_NAME),
+    "hand": Choice(HANDS),
+    "parameters": Simple("a set by name, a file, or a table of values"),
+    "accuracy": Simple("a number"),
+    "held": Record(HELD, example='{ speed = "113 mph" }'),
+    **dict.fromkeys(CONDITIONS, Simple("a table of numbers")),
+}
+"""The keys that the tables of all studies of shots have."""
 BY_GROUP = dict(zip(CONDITIONS, (OF_AIR, OF_WIND, OF_GROUND), strict=True))
 
 
@@ -224,16 +238,7 @@ def _ball(named: Any) -> Any:
 def _check(study: DescribedStudy, needs: Sequence[str]) -> None:
     """Refuse what no shot can have, before one is computed."""
     table = study.table
-    for name in CHOSEN:
-        if not isinstance(table.get(name, ""), str):
-            raise InputError(name, table[name], "one name in quotes; several go to [sweep]")
-    check_choice("hand", table.get("hand", "right"), HANDS)
     held = table.get("held", {})
-    if not isinstance(held, Mapping):
-        raise InputError("held", held, 'a table, as in held = { speed = "113 mph" }')
-    check_names("input", held, [each for each in inputs() if each != "hand"])
-    for name, value in held.items():
-        number(name, value, inputs()[name].unit)
     swept = {each.name for each in study.design.axes}
     for name in needs:
         if name not in held and name not in swept and name not in table:
