@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from sphinx.application import Sphinx
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.validation import Validation, chart, off_centre, own_monitor, validate
 from clubface.validation.check import CERTAINTIES
-from clubface.validation.tables import FIGURE_HEADS, figure_rows, notes, tolerances, with_unit
+from clubface.validation.validation_result import figure_table, mean_text, tolerance_text
 
 STORED = Path(__file__).parent.parent / "validation-fem.json"
 SHOWN = tuple(dict.fromkeys((DEFAULT_MODEL, "fem", "standard", "slip", "rings")))
@@ -28,7 +28,7 @@ def validation() -> Validation:
     stored = json.loads(STORED.read_text(encoding="utf-8"))
     beside = found.figures[DEFAULT_MODEL]
     found.figures["fem"] = {
-        check: [each._replace(computed=_number(stored[check][f"{each.what}: {each.quantity}"])) for each in figures]
+        check: [each._replace(computed=_number(stored[check][f"{each.case}: {each.quantity}"])) for each in figures]
         for check, figures in beside.items()
     }
     return found
@@ -55,10 +55,10 @@ class Checks(CoreTable):
                 continue
             for place, first in enumerate(found.summary(names[0], check.name)):
                 name = check.title if self.arguments else f"`{check.name}`"
-                row = [name, first.quantity, check.certainty, tolerances(first)]
+                row = [name, first.quantity, check.certainty, tolerance_text(first)]
                 for name in names:
                     each = found.summary(name, check.name)[place]
-                    mean = with_unit(each.mean, each.unit)
+                    mean = mean_text(each)
                     inside = f" · {each.inside}/{each.intervals}" if each.intervals else ""
                     row.append(f"**{mean}**{inside}" if each.met else f"{mean}{inside}" if mean else "—")
                 rows.append(row)
@@ -73,9 +73,10 @@ class Figures(CoreTable):
 
     def table(self) -> list[str]:
         """One row a figure."""
-        figures = validation().figures[DEFAULT_MODEL]
-        return markdown_table(
-            FIGURE_HEADS, [row for name in self.arguments[0].split() for row in figure_rows(figures[name])]
+        every = validation()
+        chosen = tuple(each for each in every.checks if each.name in self.arguments[0].split())
+        return result_table(
+            figure_table(replace(every, checks=chosen, figures={DEFAULT_MODEL: every.figures[DEFAULT_MODEL]}))
         )
 
 
@@ -92,7 +93,7 @@ class Causes(CoreTable):
 
     def table(self) -> list[str]:
         """One row a figure."""
-        return markdown_table(off_centre.HEADS, off_centre.causes())
+        return result_table(off_centre.causes())
 
 
 class BehindTheChart(CoreTable):
@@ -111,9 +112,8 @@ class Reasons(CoreTable):
         """One item a check."""
         lines = []
         for check in validation().checks:
-            reason, *_ = notes(check)
             sources = ", ".join(f"`{name}`" for name in check.sources)
-            lines += [f"`{check.name}`", f": {check.title} ({sources}). {reason}", ""]
+            lines += [f"`{check.name}`", f": {check.title} ({sources}). {check.reason}", ""]
         return lines
 
 
@@ -136,21 +136,7 @@ class Camps(CoreTable):
 
     def table(self) -> list[str]:
         """One row a club of the tours."""
-        heads = [
-            "iron",
-            *(f"{what}, {camp}" for what in ("index, rpm/mph", "measured/model") for camp in own_monitor.CAMPS),
-        ]
-        rows = []
-        for club, index in own_monitor.index_of_camps().items():
-            shares = own_monitor.camps_of(club, DEFAULT_MODEL)
-            indices = [index.get(camp) for camp in own_monitor.CAMPS]
-            cells = ["" if each is None else _ends(map(own_monitor.index_in_rpm_per_mph, each), 0) for each in indices]
-            rows.append([club, *cells, *(_ends(shares[camp], 2) for camp in own_monitor.CAMPS)])
-        return markdown_table(heads, rows)
-
-
-def _ends(pair: Iterable[float], digits: int) -> str:
-    return " to ".join(f"{each:.{digits}f}" for each in pair)
+        return result_table(own_monitor.camp_table())
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

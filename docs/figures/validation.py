@@ -13,9 +13,10 @@ from pathlib import Path
 
 from clubface import plots
 from clubface.equipment.models import DEFAULT_MODEL
+from clubface.present.drawing import draw
 from clubface.validation import Figure, validate
 from clubface.validation.catalogue import CHECKS
-from clubface.validation.pictures import validation_figure
+from clubface.validation.validation_result import validation_picture
 
 HERE = Path(__file__).parent
 STORED = HERE.parent / "validation-fem.json"
@@ -25,7 +26,7 @@ DIGITS = 9
 
 def key(each: Figure) -> str:
     """Return the name under which a figure is stored."""
-    return f"{each.what}: {each.quantity}"
+    return f"{each.case}: {each.quantity}"
 
 
 def stored(figures: list[Figure]) -> dict[str, float | None]:
@@ -33,9 +34,9 @@ def stored(figures: list[Figure]) -> dict[str, float | None]:
     return {key(each): None if each.within is None else float(f"{each.computed:.{DIGITS}g}") for each in figures}
 
 
-def progress(done: int, of: int) -> None:
+def progress(done: int, whole: int) -> None:
     """Show how many checks are done."""
-    print(f"{done} of {of}", end="\r", flush=True)
+    print(f"{done} of {whole}", end="\r", flush=True)
 
 
 def main() -> None:
@@ -58,7 +59,7 @@ def main() -> None:
         ]
         for check, figures in found.figures[DEFAULT_MODEL].items()
     }
-    print("wrote", STORED, plots.save(validation_figure(found), HERE / "validation.svg"))
+    print("wrote", STORED, plots.save(draw(validation_picture(found)), HERE / "validation.svg"))
 
 
 if __name__ == "__main__":

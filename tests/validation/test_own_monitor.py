@@ -70,13 +70,12 @@ def test_without_the_path_the_start_direction_opens_no_face(iron):
 
 
 def test_the_indices_of_both_camps_follow_from_the_published_tables():
-    index = {
-        name: [own.index_in_rpm_per_mph(each) for each in pair] for name, pair in own.index_of_camps()["7-iron"].items()
-    }
+    (row,) = [each for each in own.camp_table().records() if each["club"] == "7-iron"]
     # By hand: 7097 rpm at 90 mph, 16.3 + 4.3 deg (PGA Tour 2019); 4195 rpm at 80 mph, 20.4 + 2 deg (Quantum Max OS);
     # 6390 rpm at 86.49 mph, 21.37 + 2.58 deg (Bliss and Langdown).
-    assert index[own.TOURS][0] == pytest.approx(224.1, abs=0.1)
-    assert index[own.SINGLE] == pytest.approx([137.6, 182.0], abs=0.1)
+    assert row["tours_least_index_rpm_per_mph"] == pytest.approx(224.1, abs=0.1)
+    assert row["single_least_index_rpm_per_mph"] == pytest.approx(137.6, abs=0.1)
+    assert row["single_most_index_rpm_per_mph"] == pytest.approx(182.0, abs=0.1)
 
 
 def test_clubs_are_taken_one_by_one_and_what_cannot_be_compared_is_named():
@@ -87,9 +86,10 @@ def test_clubs_are_taken_one_by_one_and_what_cannot_be_compared_is_named():
     assert [(each.club, each.head, bool(each.camps)) for each in result.clubs] == [
         ("driver", "driver", False), ("7i", "7-iron", True),
     ]  # fmt: skip
-    assert any(note.startswith("pitching-wedge: left out") for note in result.notes)
-    assert any("struck 3 mm above" in note for note in result.notes)
-    json.dumps(own.document(result), allow_nan=False)
+    notes = {each.code: each.data for each in result.notes}
+    assert notes["own-monitor-left-out"]["club"] == "pitching-wedge"
+    assert notes["own-monitor-strike"] == {"high": 0.003}
+    json.dumps(result.to_result().to_dict(), allow_nan=False)
     with pytest.raises(InputError, match="shots"):
         own.own_monitor(few)
 
@@ -103,7 +103,7 @@ def test_an_iron_without_an_attack_angle_is_left_out_rather_than_taken_as_level(
 def test_validate_puts_a_session_beside_the_published_figures(iron, tmp_path, clubface_):
     iron.write(tmp_path / "session.csv")
     command = ["validate", "--check", "plates", "--with", str(tmp_path / "session.csv")]
-    (club,) = clubface_(*command, "--json").json["own_monitor"]["clubs"]
+    (club,) = clubface_(*command, "--json").json["tables"]["own_monitor"]["rows"]
     assert club["shots"] == 60
     shown = clubface_(*command).out
     assert "at its own measured launch" in " ".join(shown.split())

@@ -11,11 +11,13 @@ import clubface
 from clubface import published_data, units
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, UnknownNameError
-from clubface.validation import Figure, launches, strikes, tables, validate
+from clubface.present.terminal import headings_and_rows
+from clubface.validation import Figure, Validation, launches, strikes, validate
 from clubface.validation.catalogue import CHECKS
 from clubface.validation.check import A_MODEL, CERTAINTIES, Judged, figure
 from clubface.validation.run import summary
 from clubface.validation.tour import averages
+from clubface.validation.validation_result import figure_table
 
 DOCS = Path(__file__).parents[2] / "docs"
 STORED = json.loads((DOCS / "validation-fem.json").read_text(encoding="utf-8"))
@@ -33,7 +35,7 @@ def by_fem(reduced):
     return {
         check: [
             each._replace(
-                computed=math.nan if (value := STORED[check][f"{each.what}: {each.quantity}"]) is None else value
+                computed=math.nan if (value := STORED[check][f"{each.case}: {each.quantity}"]) is None else value
             )
             for each in figures
         ]
@@ -61,10 +63,10 @@ def test_a_relative_error_is_a_share_and_keeps_its_sign_where_the_published_valu
 def test_a_model_that_says_nothing_is_neither_right_nor_wrong():
     silent, right = (figure("x", "spin", "rpm", 100.0, value, 2.0) for value in (math.nan, 99.0))
     assert silent.within is None
-    (told,) = summary([silent, right])
-    assert (told.figures, told.within, told.mean, told.scaled) == (2, 1, 1.0, 0.5)
+    (known,) = summary([silent, right])
+    assert (known.figures, known.within, known.mean, known.scaled) == (2, 1, 1.0, 0.5)
     (nothing,) = summary([silent])
-    assert not nothing.told
+    assert not nothing.known
     assert not nothing.met
 
 
@@ -91,7 +93,7 @@ def test_the_published_figures_are_those_of_the_tables():
         ("gear-effect", "driver, 13 mm towards the heel", "spin axis", "deg", 20),
         ("longest-drives-ping", "ball 160 mph, attack +0 deg", "spin", "rpm", 2600),
     ):
-        (each,) = [one for one in found[check] if (one.what, one.quantity) == (what, quantity)]
+        (each,) = [one for one in found[check] if (one.case, one.quantity) == (what, quantity)]
         assert [units.from_si(end, unit) for end in each.published] == pytest.approx([value, value])
         assert each.unit == unit
     for check, what, quantity, unit, value in (
@@ -102,7 +104,7 @@ def test_the_published_figures_are_those_of_the_tables():
         ("irons-at-launch", "one golfer, TrackMan 4, 7-iron", "spin", "rpm", 6390),
         ("drives-at-launch", "many golfers, 110 mph", "ball speed", "mph", 161.3),
     ):
-        (each,) = [one for one in found[check] if (one.what, one.quantity) == (what, quantity)]
+        (each,) = [one for one in found[check] if (one.case, one.quantity) == (what, quantity)]
         low, high = (units.from_si(end, unit) for end in each.published)
         assert low - 1e-9 <= value <= high + 1e-9
         assert each.unit == unit
@@ -157,8 +159,8 @@ def test_no_tolerance_is_wider_than_was_agreed():
         for each in figures:
             size = 0.01 if each.relative else units.size(each.unit)
             of_each = OF_EACH.get(check)
-            agreed = ALLOWED[check][each.quantity] if of_each is None else of_each[each.what, each.quantity]
-            assert each.tolerance / size == pytest.approx(agreed, rel=1e-12), (check, each.what, each.quantity)
+            agreed = ALLOWED[check][each.quantity] if of_each is None else of_each[each.case, each.quantity]
+            assert each.tolerance / size == pytest.approx(agreed, rel=1e-12), (check, each.case, each.quantity)
 
 
 def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
@@ -253,7 +255,7 @@ def test_golfers_who_swing_faster_scatter_less_and_irons_have_no_known_scatter_o
 
 def test_a_driver_is_fastest_nearer_to_its_mass_centre_and_loses_speed_with_the_square_of_the_distance():
     """Typed in by hand: ball speeds of one model over the face at one launch, 1 mm apart."""
-    found = {(each.what, each.quantity): each for each in strikes.best_strike(Judged("standard"))}
+    found = {(each.case, each.quantity): each for each in strikes.best_strike(Judged("standard"))}
     best = found["driver, launch 12 deg", "fastest strike, high"].computed
     places = np.arange(-12e-3, 12e-3, 1e-3)
     speeds = Judged("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, high=places).ball_speed
@@ -300,14 +302,14 @@ def test_the_share_is_one_where_balls_start_along_the_normal_and_falls_with_grip
 def test_an_open_face_curves_to_the_right_by_as_much_as_it_is_open():
     found = launches.curvature(Judged("standard"))
     assert all(np.sign(each.computed) == np.sign(each.published[0]) for each in found)
-    curve = {each.what: each.computed for each in found}
+    curve = {each.case: each.computed for each in found}
     right, left = (curve[f"PGA Tour, 6-iron, face to path {each} deg"] for each in (2, -5))
     # The mass centre of the 6-iron is before its face centre but for a mm to the side, so that it is nearly symmetric.
     assert left / right == pytest.approx(-2.5, rel=0.05)
 
 
 def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
-    found = {each.what: each.computed for each in launches.curvature(Judged("slip"))}
+    found = {each.case: each.computed for each in launches.curvature(Judged("slip"))}
     average = next(each for each in averages("lpga-2019") if each.club == "driver")
     shot = clubface.impact(
         "driver", speed=average.club_speed, attack=average.attack, loft="15.5 deg", face="-2.5 deg", path="2.5 deg",
@@ -376,7 +378,7 @@ def test_the_gear_effect_is_that_of_a_face_turned_back_by_its_bulge():
 
     With the face the mass centre turns, 42 mm behind it, towards the line of impact.
     """
-    found = {each.what: each.computed for each in strikes.gear_effect(Judged("standard")) if each.unit == "deg"}
+    found = {each.case: each.computed for each in strikes.gear_effect(Judged("standard")) if each.unit == "deg"}
     flat = clubface.club("driver").replace(bulge="flat")
     lever = -0.0127 + 0.0421 * 0.0127 / 0.305
     centre, heel = (
@@ -414,14 +416,14 @@ def test_progress_tells_of_every_check_of_every_model():
 
 def test_what_is_stored_of_the_finite_elements_belongs_to_the_checks_of_today(reduced):
     for check, figures in reduced.figures["standard"].items():
-        assert list(STORED[check]) == [f"{each.what}: {each.quantity}" for each in figures]
+        assert list(STORED[check]) == [f"{each.case}: {each.quantity}" for each in figures]
 
 
 def test_what_is_stored_of_the_finite_elements_is_what_they_compute():
     for check in ("head-after-impact", "toe-hits"):
         for each in validate("fem", checks=[check]).figures["fem"][check]:
             # Nine digits are stored.
-            assert STORED[check][f"{each.what}: {each.quantity}"] == pytest.approx(each.computed, rel=1e-7, abs=1e-8)
+            assert STORED[check][f"{each.case}: {each.quantity}"] == pytest.approx(each.computed, rel=1e-7, abs=1e-8)
 
 
 TARGETS = {
@@ -445,8 +447,8 @@ TARGETS = {
 
 @pytest.mark.parametrize(("check", "quantity"), TARGETS)
 def test_the_finite_elements_meet(by_fem, check, quantity):
-    (told,) = [each for each in summary(by_fem[check]) if each.quantity == quantity]
-    assert told.met, f"{told}: {TARGETS[check, quantity]}"
+    (found,) = [each for each in summary(by_fem[check]) if each.quantity == quantity]
+    assert found.met, f"{found}: {TARGETS[check, quantity]}"
 
 
 def test_the_ball_of_the_finite_elements_lies_between_the_camps_of_published_irons(by_fem):
@@ -469,18 +471,19 @@ def test_models_of_point_contact_spin_irons_too_little_and_have_no_loft_beyond_w
 # Tables, pictures, files
 
 
-def test_a_table_tells_ranges_bounds_and_silence():
-    rows = tables.figure_rows(
-        [
-            Figure("a", "restitution", "1", (0.768, 0.78), 0.83, 0.01),
-            Figure("b", "restitution", "1", (0.8, math.inf), math.nan, 0.01),
-            Figure("c", "speed", "mph", (44.704, 44.704), 45.598, 0.01, True, "fair"),
-        ]
-    )
+def test_a_figure_table_has_ranges_bounds_and_what_a_model_leaves_open():
+    figures = [
+        Figure("a", "restitution", "1", (0.768, 0.78), 0.83, 0.01),
+        Figure("b", "restitution", "1", (0.8, math.inf), math.nan, 0.01),
+        Figure("c", "speed", "mph", (44.704, 44.704), 45.598, 0.01, True, "fair"),
+    ]
+    heads, rows = headings_and_rows(figure_table(Validation(CHECKS[:1], {"x": {CHECKS[0].name: figures}}, "modern")))
+    names = ["shot", "quantity", "unit", "published", "to", "computed", "unit", "error", "tolerance"]
+    assert [words for words, _ in heads] == [*names, "certainty", "inside", "within"]
     assert [row[2:] for row in rows] == [
-        ["0.768 to 0.780", "", "0.830", "no", "+0.050", "0.010", "no"],
-        ["over 0.800", "", "", "", "", "0.010", ""],
-        ["100.0 mph", "fair", "102.0 mph", "", "+2.0%", "1.0%", "no"],
+        ["", "0.768", "0.780", "0.830", "", "+0.050", "0.010", "", "no", "no"],
+        ["", "0.800", "", "", "", "", "0.010", "", "", ""],
+        ["mph", "100.0", "100.0", "102.0", "%", "+2.0", "1.0", "fair", "", "no"],
     ]
 
 
@@ -489,13 +492,15 @@ def test_a_folder_holds_tables_in_three_forms_and_two_pictures(clubface_, tmp_pa
     ran = clubface_("validate", "--model", "standard,rings", "-o", str(tmp_path))
     assert ran.status == 0
     assert {each.name for each in tmp_path.iterdir()} == {
-        f"validation.{ending}" for ending in ("csv", "md", "json", "png", "svg")
-    }
+        *(f"validation.{ending}" for ending in ("csv", "md", "json", "png", "svg")), "summary.csv", "checks.csv"
+    }  # fmt: skip
     document = json.loads((tmp_path / "validation.json").read_text())
     lines = (tmp_path / "validation.csv").read_text().splitlines()
-    assert len(document["figures"]) == len(lines) - 1
-    first = document["figures"][0]
-    assert (first["what"], first["published_least"], first["unit"]) == ("PGA Tour 2019, 3-iron", 142.0, "mph")
+    figures = document["tables"]["figures"]["rows"]
+    assert len(figures) == len(lines) - 1
+    first = figures[0]
+    speed = pytest.approx(142.0 * 0.44704)
+    assert (first["case"], first["published_least"], first["unit"]) == ("PGA Tour 2019, 3-iron", speed, "m/s")
     assert first["inside"] == (142.0 <= first["computed"] <= first["published_most"])
 
 
@@ -507,7 +512,7 @@ def test_the_command_sums_up_and_shows_the_figures_of_a_check_that_is_named(club
     assert "tour-irons" not in one
     assert "pitching-wedge" in one
     assert "doi 10.3390/proceedings2020049027" in one
-    document = clubface_("validate", "--check", "plates,toe-hits", "--json").json
-    assert set(document["checks"]) == {"plates", "toe-hits"}
+    found = clubface_("validate", "--check", "plates,toe-hits", "--json").json["tables"]
+    assert [each["check"] for each in found["checks"]["rows"]] == ["plates", "toe-hits"]
     # A bound has no upper end, and JSON no infinity.
-    assert document["figures"][0]["published_most"] is None
+    assert None in [each["published_most"] for each in found["figures"]["rows"]]

@@ -47,7 +47,7 @@ class Figure(NamedTuple):
 
     Attributes
     ----------
-    what
+    case
         The club, shot or test it belongs to.
     quantity
         What it is, in words.
@@ -66,7 +66,7 @@ class Figure(NamedTuple):
         How sure the published figure is, a word of ``CERTAINTIES``; empty until its check has filled it in.
     """
 
-    what: str
+    case: str
     quantity: str
     unit: str
     published: tuple[float, float]
@@ -74,6 +74,11 @@ class Figure(NamedTuple):
     tolerance: float
     relative: bool = False
     certainty: str = ""
+
+    @property
+    def error_unit(self) -> str:
+        """The unit in which errors and tolerances are read."""
+        return "%" if self.relative else self.unit
 
     @property
     def error(self) -> float:
@@ -95,11 +100,11 @@ class Figure(NamedTuple):
 
 
 def figure(
-    what: str, quantity: str, unit: str, published: Any, computed: Any, tolerance: float, *, relative: bool = False
+    case: str, quantity: str, unit: str, published: Any, computed: Any, tolerance: float, *, relative: bool = False
 ) -> Figure:
     """Return a figure with one published value, or a range of two."""
     ends = published if isinstance(published, tuple) else (published, published)
-    return Figure(what, quantity, unit, (float(ends[0]), float(ends[1])), float(computed), tolerance, relative)
+    return Figure(case, quantity, unit, (float(ends[0]), float(ends[1])), float(computed), tolerance, relative)
 
 
 class Judged:

@@ -9,16 +9,18 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from clubface import units
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
+from clubface.results.table import Column, Table, table, text
 from clubface.simulation.launch import Launch
-from clubface.validation.check import Figure, Judged
-from clubface.validation.tables import published, with_unit
+from clubface.validation.check import Judged, reading
+from clubface.validation.validation_result import published_columns
 
 CLOSURE = units.parse("2500 deg/s", "angular rate")
 """Between the 1800 and 3600 deg/s of drives (S. MacKenzie, golf.com)."""
@@ -73,7 +75,6 @@ CHANGES = (
     Change("less inertia", less_inertia),
     Change("CG 10 mm deeper", deeper),
 )
-HEADS = ["figure", "published", "certainty", *(each.name for each in CHANGES)]
 
 
 class Changed(Judged):
@@ -98,19 +99,26 @@ class Changed(Judged):
         return head, self.change.delivery(head, delivery["speed"]) | delivery
 
 
-def causes(model: str = DEFAULT_MODEL, ball: str | os.PathLike[str] | None = None) -> list[list[str]]:
-    """Return a row a published figure of strikes off the centre, with what every change computes, under ``HEADS``."""
+def causes(models: Sequence[str] = (DEFAULT_MODEL,), ball: str | os.PathLike[str] | None = None) -> Table:
+    """Return a row a published figure of strikes off the centre and model, with what every change computes."""
     from clubface.validation.catalogue import check_named
 
-    columns: list[list[Figure]] = []
-    for change in CHANGES:
-        judged = Changed(change, model, ball)
-        columns.append(
-            [one for name in ("toe-hits", "strike-height", "gear-effect", "best-strike")
-             for one in check_named(name).figures(judged)]
-        )  # fmt: skip
-    return [
-        [f"{first.what}: {first.quantity}", published(first), first.certainty,
-         *(with_unit(figures[place].computed, first.unit) for figures in columns)]
-        for place, first in enumerate(columns[0])
-    ]  # fmt: skip
+    checks = [check_named(name) for name in ("toe-hits", "strike-height", "gear-effect", "best-strike")]
+    by_change = [
+        [each for model in models for check in checks for each in check.figures(Changed(change, model, ball))]
+        for change in CHANGES
+    ]
+    first = by_change[0]
+    quantities = [reading(each.unit) for each in first]
+    names = [model for model in models for _ in range(len(first) // len(models))]
+    return table(
+        "off_centre", text("model", names, printed=len(models) > 1),
+        text("figure", [f"{each.case}: {each.quantity}" for each in first]), *published_columns(first),
+        text("certainty", [each.certainty for each in first]),
+        *(
+            Column(re.sub(r"\W+", "_", change.name).lower(), [each.computed for each in figures], quantities,
+                   label=change.name)
+            for change, figures in zip(CHANGES, by_change, strict=True)
+        ),
+        title=f"Strikes off the centre with one thing changed, by {', '.join(models)}",
+    )  # fmt: skip

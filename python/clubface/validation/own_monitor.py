@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -20,6 +21,9 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning
+from clubface.results.notes import Note, free_text, note
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.measured import LAUNCH, measured_shots, ready_shots
 from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots
@@ -81,13 +85,14 @@ class OwnClub(NamedTuple):
     resembles: str
 
 
-class OwnMonitor(NamedTuple):
+@dataclass(frozen=True)
+class OwnMonitor(Described):
     """A session compared with the model.
 
     Attributes
     ----------
-    source, model
-        The file and the model.
+    source, model, ball
+        The file, the model, and the ball as it was given.
     clubs
         What was compared.
     notes
@@ -96,8 +101,56 @@ class OwnMonitor(NamedTuple):
 
     source: str
     model: str
+    ball: Any
     clubs: tuple[OwnClub, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
+
+    def to_result(self) -> Result:
+        """Return it as a result: a row a club, and the camps."""
+        return Result(
+            kind="own-monitor", title=f"{self.source} beside {self.model} at its own measured launch",
+            tables=(self._club_table(), camp_table(self.model, self.ball)), notes=tuple(self._notes()),
+        )  # fmt: skip
+
+    def _club_table(self) -> Table:
+        clubs, speeds = self.clubs, [each.speed_share for each in self.clubs]
+        return table(
+            "own_monitor", text("club", [each.club for each in clubs]),
+            text("head", [each.head for each in clubs], printed=False), text("shots", [each.shots for each in clubs]),
+            column("launch", [each.launch for each in clubs]), column("spin", [each.spin for each in clubs]),
+            text("index_rpm_per_mph", [_rpm_per_mph(each.spin_index) for each in clubs], label="index, rpm/mph",
+                 digits=0),
+            *(
+                column(f"speed_share{name}", [None if each is None else each[place] for each in speeds], "1", digits=3,
+                       label="speed, measured/model", printed=not place)
+                for place, name in enumerate(_SHARE_ENDS)
+            ),
+            *(
+                column(f"spin_share{name}", [each.spin_share[place] for each in clubs], "1", digits=2,
+                       label="spin, measured/model" if not place else ("95% from", "to")[place - 1])
+                for place, name in enumerate(_SHARE_ENDS)
+            ),
+            *_camp_columns([each.camps for each in clubs]), text("resembles", [each.resembles for each in clubs]),
+            title=f"{self.source} beside {self.model} at its own measured launch",
+        )  # fmt: skip
+
+    def _notes(self) -> Iterator[Note]:
+        """Yield how the table is to be read, then the notes on the shots."""
+        seven = index_of_camps()["7-iron"]
+        yield note("own-monitor-share", model=self.model)
+        yield note(
+            "own-monitor-index",
+            **{f"{name}_{end}": _rpm_per_mph(seven[camp][place]) for name, camp, place, end in _CAMP_ENDS},
+        )
+        irons = [each.resembles for each in self.clubs if each.camps]
+        if irons:
+            yield note("own-monitor-irons", camps=[f"{irons.count(each)} {each}" for each in dict.fromkeys(irons)])
+            yield note("own-monitor-camps")
+        yield from self.notes
+
+
+_SHARE_ENDS = ("", "_low", "_high")
+"""Endings of the names of the columns of a :class:`Share`."""
 
 
 def own_monitor(
@@ -119,30 +172,30 @@ def own_monitor(
     recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     if recorded.clubs is None:
         raise InputError("shots", recorded.source, "shots that name their clubs")
-    clubs: list[OwnClub] = []
-    left_out: list[str] = []
-    notes: list[str] = []
+    clubs: dict[str, OwnClub] = {}
+    left_out: list[Note] = []
+    notes: list[Note] = []
     for name in dict.fromkeys(map(str, recorded.clubs)):
         try:
-            found = _own_club(recorded, name, model, ball, notes)
+            club = _own_club(recorded, name, model, ball, notes)
         except InputError as error:
-            left_out.append(f"{name or 'shots without a club'}: left out ({error})")
+            left_out.append(note("own-monitor-left-out", club=name or "shots without a club", reason=str(error)))
             continue
-        if all(found.head != each.head for each in clubs):  # 7i and 7 Iron are one club
-            clubs.append(found)
+        clubs.setdefault(club.head, club)  # 7i and 7 Iron are one club
     if not clubs:
-        raise InputError("shots", recorded.source, f"shots that can be compared ({'; '.join(left_out)})")
-    return OwnMonitor(recorded.source, model, tuple(clubs), tuple(dict.fromkeys([*left_out, *notes])))
+        reasons = "; ".join(each.sentence for each in left_out)
+        raise InputError("shots", recorded.source, f"shots that can be compared ({reasons})")
+    return OwnMonitor(recorded.source, model, ball, tuple(clubs.values()), (*left_out, *notes))
 
 
-def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: list[str]) -> OwnClub:
+def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: list[Note]) -> OwnClub:
     ready = ready_shots(recorded, only=name, mismatch="note")
     measured = measured_shots(ready, compared_at=LAUNCH, quantities=("ball_speed", "backspin", "sidespin"))
     kind = "total_spin" if "total_spin" in ready.launches else "backspin"
     for needed, there in (("attack", measured.delivery), (kind, ready.launches)):
         if needed not in there:
             raise InputError(needed, None, "measured, to compare spin at the measured launch")
-    notes += measured.notes
+    notes += free_text(measured.notes)
     spin = ready.launches[kind][measured.places]
     # Without the path, the start direction says nothing of the face angle.
     start: dict[str, Any] = {
@@ -152,7 +205,7 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
     if ready.club.name == DRIVER and "high" not in delivery:
         strike = HEIGHTS[len(HEIGHTS) // 2]
         delivery["high"] = np.full(len(measured), strike)
-        notes.append(f"drives are taken to be struck {units.show(strike, 'mm', 2)} above the face centre")
+        notes.append(note("own-monitor-strike", high=strike))
     with without_warnings(RangeWarning):
         computed = impact_at_launch(ready.club, delivery, **start, model=model, ball=ball).launch
     share = spin / computed.total_spin
@@ -232,8 +285,8 @@ def _shares(model: str, ball: Any) -> dict[tuple[str, str], list[float]]:
 
 def _published() -> Iterator[tuple[str, Mapping[str, Any]]]:
     """Yield camp, and club, speed, attack angle, launch and spin of every published iron."""
-    published = [(TOURS, each._asdict()) for table in TABLES for each in averages(table)]
-    published += [(SINGLE, row) for table in SINGLE_TABLES for row in rows(table)]
+    published = [(TOURS, each._asdict()) for name in TABLES for each in averages(name)]
+    published += [(SINGLE, row) for name in SINGLE_TABLES for row in rows(name)]
     for camp, row in published:
         shot = row if "club" in row else {**ROBOT, **row, "club": "7-iron"}
         if club_named(shot["club"]).kind == "iron":
@@ -242,75 +295,49 @@ def _published() -> Iterator[tuple[str, Mapping[str, Any]]]:
 
 def index_of_camps() -> dict[str, dict[str, tuple[float, float]]]:
     """Return the least and the largest spin index [rad/m] of the published tables, by iron of the tours and camp."""
-    found: dict[str, dict[str, list[float]]] = {}
+    indices: dict[str, dict[str, list[float]]] = {}
     for camp, row in _published():
         index = float(row["spin"] / (row["club_speed"] * np.sin(row["launch"] - row["attack"])))
-        found.setdefault(row["club"], {}).setdefault(camp, []).append(index)
+        indices.setdefault(row["club"], {}).setdefault(camp, []).append(index)
     return {
         club: {camp: (min(values), max(values)) for camp, values in camps.items()}
-        for club, camps in found.items()
+        for club, camps in indices.items()
         if TOURS in camps
     }
 
 
-def index_in_rpm_per_mph(index: float) -> float:
-    """Express an index in rpm per mph."""
-    return float(index / units.size("rpm") * units.size("mph"))
+def camp_table(model: str = DEFAULT_MODEL, ball: Any = None) -> Table:
+    """Return the ranges of both camps by iron of the tours: the spin index, and measured over computed spin."""
+    indices = index_of_camps()
+    shares = {club: camps_of(club, model, ball) for club in indices}
+    return table(
+        "camps", text("club", list(indices)),
+        *(
+            text(f"{name}_{end}_index_rpm_per_mph",
+                 [_rpm_per_mph(each[camp][place]) if camp in each else None for each in indices.values()],
+                 label=f"index, {camp}, {end}", digits=0)
+            for name, camp, place, end in _CAMP_ENDS
+        ),
+        *_camp_columns(list(shares.values())),
+        title="Camps of published irons: spin index in rpm/mph, and measured over computed spin", printed=False,
+    )  # fmt: skip
 
 
-HEADS = [
-    "club", "shots", "launch\ndeg", "spin\nrpm", "index\nrpm/mph", "speed,\nmeas./model", "spin,\nmeas./model", "\n95%",
-    "spin,\ntours", "spin, robots,\nsingle golfers", "resembles",
-]  # fmt: skip
+_CAMP_ENDS = [
+    (name, camp, place, end)
+    for name, camp in zip(("tours", "single"), CAMPS, strict=True)
+    for place, end in enumerate(("least", "most"))
+]
 
 
-def table_rows(result: OwnMonitor) -> list[list[str]]:
-    """Return one row a club, under ``HEADS``."""
-    found = []
-    for each in result.clubs:
-        camps = [f"{low:.2f} to {high:.2f}" for low, high in each.camps.values()] or ["", ""]
-        speed = "" if each.speed_share is None else f"{each.speed_share.middle:.3f}"
-        found.append([
-            each.club, str(each.shots), f"{units.from_si(each.launch, 'deg'):.1f}",
-            f"{units.from_si(each.spin, 'rpm'):.0f}",
-            f"{index_in_rpm_per_mph(each.spin_index):.0f}", speed, f"{each.spin_share.middle:.2f}",
-            f"{each.spin_share.low:.2f} to {each.spin_share.high:.2f}", *camps, each.resembles,
-        ])  # fmt: skip
-    return found
-
-
-def remarks(result: OwnMonitor) -> list[str]:
-    """Return how the table is to be read, then the notes."""
-    seven = index_of_camps()["7-iron"]
-    ends = {name: " to ".join(f"{index_in_rpm_per_mph(each):.0f}" for each in pair) for name, pair in seven.items()}
-    found = [
-        f"measured/model: at the measured launch, with loft and face angle solved, by {result.model}; the interval is"
-        " that of shots drawn again. A head or ball of your own may be some percent away from those computed with.",
-        f"index: spin over club speed times the sine of the angle from path to launch; of 7-irons {ends[TOURS]} in the"
-        f" averages of tours, {ends[SINGLE]} with robots and single golfers.",
-    ]
-    irons = [each.resembles for each in result.clubs if each.camps]
-    if irons:
-        counts = ", ".join(f"{irons.count(each)} {each}" for each in dict.fromkeys(irons))
-        found.append(f"irons resemble: {counts}")
-        found.append(
-            "resembles: the camp of published irons in which the whole interval lies, each camp being wider by half of"
-            " the gap between both; undecided if it crosses a border."
-        )
-    return [*found, *result.notes]
-
-
-def document(result: OwnMonitor) -> dict[str, Any]:
-    """Return everything as plain values for JSON, SI."""
-    clubs = [
-        each._asdict() | {
-            "spin_share": each.spin_share._asdict(),
-            "speed_share": None if each.speed_share is None else each.speed_share._asdict(),
-            "camps": {name: list(pair) for name, pair in each.camps.items()},
-        }
-        for each in result.clubs
+def _camp_columns(camps: Sequence[Mapping[str, tuple[float, float]]]) -> list[Column]:
+    """Return the least and the largest share of spin of each camp."""
+    return [
+        column(f"{name}_{end}_share", [each[camp][place] if each else None for each in camps], "1", digits=2,
+               label=f"spin, {camp}, {end}")
+        for name, camp, place, end in _CAMP_ENDS
     ]  # fmt: skip
-    return {
-        "source": result.source, "model": result.model, "clubs": clubs,
-        "index_of_camps": index_of_camps(), "notes": list(result.notes),
-    }  # fmt: skip
+
+
+def _rpm_per_mph(index: float) -> float:
+    return float(index / units.size("rpm") * units.size("mph"))

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import product
 from statistics import median
 from typing import NamedTuple
 
 from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import InputError
+from clubface.results.result import Described, Result
 from clubface.simulation.impact import Tally
 from clubface.validation.catalogue import CHECKS, check_named
 from clubface.validation.check import Check, Figure, Judged
+from clubface.validation.validation_result import validation_result
 
 
 class Summary(NamedTuple):
@@ -54,7 +56,7 @@ class Summary(NamedTuple):
     scaled: float
 
     @property
-    def told(self) -> bool:
+    def known(self) -> bool:
         """Whether the model says anything of the quantity."""
         return not math.isnan(self.mean)
 
@@ -74,40 +76,34 @@ class Verdict(NamedTuple):
 
 def summary(figures: Iterable[Figure]) -> list[Summary]:
     """Return one summary for each quantity, in the order in which they come first."""
-    figures = list(figures)
-    order = list(dict.fromkeys(each.quantity for each in figures))
-    found = []
-    for quantity, group in groupby(sorted(figures, key=lambda each: order.index(each.quantity)), lambda f: f.quantity):
-        rows = list(group)
-        told = [each for each in rows if each.within is not None]
-        errors = [each.error for each in told]
-        found.append(
+    by_quantity: dict[str, list[Figure]] = {}
+    for each in figures:
+        by_quantity.setdefault(each.quantity, []).append(each)
+    summaries = []
+    for quantity, rows in by_quantity.items():
+        known = [each for each in rows if each.within is not None]
+        errors = [each.error for each in known]
+        sizes = [abs(each) for each in errors]
+        summaries.append(
             Summary(
-                quantity,
-                "%" if rows[0].relative else rows[0].unit,
-                len(rows),
-                sum(each.inside is True for each in rows),
-                sum(each.inside is not None for each in rows),
-                sum(each.within is True for each in rows),
-                median(map(abs, errors)) if errors else math.nan,
-                _mean(map(abs, errors)),
-                _mean(errors),
+                quantity, rows[0].error_unit, len(rows), sum(each.inside is True for each in rows),
+                sum(each.inside is not None for each in rows), sum(each.within is True for each in rows),
+                median(sizes) if sizes else math.nan, _mean(sizes), _mean(errors),
                 max(errors, key=abs, default=math.nan),
                 (min(each.tolerance for each in rows), max(each.tolerance for each in rows)),
-                _mean(abs(each.error) / each.tolerance for each in told),
+                _mean([abs(each.error) / each.tolerance for each in known]),
             )
-        )
-    return found
+        )  # fmt: skip
+    return summaries
 
 
-def _mean(values: Iterable[float]) -> float:
+def _mean(values: Sequence[float]) -> float:
     """Return the mean, NaN of nothing."""
-    values = list(values)
     return sum(values) / len(values) if values else math.nan
 
 
 @dataclass(frozen=True)
-class Validation:
+class Validation(Described):
     """Models beside published figures.
 
     Attributes
@@ -136,8 +132,12 @@ class Validation:
     def verdict(self, model: str) -> Verdict:
         """Return in how many measured quantities of all checks a model is within the tolerance."""
         every = [each for check in self.checks if check.measured for each in self.summary(model, check.name)]
-        told = [each for each in every if each.told]
-        return Verdict(sum(each.met for each in told), sum(each.within == each.figures for each in told), len(told))
+        known = [each for each in every if each.known]
+        return Verdict(sum(each.met for each in known), sum(each.within == each.figures for each in known), len(known))
+
+    def to_result(self, *, detailed: bool = True) -> Result:
+        """Return it as a result; unless ``detailed``, people see the summary alone."""
+        return validation_result(self, detailed=detailed)
 
 
 def validate(
@@ -164,15 +164,11 @@ def validate(
     chosen = CHECKS if checks is None else tuple(check_named(each) for each in checks)
     if not names or not chosen:
         raise InputError("models" if chosen else "checks", [], "at least one")
-    found: dict[str, dict[str, list[Figure]]] = {name: {} for name in names}
-    done = 0
+    figures: dict[str, dict[str, list[Figure]]] = {name: {} for name in names}
     tally = Tally()
-    for name in found:
-        judged = Judged(name, ball, tally)
-        for each in chosen:
-            found[name][each.name] = each.figures(judged)
-            done += 1
-            if progress is not None:
-                progress(done, len(found) * len(chosen))
+    for done, (name, check) in enumerate(product(figures, chosen), 1):
+        figures[name][check.name] = check.figures(Judged(name, ball, tally))
+        if progress is not None:
+            progress(done, len(figures) * len(chosen))
     tally.warn()
-    return Validation(chosen, found, ball_named(ball).name)
+    return Validation(chosen, figures, ball_named(ball).name)
