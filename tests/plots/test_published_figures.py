@@ -21,8 +21,9 @@ from clubface.inference.evaluation.result import error_picture
 from clubface.present.drawing import draw
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import tour, validate
-from clubface.validation.pictures import launch_figure, validation_figure
+from clubface.validation.pictures import launch_figure
 from clubface.validation.tour import TABLES, published_lofts
+from clubface.validation.validation_result import validation_picture
 
 DOCS = Path(__file__).parents[2] / "docs"
 
@@ -150,7 +151,7 @@ def test_published_errors_are_drawn_at_their_values():
 
 def test_errors_against_published_figures_are_drawn_over_their_tolerance():
     result = validate("standard", checks=["plates"])
-    axes = validation_figure(result).axes[0]
+    axes = draw(validation_picture(result)).axes[0]
     drawn = [x for line in axes.lines if line.get_marker() not in ("None", "") for x in line.get_xdata()]
     expected = []
     for quantity in result.summary("standard", "plates"):
