@@ -16,20 +16,14 @@ import time
 import warnings
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    CancelledError,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-    wait,
-)
+from concurrent.futures import CancelledError, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from contextvars import copy_context
 from itertools import islice
 from multiprocessing import parent_process
 from multiprocessing.context import SpawnContext, SpawnProcess
+from queue import Empty, SimpleQueue
 from types import ModuleType
 from typing import Any, TypeVar
 
@@ -157,15 +151,21 @@ def _completed(
     Parts that are put into ``again`` are submitted once more, before the others.
     """
     running: dict[Future[R], P] = {}
+    ended: SimpleQueue[Future[R]] = SimpleQueue()
     while True:
         room = max(width() - len(running), 0)
         repeated = [again.popleft() for _ in range(min(room, len(again)))] if again else []
         for part in (*repeated, *islice(parts, room - len(repeated))):
-            running[submit(part)] = part
+            future = submit(part)
+            running[future] = part
+            future.add_done_callback(ended.put)
         if not running:
             return
-        ended, _ = wait(running, timeout=POLL_INTERVAL, return_when=FIRST_COMPLETED)
-        for future in ended:
+        try:
+            future = ended.get(timeout=POLL_INTERVAL)
+        except Empty:
+            pass
+        else:
             yield running.pop(future), future
         check()
 
