@@ -128,7 +128,7 @@ def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):
         [sys.executable, "-c", MAIN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
         deadline = time.monotonic() + 60.0
-        while not glob(f"{kept}/*/parts/*.json") and time.monotonic() < deadline:
+        while not glob(f"{kept}/values.jsonl") and time.monotonic() < deadline:
             time.sleep(0.02)
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=30)
