@@ -17,7 +17,7 @@ from scipy.optimize import least_squares
 
 from clubface import Club, club, fem, units
 from clubface.fem.materials import Material, Maxwell
-from clubface.support.strict_toml import Document
+from clubface.schema import Document
 
 NAMES = {"c10 of the core, MPa": 9.0, "modulus of its branch": 0.4, "time of its branch, us": 80.0}
 """What is free, and where the search begins."""

@@ -23,7 +23,7 @@ from scipy.optimize import least_squares
 
 from clubface import club, fem, impact, units
 from clubface.fem.materials import Maxwell
-from clubface.support.strict_toml import Document
+from clubface.schema import Document
 
 FREE = {
     "c10 of the core, MPa": (9.0, 1.0),

@@ -14,9 +14,9 @@ from clubface.errors import ClubfaceError, FileError, InputError, UnitError
 from clubface.fem.sweep import ResumableTable
 from clubface.inference.identification.run import Checkpoint
 from clubface.inference.identification.simulator import Effort
+from clubface.schema.document import MOST_PARTS, Document
 from clubface.shots.reading import read_shots
 from clubface.shots.tables.cells import NUMBER
-from clubface.support.strict_toml import MOST_PARTS, Document
 from fem_meshes import HEAD, write_mesh
 
 MEMORY = 60_000_000

@@ -25,10 +25,22 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.schema import TEXT, Choice, FilePath, Items, Place, Record, Simple, Table, Tables, decode, file_key
+from clubface.schema import (
+    TEXT,
+    Choice,
+    Document,
+    FilePath,
+    Items,
+    Place,
+    Record,
+    Simple,
+    Table,
+    Tables,
+    decode,
+    file_key,
+)
 from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.files import DATA, builtin_names
-from clubface.support.strict_toml import Document
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

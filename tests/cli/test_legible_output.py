@@ -11,7 +11,7 @@ import pytest
 
 import clubface
 from clubface.errors import legible
-from clubface.support.strict_toml import Document, quoted
+from clubface.schema import Document, quoted
 
 pytest.importorskip("matplotlib")
 

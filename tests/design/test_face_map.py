@@ -12,8 +12,8 @@ from clubface.design.face_map import FaceMapDifference, forgiveness
 from clubface.design.face_surface import Interpolated, Outline, _area, _greatest, outline_of
 from clubface.errors import InputError, RangeWarning, RuleWarning, RunError, ShotError, UnknownNameError
 from clubface.fem.heads.read import club_of
+from clubface.schema import Document
 from clubface.support.files import builtin_path
-from clubface.support.strict_toml import Document
 from fem_runs import coarse
 
 pytestmark = [

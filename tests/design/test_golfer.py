@@ -10,8 +10,8 @@ from hypothesis import given, settings, strategies as st
 from clubface import published_data, units
 from clubface.design.golfer import ASSUMED, Golfer, from_document, golfer, golfers, to_toml
 from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.schema import Document
 from clubface.simulation.inputs import OF_CLUB
-from clubface.support.strict_toml import Document
 
 DEG = np.pi / 180.0
 

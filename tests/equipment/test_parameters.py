@@ -14,7 +14,7 @@ from clubface.equipment.balls import published_ball
 from clubface.equipment.models import model, models
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import FileError, InputError, UnitError, UnknownNameError
-from clubface.support.strict_toml import Document
+from clubface.schema import Document
 
 # "Three-dimensional golf clubhead-ball impact models for drivers and irons", Tables 6 to 10, SI; the shear moduli
 # divided by 100 and the printed eta replaced by zero, as the sets say.

@@ -35,6 +35,7 @@ from clubface.inference.file import infer_shots
 from clubface.inference.identification.run import Checkpoint
 from clubface.inference.identification.simulator import Effort
 from clubface.inference.prior import Prior
+from clubface.schema import Document
 from clubface.shots.formats import mapping_of
 from clubface.shots.open_connect_messages import Broken, MessageError, ObjectStream, from_json, recorded
 from clubface.shots.prediction import predict
@@ -42,7 +43,6 @@ from clubface.shots.reading import read_shots
 from clubface.shots.recorded import RecordedShots
 from clubface.studies import study as studies
 from clubface.support.files import DATA
-from clubface.support.strict_toml import Document
 from fem_meshes import FORMATS, HEAD, WHOLE, coarse_walls, stl_binary, write_mesh, write_walls
 from fuzz_consistency import ORACLES
 from fuzz_mutations import mutated

@@ -20,6 +20,7 @@ from clubface.errors import InputError, Told
 from clubface.schema import (
     TEXT,
     Choice,
+    Document,
     Either,
     Items,
     Place,
@@ -31,10 +32,10 @@ from clubface.schema import (
     decode,
     encode,
     file_key,
+    quoted,
     written_key,
 )
 from clubface.support.checks import check_choice
-from clubface.support.strict_toml import Document, quoted
 
 WAYS = ("positions", "face", "address", "swing")
 AXES = ("+x", "-x", "+y", "-y", "+z", "-z")

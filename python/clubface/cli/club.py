@@ -10,8 +10,8 @@ import typer
 from clubface import units
 from clubface.cli import options, output, show
 from clubface.errors import InputError
+from clubface.schema import quoted
 from clubface.support.checks import check_choice
-from clubface.support.strict_toml import quoted
 
 if TYPE_CHECKING:
     from clubface.equipment.clubs import Club

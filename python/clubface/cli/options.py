@@ -329,8 +329,8 @@ def parameter_sets(
 
 def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
     from clubface.equipment.parameters import ParameterSet, builtin_sets, read_sets
+    from clubface.schema import Document
     from clubface.support.files import is_path
-    from clubface.support.strict_toml import Document
 
     if is_path(chosen):
         models = {each.model for each in read_sets(Document.read(chosen))}

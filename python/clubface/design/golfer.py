@@ -53,6 +53,7 @@ from clubface.errors import InputError, Told
 from clubface.schema import (
     TEXT,
     Choice,
+    Document,
     Place,
     Quantity,
     Record,
@@ -63,6 +64,7 @@ from clubface.schema import (
     decode,
     encode,
     file_key,
+    quoted,
 )
 from clubface.shots.plausibility import can_be
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery
@@ -70,7 +72,6 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, Frozen, check_choice, check_count, check_name, check_text, is_number
 from clubface.support.files import builtin_names, is_path, path_of
 from clubface.support.processes import check_request
-from clubface.support.strict_toml import Document, quoted
 from clubface.units import SI_UNITS
 
 MOST_SHOTS = 2**32

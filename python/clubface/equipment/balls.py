@@ -20,10 +20,23 @@ from clubface.equipment.described import Described, set_si, sources_of, template
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterValue
 from clubface.errors import InputError, RuleWarning
-from clubface.schema import NAME, TEXT, Place, Quantity, Record, Simple, Tables, decode, entries, file_key, quantities
+from clubface.schema import (
+    NAME,
+    TEXT,
+    Document,
+    Place,
+    Quantity,
+    Record,
+    Simple,
+    Tables,
+    decode,
+    entries,
+    file_key,
+    quantities,
+    quoted,
+)
 from clubface.support.checks import Frozen, check_name, warn_once, without_warnings
 from clubface.support.files import builtin_names, builtin_path, is_path
-from clubface.support.strict_toml import Document, quoted
 
 
 @dataclass(frozen=True)

@@ -21,10 +21,9 @@ from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
 from clubface.equipment.described import FLAT, HANDS, Described, changed, set_si, sources_of, template_lines, to_toml
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
-from clubface.schema import NAME, TEXT, Choice, Quantity, file_key, quantities
+from clubface.schema import NAME, TEXT, Choice, Document, Quantity, file_key, quantities, quoted
 from clubface.support.checks import check_name, warn_once
 from clubface.support.files import builtin_names, builtin_path, is_path
-from clubface.support.strict_toml import Document, quoted
 
 RIGID = 0.7762
 """Coefficient of restitution of the built-in driver with a rigid face, struck in front of its CG by the ball ``modern``

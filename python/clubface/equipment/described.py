@@ -10,9 +10,8 @@ from typing import Any, ClassVar, Self, TypeVar
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.schema import TEXT, Record, Value, check_values, decode, encode, quantities, template
+from clubface.schema import TEXT, Document, Record, Value, check_values, decode, encode, quantities, template
 from clubface.support.checks import Frozen, check_names
-from clubface.support.strict_toml import Document
 
 HANDS = {"right": 1, "left": -1}
 FLAT = "flat"

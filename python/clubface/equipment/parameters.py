@@ -43,6 +43,7 @@ from clubface.schema import (
     FLAG,
     TEXT,
     Choice,
+    Document,
     Interval,
     Items,
     Place,
@@ -54,10 +55,10 @@ from clubface.schema import (
     check_values,
     decode,
     file_key,
+    quoted,
 )
 from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
-from clubface.support.strict_toml import Document, quoted
 
 
 def _dimension(parameter: Parameter) -> str:

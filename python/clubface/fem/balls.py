@@ -35,6 +35,7 @@ from clubface.schema import (
     NAME,
     TEXT,
     Choice,
+    Document,
     Place,
     Quantity,
     Record,
@@ -50,7 +51,6 @@ from clubface.schema import (
 )
 from clubface.support.checks import check_count, check_name, is_count, without_warnings
 from clubface.support.files import builtin_path, is_path, path_of
-from clubface.support.strict_toml import Document
 
 LAYERS = count(1, 48)
 THICKNESS = Quantity("mm", 0.01, 20)

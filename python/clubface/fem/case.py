@@ -16,12 +16,24 @@ from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import friction_of, strike, throw, throw_values
 from clubface.fem.settings import Settings
-from clubface.schema import NAME, TEXT, Choice, Place, Quantity, Record, Reference, Table, Unread, decode, file_key
+from clubface.schema import (
+    NAME,
+    TEXT,
+    Choice,
+    Document,
+    Place,
+    Quantity,
+    Record,
+    Reference,
+    Table,
+    Unread,
+    decode,
+    file_key,
+)
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, DIMENSIONS
 from clubface.support.checks import check_choice, check_name, check_names, check_text, without_warnings
 from clubface.support.files import builtin_names, path_of
-from clubface.support.strict_toml import Document
 
 FOLDER = "fem_cases"
 PLANE, RIGID, MESHED = "plane", "rigid", "meshed"

@@ -24,8 +24,8 @@ from clubface.fem.core import Progress
 from clubface.fem.result import Impact
 from clubface.fem.run import throw
 from clubface.fem.settings import METHODS, Settings
+from clubface.schema import Document
 from clubface.support.files import DATA
-from clubface.support.strict_toml import Document
 
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
 PUBLISHED: dict[str, float] = _ROH_LEE["figures"]

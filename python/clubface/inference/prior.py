@@ -33,14 +33,13 @@ from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, UnknownNameError
 from clubface.quantities import display_unit
-from clubface.schema import TEXT, Items, Place, Record, Table, Tables, decode, file_key
+from clubface.schema import TEXT, Document, Items, Place, Record, Table, Tables, decode, file_key
 from clubface.shots.club_names import club_kind
 from clubface.shots.measured import QUANTITIES
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names
 from clubface.support.files import is_path
-from clubface.support.strict_toml import Document
 
 NAMED = ("elite", "tour", "wide")
 """The priors that come with the package."""

@@ -6,6 +6,7 @@ checked; files and templates are written; and pages and editors learn which keys
 
 from __future__ import annotations
 
+from clubface.schema.document import Document as Document, quoted as quoted
 from clubface.schema.place import Place as Place
 from clubface.schema.tables import (
     Entry as Entry,

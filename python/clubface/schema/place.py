@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
-from clubface.support.strict_toml import Document
+from clubface.schema.document import Document
 
 __all__ = ["Place"]
 

@@ -20,9 +20,9 @@ from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
 from typing import Any, NamedTuple, TypeVar
 
+from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.values import Quantity, Record, Tables, Value
-from clubface.support.strict_toml import Document, quoted
 
 __all__ = [
     "Entry",

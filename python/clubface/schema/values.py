@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
+from clubface.schema.document import quoted
 from clubface.schema.place import Place
 from clubface.support.checks import check_choice, is_count
 from clubface.support.files import beside
-from clubface.support.strict_toml import quoted
 
 __all__ = [
     "FLAG", "NAME", "TEXT", "Choice", "Either", "FilePath", "Interval", "Items", "Quantity", "Record", "Reference",

@@ -41,7 +41,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError
-from clubface.schema import FLAG, TEXT, Choice, Place, Record, decode, file_key
+from clubface.schema import FLAG, TEXT, Choice, Document, Place, Record, decode, file_key
 from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, heading
 from clubface.shots.plausibility import Unit, can_be
 from clubface.shots.tables.cells import is_number
@@ -60,7 +60,6 @@ from clubface.shots.tables.headings import (
 from clubface.shots.tables.vocabulary import vocabulary
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
-from clubface.support.strict_toml import Document
 from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_si, unit
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"

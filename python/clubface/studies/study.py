@@ -32,7 +32,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
-from clubface.schema import NAME, TEXT, Choice, Place, Quantity, Record, Simple, Table, count, file_key
+from clubface.schema import NAME, TEXT, Choice, Document, Place, Quantity, Record, Simple, Table, count, file_key
 from clubface.studies.axes import Axis, Swept, axis, inputs_named
 from clubface.studies.designs import (
     DESIGNS,
@@ -49,7 +49,6 @@ from clubface.studies.designs import (
 from clubface.studies.kinds.kind import KINDS, Column, Computed, DescribedStudy, Kind, Task, kind
 from clubface.support.checks import MOST_SEED
 from clubface.support.files import InputRecord, absolute
-from clubface.support.strict_toml import Document
 
 SAMPLED = (HYPERCUBE, SOBOL)
 MOST_ROWS = 500_000

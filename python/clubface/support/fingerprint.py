@@ -12,7 +12,7 @@ from pathlib import Path, PurePath
 from typing import Any
 
 from clubface.errors import FileError, shortened
-from clubface.support.strict_toml import Document
+from clubface.schema import Document
 from clubface.support.version import __version__
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.models import model
+from clubface.schema import Document
 from clubface.shots.reading import read_shots
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.tables.parquet import pyarrow_for
@@ -24,7 +25,6 @@ from clubface.simulation.results import input_dimensions, outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 from clubface.support.files import DATA
-from clubface.support.strict_toml import Document
 
 FOLDER = DATA / "benchmark"
 HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}

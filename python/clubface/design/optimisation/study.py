@@ -70,6 +70,7 @@ from clubface.schema import (
     NAME,
     TEXT,
     Choice,
+    Document,
     Either,
     Interval,
     Items,
@@ -86,7 +87,6 @@ from clubface.schema import (
     file_key,
 )
 from clubface.simulation.flight import check_conditions
-from clubface.support.strict_toml import Document
 
 if TYPE_CHECKING:
     from clubface.design.golfer import Golfer

@@ -59,6 +59,7 @@ from clubface.schema import (
     NAME,
     TEXT,
     Choice,
+    Document,
     Interval,
     Items,
     Place,
@@ -75,7 +76,6 @@ from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES as DELIVERED, DIMENSIONS, Delivery
 from clubface.support.checks import check_choice, check_count, check_names, without_warnings
 from clubface.support.files import path_of
-from clubface.support.strict_toml import Document
 
 SCALED = ("crown", "sole", "skirt")
 """Walls that a head makes thicker or thinner to meet its mass, unless they are variables."""

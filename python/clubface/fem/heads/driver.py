@@ -16,9 +16,8 @@ from clubface.fem.core import beside
 from clubface.fem.heads.added_mass import TRIMS, Place
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.schema import NAME, TEXT, Items, Quantity, Record, Table, check_values, count, file_key
+from clubface.schema import NAME, TEXT, Items, Quantity, Record, Table, check_values, count, file_key, quoted
 from clubface.support.checks import warn_once
-from clubface.support.strict_toml import quoted
 
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
 SHAPES: Mapping[str, Quantity] = {

@@ -11,9 +11,8 @@ from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.meshed import MeshedClub, MeshedHead
 from clubface.fem.heads.user_mesh import MeshHead
-from clubface.schema import Choice, Place, Value, decode, entries
+from clubface.schema import Choice, Document, Place, Value, decode, entries
 from clubface.support.files import builtin_names, path_of
-from clubface.support.strict_toml import Document
 
 Design = DriverHead | IronHead | MeshHead
 FOLDER = "fem_heads"

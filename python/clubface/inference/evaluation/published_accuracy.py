@@ -17,11 +17,11 @@ from clubface import units
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import RangeWarning
+from clubface.schema import Document
 from clubface.shots.measured import QUANTITIES
 from clubface.simulation.impact import impact
 from clubface.support.checks import Frozen, without_warnings
 from clubface.support.files import DATA
-from clubface.support.strict_toml import Document
 from clubface.validation import benchmark_data
 
 __all__ = ["Pair", "PublishedAccuracy", "contradictions", "monitor_errors", "pairs", "published"]

@@ -22,6 +22,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, Told, UnknownNameError
+from clubface.schema import Document
 from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.measured import DELIVERY, QUANTITIES, SOLVED, measured_shots
 from clubface.shots.reading import read
@@ -32,7 +33,6 @@ from clubface.simulation.results import input_columns, inputs, outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import Frozen, check_choice, check_names, without_warnings
 from clubface.support.files import DATA
-from clubface.support.strict_toml import Document
 
 ALL = "all"
 """Asks for every parameter of the model."""

@@ -14,7 +14,7 @@ from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet, read_sets
 from clubface.errors import InputError, UnknownNameError
-from clubface.schema import Choice, Quantity, Record, Simple, Value
+from clubface.schema import Choice, Document, Quantity, Record, Simple, Value
 from clubface.simulation.flight import LEVEL, Air, check_conditions, conditions, ground_of
 from clubface.simulation.inputs import parameter_set, tolerance
 from clubface.simulation.results import flight_inputs, inputs
@@ -22,7 +22,6 @@ from clubface.studies.axes import Swept, number
 from clubface.studies.kinds.kind import ONE_NAME, DescribedStudy, loaded, resolved
 from clubface.support.files import is_path
 from clubface.support.processes import vector_units
-from clubface.support.strict_toml import Document
 
 CHOSEN = ("model", "club", "ball", "hand")
 """What has names: one shot after the other cannot have its own, so that shots are computed by these."""

@@ -1,0 +1,226 @@
+"""TOML read strictly: where each key stands, so that every error names file, line and key."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from clubface.errors import FileError, legible
+from clubface.support.files import read_input
+
+__all__ = ["Document", "KeyPath", "quoted"]
+
+MAXIMUM_SIZE = 1_000_000
+"""Bytes; no club, ball or parameter file comes near it."""
+MOST_PARTS = 16
+"""Names in a dotted key, and brackets in brackets; the files of clubface have three."""
+NESTED = f"nested too deeply, more than {MOST_PARTS} tables or lists in each other"
+TWICE = ("Cannot overwrite a value", "Cannot declare")
+"""How the parser begins to tell that a key or a table is there twice."""
+INTEGERS = range(-(2**63), 2**63)
+"""Whole numbers that TOML has."""
+KeyPath = tuple[str | int, ...]
+"""Keys, and indices in lists, from the top of a document to a value."""
+TEXTS = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
+"""Texts and comments."""
+BARE = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.")
+"""Letters of keys without quotes, and the point between parts of one."""
+LONGEST_KEY = 60
+
+
+class Document:
+    """One TOML file: its content, and where each key stands.
+
+    Attributes
+    ----------
+    data
+        The parsed content.
+    path
+        The name used in errors.
+    """
+
+    def __init__(self, text: str, path: str = "<text>") -> None:
+        import tomllib
+
+        self.path = path
+        self._lines, self._text = text.splitlines(), text
+        _check_depth(text, path)
+        try:
+            self.data: dict[str, Any] = tomllib.loads(text)
+        except (ValueError, RecursionError) as error:
+            message = NESTED if isinstance(error, RecursionError) else str(error)
+            line = _line_in(message)
+            if "int_max_str_digits" in message:
+                message = "a whole number has thousands of digits"
+            elif message.startswith(TWICE):
+                message = "what this line sets or opens is set or opened before"
+            raise FileError(path, line, f"this is not TOML: {message}{self._unquoted(line)}") from None
+        for key, value in self.data.items():
+            if flaw := _flaw_of(value):
+                raise FileError(path, self.line_of((key,)), f"{key} holds {flaw}", key)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Document:
+        """Read the file at ``path``; one missing, too large or not UTF-8 is a :class:`FileError`."""
+        name, content = os.fspath(path), read_input(path, most=MAXIMUM_SIZE)
+        try:
+            text = content.decode("utf-8-sig")  # editors of Windows begin with a byte order mark
+        except UnicodeDecodeError as error:
+            line = content[: error.start].count(b"\n") + 1
+            raise FileError(name, line, "this is not UTF-8 text") from None
+        return cls(text, name)
+
+    def _unquoted(self, number: int | None) -> str:
+        """Say how to write the key of a line if TOML takes it in quotes only."""
+        line = self._lines[number - 1] if number is not None and number <= len(self._lines) else ""
+        key, equals, _ = (part.strip() for part in line.partition("="))
+        if not equals or not key or key[0] in "\"'[" or len(key) > LONGEST_KEY or all(c in BARE for c in key):
+            return ""
+        return f"; put the name into quotes: {quoted(key)} = ..."
+
+    @cached_property
+    def _line_by_path(self) -> dict[KeyPath, int]:
+        return lines_of(self._text)
+
+    def line_of(self, path: KeyPath) -> int | None:
+        """Return the line (from 1) of the value at a path of keys and indices, or of the nearest table around it."""
+        for length in range(len(path), 0, -1):
+            if path[:length] in self._line_by_path:
+                return self._line_by_path[path[:length]]
+        return None
+
+    def line_like(self, key: str, path: KeyPath = ()) -> int | None:
+        """Return the line of a key at or below a path, whose names may be joined by points or low lines.
+
+        ``shape.loft`` and ``shape_loft`` are ``loft`` in ``[shape]``, and so is ``loft`` alone. Without such a key it
+        is the line of the path.
+        """
+        ending = "_" + key.replace(".", "_")
+        lines: list[tuple[int, int]] = []
+        for each, line in self._line_by_path.items():
+            if each[: len(path)] == path and each:
+                joined = "_" + "_".join(part for part in each if isinstance(part, str)).replace(".", "_")
+                if joined.endswith(ending):
+                    lines.append((len(each), line))
+        return min(lines)[1] if lines else self.line_of(path)
+
+
+def _check_depth(text: str, path: str) -> None:
+    """Refuse keys of many parts and deep nesting, on which a parser would spend gigabytes, before it reads them."""
+    # What stands in texts and comments does not count; their ends of lines do.
+    bare = re.sub(TEXTS, lambda found: "\n" * found[0].count("\n"), text, flags=re.DOTALL)
+    if len(bare) <= MOST_PARTS:
+        return
+    depth = 0
+    for line, content in enumerate(bare.split("\n"), 1):
+        for part in re.split(r"([\[\]{},=])", content):
+            depth += (part in ("[", "{")) - (part in ("]", "}"))
+            if depth > MOST_PARTS or part.count(".") >= MOST_PARTS:
+                raise FileError(path, line, f"this is not TOML of clubface: {NESTED}")
+
+
+def _flaw_of(value: Any) -> str:
+    """Say what is in a value that no computation can take, or return nothing."""
+    if isinstance(value, dict | list):
+        return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
+    if isinstance(value, int) and value not in INTEGERS:
+        return "a whole number of more than 64 bits, which TOML does not have"
+    return ""
+
+
+def quoted(text: str) -> str:
+    """Write ``text`` as a TOML string, in quotes."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{legible(escaped)}"'
+
+
+def _line_in(message: str) -> int | None:
+    """Find the line number in tomllib's "... (at line 3, column 5)"."""
+    _, found, rest = message.partition("at line ")
+    digits = rest.split(",")[0]
+    return int(digits) if found and digits.isdigit() else None
+
+
+@dataclass
+class _Bracket:
+    """A list or an inline table that is open."""
+
+    sign: str
+    path: KeyPath
+    index: int = 0
+
+    @property
+    def inside(self) -> KeyPath:
+        return (*self.path, self.index) if self.sign == "[" else self.path
+
+
+@dataclass
+class _Reader:
+    """The state of the reader between two tokens."""
+
+    lines: dict[KeyPath, int] = field(default_factory=dict)
+    last: dict[KeyPath, int] = field(default_factory=dict)
+    """Index of the latest table of each array of tables."""
+
+    def resolve(self, parts: list[str], line: int, start: KeyPath = (), *, heading: int = 0) -> KeyPath:
+        """Return the path that a key of several parts means, and note the line of every part that is new.
+
+        ``heading`` is the number of brackets around a heading: two open another table of an array.
+        """
+        path = start
+        for number, part in enumerate(parts, 1):
+            path = (*path, part)
+            self.lines.setdefault(path, line)
+            if heading and number == len(parts):
+                if heading == 2:
+                    self.last[path] = self.last.get(path, -1) + 1
+                    self.lines[*path, self.last[path]] = line
+                else:
+                    self.lines[path] = line
+            if heading and path in self.last:
+                path = (*path, self.last[path])
+        return path
+
+
+def lines_of(text: str) -> dict[KeyPath, int]:
+    """Return the lines (from 1) of all keys, tables and tables in lists of a valid document."""
+    reader, open_brackets = _Reader(), list[_Bracket]()
+    table: KeyPath = ()
+    value: KeyPath = ()
+    parts: list[str] = []
+    is_key, heading, line = True, 0, 1
+    for token in re.finditer(rf"{TEXTS}|[\[\]{{}},=\n]|[\w-]+", text, flags=re.DOTALL):
+        sign = token[0]
+        inner = open_brackets[-1] if open_brackets else None
+        if sign == "\n":
+            if inner is None:
+                is_key, heading, parts = True, 0, []
+        elif sign == "[" and is_key and inner is None and not parts:
+            heading += 1
+        elif sign == "]" and heading:
+            if parts:
+                table = reader.resolve(parts, line, heading=heading)
+                parts = []
+        elif sign == "=" and is_key:
+            value = reader.resolve(parts, line, table if inner is None else inner.inside)
+            is_key, parts = False, []
+        elif sign in ("[", "{"):
+            path = inner.inside if inner is not None and inner.sign == "[" else value
+            open_brackets.append(_Bracket(sign, path))
+            reader.lines.setdefault(path, line)
+            is_key, parts = sign == "{", []
+        elif sign in ("]", "}"):
+            if inner is not None:
+                open_brackets.pop()
+            is_key = False
+        elif sign == ",":
+            if inner is not None:
+                inner.index += inner.sign == "["
+                is_key, parts = inner.sign == "{", []
+        elif is_key and not sign.startswith("#"):
+            parts.append(sign.strip("\"'"))
+        line += sign.count("\n")
+    return reader.lines
