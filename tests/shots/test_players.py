@@ -10,8 +10,7 @@ import clubface
 from clubface import shots as launch_monitor
 from clubface.inference.evaluation.evaluation import evaluate
 from clubface.inference.identification.problem import prepared_shots
-from clubface.present.document import Heading
-from clubface.present.player_report import blocks, figures_by_club
+from clubface.inference.player_report import player_result
 from clubface.shots.session_summary import summarised
 
 DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
@@ -134,9 +133,8 @@ def test_the_drives_of_two_players_are_no_club_of_one(clubface_, range_session, 
 def test_a_report_tells_the_players_apart(clubface_, range_session, tmp_path):
     pytest.importorskip("matplotlib")
     shots = launch_monitor.read(range_session)
-    headings = [each for each in blocks(figures_by_club(shots), shots) if isinstance(each, Heading)]
-    told = [each.text for each in headings if each.level == 2]
-    assert told[:3] == ["Ann: Driver", "Ann: 7 Iron", "Ben: Driver"]
+    result = player_result(shots)
+    assert [each.title for each in result.parts[:3]] == ["Ann: Driver", "Ann: 7 Iron", "Ben: Driver"]
     target = tmp_path / "ben.md"
     ran = clubface_("monitor", "report", str(range_session), "-o", str(target), "--where", "player == 'Ben'")
     assert ran.status == 0

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import options, output, reporting, show
+from clubface.cli import options, output, show
+from clubface.cli.app import command as typed_command
 from clubface.cli.failures import say
 from clubface.cli.recorded import READING, Files, read_shots
 from clubface.errors import FileError, InputError
@@ -166,8 +167,9 @@ def report(
 
     import numpy as np
 
+    from clubface.inference.player_report import player_result
     from clubface.present.document import ENDINGS
-    from clubface.present.player_report import write_report
+    from clubface.present.report import write_report
 
     output.check_target("--output", target, ENDINGS, [*files, texts["mapping"]])
     import clubface.plots  # noqa: F401  (a missing library is told before any work)
@@ -175,7 +177,9 @@ def report(
     shots = read_shots(files, texts, where=True)
     if club is not None:
         shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
-    say(f"wrote {write_report(shots, target, more=reporting.repeat())}")
+    result = player_result(shots)
+    result = result.replace(provenance=result.provenance.with_files())
+    say(f"wrote {write_report(result, target, command=typed_command())}")
 
 
 @app.command()

@@ -1,3 +1,5 @@
-"""Reports of shots and of players: one file with text, tables, pictures and data."""
+"""Results as people read them: terminal, files, reports, notebooks and pictures."""
 
-from clubface.present.player_report import write_report as write_report
+from clubface.present.report import write_report as write_report
+
+__all__ = ["write_report"]

@@ -48,16 +48,24 @@ def write_report(
 
 def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, command: str = "") -> Iterator[Block]:
     """Yield the pieces of the report on a result."""
-    yield Heading(1, result.title)
+    yield from _result_blocks(result, units, 1)
+    yield from provenance_blocks(result.provenance)
+    yield from _repeat_blocks(result.provenance, command)
+
+
+def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) -> Iterator[Block]:
+    """Yield the pieces of a result and of its parts, whose headings are of the next level."""
+    yield Heading(level, result.title)
     if result.summary:
         yield Paragraph(tuple(each.sentence for each in result.summary))
     yield from picture_blocks(result, units)
-    yield Heading(2, "All figures")
-    yield from table_blocks(result, units)
+    if level == 1 and (result.tables or result.values or result.notes):
+        yield Heading(2, "All figures")
+    yield from table_blocks(result, units, "" if level == 1 else f"{result.title} ")
     if notes := [each.sentence for each in result.notes]:
         yield Bullets(list(dict.fromkeys(notes)))
-    yield from provenance_blocks(result.provenance)
-    yield from _repeat_blocks(result.provenance, command)
+    for each in result.parts:
+        yield from _result_blocks(each, units, level + 1)
 
 
 def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
@@ -73,11 +81,14 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
         yield Picture(each.caption, svg(draw(each, units)), Data(each.name, headings, rows))
 
 
-def table_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
-    """Yield the values and tables of a result as people read them, each with its numbers as CSV."""
+def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix: str = "") -> Iterator[Block]:
+    """Yield the values and tables of a result as people read them, each with its numbers as CSV.
+
+    The names of the CSV files begin with the ``prefix``.
+    """
     if rows := values_of(result.values, units):
         table = Table(result.kind, result.values)
-        yield TextTable(("quantity", "value", "unit"), rows, _data(table))
+        yield TextTable(("quantity", "value", "unit"), rows, _data(table, prefix))
     for each in result.tables:
         if not len(each):
             continue
@@ -85,10 +96,10 @@ def table_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iter
             yield Heading(3, each.title)
         if each.layout == "list":
             rows = values_of(each.columns, units)
-            yield TextTable(("quantity", "value", "unit"), rows, _data(each))
+            yield TextTable(("quantity", "value", "unit"), rows, _data(each, prefix))
             continue
         heads, cells = headings_and_rows(each, units)
-        yield TextTable([f"{words} ({unit})" if unit else words for words, unit in heads], cells, _data(each))
+        yield TextTable([f"{words} ({unit})" if unit else words for words, unit in heads], cells, _data(each, prefix))
 
 
 def provenance_blocks(of: Provenance) -> Iterator[Block]:
@@ -130,6 +141,6 @@ def _repeat_blocks(of: Provenance, command: str) -> Iterator[Block]:
         yield Listing(name, content)
 
 
-def _data(table: Table) -> Data:
+def _data(table: Table, prefix: str = "") -> Data:
     rows: Sequence[Sequence[Any]] = list(table.csv_rows())
-    return Data(file_name(table.name), rows[0], rows[1:])
+    return Data(file_name(prefix + table.name), rows[0], rows[1:])

@@ -47,6 +47,8 @@ class Result:
         What else the command can do; only the terminal shows them.
     provenance
         What it was computed from.
+    parts
+        Results of which it consists, such as the clubs of a player; reports and JSON have them.
     draw
         Makes its pictures, which take time; None if there are none.
     """
@@ -59,6 +61,7 @@ class Result:
     notes: tuple[Note, ...] = ()
     hints: tuple[Note, ...] = ()
     provenance: Provenance = field(default_factory=Provenance)
+    parts: tuple[Result, ...] = ()
     draw: Callable[[], Sequence[Picture]] | None = field(default=None, repr=False, compare=False)
 
     def table(self, name: str | None = None) -> Table:
@@ -90,7 +93,7 @@ class Result:
             "summary": [each.to_dict() for each in self.summary],
             "notes": [each.to_dict() for each in self.notes],
             "provenance": self.provenance.to_dict(),
-        }
+        } | ({"parts": [each.to_dict() for each in self.parts]} if self.parts else {})
 
     def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
         """Return a table (the main one unless named) with SI values; ``attrs`` has units and provenance."""

@@ -7,8 +7,8 @@ SENTENCES = {
         "the gap between {longer} and {shorter} is not sure: {gap_carry:1} with a standard error of {error_carry:1}"
     ),
     "session-gap-of-a-single-shot": (
-        "the gap between {longer} and {shorter} is not sure: {gap_carry:1} with a single shot, so that its error is not "
-        "known"
+        "the gap between {longer} and {shorter} is not sure: {gap_carry:1} with a single shot, so that its error is "
+        "not known"
     ),
     "session-partly-measured": "{quantity} was not measured in every shot: {counts}",
 }

@@ -10,10 +10,11 @@ import pytest
 
 import clubface
 from clubface.errors import InputError
-from clubface.present import club_summary, player_report, player_sentences
-from clubface.present.club_summary import figure, figures_of
-from clubface.present.document import Picture, as_markdown
-from clubface.present.player_report import blocks, figures_by_club, write_report
+from clubface.inference import player_report, player_sentences, player_statistics
+from clubface.inference.player_report import player_result, result_of_clubs, statistics_by_club
+from clubface.inference.player_statistics import club_statistics, statistic
+from clubface.present.document import as_markdown
+from clubface.present.report import report_blocks, write_report
 from clubface.shots.recorded import RecordedShots
 
 pytest.importorskip("matplotlib")
@@ -42,7 +43,7 @@ def shots(count=12, *, club="Driver", drop=(), **columns):
 
 def test_the_typical_shot_is_the_mean_of_the_file():
     given = shots(carry=230 * YD, side=-12 * YD)
-    text = " ".join(player_sentences.measured(figures_of(given, "Driver")))
+    text = " ".join(player_sentences.measured(club_statistics(given, "Driver")))
     assert "We measured 12 shots" in text
     speed = given.launches["ball_speed"].mean() / MPH
     assert f"ball speed {speed:.0f} mph" in text
@@ -53,7 +54,7 @@ def test_the_typical_shot_is_the_mean_of_the_file():
 
 
 def test_a_carry_that_was_not_measured_is_computed_and_said_so():
-    found = figures_of(shots(), "Driver")
+    found = club_statistics(shots(), "Driver")
     flight = clubface.fly({name: shots().launches[name] for name in ("ball_speed", "launch", "azimuth", "total_spin",
                                                                      "spin_axis")})  # fmt: skip
     text = " ".join(player_sentences.measured(found))
@@ -62,7 +63,7 @@ def test_a_carry_that_was_not_measured_is_computed_and_said_so():
 
 
 def test_sides_are_in_words():
-    text = " ".join(player_sentences.line(figures_of(shots(), "Driver")))
+    text = " ".join(player_sentences.line(club_statistics(shots(), "Driver")))
     start = np.degrees(shots().launches["azimuth"].mean())
     assert f"Your ball starts {start:.1f}° to the right and bends to the right" in text
     assert re.search(r"As measured, your club face points [23]\.\d° to the right", text)
@@ -78,7 +79,7 @@ def test_sides_are_in_words():
 
 def test_a_closing_face_is_told_with_what_it_does_to_start_and_bend():
     """A face that closes on the way moves to the left, which is a face open to that path: left start, bend right."""
-    found = figures_of(shots(), "Driver")
+    found = club_statistics(shots(), "Driver")
     assert found.inferred is not None
     base = found.inferred.mean
     without = clubface.impact("driver", {**base, "closure": 0.0})
@@ -93,18 +94,18 @@ def test_a_closing_face_is_told_with_what_it_does_to_start_and_bend():
     )
     measured = shots()
     measured.deliveries["closure"] = np.full(12, 2500 * DEG)
-    assert "usual for golfers" not in " ".join(player_sentences.line(figures_of(measured, "Driver")))
+    assert "usual for golfers" not in " ".join(player_sentences.line(club_statistics(measured, "Driver")))
 
 
 def test_the_only_player_of_a_file_is_named():
     given = shots()
-    assert " by " not in str(next(iter(list(blocks([], given))[1:])))
+    assert " by " not in result_of_clubs([], given).summary[0].sentence
     named = dataclasses.replace(given, players=np.full(12, "Maria", dtype=object))
-    assert "12 shots by Maria of range.csv" in str(next(iter(list(blocks([], named))[1:])))
+    assert "12 shots by Maria of range.csv" in result_of_clubs([], named).summary[0].sentence
 
 
 def test_a_mile_per_hour_more_is_told_to_a_tenth_of_ball_speed():
-    found = figures_of(shots(), "Driver")
+    found = club_statistics(shots(), "Driver")
     faster = next(each for each in found.changes if each.name == "speed")
     told = f"ball speed {faster.launch['ball_speed'] / MPH:+.1f} mph"
     assert any(each.startswith("If you swing 1 mph faster: " + told) for each in player_sentences.what_if(found))
@@ -112,9 +113,9 @@ def test_a_mile_per_hour_more_is_told_to_a_tenth_of_ball_speed():
 
 def test_a_strike_that_was_measured_is_told_and_one_that_was_not_is_estimated_with_its_doubt():
     assert "the face 8 mm towards the toe and at the middle height" in " ".join(
-        player_sentences.strike(figures_of(shots(), "Driver"))
+        player_sentences.strike(club_statistics(shots(), "Driver"))
     )
-    found = figures_of(shots(drop=("toe", "high")), "Driver")
+    found = club_statistics(shots(drop=("toe", "high")), "Driver")
     text = " ".join(player_sentences.strike(found))
     assert found.inferred is not None
     low, high = (1e3 * (found.inferred.mean["toe"] + sign * 2.0 * found.inferred.doubt["toe"]) for sign in (-1, 1))
@@ -125,7 +126,7 @@ def test_a_strike_that_was_measured_is_told_and_one_that_was_not_is_estimated_wi
 
 
 def test_the_what_if_is_that_of_the_model():
-    found = figures_of(shots(), "Driver")
+    found = club_statistics(shots(), "Driver")
     assert found.inferred is not None
     base = found.inferred.mean
     face = next(each for each in found.changes if each.name == "face")
@@ -143,7 +144,7 @@ def test_the_what_if_is_that_of_the_model():
 
 
 def test_a_change_of_spin_says_whether_there_is_more_or_less_of_it():
-    found = figures_of(shots(), "Driver")
+    found = club_statistics(shots(), "Driver")
     texts = list(player_sentences.what_if(found))
     assert len(texts) == len(found.changes)
     signs = set()
@@ -156,11 +157,13 @@ def test_a_change_of_spin_says_whether_there_is_more_or_less_of_it():
 
 
 def test_what_is_not_known_is_said():
-    text = " ".join(player_sentences.doubt(figures_of(shots(3, carry=np.array([220.0, 230.0, 240.0]) * YD), "Driver")))
+    text = " ".join(
+        player_sentences.doubt(club_statistics(shots(3, carry=np.array([220.0, 230.0, 240.0]) * YD), "Driver"))
+    )
     # Student's t of 2 degrees of freedom, 4.303, times 10 yards over the root of 3.
     assert "to about 25 yards either way" in text
     assert "3 shots are few" in text
-    putter = figures_of(shots(club="Chipper"), "Chipper")
+    putter = club_statistics(shots(club="Chipper"), "Chipper")
     assert putter.club is None
     assert putter.changes == ()
     assert "no model of Chipper" in " ".join(player_sentences.doubt(putter))
@@ -169,16 +172,16 @@ def test_what_is_not_known_is_said():
 def test_shots_whose_figures_do_not_go_together_are_named():
     given = shots()
     given.deliveries["attack"][4] = 15 * DEG
-    text = " ".join(player_sentences.doubt(figures_of(given, "Driver")))
+    text = " ".join(player_sentences.doubt(club_statistics(given, "Driver")))
     assert "hardly go together, so that one of them may be wrong: 6." in text
-    assert "hardly go together" not in " ".join(player_sentences.doubt(figures_of(shots(), "Driver")))
+    assert "hardly go together" not in " ".join(player_sentences.doubt(club_statistics(shots(), "Driver")))
 
 
 def test_two_of_three_shots_lie_between_what_is_told():
-    found = figure(np.arange(13.0))
+    found = statistic(np.arange(13.0))
     assert found is not None
     assert (found.low, found.high, found.count) == (2.0, 10.0, 13)
-    assert figure(np.array([np.nan])) is None
+    assert statistic(np.array([np.nan])) is None
 
 
 class Reader(HTMLParser):
@@ -186,11 +189,14 @@ class Reader(HTMLParser):
 
     def __init__(self):
         super().__init__()
-        self.shown, self.loaded, self.saved = [], [], []
+        self.shown, self.loaded, self.saved, self.files = [], [], [], {}
 
     def handle_starttag(self, tag, attrs):
         self.loaded += [value for name, value in attrs if name == "src"]
-        self.saved += [value for name, value in attrs if name == "href"]
+        given = dict(attrs)
+        self.saved += [given["href"]] if "href" in given else []
+        if given.get("href", "").startswith("data:text/csv;base64,"):
+            self.files[given["download"]] = base64.b64decode(given["href"].partition(",")[2])
 
     def handle_data(self, data):
         self.shown.append(data)
@@ -201,49 +207,57 @@ def test_the_page_is_one_file_with_its_pictures(tmp_path):
     clubs = np.array(["Driver"] * 7 + ["<b>7 Iron</b>"] * 5, dtype=object)
     given = clubface.RecordedShots(**{**vars(given), "clubs": clubs})
     page = Reader()
-    page.feed(write_report(given, tmp_path / "report.html").read_text())
+    page.feed(write_report(player_result(given), tmp_path / "report.html").read_text())
     assert "This report is about 12 shots of range.csv: Driver (7), <b>7 Iron</b> (5)." in page.shown
     assert len(page.loaded) == 2
     for each in page.loaded:
         kind, _, data = each.partition(",")
         assert kind == "data:image/svg+xml;base64"
         assert b"<svg" in base64.b64decode(data)
-    # A picture and its shots for each club; then the inputs, and addresses of sources.
-    pictures, tables = page.saved[:4:2], page.saved[1:4:2]
-    assert any(each.startswith("https://") for each in page.saved[4:])
-    assert pictures == page.loaded
+    # A picture and its points, the figures and the shots of each club; then the changes, and addresses of sources.
+    assert any(each.startswith("https://") for each in page.saved)
+    assert [each for each in page.saved if each.startswith("data:image")] == page.loaded
     counts = []
-    for number, (each, club) in enumerate(zip(tables, ("Driver", "<b>7 Iron</b>"), strict=True)):
-        kind, _, data = each.partition(",")
-        assert kind == "data:text/csv;base64"
-        (tmp_path / f"{number}.csv").write_bytes(base64.b64decode(data))
+    for number, (name, club) in enumerate({"driver": "Driver", "b-7-iron-b": "<b>7 Iron</b>"}.items()):
+        (tmp_path / f"{number}.csv").write_bytes(page.files[f"{name}-shots.csv"])
         again = clubface.read_shots(tmp_path / f"{number}.csv")
         mine = given.select(given.clubs == club)
         assert set(again.clubs) == {club}
         np.testing.assert_allclose(again.launches["backspin"], mine.launches["backspin"], rtol=1e-12)
         counts.append(len(again))
     assert counts == [7, 5]
-    markdown = write_report(given, tmp_path / "report.md").read_text()
+    markdown = write_report(player_result(given), tmp_path / "report.md").read_text()
     assert markdown.count("](data:image/svg+xml;base64,") == 2
     assert "<b>" not in markdown
     with pytest.raises(InputError, match=r"ends in \.html or \.md"):
-        write_report(given, tmp_path / "report.pdf")
+        write_report(player_result(given), tmp_path / "report.pdf")
+
+
+def test_the_document_has_the_clubs_as_parts_with_their_numbers():
+    given = shots(carry=230 * YD)
+    document = player_result(given).to_dict()
+    (club,) = (each for each in document["parts"] if each["kind"] == "club")
+    (carry,) = (row for row in club["tables"]["statistics"]["rows"] if row["quantity"] == "carry")
+    assert (carry["shots"], carry["unit"], carry["mean"]) == (12, "m", pytest.approx(230 * YD))
+    (changes,) = (each for each in club["parts"] if each["kind"] == "changes")
+    faster = next(row for row in changes["tables"]["changes"]["rows"] if row["change"] == "speed")
+    assert faster["ball_speed_mps"] == pytest.approx(1.46 * MPH, rel=0.05)  # the smash factor of this driver
 
 
 def test_a_report_on_very_many_players_says_what_it_leaves_out(monkeypatch):
     """A picture takes a fifth of a second, and so do the deliveries of twenty shots."""
     monkeypatch.setattr(player_report, "MOST_PICTURES", 2)
-    monkeypatch.setattr(club_summary, "IN_ALL", 15)
+    monkeypatch.setattr(player_statistics, "IN_ALL", 15)
     given = shots(18)
     given = dataclasses.replace(given, players=np.array(["Ann", "Bob", "Cid"] * 6, dtype=object))
-    clubs = figures_by_club(given)
+    clubs = statistics_by_club(given)
     assert [each.inferred.shots for each in clubs] == [5, 5, 5]
-    pieces = list(blocks(clubs, given))
-    assert sum(isinstance(each, Picture) for each in pieces) == 2
-    text = as_markdown(pieces)
+    result = result_of_clubs(clubs, given)
+    assert sum(len(each.pictures()) for each in result.parts) == 2
+    text = as_markdown(list(report_blocks(result)))
     assert "Pictures are drawn for the first 2 of 3 clubs" in text
     assert text.count("was computed for 5 of the shots") == 3
-    assert figures_of(shots(18), "Driver").inferred.shots == 15
+    assert club_statistics(shots(18), "Driver").inferred.shots == 15
 
 
 def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, write):
@@ -259,13 +273,12 @@ def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, w
     nothing = write("ball_speed_mph,carry_yd\n110,150\n", "carry.csv")
     clubface_("monitor", "report", str(nothing), "-o", str(target))
     assert "It carries 150 yards." in target.read_text()
-    assert as_markdown(list(blocks([figures_of(shots(2), "Driver")], shots(2)))).startswith("# Your shots")
 
 
 @pytest.mark.parametrize("count", [4, 5, 6, 9, 10, 11])
 def test_how_many_shots_more_would_tell_twice_as_well(count):
     """The error of a mean falls with the square root of the number of shots."""
-    text = " ".join(player_sentences.doubt(figures_of(shots(count), "Driver")))
+    text = " ".join(player_sentences.doubt(club_statistics(shots(count), "Driver")))
     told = re.search(r"With (\d+) shots more we would know the averages about twice", text)
     if not 5 <= count < 10:
         assert told is None

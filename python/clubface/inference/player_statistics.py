@@ -35,7 +35,7 @@ LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Figure:
+class Statistic:
     """Mean, spread and number of the measured values of one quantity, SI."""
 
     mean: float
@@ -92,7 +92,7 @@ class Change:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ClubFigures:
+class ClubStatistics:
     """All figures of one club.
 
     Attributes
@@ -123,7 +123,7 @@ class ClubFigures:
     name: str
     club: Club | None
     shots: RecordedShots
-    measured: dict[str, Figure]
+    measured: dict[str, Statistic]
     computed: bool
     inferred: Inferred | None = None
     changes: tuple[Change, ...] = ()
@@ -138,7 +138,7 @@ class ClubFigures:
         return f"{self.player}: {self.name}" if self.player else self.name
 
 
-def figures_of(shots: RecordedShots, name: str, clubs: int = 1) -> ClubFigures:
+def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStatistics:
     """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
     kind = club_kind(name)
     head = club_named(kind) if kind in TOUR_CLUBS else None
@@ -150,28 +150,28 @@ def figures_of(shots: RecordedShots, name: str, clubs: int = 1) -> ClubFigures:
     computed = "carry" not in columns and all(each in columns for each in LAUNCHED)
     if computed:
         columns |= _flown({each: columns[each] for each in LAUNCHED})
-    measured = {each: found for each, values in columns.items() if (found := figure(values)) is not None}
-    plain = ClubFigures(name=name, club=head, shots=shots, measured=measured, computed=computed)
+    measured = {each: found for each, values in columns.items() if (found := statistic(values)) is not None}
+    plain = ClubStatistics(name=name, club=head, shots=shots, measured=measured, computed=computed)
     if head is None or "ball_speed" not in measured or "launch" not in measured:
         return plain
     found = _inferred(shots, head, min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs)))
     if found is None:
         return plain
     launch, changes, start, closing = _changes(head, found.mean)
-    return ClubFigures(
+    return ClubStatistics(
         name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=found, changes=changes,
         start=start, closing=closing, launch=launch,
     )  # fmt: skip
 
 
-def figure(values: Floats) -> Figure | None:
+def statistic(values: Floats) -> Statistic | None:
     """Return the figures of measured values; None if there are none. Two of three shots lie from low to high."""
     known = values[np.isfinite(values)]
     if not known.size:
         return None
     low, high = np.quantile(known, [1 / 6, 5 / 6])
     spread = float(known.std(ddof=1)) if known.size > 1 else math.nan
-    return Figure(mean=float(known.mean()), spread=spread, low=float(low), high=float(high), count=int(known.size))
+    return Statistic(mean=float(known.mean()), spread=spread, low=float(low), high=float(high), count=int(known.size))
 
 
 def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
@@ -240,3 +240,15 @@ def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:
         for name in found:
             found[name][known] = getattr(flight, name)
     return found
+
+
+def difference_error(one: Statistic, other: Statistic) -> float:
+    """Return half of the 95% interval of the difference of two means, whose spreads may differ (Welch, 1947)."""
+    from scipy.special import stdtrit
+
+    parts = [each.spread**2 / each.count for each in (one, other)]
+    total = sum(parts)
+    if total == 0.0:
+        return 0.0
+    freedom = total**2 / sum(part**2 / (each.count - 1) for part, each in zip(parts, (one, other), strict=True))
+    return float(stdtrit(freedom, 0.975)) * math.sqrt(total)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from clubface import units
-from clubface.present.club_summary import ClubFigures, Figure
+from clubface.inference.player_statistics import ClubStatistics, Statistic
 from clubface.quantities import display_unit
 from clubface.shots.formats import CONTACT
 from clubface.simulation.inputs import DIMENSIONS
@@ -69,7 +69,7 @@ def counted(shots: int) -> str:
     return f"{shots} shot{'s' * (shots != 1)}"
 
 
-def measured(of: ClubFigures) -> Iterator[str]:
+def measured(of: ClubStatistics) -> Iterator[str]:
     """Yield what was measured and the typical shot."""
     there = [NAMES[name] for name in NAMES if name in of.measured and not (of.computed and name in ("carry", "side"))]
     yield f"We measured {counted(len(of.shots))}: {_listed(there)}."
@@ -90,7 +90,7 @@ def measured(of: ClubFigures) -> Iterator[str]:
         yield f"On average it finishes {sided(side.mean, 'side')}{_spread(side, 'side', '; ')}."
 
 
-def line(of: ClubFigures) -> Iterator[str]:
+def line(of: ClubStatistics) -> Iterator[str]:
     """Yield where the ball starts and how it bends, beside face and path."""
     start, axis = of.measured.get("azimuth"), of.measured.get("spin_axis")
     if start is None:
@@ -139,7 +139,7 @@ def line(of: ClubFigures) -> Iterator[str]:
         yield _closing(of)
 
 
-def _closing(of: ClubFigures) -> str:
+def _closing(of: ClubStatistics) -> str:
     """Say what the closing of the face does to start and bend."""
     start, spin = of.closing["azimuth"], of.closing["sidespin"]
     side, bend = ("right" if each > 0.0 else "left" for each in (start, spin))
@@ -150,7 +150,7 @@ def _closing(of: ClubFigures) -> str:
     )
 
 
-def strike(of: ClubFigures) -> Iterator[str]:
+def strike(of: ClubStatistics) -> Iterator[str]:
     """Yield where the ball meets the face."""
     seen = [name for name in ("toe", "high") if name in of.measured]
     if seen:
@@ -172,7 +172,7 @@ def strike(of: ClubFigures) -> Iterator[str]:
         yield "Spray or impact tape on the face would tell this far better than any computation."
 
 
-def what_if(of: ClubFigures) -> Iterator[str]:
+def what_if(of: ClubStatistics) -> Iterator[str]:
     """Yield what a change does to the average shot, all else the same."""
     for each in of.changes:
         told = [
@@ -190,7 +190,7 @@ def what_if(of: ClubFigures) -> Iterator[str]:
         yield f"If you {STEPS[each.name]}: {', '.join(shown)}."
 
 
-def doubt(of: ClubFigures) -> Iterator[str]:
+def doubt(of: ClubStatistics) -> Iterator[str]:
     """Yield how sure all this is."""
     count = len(of.shots)
     carry = of.measured.get("carry")
@@ -230,7 +230,7 @@ def doubt(of: ClubFigures) -> Iterator[str]:
         )
 
 
-def _spread(of: Figure, name: str, before: str = "") -> str:
+def _spread(of: Statistic, name: str, before: str = "") -> str:
     """Return how much shots differ, with what stands ``before`` it; nothing for a single shot."""
     if of.count < 2:
         return ""
