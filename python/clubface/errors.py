@@ -234,7 +234,7 @@ def in_a_line(text: str) -> str:
 
     # A quotation begins and ends where no letter stands on its outer side: an apostrophe is none.
     long = rf"(?<!\w)'(?:[^'\\]|\\.){{{_LINE},}}'(?!\w)|(?<!\w)\"(?:[^\"\\]|\\.){{{_LINE},}}\"(?!\w)|\S{{{2 * _LINE},}}"
-    text = re.sub(long, lambda found: shortened(found[0], _LINE), text, flags=re.DOTALL)
+    text = re.sub(long, lambda result: shortened(result[0], _LINE), text, flags=re.DOTALL)
     text = shortened(text, _LONGEST)
     return legible(text)
 

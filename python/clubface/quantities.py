@@ -167,10 +167,10 @@ def format_number(value: float | None, digits: int = 1, *, signed: bool = False)
     return text
 
 
-def format_value(value: float, of: Quantity, unit: str | None = None, digits: int | None = None) -> str:
+def format_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
     """Write an SI value with its unit as people read it: "166.4 mph"."""
-    unit = of.golf.unit if unit is None else unit
-    digits = of.digits(unit) if digits is None else digits
+    unit = quantity.golf.unit if unit is None else unit
+    digits = quantity.digits(unit) if digits is None else digits
     return f"{format_number(float(units.from_si(value, unit)), digits)}{'' if unit == '1' else f' {unit}'}"
 
 
@@ -183,11 +183,11 @@ def convert(value: Any, unit: str, *, difference: bool = False) -> Any:
 def _core_quantities() -> dict[str, Quantity]:
     from clubface import _core
 
-    found = {}
+    result = {}
     for each in _core.quantities():
         readings = {key: Reading(*each[key]) for key in ("metric", "golf")}
-        found[each["name"]] = Quantity(**{**each, **readings, "synonyms": tuple(each["synonyms"])})
-    return found
+        result[each["name"]] = Quantity(**{**each, **readings, "synonyms": tuple(each["synonyms"])})
+    return result
 
 
 @cache

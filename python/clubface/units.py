@@ -70,15 +70,15 @@ def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Un
 @lru_cache(maxsize=256)
 def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
     """Return the unit written ``symbol``, with which ``value`` was given for the quantity called ``name``."""
-    found = UNITS.get(key(symbol)) if symbol.strip() else UNITS["1"]
-    if found is not None and dimension in (None, found.dimension):
-        return found
+    result = UNITS.get(key(symbol)) if symbol.strip() else UNITS["1"]
+    if result is not None and dimension in (None, result.dimension):
+        return result
     allowed = symbols(dimension)
-    told = f"in {' or '.join(allowed)}"
-    if found is not None:
-        raise UnitError(name, value, f"{told}, not {'an' if found.dimension[0] in 'aei' else 'a'} {found.dimension}")
+    words = f"in {' or '.join(allowed)}"
+    if result is not None:
+        raise UnitError(name, value, f"{words}, not {'an' if result.dimension[0] in 'aei' else 'a'} {result.dimension}")
     near = nearest_names(symbol, allowed)
-    raise UnitError(name, value, told + (f" (did you mean {' or '.join(near)}?)" if near else ""))
+    raise UnitError(name, value, words + (f" (did you mean {' or '.join(near)}?)" if near else ""))
 
 
 def symbols(dimension: str | None = None) -> tuple[str, ...]:
@@ -116,8 +116,8 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
             raise InputError(name, value, _wanted(dimension))
         number = float(digits)
         if symbol:
-            found = _unit(symbol, dimension, name, value)
-            number = number * found.numerator / found.denominator + found.offset
+            result = _unit(symbol, dimension, name, value)
+            number = number * result.numerator / result.denominator + result.offset
         elif number and SI_UNITS[dimension] != "1":
             raise InputError(name, value, f"a number, or text with its unit: {' or '.join(symbols(dimension))}")
     elif isinstance(value, bool) or not hasattr(value, "__float__") or _kind(value) not in "iuf":
@@ -139,10 +139,10 @@ def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tupl
     """
     from fractions import Fraction
 
-    found = parse(value, dimension, name=name)
+    result = parse(value, dimension, name=name)
     si = _unit(SI_UNITS[dimension], dimension, name, "")
     if not isinstance(value, str):
-        return Fraction(repr(found)), si
+        return Fraction(repr(result)), si
     digits, symbol = _split(value)
     return Fraction(digits if float(digits) else 0), _unit(symbol, dimension, name, value) if symbol else si
 
@@ -195,15 +195,15 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
         raise InputError(name, Told(f"an array of {given.dtype}"), _wanted(dimension))
     missing = np.ma.getmaskarray(value) if masked else np.zeros(given.shape, dtype=bool)
     if given.dtype.kind in "iuf":
-        found = given.astype(np.float64)
+        result = given.astype(np.float64)
     else:
         names = (f"{name}[{index}]" if given.ndim else name for index in range(given.size))
         flat = zip(given.ravel().tolist(), missing.ravel().tolist(), names, strict=True)
         numbers = [
             math.nan if gone or is_missing(each) else _parse_element(each, dimension, at) for each, gone, at in flat
         ]
-        found = np.array(numbers, dtype=np.float64).reshape(given.shape)
-    return np.where(missing, math.nan, found) if missing.any() else found
+        result = np.array(numbers, dtype=np.float64).reshape(given.shape)
+    return np.where(missing, math.nan, result) if missing.any() else result
 
 
 _ONE_LENGTH = "a number or an array, whose rows are of one length"
@@ -260,20 +260,20 @@ def is_missing(value: Any) -> bool:
 
 def to_si(value: Any, symbol: str) -> Any:
     """Express a value (number or array) in the unit ``symbol`` in SI."""
-    found = unit(symbol)
-    return value * found.numerator / found.denominator + found.offset
+    result = unit(symbol)
+    return value * result.numerator / result.denominator + result.offset
 
 
 def from_si(value: Any, symbol: str) -> Any:
     """Express an SI value (number or array) in the unit ``symbol``."""
-    found = unit(symbol)
-    return (value - found.offset) * found.denominator / found.numerator
+    result = unit(symbol)
+    return (value - result.offset) * result.denominator / result.numerator
 
 
 def size(symbol: str) -> float:
     """Return the size of a unit in SI: what a difference of one of it is."""
-    found = unit(symbol)
-    return found.numerator / found.denominator
+    result = unit(symbol)
+    return result.numerator / result.denominator
 
 
 def show(value: float, symbol: str, digits: int = 6) -> str:

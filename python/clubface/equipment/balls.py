@@ -151,14 +151,14 @@ COVER_FRICTION = Quantity("1", *FRICTION_LIMITS)
 
 def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Mapping[str, float]]:
     """Return values of parameters [SI] by model, each within the bounds that the model declares."""
-    found: dict[str, Frozen[str, float]] = {}
+    result: dict[str, Frozen[str, float]] = {}
     for name, values in given.items():
         checked = {}
         for key, value in values.items():
             with (at := place.key(name).key(key)).errors():
                 checked[key] = ParameterValue(model(name).parameter(key)).read(value, at)
-        found[name] = Frozen(checked)
-    return Frozen(found)
+        result[name] = Frozen(checked)
+    return Frozen(result)
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -247,18 +247,18 @@ BALL_PROPERTIES = quantities(Ball)
 """The numbers that describe a ball, by field."""
 
 
-def ball(which: Any = None) -> Ball:
+def ball(name: Any = None) -> Ball:
     """Return the ball meant by a built-in name, the path of a TOML file, or a :class:`Ball` itself.
 
     Without a name it is ``DEFAULT_BALL``. A ball of finite elements made in code is taken as the rigid ball that it is
     to other models.
     """
-    which = getattr(which, "rigid", which)
-    if isinstance(which, Ball):
-        return which
-    if which is None:
+    name = getattr(name, "rigid", name)
+    if isinstance(name, Ball):
+        return name
+    if name is None:
         return _default()
-    return Ball.from_toml(which) if is_path(which) else Ball.builtin(str(which))
+    return Ball.from_toml(name) if is_path(name) else Ball.builtin(str(name))
 
 
 def published_ball() -> Ball:

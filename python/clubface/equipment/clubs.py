@@ -249,8 +249,8 @@ CLUB_PROPERTIES = quantities(Club)
 """The numbers that describe a club, by field."""
 
 
-def club(which: str | os.PathLike[str] | Club) -> Club:
+def club(club_or_name: str | os.PathLike[str] | Club) -> Club:
     """Return the club meant by a built-in name, by the path of a TOML file, or by a :class:`Club` itself."""
-    if isinstance(which, Club):
-        return which
-    return Club.from_toml(which) if is_path(which) else Club.builtin(str(which))
+    if isinstance(club_or_name, Club):
+        return club_or_name
+    return Club.from_toml(club_or_name) if is_path(club_or_name) else Club.builtin(str(club_or_name))

@@ -109,19 +109,19 @@ def models() -> dict[str, Model]:
 
 @cache
 def _registered() -> Mapping[str, Model]:
-    found = {}
+    result = {}
     for entry in core.models():
         parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
         plain = {key: entry[key] for key in MODEL_KEYS}
         without = entry.get("laws_without")
-        found[entry["name"]] = Model(
+        result[entry["name"]] = Model(
             **plain,
             laws=tuple(entry["laws"]),
             laws_without=(without[0], tuple(without[1])) if without else None,
             parameters=parameters,
             face_in=entry["face_in"],
         )
-    return Frozen(found)
+    return Frozen(result)
 
 
 def models_with(parameter: str) -> list[str]:

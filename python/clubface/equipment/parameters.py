@@ -289,7 +289,7 @@ class ParameterSet:
         """The SI unit of each value."""
         return {each.name: each.unit for each in model(self.model).parameters}
 
-    def beside(self, club: Mapping[str, T]) -> dict[str, T | float]:
+    def with_included_face(self, club: Mapping[str, T]) -> dict[str, T | float]:
         """Return the inputs of a club as the core takes them together with these parameters.
 
         Models use what its face gives beyond the one that the values include. Where nobody said which that is, it is
@@ -335,8 +335,8 @@ class ParameterSet:
         includes_face = self.includes_face and model(self.model).face_in not in own
         if own.items() <= self.values.items():
             return replace(self, includes_face=includes_face)
-        told = ", ".join(own) if len(own) <= _TOLD else f"{len(own)} values"
-        source = f"{self.source}; of the ball {name}: {told}"
+        words = ", ".join(own) if len(own) <= _TOLD else f"{len(own)} values"
+        source = f"{self.source}; of the ball {name}: {words}"
         return replace(self, values={**self.values, **own}, source=source, default=False, includes_face=includes_face)
 
     @classmethod
@@ -416,12 +416,12 @@ def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
     if model_name is not None:
         model(model_name)
         return tuple(each for each in builtin_sets() if each.model == model_name)
-    found = [
+    result = [
         each
         for path in sorted((DATA / "parameters").glob("*.toml"))
         for each in read_sets(Document.read(path), path.stem)
     ]
-    return tuple(sorted(found, key=lambda each: not each.default))
+    return tuple(sorted(result, key=lambda each: not each.default))
 
 
 def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]:

@@ -281,7 +281,8 @@ class Bag:
     def hit(self, loft: Floats, parameters: ParameterSet) -> Launch:
         """Return the launches of all clubs, delivered at their published speeds and attack angles."""
         return impact(
-            "driver", {**parameters.beside(self.inputs), "speed": self.speed, "attack": self.attack, "loft": loft},
+            "driver",
+            {**parameters.with_included_face(self.inputs), "speed": self.speed, "attack": self.attack, "loft": loft},
             model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan",
         )  # fmt: skip
 

@@ -260,14 +260,14 @@ def _cell(text: str) -> str:
 
 def _linked(text: str) -> str:
     """Return a text as HTML, the addresses in it as links."""
-    found, end = [], 0
+    result, end = [], 0
     for each in _ADDRESS.finditer(text):
-        told = each[0].rstrip(".,;:")
+        words = each[0].rstrip(".,;:")
         address = each["url"] or (f"https://doi.org/{each['doi']}" if each["doi"] else f"https://{each['page']}")
-        found += [html.escape(text[end : each.start()]), f'<a href="{html.escape(address.rstrip(".,;:"))}">']
-        found.append(f"{html.escape(told)}</a>")
-        end = each.start() + len(told)
-    return "".join(found) + html.escape(text[end:])
+        result += [html.escape(text[end : each.start()]), f'<a href="{html.escape(address.rstrip(".,;:"))}">']
+        result.append(f"{html.escape(words)}</a>")
+        end = each.start() + len(words)
+    return "".join(result) + html.escape(text[end:])
 
 
 def _in_the_page(text: str, kind: str) -> str:

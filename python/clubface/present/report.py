@@ -102,41 +102,43 @@ def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix:
         yield TextTable([f"{words} ({unit})" if unit else words for words, unit in heads], cells, _data(each, prefix))
 
 
-def provenance_blocks(of: Provenance) -> Iterator[Block]:
+def provenance_blocks(provenance: Provenance) -> Iterator[Block]:
     """Yield inputs, versions, sources and caveats."""
     yield Heading(2, "How this was computed")
-    if of.inputs:
-        rows = list(of.inputs.items())
+    if provenance.inputs:
+        rows = list(provenance.inputs.items())
         yield TextTable(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
-    yield Paragraph(tuple(_computed(of)))
-    named = " ".join([*of.sources, *of.inputs.values()])
-    if sources := [*of.sources, *(work for short, work in WORKS.items() if re.search(short, named))]:
+    yield Paragraph(tuple(_computed(provenance)))
+    named = " ".join([*provenance.sources, *provenance.inputs.values()])
+    if sources := [*provenance.sources, *(work for short, work in WORKS.items() if re.search(short, named))]:
         yield Heading(3, "Sources")
         yield Bullets(sources)
-    if of.caveats:
+    if provenance.caveats:
         yield Heading(3, "What to keep in mind")
-        yield Bullets(of.caveats)
+        yield Bullets(provenance.caveats)
 
 
-def _computed(of: Provenance) -> Iterator[str]:
-    for each in of.computations:
+def _computed(provenance: Provenance) -> Iterator[str]:
+    for each in provenance.computations:
         head = f"{each.club}, left-handed," if each.hand == "left" else each.club
         yield (f"Club {head} and ball {each.ball}, by the model {each.model} with the parameters {each.parameters}.")
-    versions = [f"{'Python' if name == 'python' else name} {version}" for name, version in of.versions.items()]
+    versions = [f"{'Python' if name == 'python' else name} {version}" for name, version in provenance.versions.items()]
     yield f"Computed by {', '.join(versions[:-1])} and {versions[-1]}."
 
 
-def _repeat_blocks(of: Provenance, command: str) -> Iterator[Block]:
+def _repeat_blocks(provenance: Provenance, command: str) -> Iterator[Block]:
     """Yield the end of a report: the command, the files that it read, and their texts."""
-    if not (command or of.files or of.descriptions):
+    if not (command or provenance.files or provenance.descriptions):
         return
     yield Heading(2, "To compute it again")
     if command:
         yield Listing("The command", command)
-    if of.files:
+    if provenance.files:
         yield Paragraph(("It reads these files.",))
-        yield TextTable(("file", "bytes", "SHA-256"), [(each.name, str(each.bytes), each.sha256) for each in of.files])
-    texts = {**of.descriptions, **{each.name: each.text for each in of.files if each.text is not None}}
+        yield TextTable(
+            ("file", "bytes", "SHA-256"), [(each.name, str(each.bytes), each.sha256) for each in provenance.files]
+        )
+    texts = {**provenance.descriptions, **{each.name: each.text for each in provenance.files if each.text is not None}}
     for name, content in texts.items():
         yield Listing(name, content)
 

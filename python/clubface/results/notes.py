@@ -93,17 +93,19 @@ class _Sentence(Formatter):
 _SENTENCE = _Sentence()
 
 
-def _quantity_text(value: float, of: Quantity, spec: str) -> str:
+def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
     if words := _WORDS.fullmatch(spec):
         digits = None if words["digits"] is None else int(words["digits"])
-        return f"{format_value(abs(value), of, digits=digits)} {words['more'] if value > 0.0 else words['less']}"
+        return f"{format_value(abs(value), quantity, digits=digits)} {words['more'] if value > 0.0 else words['less']}"
     kind, _, digits = spec.rpartition(" ") if " " in spec or spec.isdigit() else (spec, "", "")
     places = int(digits) if digits else None
     if kind == "sides":
-        return f"{format_value(abs(value), of, digits=places)} {(of.sides or ('below', 'above'))[value > 0.0]}"
+        return (
+            f"{format_value(abs(value), quantity, digits=places)} {(quantity.sides or ('below', 'above'))[value > 0.0]}"
+        )
     if kind == "bare":
-        return format_value(value, of, digits=places).split(" ")[0]
-    return format_value(value, of, kind or None, places)
+        return format_value(value, quantity, digits=places).split(" ")[0]
+    return format_value(value, quantity, kind or None, places)
 
 
 def _quantity_of(name: str) -> Quantity | None:

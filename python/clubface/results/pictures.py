@@ -174,15 +174,15 @@ class Picture:
     def in_units(self, shown_units: Mapping[str, str]) -> Picture:
         """Return it with the units of axes that a person asked for, by quantity."""
 
-        def axis_in(of: Axis) -> Axis:
-            name = None if of.quantity is None else of.quantity.name
-            return replace(of, unit=shown_units[name]) if name is not None and name in shown_units else of
+        def axis_in(axis: Axis) -> Axis:
+            name = None if axis.quantity is None else axis.quantity.name
+            return replace(axis, unit=shown_units[name]) if name is not None and name in shown_units else axis
 
-        def panel_in(of: Panel | None) -> Panel | None:
-            if of is None:
+        def panel_in(panel: Panel | None) -> Panel | None:
+            if panel is None:
                 return None
-            values = None if of.values is None else axis_in(of.values)
-            return replace(of, x=axis_in(of.x), y=axis_in(of.y), values=values)
+            values = None if panel.values is None else axis_in(panel.values)
+            return replace(panel, x=axis_in(panel.x), y=axis_in(panel.y), values=values)
 
         return replace(self, rows=[[panel_in(each) for each in row] for row in self.rows])
 

@@ -152,5 +152,5 @@ class Described:
         return self.to_result()._repr_html_()
 
 
-def _attributes(of: Any) -> dict[str, str]:
-    return {"units": of.unit, "long_name": of.meaning or of.label}
+def _attributes(subject: Any) -> dict[str, str]:
+    return {"units": subject.unit, "long_name": subject.meaning or subject.label}

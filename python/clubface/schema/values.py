@@ -15,7 +15,7 @@ from clubface import units
 from clubface.schema.document import quoted
 from clubface.schema.place import Place
 from clubface.support.checks import check_choice, is_count
-from clubface.support.files import beside
+from clubface.support.files import resolve_name
 
 __all__ = [
     "FLAG", "NAME", "TEXT", "Choice", "Either", "FilePath", "Interval", "Items", "Quantity", "Record", "Reference",
@@ -440,7 +440,7 @@ class Reference(Value):
 
     def read(self, given: Any, place: Place) -> Any:
         """Return what is named."""
-        return self.load(beside(TEXT.read(given, place), place.folder) if place.folder else given)
+        return self.load(resolve_name(TEXT.read(given, place), place.folder) if place.folder else given)
 
     def check(self, value: Any, place: Place) -> Any:
         """Return what is named, or is there itself."""

@@ -365,11 +365,11 @@ class Flight(Batch):
     @property
     def varied(self) -> Mapping[str, Varied]:
         """The inputs that were given as arrays, by name; those of the impact where there was one."""
-        found = dict(self.launch.varied) if self.launch is not None else {}
+        result = dict(self.launch.varied) if self.launch is not None else {}
         for name, values in self._varied.items():
             each = flight_inputs()[name]
-            found[name] = Varied(values, each.unit, each.meaning)
-        return found
+            result[name] = Varied(values, each.unit, each.meaning)
+        return result
 
     @property
     def provenance(self) -> dict[str, Any]:

@@ -174,10 +174,10 @@ class Tally:
 
     def add_counts(self, counts: Sequence[Any]) -> None:
         """Add what another tally counted."""
-        shots, found = counts
+        shots, result = counts
         for model, count in shots.items():
             self._shots[model] = self._shots.get(model, 0) + count
-        for model, name, ends, count, value in found:
+        for model, name, ends, count, value in result:
             before = self._found.get((model, name), (ends, 0, value))[1]
             self._found[model, name] = (ends, before + count, value)
 
@@ -188,13 +188,13 @@ class Tally:
         """
         alike: dict[str, list[str]] = {}
         for model in self._shots:
-            if told := ", ".join(self._part([model], name, counted=False) for name in self._names(model)):
-                alike.setdefault(told, []).append(model)
+            if words := ", ".join(self._part([model], name, counted=False) for name in self._names(model)):
+                alike.setdefault(words, []).append(model)
         parts = []
-        for told, of_models in alike.items():
+        for words, of_models in alike.items():
             names = self._names(of_models[0])
-            told = ", ".join(self._part(of_models, name, counted=True) for name in names) if counted else told
-            parts.append(f"outside the range of {', '.join(of_models)}: {told}")
+            words = ", ".join(self._part(of_models, name, counted=True) for name in names) if counted else words
+            parts.append(f"outside the range of {', '.join(of_models)}: {words}")
         for (model, name), (ball, *_) in self._found.items():
             if name == OFF_CENTRE:
                 parts.append(f"{model} has no gear effect off centre")
@@ -231,23 +231,23 @@ def warn_if_outside(launches: Iterable[Launch]) -> None:
 
 def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
     """Return by quantity how many shots of a launch are outside, and the value of the first of them."""
-    found = {}
+    result = {}
     for name, (least, most) in launch.parameters.range.items():
         margin = ROUNDING * (most - least)
         value = _incidence(launch, most) if name == "incidence" else _value(launch, name)
         if type(value) is float:
             if value < least - margin or value > most + margin:
-                found[name] = (math.prod(launch.shape), value)
+                result[name] = (math.prod(launch.shape), value)
         elif value.size and not (value.min() >= least - margin and value.max() <= most + margin):
             out = (value < least - margin) | (value > most + margin)
             out &= launch.ball_speed.reshape(-1) > 0.0  # a shot that cannot be computed is told otherwise
             if out.any():
-                found[name] = (int(out.sum()), float(value[out][0]))
+                result[name] = (int(out.sum()), float(value[out][0]))
     if launch.model in WITHOUT_GEAR_EFFECT and _any(launch.input("toe"), launch.input("high")):
-        found[OFF_CENTRE] = (1, 0.0)
+        result[OFF_CENTRE] = (1, 0.0)
     if launch.model in FITTED_TO_A_BALL and launch.parameters.unchosen and _is_of_other_pieces(launch.ball):
-        found[OTHER_BALL] = (1, 0.0)
-    return found
+        result[OTHER_BALL] = (1, 0.0)
+    return result
 
 
 def _is_of_other_pieces(ball: Ball) -> bool:
@@ -271,13 +271,13 @@ def _incidence(launch: Launch, limit: float) -> Any:
     No side of a triangle on a sphere is longer than the two others together, which saves its cosine nearly always.
     """
     attack, path, loft, face = (launch.input(name) for name in ("attack", "path", "loft", "face"))
-    apart, aside = loft - attack, path - face
-    bound = abs(apart) + abs(aside)
+    apart, sideways = loft - attack, path - face
+    bound = abs(apart) + abs(sideways)
     if (bound if type(bound) is float else bound.max(initial=0.0)) <= limit:
         return 0.0
     import numpy as np
 
-    cosine = np.cos(attack) * np.cos(loft) * np.cos(aside) + np.sin(attack) * np.sin(loft)
+    cosine = np.cos(attack) * np.cos(loft) * np.cos(sideways) + np.sin(attack) * np.sin(loft)
     angle = np.arccos(np.clip(cosine, -1.0, 1.0))
     return angle if np.ndim(angle) else float(angle)
 

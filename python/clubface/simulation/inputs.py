@@ -230,20 +230,22 @@ def prepare(
     return Prepared(laid_out, chosen, columns)
 
 
-def equipment(which: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None) -> Equipment:
+def equipment(
+    club_or_name: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None
+) -> Equipment:
     """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
     which_ball = getattr(which_ball, "rigid", which_ball)
-    if is_path(which) or is_path(which_ball):
-        return _equip(club(which), ball(which_ball))
+    if is_path(club_or_name) or is_path(which_ball):
+        return _equip(club(club_or_name), ball(which_ball))
     try:
-        return _kept(which, which_ball)
+        return _kept(club_or_name, which_ball)
     except TypeError:
-        raise InputError("club", which, "a name, the path of a TOML file or a Club") from None
+        raise InputError("club", club_or_name, "a name, the path of a TOML file or a Club") from None
 
 
 @lru_cache(maxsize=256)
-def _kept(which: str | Club, which_ball: str | Ball | None) -> Equipment:
-    return _equip(club(which), ball(which_ball))
+def _kept(club_or_name: str | Club, which_ball: str | Ball | None) -> Equipment:
+    return _equip(club(club_or_name), ball(which_ball))
 
 
 def _equip(of_club: Club, of_ball: Ball) -> Equipment:
@@ -254,32 +256,32 @@ def _equip(of_club: Club, of_ball: Ball) -> Equipment:
 
 def equipped(
     model_name: str,
-    which: str | os.PathLike[str] | Club,
+    club_or_name: str | os.PathLike[str] | Club,
     which_ball: str | os.PathLike[str] | Ball | None,
     given: Any,
 ) -> tuple[Equipment, ParameterSet]:
     """Return club and ball as a model takes them with its parameters, and those (``given`` as for `parameter_set`)."""
-    if given is None and not (is_path(which) or is_path(which_ball)):
+    if given is None and not (is_path(club_or_name) or is_path(which_ball)):
         try:
-            return _usual(model_name, which, which_ball)
+            return _usual(model_name, club_or_name, which_ball)
         except TypeError:
             pass  # not hashable, so that it is none: the message is about the club or ball
-    return _equipped(model_name, which, which_ball, given)
+    return _equipped(model_name, club_or_name, which_ball, given)
 
 
 @lru_cache(maxsize=256)
-def _usual(model_name: str, which: str | Club, which_ball: str | Ball | None) -> tuple[Equipment, ParameterSet]:
-    return _equipped(model_name, which, which_ball, None)
+def _usual(model_name: str, club_or_name: str | Club, which_ball: str | Ball | None) -> tuple[Equipment, ParameterSet]:
+    return _equipped(model_name, club_or_name, which_ball, None)
 
 
-def _equipped(model_name: str, which: Any, which_ball: Any, given: Any) -> tuple[Equipment, ParameterSet]:
-    with_ = equipment(which, which_ball)
+def _equipped(model_name: str, name: Any, which_ball: Any, given: Any) -> tuple[Equipment, ParameterSet]:
+    with_ = equipment(name, which_ball)
     chosen = parameter_set(model_name, with_.club, given, with_.ball)
-    return _beside(with_, chosen) if chosen.includes_face else with_, chosen
+    return _with_included_face(with_, chosen) if chosen.includes_face else with_, chosen
 
 
-def _beside(with_: Equipment, chosen: ParameterSet) -> Equipment:
-    columns = chosen.beside(dict(zip(inputs(), with_.columns, strict=True)))
+def _with_included_face(with_: Equipment, chosen: ParameterSet) -> Equipment:
+    columns = chosen.with_included_face(dict(zip(inputs(), with_.columns, strict=True)))
     return with_._replace(columns=tuple(columns.values()))
 
 
@@ -335,18 +337,18 @@ def _parsed_text(value: str, name: str) -> float:
     return math.inf if flat else float(parse_values(value, input_dimensions()[name], name=name))
 
 
-def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:
+def broadcast(shots: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:
     """Bring array inputs and parameters (called ``names``) to one shape, flat, if there is memory for ``outputs``."""
     import numpy as np
 
-    if not of.varied and all(type(value) is float for value in parameters):
-        return of, parameters
-    varied = dict(of.varied)
+    if not shots.varied and all(type(value) is float for value in parameters):
+        return shots, parameters
+    varied = dict(shots.varied)
     for name, value in zip(names, parameters, strict=True):
         if not isinstance(value, float):
             varied[name] = value
     shape = common_shape(varied)
-    copies = sum(each.shape != shape for each in of.columns if not isinstance(each, float))
+    copies = sum(each.shape != shape for each in shots.columns if not isinstance(each, float))
     check_request(math.prod(shape), 8 * (outputs + copies) + FAILED)
 
     def flat(value: Any) -> Any:
@@ -354,7 +356,7 @@ def broadcast(of: Shots, parameters: list[Any], names: tuple[str, ...], outputs:
             return value
         return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
 
-    return of._replace(columns=[flat(each) for each in of.columns], shape=shape, varied=varied), [
+    return shots._replace(columns=[flat(each) for each in shots.columns], shape=shape, varied=varied), [
         flat(each) for each in parameters
     ]
 
@@ -453,7 +455,7 @@ def tolerance(accuracy: object) -> float | None:
     """Return the tolerance of a step, None for the fast setting."""
     if accuracy is None:
         return None
-    found = units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")
-    if not FINEST <= found <= COARSEST:
+    result = units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")
+    if not FINEST <= result <= COARSEST:
         raise InputError("accuracy", accuracy, "from 1e-13 to 1e-2; leave it out for the fast setting")
-    return found
+    return result

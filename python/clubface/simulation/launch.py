@@ -139,11 +139,11 @@ class Launch(Batch):
     @property
     def varied(self) -> Mapping[str, Varied]:
         """The inputs and parameters that were given as arrays, by name."""
-        found = {}
+        result = {}
         for name, values in self._shots.varied.items():
             each = inputs()[name] if name in inputs() else model(self.model).parameter(name)
-            found[name] = Varied(values, each.unit, each.meaning)
-        return found
+            result[name] = Varied(values, each.unit, each.meaning)
+        return result
 
     @property
     def delivery(self) -> dict[str, Any]:
@@ -157,7 +157,7 @@ class Launch(Batch):
     @property
     def provenance(self) -> dict[str, Any]:
         """The model, its parameters with source and caveats, club, ball, delivery and version."""
-        inputs = {**self.parameters.beside(self.club.inputs()), **self.ball.inputs()}
+        inputs = {**self.parameters.with_included_face(self.club.inputs()), **self.ball.inputs()}
         varied = self._shots.varied
         changed = {
             name: self.input(name)
@@ -271,7 +271,7 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     backspin, sidespin, assumed = parts({name: terms[name] for name in SPINS if name in terms})
     if assumed:
         warn_once(assumed, AssumptionWarning)
-    found = {
+    result = {
         "velocity_x": speed * np.cos(launch) * np.cos(azimuth),
         "velocity_y": speed * np.sin(launch),
         "velocity_z": speed * np.cos(launch) * np.sin(azimuth),
@@ -279,4 +279,4 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
         "spin_y": -sidespin,
         "spin_z": backspin * np.cos(azimuth),
     }
-    return {name: value if getattr(value, "ndim", 0) else float(value) for name, value in found.items()}
+    return {name: value if getattr(value, "ndim", 0) else float(value) for name, value in result.items()}

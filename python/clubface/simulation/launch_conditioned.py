@@ -120,8 +120,8 @@ def impact_at_launch(
 
     def directions(angles: Floats, places: NDArray[np.intp]) -> Floats:
         solved[: len(angles), places] = angles
-        found = hit([_shaped(each, shape) for each in solved])
-        out = [found.launch] if azimuth is None else [found.launch, found.azimuth]
+        result = hit([_shaped(each, shape) for each in solved])
+        out = [result.launch] if azimuth is None else [result.launch, result.azimuth]
         return np.array([np.reshape(each, size)[places] for each in out])
 
     resolution = RESOLUTION if model in models() else COARSE_RESOLUTION
@@ -159,21 +159,21 @@ def solve_angles(directions: Directions, begin: Floats, wanted: Floats, resoluti
     angles, errors = np.array(best), np.zeros_like(best)
     active, step = np.arange(shots), None
     for _ in range(TRIES):
-        found = directions(angles[:, active], active) - wanted[:, active]
+        result = directions(angles[:, active], active) - wanted[:, active]
         if step is not None:
-            _update(slopes, active, step, found - errors[:, active])
-        errors[:, active] = found
-        off = np.max(np.abs(found), axis=0)
+            _update(slopes, active, step, result - errors[:, active])
+        errors[:, active] = result
+        off = np.max(np.abs(result), axis=0)
         worse = ~(off < least[active])
         better = active[~worse]
         best[:, better], least[better] = angles[:, better], off[~worse]
         # Within reach and no nearer than before: what remains are the steps of a contact model.
         stuck = worse & (least[active] <= REACHED)
         going = np.isfinite(off) & (off > resolution) & ~stuck
-        active, found = active[going], found[:, going]
+        active, result = active[going], result[:, going]
         if not active.size:
             break
-        following = np.clip(angles[:, active] + _steps(slopes[active], found), limits[:, 0], limits[:, 1])
+        following = np.clip(angles[:, active] + _steps(slopes[active], result), limits[:, 0], limits[:, 1])
         step = following - angles[:, active]
         angles[:, active] = following
         moving = np.any(step != 0.0, axis=0)

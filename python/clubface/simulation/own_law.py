@@ -142,7 +142,7 @@ class OwnLaw:
         usual = [each.default for each in models()[CHECKED_BY].parameters]
         _, problems = core.impact(CHECKED_BY, shots.inputs, usual, shots.size, None, shots.threads, None)
         refused = {row for row, *_ in problems}
-        found = np.full((len(outputs()), shots.size), np.nan)
+        result = np.full((len(outputs()), shots.size), np.nan)
         for row in range(shots.size):
             if row not in refused:
                 given, values = (
@@ -154,14 +154,14 @@ class OwnLaw:
                     if isinstance(solved[0], str):
                         problems.append((row, *solved))
                     else:
-                        found[:, row] = _outputs(*solved)
+                        result[:, row] = _outputs(*solved)
                 except RunError as error:
                     if shots.on_error == "raise":
                         raise
                     problems.append((row, "model", str(error)))
             if shots.progress is not None:
                 shots.progress(row + 1)
-        return found, sorted(problems)
+        return result, sorted(problems)
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> None:
         """Return None: :func:`clubface.history` tells more."""
@@ -319,7 +319,7 @@ class TwoBodies:
     def _start(self, given: Mapping[str, float]) -> NDArray[Any]:
         """Return the state at first touch: the clubhead's CG at the origin."""
         attack, path, speed = given["attack"], given["path"] * self.hand, given["speed"]
-        up, aside = math.sin(attack), math.sin(path)
+        up, sideways = math.sin(attack), math.sin(path)
         point = self._face_point(given["toe"], given["high"])
         _, normal, _ = self.nearest(point)
         state = np.zeros(24)
@@ -327,7 +327,7 @@ class TwoBodies:
         sidespin, riflespin = given["ball_sidespin"] * self.hand, given["ball_riflespin"] * self.hand
         state[BALL_SPIN] = riflespin, -sidespin, given["ball_backspin"]
         level = math.cos(attack)
-        state[CLUB_VELOCITY] = speed * np.array([level * math.cos(path), up, level * aside])
+        state[CLUB_VELOCITY] = speed * np.array([level * math.cos(path), up, level * sideways])
         club_spin = np.array([-given["lie_rate"], given["closure"], given["pitch_rate"]])
         state[CLUB_MOMENTUM] = self.attitude @ (self.inertia @ (self.attitude.T @ club_spin))
         state[ATTITUDE] = 1.0, 0.0, 0.0, 0.0
@@ -383,21 +383,21 @@ class TwoBodies:
     def rate(self, _time: float, state: NDArray[Any]) -> NDArray[Any]:
         """Return the derivative of a state by time."""
         now = self.at(state)
-        found = np.empty(24)
-        found[BALL] = state[BALL_VELOCITY]
-        found[BALL_VELOCITY] = now.force / self.ball_mass
-        found[BALL_SPIN] = _cross(now.arm, now.force) / self.ball_inertia
-        found[CLUB] = state[CLUB_VELOCITY]
-        found[CLUB_VELOCITY] = -now.force / self.club_mass
-        found[CLUB_MOMENTUM] = -_cross(now.point, now.force)
+        result = np.empty(24)
+        result[BALL] = state[BALL_VELOCITY]
+        result[BALL_VELOCITY] = now.force / self.ball_mass
+        result[BALL_SPIN] = _cross(now.arm, now.force) / self.ball_inertia
+        result[CLUB] = state[CLUB_VELOCITY]
+        result[CLUB_VELOCITY] = -now.force / self.club_mass
+        result[CLUB_MOMENTUM] = -_cross(now.point, now.force)
         w, *v = state[ATTITUDE]
         turning, v = now.attitude.T @ now.club_spin, np.array(v)
-        found[18] = -0.5 * (v @ turning)
-        found[19:22] = 0.5 * (w * turning + _cross(v, turning))
+        result[18] = -0.5 * (v @ turning)
+        result[19:22] = 0.5 * (w * turning + _cross(v, turning))
         pressed, up, toe = now.forces
-        found[22] = pressed * now.touch.rate
-        found[23] = -(up * now.touch.sliding_y + toe * now.touch.sliding_z)
-        return found
+        result[22] = pressed * now.touch.rate
+        result[23] = -(up * now.touch.sliding_y + toe * now.touch.sliding_z)
+        return result
 
     def kinetic_energy(self, state: NDArray[Any]) -> float:
         """Return the kinetic energy of both bodies [J]."""
@@ -440,13 +440,13 @@ class TwoBodies:
 
         parted.terminal, parted.direction = True, -1.0  # pyright: ignore[reportFunctionMemberAccess]
         try:
-            found = solve_ivp(
+            result = solve_ivp(
                 rate, (0.0, LONGEST), self.start, method="DOP853", rtol=tolerance, atol=tolerance * scale,
                 first_step=1e-3 * crossing, max_step=0.1 * crossing, events=parted, dense_output=True,
             )  # fmt: skip
         except _EndlessError:
             return None
-        return found if found.status == 1 else None
+        return result if result.status == 1 else None
 
 
 class _EndlessError(Exception):

@@ -102,11 +102,11 @@ def in_unit(value: Any, quantity: Variable, unit: str) -> Any:
 
 
 def _read(entries: list[dict[str, Any]]) -> Mapping[str, Variable]:
-    found = {}
+    result = {}
     for entry in entries:
         values = {key: entry[key] for key in Variable._fields if key in entry}
-        found[entry["name"]] = Variable(**values)
-    return Frozen(found)
+        result[entry["name"]] = Variable(**values)
+    return Frozen(result)
 
 
 class Problem(NamedTuple):
@@ -370,9 +370,9 @@ def dimension_names(shape: tuple[int, ...], varied: Mapping[str, Varied]) -> tup
     names = list(plain)
     for axis, dim in enumerate(plain):
         along = {name: dims_of(each.values, plain) for name, each in varied.items()}
-        found = [name for name, own in along.items() if dim in own]
-        if len(found) == 1 and along[found[0]] == (dim,):
-            names[axis] = found[0]
+        result = [name for name, own in along.items() if dim in own]
+        if len(result) == 1 and along[result[0]] == (dim,):
+            names[axis] = result[0]
     return tuple(names)
 
 
@@ -396,10 +396,10 @@ def index_of(row: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(reversed(index))
 
 
-def first_error(found: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:
+def first_error(result: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:
     """Return the error about the first of the shots without a result; ``value`` is that of its input at fault."""
-    row, name, reason = found[0]
-    return ShotError(name, value, reason, index_of(row, shape), len(found) - 1)
+    row, name, reason = result[0]
+    return ShotError(name, value, reason, index_of(row, shape), len(result) - 1)
 
 
 SHOWN = {

@@ -121,8 +121,8 @@ class Sensitivity:
         derivative = float(self.si[row, column])
         if unit is None:
             return derivative
-        upper, found, lower = unit.partition(" per ")
-        if not found:
+        upper, result, lower = unit.partition(" per ")
+        if not result:
             raise UnitError("unit", unit, 'of the form "rpm per mm"')
         over, under = _checked(self._rows[output], upper), _checked(self._columns[variable], lower)
         return derivative * units.size(under) / units.size(over)
@@ -269,17 +269,17 @@ def sensitivity(
 
 def _known_outputs(computed: NDArray[Any]) -> dict[str, tuple[int, Variable]]:
     """Return row and quantity of the outputs the model gives; those without a value are left out."""
-    found = enumerate(launch_outputs().items())
-    return {name: (row, each) for row, (name, each) in found if computed[row] == computed[row]}
+    result = enumerate(launch_outputs().items())
+    return {name: (row, each) for row, (name, each) in result if computed[row] == computed[row]}
 
 
 def _known_variables(model: str) -> dict[str, tuple[int, Variable]]:
     """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
     given = inputs()
-    found = {name: (column, each) for column, (name, each) in enumerate(given.items()) if each.differentiable}
+    result = {name: (column, each) for column, (name, each) in enumerate(given.items()) if each.differentiable}
     for place, each in enumerate(model_named(model).parameters):
-        found[each.name] = (len(given) + place, Variable(each.name, each.unit, each.meaning, "parameter", True))
-    return found
+        result[each.name] = (len(given) + place, Variable(each.name, each.unit, each.meaning, "parameter", True))
+    return result
 
 
 def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) -> Sequence[str]:

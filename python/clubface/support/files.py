@@ -60,21 +60,21 @@ def builtin_path(what: str, name: object, folder: str, known: Iterable[str] | No
     return DATA / folder / f"{name}.toml"
 
 
-def is_path(which: object) -> bool:
+def is_path(name: object) -> bool:
     """Tell a path from the name of a built-in."""
-    return isinstance(which, os.PathLike) or (
-        isinstance(which, str) and (which.endswith(".toml") or "/" in which or os.sep in which)
+    return isinstance(name, os.PathLike) or (
+        isinstance(name, str) and (name.endswith(".toml") or "/" in name or os.sep in name)
     )
 
 
-def beside(which: str, folder: Path) -> str | Path:
+def resolve_name(name: str, folder: Path) -> str | Path:
     """Return a name as it is, and a path that a file names as it is from the folder of that file."""
-    return folder / which if is_path(which) else which
+    return folder / name if is_path(name) else name
 
 
-def path_of(what: str, which: str | os.PathLike[str], folder: str) -> str | os.PathLike[str]:
+def path_of(what: str, name: str | os.PathLike[str], folder: str) -> str | os.PathLike[str]:
     """Return the path that is meant by itself, or by the name of a description in ``data/<folder>``."""
-    return which if is_path(which) else builtin_path(what, which, folder)
+    return name if is_path(name) else builtin_path(what, name, folder)
 
 
 P = ParamSpec("P")
@@ -139,11 +139,11 @@ class InputRecord:
     @property
     def files(self) -> tuple[InputFile, ...]:
         """The files in the order in which they were read, each once, whatever it was called."""
-        found: dict[str, InputFile] = {}
+        result: dict[str, InputFile] = {}
         with self._lock:
             for each in self._files.values():
-                found.setdefault(each.place, each)
-        return tuple(found.values())
+                result.setdefault(each.place, each)
+        return tuple(result.values())
 
     def add(self, files: Iterable[InputFile]) -> None:
         """Add files that were read before."""
@@ -173,15 +173,15 @@ class InputRecord:
         """Return a file as it was first read; ``most`` are the bytes that it may have."""
         key = absolute(path)
         with self._lock:
-            if (found := self._files.get(key)) is None:
+            if (result := self._files.get(key)) is None:
                 if self._closed and not _is_shipped(place_of(path)):
                     raise FileError(path, None, "this file was not there, or not named, when the computation began")
-                found = _load(path, most) if self._around is None else self._around.file(path, most)
+                result = _load(path, most) if self._around is None else self._around.file(path, most)
                 if sum(len(each.content or b"") for each in self._files.values()) > MOST_KEPT:
-                    found = found._replace(content=None)
-                same = next((each for each in self._files.values() if each.place == found.place), None)
-                self._files[key] = found if same is None else same._replace(path=path)
-        return found._replace(path=path)
+                    result = result._replace(content=None)
+                same = next((each for each in self._files.values() if each.place == result.place), None)
+                self._files[key] = result if same is None else same._replace(path=path)
+        return result._replace(path=path)
 
 
 _ACTIVE: ContextVar[InputRecord | None] = ContextVar("input_record", default=None)
@@ -228,29 +228,29 @@ def input_file(path: str | os.PathLike[str], *, most: int | None = None) -> Inpu
     name = os.fspath(path)
     record = _ACTIVE.get()
     limit = most if most is not None else 2**63
-    found = _load(name, limit) if record is None else record.file(name, limit)
-    if found.size > limit:
+    result = _load(name, limit) if record is None else record.file(name, limit)
+    if result.size > limit:
         raise _too_large(name, limit)
-    return found
+    return result
 
 
 def read_input(path: str | os.PathLike[str], *, most: int | None = None) -> bytes:
     """Return the bytes of a file, as of :func:`input_file`."""
-    found = input_file(path, most=most)
-    if found.content is not None:
-        return found.content
+    result = input_file(path, most=most)
+    if result.content is not None:
+        return result.content
     with open_input(path) as file:
         return file.read()
 
 
 def open_input(path: str | os.PathLike[str]) -> BinaryIO:
     """Open a file for reading, as of :func:`input_file`; a large one is refused once it changes while it is read."""
-    found = input_file(path)
-    if found.content is not None:
-        return io.BytesIO(found.content)
-    raw = _Unchanging(found.path)
-    if _sum_of(raw) != found.sha256:
-        raise FileError(found.path, None, CHANGED)
+    result = input_file(path)
+    if result.content is not None:
+        return io.BytesIO(result.content)
+    raw = _Unchanging(result.path)
+    if _sum_of(raw) != result.sha256:
+        raise FileError(result.path, None, CHANGED)
     raw.seek(0)
     return io.BufferedReader(raw, PIECE)
 
@@ -341,12 +341,12 @@ def _too_large(name: str, most: int) -> FileError:
 
 def _whole(file: _Unchanging, most: int) -> bytes:
     """Return the bytes of a file; one without an end, such as some of the system's, is refused."""
-    found = file.read(min(file.size, most) + 1)  # at once, so that it is in the memory once
-    while len(found) <= most and (piece := file.read(PIECE)):
-        found += piece
-    if len(found) > most:
+    result = file.read(min(file.size, most) + 1)  # at once, so that it is in the memory once
+    while len(result) <= most and (piece := file.read(PIECE)):
+        result += piece
+    if len(result) > most:
         raise _too_large(str(file.name), most)
-    return found
+    return result
 
 
 def _sum_of(file: _Unchanging) -> str:
@@ -407,15 +407,15 @@ def given_files(files: Iterable[tuple[str, str, int]], contents: Path) -> dict[s
     FileError
         A content is damaged.
     """
-    found = {}
+    result = {}
     for path, sum_, size in files:
         content = None
         if (kept := contents / sum_).exists():
             content = _load(str(kept), LARGEST_KEPT).content
             if content is None or hashlib.sha256(content).hexdigest() != sum_:
                 raise FileError(str(kept), None, "this copy of an input is damaged; remove it and start again")
-        found[path] = InputFile(path, os.path.realpath(path), size, sum_, False, content)
-    return found
+        result[path] = InputFile(path, os.path.realpath(path), size, sum_, False, content)
+    return result
 
 
 Name = str | os.PathLike[str]
@@ -508,13 +508,13 @@ def synced(folder: Path) -> None:
 def _mode_of(target: Path, new: bool) -> int | None:
     """Return the rights of the file that is there, None where there is none; refuse what is no file to replace."""
     try:
-        found = target.stat()
+        result = target.stat()
     except FileNotFoundError:
         return None
-    if stat.S_ISDIR(found.st_mode):
+    if stat.S_ISDIR(result.st_mode):
         raise FileError(str(target), None, "this is a folder; give the name of a file")
-    if not stat.S_ISREG(found.st_mode):
+    if not stat.S_ISREG(result.st_mode):
         raise FileError(str(target), None, "this is a device or a pipe; give the name of a file")
     if new:
         raise FileExistsError
-    return stat.S_IMODE(found.st_mode)
+    return stat.S_IMODE(result.st_mode)

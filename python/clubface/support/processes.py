@@ -75,15 +75,15 @@ class IsolatedProcess:
             self._lock, self._process, self._owner = threading.Lock(), None, os.getpid()
         with self._lock:
             try:
-                kind, found = self._answer((str(self._file), function, arguments, LEAST_MEMORY + memory), seconds)
+                kind, result = self._answer((str(self._file), function, arguments, LEAST_MEMORY + memory), seconds)
             except BaseException:
                 self._end()  # an answer that was not waited for would be taken for that of the next call
                 raise
         if kind == "missing":
-            raise ModuleNotFoundError(f"No module named {found!r}", name=found)
+            raise ModuleNotFoundError(f"No module named {result!r}", name=result)
         if kind == "error":
-            raise IsolatedError(found)
-        return found
+            raise IsolatedError(result)
+        return result
 
     def _answer(self, request: Any, seconds: float) -> tuple[str, Any]:
         process = self._started()
@@ -100,8 +100,8 @@ class IsolatedProcess:
         timer.daemon = True
         timer.start()
         try:
-            told = pickle.dumps(request)
-            process.stdin.write(struct.pack("<Q", len(told)) + told)
+            words = pickle.dumps(request)
+            process.stdin.write(struct.pack("<Q", len(words)) + words)
             process.stdin.flush()
             size = struct.unpack("<Q", process.stdout.read(8))[0]
             answer = process.stdout.read(size)
@@ -196,16 +196,16 @@ def _of_system() -> int:
 
 def _of_container() -> list[int]:
     root = Path("/sys/fs/cgroup")
-    found = []
+    result = []
     for limit, used in (
         (root / "memory.max", root / "memory.current"),
         (root / "memory" / "memory.limit_in_bytes", root / "memory" / "memory.usage_in_bytes"),
     ):
         try:
-            found.append(int(limit.read_text()) - int(used.read_text()))
+            result.append(int(limit.read_text()) - int(used.read_text()))
         except (OSError, ValueError):
             continue
-    return found
+    return result
 
 
 def processors() -> int:
