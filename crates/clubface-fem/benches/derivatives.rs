@@ -12,7 +12,7 @@ use clubface_fem::element::{Element, Kernels};
 use clubface_fem::environment::Environment;
 use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::{Material, Maxwell, law_from_name, map_law};
-use clubface_fem::sensitivity::Setting;
+use clubface_fem::sensitivity::ImpactSetup;
 use clubface_fem::solve::{Options, Simulation};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{INPUT_COUNT, Shot};
@@ -150,7 +150,7 @@ fn shells() -> ShellHead<f64> {
 }
 
 /// A shot with the rigid head, or with a head of shells, whose mass properties are then those of the club.
-fn setting(head: Option<ShellHead<f64>>) -> Setting {
+fn setting(head: Option<ShellHead<f64>>) -> ImpactSetup {
     let mut inputs = INPUTS;
     if let Some(head) = &head {
         let result = head.mass_properties();
@@ -170,13 +170,13 @@ fn setting(head: Option<ShellHead<f64>>) -> Setting {
         inputs[24] = head.loft;
         inputs[29] = 0.0;
     }
-    Setting { ball: ball(), head, inputs, friction: FRICTION }
+    ImpactSetup { ball: ball(), head, inputs, friction: FRICTION }
 }
 
 /// Ball speed of a shot, m/s, computed in plain numbers.
-fn ball_speed(setting: &Setting, options: &Options, environment: &Environment) -> f64 {
-    let Setting { ball, head, inputs, friction } = setting;
-    let touch = FirstTouch::of(&Shot::from_inputs(inputs));
+fn ball_speed(setting: &ImpactSetup, options: &Options, environment: &Environment) -> f64 {
+    let ImpactSetup { ball, head, inputs, friction } = setting;
+    let touch = FirstTouch::from_shot(&Shot::from_inputs(inputs));
     let simulation = match head {
         Some(head) => ball_against_deformable_head(head, ball, &touch, *friction, environment),
         None => ball_against_rigid_head(ball, &touch, *friction, environment),

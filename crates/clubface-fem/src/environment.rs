@@ -94,7 +94,7 @@ mod native {
 
         /// The clock of the operating system, and the threads of one rayon pool, from wherever they are called.
         #[must_use]
-        pub fn of_pool(pool: &Arc<ThreadPool>) -> Self {
+        pub fn with_pool(pool: &Arc<ThreadPool>) -> Self {
             Self { executor: Arc::new(RayonPool(Some(Arc::clone(pool)))), ..Self::native() }
         }
     }

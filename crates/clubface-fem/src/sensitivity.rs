@@ -20,7 +20,7 @@ const WIDTH: usize = 4;
 
 /// A shot whose launch is differentiated.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct ImpactSetup {
     /// The ball.
     pub ball: BallConstruction<f64>,
     /// The head, if it is one of shells: then the clubhead of `inputs` is that of its mesh, and no variable.
@@ -43,7 +43,7 @@ pub struct Sensitivity {
     pub jacobian: Vec<Vec<f64>>,
 }
 
-impl Setting {
+impl ImpactSetup {
     /// Names of all variables: inputs that are differentiable, "friction", constants of the pieces such as
     /// "cover.shear", and those of parts of a head such as "head.face.thickness", the mean over the part.
     #[must_use]
@@ -76,10 +76,10 @@ impl Setting {
             mass: self.ball.mass,
         };
         let head = self.head.as_ref().map(|head| lift_head(head, number));
-        Lifted { ball, head, touch: FirstTouch::of(&Shot::from_inputs(&inputs)), friction }
+        Lifted { ball, head, touch: FirstTouch::from_shot(&Shot::from_inputs(&inputs)), friction }
     }
 
-    /// Launch and its derivatives in some directions of [`Setting::variables`]; a run of the impact for every four.
+    /// Launch and its derivatives in some directions of [`ImpactSetup::variables`]; a run of the impact for every four.
     /// `observer` is called with the number of the run and its progress, and stops everything by returning false.
     ///
     /// # Errors

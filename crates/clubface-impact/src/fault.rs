@@ -45,7 +45,7 @@ mod tests {
     use super::shown;
 
     #[test]
-    fn values_are_told_with_six_digits() {
+    fn values_have_six_digits() {
         for (value, text) in [
             (45.6, "45.6"),
             (-26.850_000_000_000_023, "-26.85"),

@@ -48,7 +48,7 @@ pub struct FirstTouch<S> {
 impl<S: Scalar> FirstTouch<S> {
     /// Sets the scene for a shot.
     #[inline(always)]
-    pub fn of(shot: &Shot<S>) -> Self {
+    pub fn from_shot(shot: &Shot<S>) -> Self {
         let Shot { delivery, club, ball, included_time } = shot;
         let delivery = delivery.for_right_hander(club.hand);
         let attitude = delivery.attitude(club.static_loft);
@@ -78,7 +78,7 @@ impl<S: Scalar> FirstTouch<S> {
 
     /// Sets the scene for a shot given by its inputs, in their order.
     #[inline(always)]
-    pub fn of_inputs(inputs: &[S; INPUT_COUNT]) -> Self {
+    pub fn from_inputs(inputs: &[S; INPUT_COUNT]) -> Self {
         S::outline(Touch(inputs))
     }
 
@@ -142,7 +142,7 @@ impl<S: Scalar> Computation for Touch<'_, S> {
     type Output = FirstTouch<S>;
     #[inline(always)]
     fn run(self) -> FirstTouch<S> {
-        FirstTouch::of(&Shot::from_inputs(self.0))
+        FirstTouch::from_shot(&Shot::from_inputs(self.0))
     }
 }
 

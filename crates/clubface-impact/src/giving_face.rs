@@ -41,7 +41,7 @@ pub struct GivingFace<S> {
 impl<S: Scalar> GivingFace<S> {
     /// That of a shot.
     #[inline(always)]
-    pub fn of(touch: &FirstTouch<S>) -> Self {
+    pub fn from_touch(touch: &FirstTouch<S>) -> Self {
         let [own, included] = [touch.characteristic_time, touch.included_time].map(Scalar::squared);
         let mobility = touch.normal_mobility();
         let free = -((mobility - touch.ball.mass.recip()) * GUIDED_MASS) + 1.0;
@@ -88,7 +88,7 @@ pub fn possible<S: Scalar>(touch: &FirstTouch<S>, peak_force: S) -> S::Mask {
     if !touch.gives() {
         return S::Mask::splat(true);
     }
-    let GivingFace { compliance, mass, .. } = GivingFace::of(touch);
+    let GivingFace { compliance, mass, .. } = GivingFace::from_touch(touch);
     (-(compliance * peak_force.squared())).le(mass * touch.approach().squared() * 0.25)
 }
 

@@ -18,7 +18,7 @@ impl Accuracy {
     ///
     /// # Errors
     /// A tolerance that is not allowed.
-    pub fn of_tolerance(tolerance: Option<f64>) -> Result<Self, ImpactError> {
+    pub fn from_tolerance(tolerance: Option<f64>) -> Result<Self, ImpactError> {
         match tolerance {
             None => Ok(Self::Fast),
             Some(value) if (1e-13..=1e-2).contains(&value) => Ok(Self::Tolerance(value)),

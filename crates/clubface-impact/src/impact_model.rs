@@ -33,7 +33,7 @@ pub struct Kernels {
 impl Kernels {
     /// Those of a model.
     #[must_use]
-    pub const fn of<M: Describe>() -> Self {
+    pub const fn for_model<M: Describe>() -> Self {
         assert!(M::INFO.parameters.len() <= MOST_PARAMETERS, "a model has too many parameters");
         Self { info: M::INFO, launches: launches::<M>, derivatives: derivatives::<M>, history: history::<M> }
     }

@@ -13,7 +13,7 @@ macro_rules! registry {
             #[doc = concat!("[`", stringify!($($path)::+), "`].")]
             pub const $constant: $crate::ImpactModel = {
                 static KERNELS: $crate::impact_model::Kernels =
-                    $crate::impact_model::Kernels::of::<$($path)::+<()>>();
+                    $crate::impact_model::Kernels::for_model::<$($path)::+<()>>();
                 $crate::ImpactModel::new(&KERNELS)
             };
         )+

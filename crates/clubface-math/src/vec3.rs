@@ -37,7 +37,7 @@ impl<S: Scalar> Vec3<S> {
     }
     /// Three consecutive numbers of a slice as a vector.
     #[inline(always)]
-    pub fn of(values: &[S], start: usize) -> Self {
+    pub fn from_slice(values: &[S], start: usize) -> Self {
         Self::new(values[start], values[start + 1], values[start + 2])
     }
     /// Writes the components into three consecutive places.

@@ -20,7 +20,7 @@ fn batch<'a>(
     parameters: &'a [Column<'a>],
     accuracy: Option<f64>,
 ) -> Result<Batch<'a>, ImpactError> {
-    Ok(Batch { model: named(model)?, inputs, parameters, accuracy: Accuracy::of_tolerance(accuracy)? })
+    Ok(Batch { model: named(model)?, inputs, parameters, accuracy: Accuracy::from_tolerance(accuracy)? })
 }
 
 /// Launches of `n` shots: (array of outputs by shots, [(row, input, message), ...]).
@@ -95,7 +95,7 @@ pub fn sensitivity<'py>(
     accuracy: Option<f64>,
 ) -> PyResult<Derivatives<'py>> {
     let shot = || {
-        let accuracy = Accuracy::of_tolerance(accuracy)?;
+        let accuracy = Accuracy::from_tolerance(accuracy)?;
         sensitivity_to_all(named(model)?, all_inputs(&inputs)?, &parameters, accuracy)
     };
     let result = py.detach(shot).map_err(|e| value_error(&e))?;
@@ -115,7 +115,7 @@ pub fn history<'py>(
     accuracy: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let shot = || {
-        let accuracy = Accuracy::of_tolerance(accuracy)?;
+        let accuracy = Accuracy::from_tolerance(accuracy)?;
         named(model)?.history(all_inputs(&inputs)?, &parameters, accuracy)
     };
     let (history, launch) = py.detach(shot).map_err(|e| value_error(&e))?;

@@ -57,7 +57,7 @@ pub unsafe extern "C" fn launches(
     let inputs = columns(inputs, rows);
     let parameters: Vec<Column> = parameters.iter().copied().map(Column::Constant).collect();
     let mut run = || {
-        let accuracy = Accuracy::of_tolerance((tolerance > 0.0).then_some(tolerance))?;
+        let accuracy = Accuracy::from_tolerance((tolerance > 0.0).then_some(tolerance))?;
         let batch = Batch { model, inputs: &inputs, parameters: &parameters, accuracy };
         batch.validate(rows)?;
         Ok(batch.run(0..rows, outputs.chunks_exact_mut(rows).collect()))
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn sensitivity(
         )
     };
     let run = || {
-        let accuracy = Accuracy::of_tolerance((tolerance > 0.0).then_some(tolerance))?;
+        let accuracy = Accuracy::from_tolerance((tolerance > 0.0).then_some(tolerance))?;
         sensitivity_to_all(model, all_inputs(inputs)?, parameters, accuracy)
     };
     crate::finish(match run() {

@@ -18,7 +18,7 @@ pub struct ElementOutput {
 impl ElementOutput {
     /// One lane, outer and inner side.
     #[inline(always)]
-    pub fn of<P: Pack>(
+    pub fn from_lane<P: Pack>(
         stress: [&Symmetric<P>; 2],
         strain: [&Symmetric<P>; 2],
         plastic_strain: P,

@@ -43,11 +43,11 @@ impl<S: Scalar> Kinematics<S> {
     /// From the deformation gradient; exact for a volume ratio between 0.3 and 2.5.
     #[inline(always)]
     pub fn new(f: Mat3<S>) -> Self {
-        Self::of(Deformation::new(f))
+        Self::from_deformation(Deformation::new(f))
     }
     /// From a deformation.
     #[inline(always)]
-    pub fn of(deformation: Deformation<S>) -> Self {
+    pub fn from_deformation(deformation: Deformation<S>) -> Self {
         let shape = deformation.root.product(deformation.root);
         let c = deformation.right.scale(shape);
         Self {

@@ -18,7 +18,7 @@ pub trait Isochoric<S: Scalar>: Copy {
     /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight.
     #[inline(always)]
     fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
-        let kinematics = Kinematics::of(*at);
+        let kinematics = Kinematics::from_deformation(*at);
         kinematics.second_piola(&self.stress(&kinematics.c), pressure, weight)
     }
 }
@@ -89,7 +89,7 @@ pub trait PointLaw<P: Pack>: Copy + 'static {
         state: &mut StateVariables<P::Real>,
         lane: usize,
     ) -> Symmetric<P> {
-        let kinematics = Kinematics::of(*at);
+        let kinematics = Kinematics::from_deformation(*at);
         kinematics.second_piola(&self.update(&kinematics.c, state, lane), pressure, weight)
     }
     /// See [`Inelastic::energy`].

@@ -144,7 +144,7 @@ impl<P: Pack, L: PointLaw<P>> PointStress<P> for Stage<P, L> {
     ) -> Symmetric<P> {
         let Branching { decays, count, add_work } = &self.branching;
         let branches = Branches { decays: &decays[..*count], add_work: *add_work };
-        let kinematics = Kinematics::of(*at);
+        let kinematics = Kinematics::from_deformation(*at);
         let elastic = self.law.update(&kinematics.c, state, lane);
         let stress = add_branches(&kinematics, elastic, &branches, state, lane);
         kinematics.second_piola(&stress, pressure, weight)

@@ -23,7 +23,7 @@ impl DriverShape {
     #[must_use]
     pub fn mesh<R: Real>(&self, fineness: DriverFineness, thickness: &DriverThickness) -> DriverMesh<R> {
         let (mut nodes, quads) = boxed(fineness.0);
-        let surface = DriverSurface::of(self);
+        let surface = DriverSurface::new(self);
         let half = Vec3::new(0.5 * self.depth, 0.5 * (self.crown + self.sole), 0.5 * self.width);
         for p in &mut nodes {
             *p = surface.point(Vec3::new(p.x * half.x, p.y * half.y, p.z * half.z));

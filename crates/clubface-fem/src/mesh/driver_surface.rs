@@ -30,7 +30,7 @@ pub(super) struct DriverSurface<'a> {
 }
 
 impl<'a> DriverSurface<'a> {
-    pub fn of(shape: &'a DriverShape) -> Self {
+    pub fn new(shape: &'a DriverShape) -> Self {
         let (s, c) = shape.loft.sin_cos();
         let (normal, up) = (Vec3::new(c, s, 0.0), Vec3::new(-s, c, 0.0));
         let centre = Vec3::new(-shape.depth * WIDEST, 0.0, 0.0);

@@ -7,7 +7,7 @@ use clubface_impact::shot::INPUTS;
 /// First touch of a shot with some inputs; all others are zero.
 pub fn touch(values: &[(&str, f64)]) -> FirstTouch<f64> {
     let value = |name: &str| values.iter().find(|value| value.0 == name).map_or(0.0, |value| value.1);
-    FirstTouch::of_inputs(&INPUTS.map(|input| value(input.quantity.name)))
+    FirstTouch::from_inputs(&INPUTS.map(|input| value(input.quantity.name)))
 }
 
 /// A head delivered at 35 m/s and its loft, `toe` metres from the face centre, turning about the vertical at `closure`

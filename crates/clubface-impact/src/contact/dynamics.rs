@@ -41,7 +41,7 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         Self {
             law,
             face: touch.face,
-            giving: GivingFace::of(touch),
+            giving: GivingFace::from_touch(touch),
             lever: touch.lever,
             inertia: touch.inertia,
             inverse_inertia: touch.inertia.inverse(),
@@ -63,8 +63,8 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     /// The contact point in state `y`.
     #[inline(always)]
     pub fn touching(&self, y: &[S]) -> ContactPoint<S> {
-        let nearest = self.face.nearest(Vec3::of(y, POSITION) - self.lever);
-        ContactPoint::of(&nearest, self.radius, y)
+        let nearest = self.face.nearest(Vec3::from_slice(y, POSITION) - self.lever);
+        ContactPoint::new(&nearest, self.radius, y)
     }
 
     /// Normal force, N: zero when apart.
@@ -107,23 +107,23 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         friction: Vec3<S>,
     ) -> [S; N] {
         let force = t.normal * normal_force + friction;
-        let club_spin = Vec3::of(y, CLUB_SPIN);
-        let ball_spin = Vec3::of(y, BALL_SPIN);
-        let velocity = Vec3::of(y, VELOCITY);
-        let position = Vec3::of(y, POSITION);
+        let club_spin = Vec3::from_slice(y, CLUB_SPIN);
+        let ball_spin = Vec3::from_slice(y, BALL_SPIN);
+        let velocity = Vec3::from_slice(y, VELOCITY);
+        let position = Vec3::from_slice(y, POSITION);
         let mut rate = [S::zero(); N];
         (velocity - club_spin.cross(position)).put(&mut rate, POSITION);
         (force * self.inverse_mass - club_spin.cross(velocity)).put(&mut rate, VELOCITY);
         let club_torque = -t.point.cross(force) - club_spin.cross(self.inertia * club_spin);
         (self.inverse_inertia * club_torque).put(&mut rate, CLUB_SPIN);
-        let attitude = Quat { w: y[ATTITUDE], v: Vec3::of(y, ATTITUDE + 1) }.rate(club_spin);
+        let attitude = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.rate(club_spin);
         rate[ATTITUDE] = attitude.w;
         attitude.v.put(&mut rate, ATTITUDE + 1);
         let mut ball_torque = t.normal.cross(friction) * -t.arm;
         let mut layer_work = S::zero();
         if let (true, Some(core)) = (layered(N), self.core) {
-            let core_spin = Vec3::of(y, CORE_SPIN);
-            let twist = Vec3::of(y, TWIST);
+            let core_spin = Vec3::from_slice(y, CORE_SPIN);
+            let twist = Vec3::from_slice(y, TWIST);
             let twisting = ball_spin - core_spin;
             let torque = twist * core.stiffness + twisting * core.damping;
             ball_torque = ball_torque - torque;

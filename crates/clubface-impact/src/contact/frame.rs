@@ -64,7 +64,7 @@ pub struct Frame {
 
 impl Frame {
     /// Reads the state `y` of a contact.
-    pub fn of<L: ContactLaw<f64>, const N: usize>(
+    pub fn record<L: ContactLaw<f64>, const N: usize>(
         touch: &FirstTouch<f64>,
         contact: &Contact<f64, L>,
         time: f64,
@@ -76,24 +76,24 @@ impl Frame {
         let (up, toe) = tangents(t.normal);
         let core = contact.core();
         let (ball, club) = motions(touch, core.map(|core| core.inertia), y);
-        let turn = Vec3::of(y, ATTITUDE + 1);
+        let turn = Vec3::from_slice(y, ATTITUDE + 1);
         let attitude = clubface_math::Quat { w: y[ATTITUDE], v: turn };
-        let relative = attitude.matrix() * Vec3::of(y, POSITION);
+        let relative = attitude.matrix() * Vec3::from_slice(y, POSITION);
         // Both centres, from the uniform motion of their common centre of mass.
         let share = touch.ball.mass / (touch.ball.mass + touch.club_mass);
         let start = touch.contact + touch.normal * touch.ball.radius;
         let common = start * share + touch.club_velocity * ((1.0 - share) * time);
-        let club_spin = Vec3::of(y, CLUB_SPIN);
-        let surface_spin = Vec3::of(y, BALL_SPIN);
+        let club_spin = Vec3::from_slice(y, CLUB_SPIN);
+        let surface_spin = Vec3::from_slice(y, BALL_SPIN);
         let mut spin_energy = 0.5 * touch.ball.inertia * surface_spin.norm_squared();
         let mut layer_energy = 0.0;
         let mut core_spin = surface_spin;
         if let (true, Some(core)) = (layered(N), core) {
             let cover = touch.ball.inertia - core.inertia;
-            core_spin = Vec3::of(y, CORE_SPIN);
+            core_spin = Vec3::from_slice(y, CORE_SPIN);
             spin_energy =
                 0.5 * cover * surface_spin.norm_squared() + 0.5 * core.inertia * core_spin.norm_squared();
-            layer_energy = 0.5 * core.stiffness * Vec3::of(y, TWIST).norm_squared();
+            layer_energy = 0.5 * core.stiffness * Vec3::from_slice(y, TWIST).norm_squared();
         }
         let mut work = [0.0; LEDGER];
         if recorded(N) {

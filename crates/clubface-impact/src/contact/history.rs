@@ -32,7 +32,7 @@ impl Recorder<f64> for History {
         time: f64,
         y: &[f64; N],
     ) {
-        self.frames.push(Frame::of(&self.touch, contact, time, y));
+        self.frames.push(Frame::record(&self.touch, contact, time, y));
     }
     fn record_rings(&mut self, rings: &[RingFrame]) {
         self.rings.push(rings.to_vec());

@@ -78,8 +78,8 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
         let t = self.touching(y);
         let slopes = self.slopes(&t);
         let (normal, sliding) = (t.normal, t.sliding);
-        let (club_spin, ball_spin) = (Vec3::of(y, CLUB_SPIN), Vec3::of(y, BALL_SPIN));
-        let relative = Vec3::of(y, VELOCITY) - club_spin.cross(t.point);
+        let (club_spin, ball_spin) = (Vec3::from_slice(y, CLUB_SPIN), Vec3::from_slice(y, BALL_SPIN));
+        let relative = Vec3::from_slice(y, VELOCITY) - club_spin.cross(t.point);
         let along = Mat3::diagonal(S::one()) + Mat3::outer(normal, -normal);
         // A move of the ball along the face turns the normal by `turn` per length, and takes the contact point along.
         let turn = t.curvature / (t.curvature * t.arm + 1.0);
@@ -138,14 +138,14 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
     fn solve(&self, solver: &ContactSolver<S>, b: &[S; N]) -> [S; N] {
         let ContactSolver { g, jacobian: t, inverse, layer, give } = solver;
         let mut x = *b;
-        let position = Vec3::of(b, POSITION);
-        let velocity = Vec3::of(b, VELOCITY);
-        let club_spin = Vec3::of(b, CLUB_SPIN);
-        let mut ball_spin = Vec3::of(b, BALL_SPIN);
+        let position = Vec3::from_slice(b, POSITION);
+        let velocity = Vec3::from_slice(b, VELOCITY);
+        let club_spin = Vec3::from_slice(b, CLUB_SPIN);
+        let mut ball_spin = Vec3::from_slice(b, BALL_SPIN);
         let mut layer_torque = Vec3::zero();
         if layered(N) {
-            let twisting = ball_spin - Vec3::of(b, CORE_SPIN);
-            layer_torque = twisting * layer.by_twisting + Vec3::of(b, TWIST) * layer.by_twist;
+            let twisting = ball_spin - Vec3::from_slice(b, CORE_SPIN);
+            layer_torque = twisting * layer.by_twisting + Vec3::from_slice(b, TWIST) * layer.by_twist;
             ball_spin = ball_spin - layer_torque * self.inverse_surface_inertia;
         }
         // Velocity of the surfaces and position as they would be without a change of the contact force.
@@ -172,9 +172,10 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
         if layered(N) {
             // What the cover gained beyond its own share went through the layer.
             let passed = ball_impulse * (-(self.surface_inertia * layer.compliance) + 1.0);
-            let core_spin = Vec3::of(b, CORE_SPIN) + (layer_torque + passed) * self.inverse_core_inertia;
+            let core_spin =
+                Vec3::from_slice(b, CORE_SPIN) + (layer_torque + passed) * self.inverse_core_inertia;
             core_spin.put(&mut x, CORE_SPIN);
-            (Vec3::of(b, TWIST) + (ball_spin - core_spin) * *g).put(&mut x, TWIST);
+            (Vec3::from_slice(b, TWIST) + (ball_spin - core_spin) * *g).put(&mut x, TWIST);
         }
         x
     }

@@ -95,16 +95,16 @@ pub struct ContactPoint<S> {
 impl<S: Scalar> ContactPoint<S> {
     /// Reads a state vector, given the face as seen from the ball centre.
     #[inline(always)]
-    pub fn of(nearest: &Nearest<S>, radius: S, y: &[S]) -> Self {
-        let position = Vec3::of(y, POSITION);
+    pub fn new(nearest: &Nearest<S>, radius: S, y: &[S]) -> Self {
+        let position = Vec3::from_slice(y, POSITION);
         let normal = nearest.normal;
         // The face moves parallel to itself.
         let (moved, moving) = face(y.len()).map_or((S::zero(), S::zero()), |at| (y[at], y[at + 1]));
         let arm = nearest.distance + moved;
         let point = position - normal * arm;
-        let relative = Vec3::of(y, VELOCITY) - Vec3::of(y, CLUB_SPIN).cross(point);
+        let relative = Vec3::from_slice(y, VELOCITY) - Vec3::from_slice(y, CLUB_SPIN).cross(point);
         let rate = -normal.dot(relative) - moving;
-        let surface = relative + normal.cross(Vec3::of(y, BALL_SPIN)) * arm;
+        let surface = relative + normal.cross(Vec3::from_slice(y, BALL_SPIN)) * arm;
         Self {
             normal,
             curvature: nearest.curvature,
@@ -173,19 +173,19 @@ pub fn motions<S: Scalar, const N: usize>(
     core_inertia: Option<S>,
     y: &[S; N],
 ) -> (Motion<S>, Motion<S>) {
-    let turn = Quat { w: y[ATTITUDE], v: Vec3::of(y, ATTITUDE + 1) }.matrix();
+    let turn = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.matrix();
     let total = (touch.ball.mass + touch.club_mass).recip();
-    let relative = turn * Vec3::of(y, VELOCITY);
+    let relative = turn * Vec3::from_slice(y, VELOCITY);
     let common = touch.club_velocity * (touch.club_mass * total);
-    let mut ball_spin = Vec3::of(y, BALL_SPIN);
+    let mut ball_spin = Vec3::from_slice(y, BALL_SPIN);
     if let (true, Some(core)) = (layered(N), core_inertia) {
         let share = core / touch.ball.inertia;
-        ball_spin += (Vec3::of(y, CORE_SPIN) - ball_spin) * share;
+        ball_spin += (Vec3::from_slice(y, CORE_SPIN) - ball_spin) * share;
     }
     let ball = Motion { velocity: common + relative * (touch.club_mass * total), spin: turn * ball_spin };
     let club = Motion {
         velocity: common - relative * (touch.ball.mass * total),
-        spin: turn * Vec3::of(y, CLUB_SPIN),
+        spin: turn * Vec3::from_slice(y, CLUB_SPIN),
     };
     (ball, club)
 }

@@ -42,7 +42,7 @@ pub fn trajectory(inputs: &[f64; INPUT_COUNT]) -> Result<Track, ImpactError> {
     let mut track = Track::default();
     track.push(0.0, Vec3::zero(), shot.velocity, shot.spin);
     let landing = fly_to_ground(&flight, shot.velocity, TOLERANCE, INTERVAL, |time, y| {
-        track.push(time, Vec3::of(y, 0), Vec3::of(y, 3), shot.spin * y[6]);
+        track.push(time, Vec3::from_slice(y, 0), Vec3::from_slice(y, 3), shot.spin * y[6]);
     });
     if !landing.landed {
         return Err(never_lands());

@@ -113,12 +113,12 @@ impl<S: Scalar> FlightShot<S> {
     pub fn from_inputs(v: &[S; INPUT_COUNT]) -> Self {
         Self {
             ball: Ball { mass: v[0], radius: v[1], inertia: v[2] },
-            velocity: Vec3::of(v, 3),
-            spin: Vec3::of(v, 6),
+            velocity: Vec3::from_slice(v, 3),
+            spin: Vec3::from_slice(v, 6),
             air: Air {
                 density: density(v[9], v[10], v[11]),
                 viscosity: viscosity(v[9]),
-                wind: Vec3::of(v, 12),
+                wind: Vec3::from_slice(v, 12),
             },
             ground: Ground {
                 restitution_factor: v[15],

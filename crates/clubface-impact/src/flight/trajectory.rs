@@ -81,7 +81,7 @@ impl<S: Scalar> Flight<S> {
     /// Spin parameter of a state.
     #[inline(always)]
     fn spin_parameter(&self, y: &[S; STATES]) -> S {
-        let speed = (Vec3::of(y, 3) - self.wind).norm();
+        let speed = (Vec3::from_slice(y, 3) - self.wind).norm();
         spin_parameter(self.radius, self.launch_spin_speed * y[SPIN], speed)
     }
 }
@@ -89,7 +89,7 @@ impl<S: Scalar> Flight<S> {
 impl<S: Scalar> System<S, STATES> for Flight<S> {
     #[inline(always)]
     fn rhs(&self, y: &[S; STATES]) -> [S; STATES] {
-        let velocity = Vec3::of(y, 3);
+        let velocity = Vec3::from_slice(y, 3);
         let left = y[SPIN];
         let load = air_load(
             self.radius,

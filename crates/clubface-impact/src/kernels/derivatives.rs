@@ -102,7 +102,7 @@ impl<S: Lanes> Computation for Seed<'_, S> {
         for i in 0..self.parameters.len() {
             self.parameters[i] = seed(INPUT_COUNT + i, self.shot.parameters[i]);
         }
-        FirstTouch::of_inputs(&inputs)
+        FirstTouch::from_inputs(&inputs)
     }
 }
 

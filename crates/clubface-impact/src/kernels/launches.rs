@@ -94,7 +94,7 @@ impl<S: Lanes> Computation for Prepare<'_, '_, S> {
         let InPacks { shots, info, checks, inputs, parameters, good, faults, .. } = batch;
         *inputs = gather(shots.inputs, first, used);
         gather_into(parameters, shots.parameters, first, used);
-        let touch = FirstTouch::of_inputs(inputs);
+        let touch = FirstTouch::from_inputs(inputs);
         let approach = touch.approach();
         *good = checks.good(inputs, info, parameters).and(approach.gt(S::zero()));
         if good.all() {
@@ -111,7 +111,7 @@ impl<S: Lanes> Computation for Prepare<'_, '_, S> {
         let bad = |lane: usize| faults[lane.min(used - 1)].is_some();
         replace(inputs, &HARMLESS, bad);
         replace(parameters, &info.defaults(), bad);
-        FirstTouch::of_inputs(inputs)
+        FirstTouch::from_inputs(inputs)
     }
 }
 

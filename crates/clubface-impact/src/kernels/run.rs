@@ -41,7 +41,7 @@ pub fn history<M: Describe>(
 ) -> Result<(History, [f64; OUTPUT_COUNT]), ImpactError> {
     check(inputs)?;
     check_parameters(&M::INFO, parameters)?;
-    let touch = FirstTouch::of_inputs(inputs);
+    let touch = FirstTouch::from_inputs(inputs);
     check_approach(touch.approach())?;
     let mut history = History::new(touch);
     let model = M::Over::<f64>::from_values(parameters);

@@ -13,7 +13,7 @@ pub fn restitution<S: Scalar>(cor: S, cor_slope: S, touch: &FirstTouch<S>) -> S 
     // In this order NaN stays.
     let of_set = S::zero().max(cor + cor_slope * approach);
     if touch.gives() {
-        return GivingFace::of(touch).restitution(of_set, approach);
+        return GivingFace::from_touch(touch).restitution(of_set, approach);
     }
     of_set
 }

@@ -169,7 +169,7 @@ impl<S: Scalar> Rings<S> {
         let mut deepest = deepest(stiffness, self.damping, touch.normal_mobility(), speed);
         let mut longest = deepest / speed * LONGEST_STEP;
         if touch.gives() {
-            let giving = GivingFace::of(touch);
+            let giving = GivingFace::from_touch(touch);
             deepest = deepest_on(&giving, stiffness, deepest);
             // With derivatives by a face that does not give, steps and rings are those without.
             if !giving.compliance.primal().vanishes() {
@@ -232,7 +232,7 @@ fn ring_by_ring<S: Scalar, R: Recorder<S>, const N: usize>(
     for _ in 0..MOST_STEPS[0] {
         let t = contact.touching(&y);
         // Without the change of the normal's direction, which is too slow to matter to a step's length.
-        let surface = Vec3::of(&rate, VELOCITY) - Vec3::of(&rate, CLUB_SPIN).cross(t.point);
+        let surface = Vec3::from_slice(&rate, VELOCITY) - Vec3::from_slice(&rate, CLUB_SPIN).cross(t.point);
         let acceleration = -t.normal.dot(surface) - face(N).map_or(S::zero(), |at| rate[at + 1]);
         let h = steps.next(t.depth, t.rate, acceleration);
         let end = BOGACKI_SHAMPINE.attempt(contact, &y, &rate, h);

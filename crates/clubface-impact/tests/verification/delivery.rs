@@ -26,7 +26,7 @@ fn azimuth(v: Vec3<f64>) -> f64 {
 }
 
 fn attitude(inputs: &Inputs) -> Mat3<f64> {
-    FirstTouch::of_inputs(&inputs.0).attitude
+    FirstTouch::from_inputs(&inputs.0).attitude
 }
 
 fn near(a: Vec3<f64>, b: Vec3<f64>) -> bool {
@@ -107,7 +107,7 @@ proptest! {
     #[test]
     fn at_static_loft_the_clubhead_stands_as_its_table_says(loft in -0.2..1.0f64) {
         let inputs = shot(Club::Driver).with(&[("static_loft", loft), ("loft", loft)]);
-        let touch = FirstTouch::of_inputs(&inputs.0);
+        let touch = FirstTouch::from_inputs(&inputs.0);
         let lever = touch.attitude * touch.lever;
         prop_assert!(near(lever, Vec3::new(inputs.at("cg_x"), inputs.at("cg_y"), inputs.at("cg_z"))));
         let inertia = touch.attitude * (touch.inertia * touch.attitude.transpose());
@@ -124,7 +124,7 @@ proptest! {
 #[test]
 fn the_contact_point_is_the_impact_point_of_the_face() {
     let inputs = shot(Club::Driver).with(&[("toe", 0.02), ("high", -0.01)]);
-    let touch = FirstTouch::of_inputs(&inputs.0);
+    let touch = FirstTouch::from_inputs(&inputs.0);
     let point = touch.contact - touch.lever;
     assert!((point.y + 0.01).abs() < 1e-15 && (point.z - 0.02).abs() < 1e-15);
     assert!(touch.face.nearest(point + touch.normal * 0.0213).distance - 0.0213 < 1e-15);

@@ -7,7 +7,7 @@ use clubface_impact::guided_mass::GuidedMass;
 use clubface_math::Vec3;
 
 fn touch(club: Club, characteristic_time: f64) -> FirstTouch<f64> {
-    FirstTouch::of_inputs(&mishit(club, 1.0).with(&[("characteristic_time", characteristic_time)]).0)
+    FirstTouch::from_inputs(&mishit(club, 1.0).with(&[("characteristic_time", characteristic_time)]).0)
 }
 
 fn guided(touch: &FirstTouch<f64>) -> GuidedMass<f64> {

@@ -16,7 +16,7 @@ fn restitution(model: ImpactModel, parameters: &[f64], face: (f64, f64)) -> f64 
     let ball = [("ball_mass", 0.0459), ("ball_radius", 0.021_335), ("ball_inertia", 81.5e-7)];
     let inputs = shot(Club::Driver).with(&ball).with(&[("speed", TEST_SPEED), ("loft", 0.0)]);
     let inputs = on_face(inputs, face);
-    let touch = FirstTouch::of_inputs(&inputs.0);
+    let touch = FirstTouch::from_inputs(&inputs.0);
     let result = hit(model, &inputs, parameters, TIGHT);
     let point = touch.attitude * touch.contact;
     let club = result.club_velocity() + result.club_spin().cross(point);
@@ -24,7 +24,7 @@ fn restitution(model: ImpactModel, parameters: &[f64], face: (f64, f64)) -> f64 
 }
 
 fn face(touch: &FirstTouch<f64>) -> GivingFace<f64> {
-    GivingFace::of(touch)
+    GivingFace::from_touch(touch)
 }
 
 /// The face that the parameters include changes nothing, whichever it is.
@@ -136,7 +136,7 @@ fn restitution_of_ball_and_face_is_that_of_response_at_other_speeds() {
 /// A dead ball leaves with what the face has stored; a perfect one loses nothing either way; no restitution is negative.
 #[test]
 fn restitution_stays_possible() {
-    let touch = |face| FirstTouch::of_inputs(&on_face(simple_head(0.04), face).0);
+    let touch = |face| FirstTouch::from_inputs(&on_face(simple_head(0.04), face).0);
     for (own, included) in [(300e-6, 0.0), (0.0, 300e-6), (600e-6, 20e-6)] {
         let face = face(&touch((own, included)));
         for of_set in [0.0, 1e-9, 0.3, 0.83, 1.0] {
@@ -155,7 +155,7 @@ fn restitution_stays_possible() {
 #[test]
 fn the_face_is_the_guided_mass_on_its_spring() {
     let inputs = on_face(mishit(Club::Driver, 1.0), (250e-6, 0.0));
-    let touch = FirstTouch::of_inputs(&inputs.0);
+    let touch = FirstTouch::from_inputs(&inputs.0);
     let result = face(&touch);
     let arm = touch.contact.cross(touch.normal);
     let share = GUIDED_MASS * (touch.club_mass.recip() + arm.dot(touch.inertia.inverse() * arm));
@@ -170,7 +170,7 @@ fn the_face_is_the_guided_mass_on_its_spring() {
 #[test]
 fn the_difference_of_two_faces_is_right_to_second_order() {
     let at = |face_: (f64, f64), w: f64| {
-        let result = face(&FirstTouch::of_inputs(&on_face(mishit(Club::Driver, 1.0), face_).0));
+        let result = face(&FirstTouch::from_inputs(&on_face(mishit(Club::Driver, 1.0), face_).0));
         result.compliance / (1.0 - result.square_time * w * w)
     };
     for (own, included) in [(257e-6, 239e-6), (85e-6, 250e-6)] {
@@ -189,7 +189,7 @@ fn the_difference_of_two_faces_is_right_to_second_order() {
 #[test]
 fn a_face_stores_what_its_compliance_times_half_the_squared_force_is() {
     let inputs = on_face(simple_head(0.04), (250e-6, 0.0));
-    let compliance = face(&FirstTouch::of_inputs(&inputs.0)).compliance;
+    let compliance = face(&FirstTouch::from_inputs(&inputs.0)).compliance;
     for model in contacts() {
         let (history, _) = model.history(&inputs.0, &published(model, Club::Driver), TIGHT).unwrap();
         let strongest =

@@ -62,7 +62,7 @@ fn angular_momentum_is_kept_at_every_step() {
     each_history(|model, inputs, frames| {
         let (ball, club) = (inputs.at("ball_mass"), inputs.at("club_mass"));
         let hand = inputs.at("hand");
-        let touch = FirstTouch::of_inputs(&inputs.0);
+        let touch = FirstTouch::from_inputs(&inputs.0);
         let total = |f: &Frame| {
             let [w, x, y, z] = f.club_attitude;
             let turn: Mat3<f64> = touch.attitude * Quat { w, v: Vec3::new(x, y, z) }.matrix();
@@ -103,7 +103,7 @@ fn energy_is_accounted_for_at_every_step() {
 fn the_kinetic_energy_is_that_of_both_bodies() {
     for (model, club) in [(AREA, Club::Driver), (RINGS, Club::Iron)] {
         let (inputs, history) = record(model, club, 1.0);
-        let touch = FirstTouch::of_inputs(&inputs.0);
+        let touch = FirstTouch::from_inputs(&inputs.0);
         for frame in &history.frames {
             let [w, x, y, z] = frame.club_attitude;
             let turn = touch.attitude * Quat { w, v: Vec3::new(x, y, z) }.matrix();

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-12;
 
 fn impulse(model: ImpactModel, inputs: &Inputs, parameters: &[f64]) -> (Rigid, Outputs) {
     let outputs = hit(model, inputs, parameters, Accuracy::Fast);
-    (Rigid::of(model, inputs, parameters, &outputs), outputs)
+    (Rigid::new(model, inputs, parameters, &outputs), outputs)
 }
 
 /// Penner, "The physics of golf: the optimum loft of a driver" (Am. J. Phys. 69, 2001, 563-568): for an impact through

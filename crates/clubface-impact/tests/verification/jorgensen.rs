@@ -61,7 +61,7 @@ proptest! {
         let model = JORGENSEN;
         let parameters = changed(model, model.info().defaults(), &[("compression_factor", f)]);
         let outputs = hit(model, &inputs, &parameters, Accuracy::Fast);
-        let rigid = Rigid::of(model, &inputs, &parameters, &outputs);
+        let rigid = Rigid::new(model, &inputs, &parameters, &outputs);
         let normal = rigid.touch.normal;
         // Of a ball that spins already two sevenths of its surface's velocity come back to its centre.
         let (touch, surface) = (&rigid.touch, rigid.relative_before().reject(normal));
@@ -72,7 +72,7 @@ proptest! {
         prop_assert!(rigid.momentum_error() < 1e-12);
         // The normal part is that of the standard model.
         let standard = hit(STANDARD, &inputs, &STANDARD.info().defaults(), Accuracy::Fast);
-        let standard = Rigid::of(STANDARD, &inputs, &[], &standard);
+        let standard = Rigid::new(STANDARD, &inputs, &[], &standard);
         let difference = (rigid.ball_velocity - standard.ball_velocity).dot(normal);
         prop_assert!(difference.abs() < 1e-11);
         // Relative to the face point, which moves after impact as in the standard model.

@@ -43,7 +43,7 @@ proptest! {
         for model in impulses() {
             let parameters = parameters(model, club, &places);
             let outputs = hit(model, &inputs, &parameters, Accuracy::Fast);
-            let rigid = Rigid::of(model, &inputs, &parameters, &outputs);
+            let rigid = Rigid::new(model, &inputs, &parameters, &outputs);
             let (info, obeys) = (model.info(), |law| model.info().obeys(law, &parameters));
             if obeys(Law::Momentum) {
                 prop_assert!(rigid.momentum_error() < 1e-12, "{}", info.name);

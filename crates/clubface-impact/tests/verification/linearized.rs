@@ -23,13 +23,13 @@ fn drive(curvature: f64) -> FirstTouch<f64> {
     inputs[18..24].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);
     inputs[24..31].copy_from_slice(&[0.17, 1.0 / curvature, 1.0 / curvature, 0.12, 0.06, 0.0, 1.0]);
     inputs[31..34].copy_from_slice(&[BALL_MASS, 0.0213, 83.36e-7]);
-    FirstTouch::of_inputs(&inputs)
+    FirstTouch::from_inputs(&inputs)
 }
 
 /// Contact force on the ball in state `y`, from the acceleration.
 fn force<L: ContactLaw<f64>>(contact: &Contact<f64, L>, y: &[f64; SOLID]) -> Vec3<f64> {
-    let acceleration = Vec3::of(&contact.rhs(y), VELOCITY);
-    let turned = Vec3::of(y, CLUB_SPIN).cross(Vec3::of(y, VELOCITY));
+    let acceleration = Vec3::from_slice(&contact.rhs(y), VELOCITY);
+    let turned = Vec3::from_slice(y, CLUB_SPIN).cross(Vec3::from_slice(y, VELOCITY));
     (acceleration + turned) * (BALL_MASS.recip() + CLUB_MASS.recip()).recip()
 }
 

@@ -46,7 +46,7 @@ proptest! {
     ) {
         let parameters = at_rest(&places, friction);
         let outputs = hit(RESPONSE, &inputs, &parameters, Accuracy::Fast);
-        let rigid = Rigid::of(RESPONSE, &inputs, &parameters, &outputs);
+        let rigid = Rigid::new(RESPONSE, &inputs, &parameters, &outputs);
         let (impulse, normal) = (rigid.impulse(), rigid.touch.normal);
         let pressed = impulse.dot(normal);
         prop_assert!(pressed >= 0.0 && impulse.reject(normal).norm() <= friction * pressed * (1.0 + 1e-9) + 1e-15);
@@ -69,7 +69,7 @@ proptest! {
         let each = RESPONSE.info().parameters.iter().zip(&places);
         let parameters: Vec<f64> = each.map(|(p, place)| p.lower + (p.upper - p.lower) * place).collect();
         let outputs = hit(RESPONSE, &inputs, &parameters, Accuracy::Fast);
-        let rigid = Rigid::of(RESPONSE, &inputs, &parameters, &outputs);
+        let rigid = Rigid::new(RESPONSE, &inputs, &parameters, &outputs);
         prop_assert!(rigid.momentum_error() < 1e-12);
         prop_assert!(rigid.angular_momentum_error() < 1e-11);
         prop_assert!(rigid.energy_lost() > -1e-12 * rigid.energy_before());

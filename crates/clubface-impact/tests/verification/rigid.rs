@@ -21,8 +21,8 @@ pub struct Rigid {
 }
 
 impl Rigid {
-    pub fn of(model: ImpactModel, inputs: &Inputs, parameters: &[f64], outputs: &Outputs) -> Self {
-        let touch = FirstTouch::of_inputs(&inputs.0);
+    pub fn new(model: ImpactModel, inputs: &Inputs, parameters: &[f64], outputs: &Outputs) -> Self {
+        let touch = FirstTouch::from_inputs(&inputs.0);
         let named = |name: &str| parameter(model, name).map_or(0.0, |index| parameters[index]);
         let (up, toe) = touch.tangents();
         let displaced = touch.normal * named("dcg_x") + up * named("dcg_y") + toe * named("dcg_z");

@@ -247,7 +247,7 @@ impl Outputs {
         self.0[output(name)]
     }
     fn vector(&self, first: &str) -> Vec3<f64> {
-        Vec3::of(&self.0, output(first))
+        Vec3::from_slice(&self.0, output(first))
     }
     pub fn ball_velocity(&self) -> Vec3<f64> {
         self.vector("velocity_x")

@@ -5,7 +5,7 @@ use crate::Dual;
 
 impl<S: Lanes, const N: usize> Part<Dual<S, N>> for S {
     #[inline(always)]
-    fn of(pack: &Dual<S, N>, pass: usize) -> Self {
+    fn from_pack(pack: &Dual<S, N>, pass: usize) -> Self {
         pack.part(pass)
     }
     #[inline(always)]
@@ -30,7 +30,7 @@ impl<S: Lanes, const N: usize> Part<Dual<S, N>> for S {
 /// Pairs of value and derivative.
 impl<S: Lanes, const N: usize> Part<Dual<S, N>> for Dual<S, 1> {
     #[inline(always)]
-    fn of(pack: &Dual<S, N>, pass: usize) -> Self {
+    fn from_pack(pack: &Dual<S, N>, pass: usize) -> Self {
         Self { value: pack.value, tangent: [pack.part(pass)] }
     }
     #[inline(always)]

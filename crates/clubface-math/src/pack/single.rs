@@ -32,7 +32,7 @@ macro_rules! single_part {
     ($type:ty) => {
         impl Part<$type> for $type {
             #[inline(always)]
-            fn of(pack: &Self, _pass: usize) -> Self {
+            fn from_pack(pack: &Self, _pass: usize) -> Self {
                 *pack
             }
             #[inline(always)]

@@ -215,7 +215,7 @@ pub trait Pack: Scalar + Send + Sync {
 /// and what it finds is the derivative; the value belongs to the first pass.
 pub trait Part<P: Pack>: Pack {
     /// What a pass acts on.
-    fn of(pack: &P, pass: usize) -> Self;
+    fn from_pack(pack: &P, pass: usize) -> Self;
     /// The first part that a pass reads, and how far apart those are that it reads.
     fn places(pass: usize) -> [usize; 2];
     /// A coefficient from the addresses of its value and of its derivative by the variable of a pass, which a pass

@@ -130,7 +130,7 @@ impl PackKernel<Number> for InPasses {
         fn mapped<P: Pack, G: Part<P>>(pack: &P, factor: &[[f64; 8]; 3], pass: usize) -> P::Value {
             // SAFETY: no pack has more lanes.
             let factor = unsafe { G::coefficient(factor[0].as_ptr(), factor[pass].as_ptr()) };
-            let result = (G::of(pack, pass) * factor).into_value();
+            let result = (G::from_pack(pack, pass) * factor).into_value();
             G::from_value(result).into_value()
         }
         let pack = P::load(&(0..8).map(number).collect::<Vec<_>>());

@@ -12,7 +12,7 @@ use crate::columns::Derivatives;
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{LAWS, entry_from_name, law_from_name};
-use clubface_fem::sensitivity::Setting;
+use clubface_fem::sensitivity::ImpactSetup;
 use clubface_fem::solve::Progress;
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{INPUT_COUNT, Shot};
@@ -120,7 +120,7 @@ pub fn fem_plane<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<FemImpact> {
     let (pool, ball) = (run_pool(&run)?, build_ball(&ball)?);
-    let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::of_pool(&pool))
+    let mut simulation = ball_against_plane(&ball, speed, angle, friction, &Environment::with_pool(&pool))
         .map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &run, None, progress)
 }
@@ -139,7 +139,7 @@ pub fn fem_head<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<FemImpact> {
     let (pool, touch, ball) = (run_pool(&run)?, first_touch(&inputs)?, build_ball(&ball)?);
-    let mut simulation = ball_against_rigid_head(&ball, &touch, friction, &Environment::of_pool(&pool))
+    let mut simulation = ball_against_rigid_head(&ball, &touch, friction, &Environment::with_pool(&pool))
         .map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &run, Some(&touch), progress)
 }
@@ -160,7 +160,7 @@ pub fn fem_deformable<'py>(
     let (pool, touch, ball, head) =
         (run_pool(&run)?, first_touch(&inputs)?, build_ball(&ball)?, build_head(&head)?);
     let mut simulation =
-        ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::of_pool(&pool))
+        ball_against_deformable_head(&*head, &ball, &touch, friction, &Environment::with_pool(&pool))
             .map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &run, Some(&touch), progress)
 }
@@ -170,18 +170,23 @@ fn first_touch(inputs: &[f64]) -> PyResult<FirstTouch<f64>> {
     let inputs: &[f64; INPUT_COUNT] =
         inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
     clubface_impact::check::check(inputs).map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
-    Ok(FirstTouch::of(&Shot::from_inputs(inputs)))
+    Ok(FirstTouch::from_shot(&Shot::from_inputs(inputs)))
 }
 
 /// The shot of a ball and a head whose launch is differentiated.
-fn build_setting(
+fn build_setup(
     ball: &BallValues,
     head: Option<&HeadValues<'_>>,
     inputs: &[f64],
     friction: f64,
-) -> PyResult<Setting> {
+) -> PyResult<ImpactSetup> {
     let inputs = inputs.try_into().map_err(|_| PyValueError::new_err(("inputs", "", "all are needed")))?;
-    Ok(Setting { ball: build_ball(ball)?, head: head.map(build_shell_head).transpose()?, inputs, friction })
+    Ok(ImpactSetup {
+        ball: build_ball(ball)?,
+        head: head.map(build_shell_head).transpose()?,
+        inputs,
+        friction,
+    })
 }
 
 /// Names of the variables of [`fem_sensitivity`].
@@ -192,7 +197,7 @@ pub fn fem_variables(
     head: Option<HeadValues<'_>>,
     inputs: Vec<f64>,
 ) -> PyResult<Vec<String>> {
-    Ok(build_setting(&ball, head.as_ref(), &inputs, 0.0)?.variables())
+    Ok(build_setup(&ball, head.as_ref(), &inputs, 0.0)?.variables())
 }
 
 /// Launch of a shot with a head of shells, or else the rigid one of the inputs, and its derivatives in some directions,
@@ -211,7 +216,7 @@ pub fn fem_sensitivity<'py>(
     directions: Vec<Vec<(String, f64)>>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Derivatives<'py>> {
-    let setting = build_setting(&ball, head.as_ref(), &inputs, friction)?;
+    let setting = build_setup(&ball, head.as_ref(), &inputs, friction)?;
     clubface_impact::check::check(&setting.inputs)
         .map_err(|e| PyValueError::new_err((e.input, "", e.message)))?;
     let (pool, options) = (run_pool(&run)?, run_options(&run)?);
@@ -225,7 +230,7 @@ pub fn fem_sensitivity<'py>(
             called.map_err(|error| raised = Some(error)).is_ok()
         };
         on_threads(&pool, || {
-            setting.sensitivity(&directions, &options, &Environment::of_pool(&pool), &mut observer)
+            setting.sensitivity(&directions, &options, &Environment::with_pool(&pool), &mut observer)
         })
     });
     if let Some(error) = raised {

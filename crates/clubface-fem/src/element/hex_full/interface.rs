@@ -132,7 +132,7 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                 let [mut stress, mut strain] = [Symmetric::diagonal(P::zero()); 2];
                 for point in 0..POINTS {
                     let (f, volume) = (&points.gradients[point], points.volumes[point]);
-                    let at = Kinematics::of(points.deformations[point]);
+                    let at = Kinematics::from_deformation(points.deformations[point]);
                     let cauchy = points.stresses[point].scale(at.inverse_volume).seen_through(f);
                     stress = stress.plus(volume, &cauchy);
                     strain = strain.plus(volume, &logarithmic(f, &at));
@@ -145,7 +145,10 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                 let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
                 for index in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
                     let number = patch.first + block * BLOCK + first + index;
-                    (self.sink)(number, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, index));
+                    (self.sink)(
+                        number,
+                        &ElementOutput::from_lane([&stress; 2], [&strain; 2], plastic, index),
+                    );
                 }
             }
         }

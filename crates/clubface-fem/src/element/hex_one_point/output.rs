@@ -171,7 +171,10 @@ impl<P: Pack> Visitor<P> for OutputOf<'_, '_, P> {
         let (stress, strain) = (stresses[0].seen_through(f), logarithmic(f, &at));
         for index in 0..P::LANES {
             let Some(number) = self.numbers[lane + index] else { continue };
-            (self.sink)(number as usize, &ElementOutput::of([&stress; 2], [&strain; 2], plastic, index));
+            (self.sink)(
+                number as usize,
+                &ElementOutput::from_lane([&stress; 2], [&strain; 2], plastic, index),
+            );
         }
     }
 }

@@ -23,7 +23,7 @@ pub(super) use in_passes;
 pub fn part<P: Pack, G: Part<P>, const N: usize>(packs: &[P; N], pass: usize) -> [G; N] {
     let mut parts = [G::zero(); N];
     for i in 0..N {
-        parts[i] = G::of(&packs[i], pass);
+        parts[i] = G::from_pack(&packs[i], pass);
     }
     parts
 }

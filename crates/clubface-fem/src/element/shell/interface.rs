@@ -118,7 +118,7 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                 let strain = sides.map(|side| shape.turned_out(section.strain(&side)));
                 for lane in 0..P::LANES.min(patch.elements.saturating_sub(at)) {
                     let (stress, strain) = (stress.each_ref(), strain.each_ref());
-                    let result = ElementOutput::of(stress, strain, plastic, lane);
+                    let result = ElementOutput::from_lane(stress, strain, plastic, lane);
                     (self.sink)(patch.first + at + lane, &result);
                 }
             }

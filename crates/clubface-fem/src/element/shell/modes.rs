@@ -17,11 +17,11 @@ pub struct Modes<T> {
 impl<P: Scalar> Modes<Vec3<P>> {
     /// Modes of vectors at the corners (-1,-1), (1,-1), (1,1), (-1,1), four times as large.
     #[inline(always)]
-    pub fn of(x: &[Vec3<P>; CORNERS]) -> Self {
+    pub fn from_corners(x: &[Vec3<P>; CORNERS]) -> Self {
         let (a, b, c, d) = (x[1] + x[0], x[2] + x[3], x[1] - x[0], x[2] - x[3]);
         Self { mean: b + a, eta: b - a, xi: d + c, skew: d - c }
     }
-    /// The transpose of [`Modes::of`].
+    /// The transpose of [`Modes::from_corners`].
     #[inline(always)]
     pub fn back(self) -> [Vec3<P>; CORNERS] {
         let (a, b) = (self.mean - self.eta, self.mean + self.eta);

@@ -78,7 +78,7 @@ impl<P: Pack> Quadrilateral<P> {
     /// From the positions of the corners, m, counterclockwise seen from outside.
     #[inline(always)]
     pub fn new(corners: &[Vec3<P>; CORNERS]) -> Self {
-        let modes = Modes::of(corners);
+        let modes = Modes::from_corners(corners);
         let (xi, eta, skew) =
             (times_f64(modes.xi, 0.25), times_f64(modes.eta, 0.25), times_f64(modes.skew, 0.25));
         let normal = cross(xi, eta);
@@ -168,7 +168,7 @@ impl<P: Pack> Quadrilateral<P> {
         dt: f64,
     ) -> Increment<P> {
         let quarter = dt * 0.25;
-        let (v, s) = (Modes::of(velocities), Modes::of(spins));
+        let (v, s) = (Modes::from_corners(velocities), Modes::from_corners(spins));
         let tilt = Modes {
             mean: self.tilt(times_f64(s.mean, quarter)),
             xi: self.tilt(times_f64(s.xi, quarter)),

@@ -73,8 +73,9 @@ fn the_energy_the_ball_loses_is_the_work_of_drag() {
         work += 0.5 * (before.1 + now) * (time - before.0);
         before = (time, now);
     };
-    let landing =
-        fly_to_ground(&flight, velocity, 1e-10, 1e-3, |time, y| step(time, power(Vec3::of(y, 3), y[6])));
+    let landing = fly_to_ground(&flight, velocity, 1e-10, 1e-3, |time, y| {
+        step(time, power(Vec3::from_slice(y, 3), y[6]));
+    });
     step(landing.time, power(landing.velocity, landing.spin.norm() / spin.norm()));
     let lost = 0.5 * BALL.mass * (velocity.norm_squared() - landing.velocity.norm_squared());
     assert_close(lost / work, 1.0, 1e-6);
@@ -92,7 +93,7 @@ fn spin_decays_exponentially_with_the_way_flown() {
         way += (place - here).norm();
         here = place;
     };
-    let landing = fly_to_ground(&flight, velocity, 1e-10, 1e-3, |_, y| step(Vec3::of(y, 0)));
+    let landing = fly_to_ground(&flight, velocity, 1e-10, 1e-3, |_, y| step(Vec3::from_slice(y, 0)));
     step(landing.position);
     let rate = 0.5 * air.density * area() * SPIN_DECAY * BALL.radius.powi(2) / BALL.inertia;
     assert!(!landing.outside_fit);

@@ -45,7 +45,7 @@ impl<S: Scalar> StiffSystem<S, 3> for Curves {
         match self.0 {
             Linearization::Exact => {
                 let variables: [Dual<S, 3>; 3] = [0, 1, 2].map(|i| Dual::variable(y[i], i));
-                Mat3 { rows: curves(variables).map(|component| Vec3::of(&component.tangent, 0)) }
+                Mat3 { rows: curves(variables).map(|component| Vec3::from_slice(&component.tangent, 0)) }
             }
             Linearization::Zero => Mat3::diagonal(S::zero()),
             Linearization::Unrelated => {
@@ -57,7 +57,7 @@ impl<S: Scalar> StiffSystem<S, 3> for Curves {
         (Mat3::diagonal(S::one()) + jacobian.scale(-g)).inverse()
     }
     fn solve(&self, solver: &Mat3<S>, b: &[S; 3]) -> [S; 3] {
-        (*solver * Vec3::of(b, 0)).array()
+        (*solver * Vec3::from_slice(b, 0)).array()
     }
 }
 

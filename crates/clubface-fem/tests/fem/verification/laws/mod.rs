@@ -68,7 +68,7 @@ fn elements<S: Scalar>(m: &Mat3<S>) -> [S; 9] {
 }
 
 fn matrix<S: Scalar>(e: [S; 9]) -> Mat3<S> {
-    Mat3::from_rows(Vec3::of(&e, 0), Vec3::of(&e, 3), Vec3::of(&e, 6))
+    Mat3::from_rows(Vec3::from_slice(&e, 0), Vec3::from_slice(&e, 3), Vec3::from_slice(&e, 6))
 }
 
 /// Deformations up to a third in every component, where elements live.
