@@ -1,6 +1,21 @@
 """Studies at any scale: inputs swept over a computation, in chunks that any number of processes and machines share."""
 
-from clubface.studies.joining import Joined as Joined, join as join
-from clubface.studies.running import Outcome as Outcome, Status as Status, run as run, status as status
-from clubface.studies.study import StudyFile as StudyFile, read_study as read_study
-from clubface.studies.summaries import Summary as Summary, summary as summary
+from clubface.studies.joining import Joined, join
+from clubface.studies.running import Outcome, Status, run, status
+from clubface.studies.study import StudyFile, read_study
+from clubface.studies.summaries import Along, Figures, Summary, summary
+
+__all__ = [
+    "Along",
+    "Figures",
+    "Joined",
+    "Outcome",
+    "Status",
+    "StudyFile",
+    "Summary",
+    "join",
+    "read_study",
+    "run",
+    "status",
+    "summary",
+]
