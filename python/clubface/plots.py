@@ -111,7 +111,8 @@ def _index(model: str) -> int:
 def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = None) -> None:
     """Put one legend, with the title of the figure, above all panels, where it covers nothing."""
     handles = list(lines)
-    columns = math.ceil(len(handles) / math.ceil(len(handles) / 9)) if handles else 1
+    width = sum(len(str(each.get_label())) + 6 for each in handles)
+    columns = math.ceil(len(handles) / max(math.ceil(len(handles) / 9), math.ceil(width / 110))) if handles else 1
     legend = figure.legend(
         handles=handles, loc="outside upper left", ncols=columns, columnspacing=1.3, title=title, alignment="left"
     )

@@ -1,270 +1,163 @@
-"""Pictures of finite element impacts: histories, models side by side, faces, and the case of Roh and Lee.
-
-Pictures of any finite element impact: histories, and forces over the patch.
-
-A picture of one impact by the contact models and by finite elements, over time.
-
-Pictures of restitution and characteristic time over a face.
-
-Pictures of the case of Roh and Lee: their figures 3, 4, 6, 7 and 8, with their numbers marked.
-"""
+"""Pictures of finite element impacts: histories, contact patch, models side by side, and the case of Roh and Lee."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
-from clubface import units
 from clubface.equipment.models import models
 from clubface.errors import InputError, Told
 from clubface.fem.paper import LEAST_FACTOR, PUBLISHED, SPEED, section_spin
 from clubface.fem.result import Impact
-from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, look, styled
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.simulation.history import History, history
+from clubface.units import from_si, to_si
 
-BLUE, RED, GREEN = COLOURS[0], COLOURS[1], COLOURS[2]
+__all__ = [
+    "contacts", "impact_picture", "models_picture", "paper_picture", "patch_picture", "sweep_picture", "time_axis",
+]  # fmt: skip
+
 EVERY = 120e-6
 """From one picture of the contact patch to the next [s]."""
-
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
 }  # fmt: skip
+FORCE = axis("normal", "normal force", unit="kN")
+ALONG = axis("tangential", "force along the face", unit="N")
+SLIDING = axis("tangential_velocity", "velocity along the face", unit="m/s")
+SPIN = axis("backspin")
+LEVEL = Mark("rule", y=0.0, style=-1)
 
 
-@styled
-def impact_figure(found: Impact) -> Figure:
-    """Draw force, spin, effective radius and energies of any impact over time."""
-    figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
-    panels = figure.subplots(2, 2, sharex=True)
-    force, spin, radius, energy = panels.flat
-    _forces(force, found)
-    name_panel(force, "force on the ball (kN)")
-    when = units.from_si(found.motion["time"], "us")
-    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN)
-    name_panel(spin, "backspin (rpm)")
-    _radius(radius, found)
-    name_panel(radius, "mass centre to face (mm)")
-    _energies(energy, found)
-    name_panel(energy, "where the kinetic energy goes (J)")
-    time_axes(panels[1], end_of(found))
-    force.legend(loc="upper right")
-    return figure
+def impact_picture(impact: Impact) -> Picture:
+    """Return force, spin, effective radius and energies of an impact over time."""
+    contact, motion, time = impact.contact, impact.motion, time_axis(impact)
+    top, low = float(np.max(contact["normal"], initial=0.0)), float(np.min(contact["tangential"], initial=0.0))
+    force = Panel(
+        [Mark("line", contact["time"], contact["normal"], label="normal"),
+         Mark("line", contact["time"], contact["tangential"], style=1, label="along the face"), LEVEL],
+        time, axis("normal", "force on the ball", unit="kN",
+                   limits=(1.1 * min(low, -0.02 * top), 1.3 * top) if top > 0.0 else (None, None)), legend=True,
+    )  # fmt: skip
+    spin = Panel([Mark("line", motion["time"], motion["spin"][:, 2], style=2)], time, SPIN)
+    least = float(np.min(motion["radius"], initial=0.5 * impact.ball.diameter)) - 0.04 * impact.ball.diameter
+    radius = Panel([Mark("line", motion["time"], motion["radius"]), _round(impact)], time, _radius_axis(impact, least))
+    energy = impact.energy
+    missing = energy["kinetic"][:1] - energy["kinetic"]
+    shown = {key: energy[key] for key in ENERGIES if np.max(energy[key], initial=0.0) > 0.0}
+    energies = [
+        *(Mark("stack", energy["time"], values, style=style, label=ENERGIES[key])
+          for (key, values), style in zip(shown.items(), (0, 6, 5, 1, 2, 3, 4), strict=False)),
+        Mark("line", energy["time"], missing, style=-2, label="kinetic, given up"),
+    ]  # fmt: skip
+    most = 1.8 * max(float(np.max(missing, initial=0.0)), 1e-12)
+    balance = Panel(
+        energies, time, axis("kinetic_energy", "where the kinetic energy goes", limits=(0.0, most)), legend=True
+    )
+    caption = "Force, spin, radius of the ball and energies while ball and face touch"
+    return Picture("impact", caption, [[force, spin], [radius, balance]], share_x=True, height=4.3)
 
 
-@styled
-def patch_figure(found: Impact) -> Figure:
-    """Draw normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
+def patch_picture(impact: Impact) -> Picture:
+    """Return normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
 
     The moments are 0.12 ms apart. Positive tangential forces make backspin, negative ones take it away.
     """
-    patch = found.patch
+    patch = impact.patch
     moments = np.unique(patch["time"])
-    wanted = np.arange(EVERY, found.last_touch - 0.25 * EVERY, EVERY)[:6]
+    wanted = np.arange(EVERY, impact.last_touch - 0.25 * EVERY, EVERY)[:6]
     if not len(wanted):
-        wanted = np.array([0.5 * found.last_touch])
+        wanted = np.array([0.5 * impact.last_touch])
     chosen = list(dict.fromkeys(float(moments[np.argmin(abs(moments - each))]) for each in wanted))
-    count = len(chosen)
-    size = min((WIDTH - 1.5) / count, 1.5)
-    figure = Figure(figsize=(WIDTH, 2.0 * size + 1.05), layout="constrained")
-    panels = figure.subplots(2, count, sharex=True, sharey=True, squeeze=False)
     drawn = np.isin(patch["time"], chosen)
-    extent = units.from_si(1.1 * max(abs(patch[key][drawn]).max() for key in ("up", "toe")), "mm")
-    dots = (size * 72.0 * 0.055) ** 2
-    for row, (key, map_, label) in enumerate(
-        (
-            ("normal", "viridis", "normal force\nof a node (N)"),
-            ("tangential", "RdBu_r", "tangential force\nof a node (N)"),
-        )
-    ):
-        high = abs(patch[key][drawn]).max()
-        low = -high if key == "tangential" else 0.0
-        for panel, moment in zip(panels[row], chosen, strict=True):
+    extent = 1.1 * float(max(abs(patch[key][drawn]).max() for key in ("up", "toe")))
+    x, y = (axis(name, like="m", unit="mm", limits=(-extent, extent)) for name in ("to_the_toe", "up_the_face"))
+    rows = []
+    for key, label in (("normal", "normal force of a node"), ("tangential", "tangential force of a node")):
+        high = float(abs(patch[key][drawn]).max())
+        colours = axis(key, label, unit="N", limits=(-high if key == "tangential" else 0.0, high))
+        row = []
+        for moment in chosen:
             at = patch["time"] == moment
-            points = units.from_si(patch["toe"][at], "mm"), units.from_si(patch["up"][at], "mm")
-            panel.scatter(*points, c=patch[key][at], s=dots, cmap=map_, vmin=low, vmax=high, linewidths=0)
-            panel.set(aspect="equal", xlim=(-extent, extent), ylim=(-extent, extent))
-            if row == 0:
-                panel.set_title(f"{units.from_si(moment, 'us'):.0f} µs")
-        figure.colorbar(panels[row][0].collections[0], ax=list(panels[row]), label=label, fraction=0.05, pad=0.01)
-        panels[row][0].set_ylabel("up the face (mm)")
-    figure.supxlabel("towards the toe (mm); both from the ball's mass centre", fontsize=8)
-    return figure
+            marks = [Mark("points", patch["toe"][at], patch["up"][at], values=patch[key][at], size=8.0)]
+            title = f"{from_si(moment, 'us'):.0f} µs"
+            row.append(Panel(marks, x, y, title, equal=True, values=colours, diverging=key == "tangential"))
+        rows.append(row)
+    caption = "Forces of the nodes over the contact patch, seen from the ball's mass centre"
+    height = 2.0 * min(6.5 / len(chosen), 1.5) + 1.3
+    return Picture("patch", caption, rows, share_x=True, share_y=True, height=height)
 
 
-def end_of(found: Impact) -> float:
-    """Return where the axis of time ends [us]: some time after the last touch, or with the run."""
-    times = found.contact["time"]
-    last = float(times[-1]) if len(times) else 0.0
-    return units.from_si(max(min(1.25 * found.last_touch, last) or last, 1e-9), "us")
+def time_axis(impact: Impact) -> Axis:
+    """Return the axis of time: to some time after the last touch, or to the end of the run."""
+    last = float(np.max(impact.contact["time"], initial=0.0))
+    return axis("time", unit="us", limits=(0.0, max(min(1.25 * impact.last_touch, last) or last, 1e-9)))
 
 
-def time_axes(panels: Any, end: float) -> None:
-    """Let the axes of time of panels go from 0 to an end [us]."""
-    for panel in panels:
-        panel.set_xlabel("time (µs)")
-        panel.set_xlim(0.0, end)
+def _radius_axis(impact: Impact, least: float | None = None) -> Axis:
+    radius = 0.5 * impact.ball.diameter
+    return axis("radius", "mass centre to face", limits=(0.7 * radius if least is None else least, 1.05 * radius))
 
 
-def _forces(panel: Axes, found: Impact) -> None:
-    time = units.from_si(found.contact["time"], "us")
-    panel.plot(time, units.from_si(found.contact["normal"], "kN"), color=BLUE, label="normal")
-    panel.plot(
-        time, units.from_si(found.contact["tangential"], "kN"), color=RED, linestyle=DASHES[1], label="along the face"
-    )
-    panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    top = units.from_si(float(np.max(found.contact["normal"], initial=0.0)), "kN")
-    low = units.from_si(float(np.min(found.contact["tangential"], initial=0.0)), "kN")
-    if top > 0.0:
-        panel.set_ylim(1.1 * min(low, -0.02 * top), 1.3 * top)
+def _round(impact: Impact) -> Mark:
+    """Return the line of the radius of the undeformed ball."""
+    return Mark("rule", y=0.5 * impact.ball.diameter, style=-1)
 
 
-def _energies(panel: Axes, found: Impact) -> None:
-    """Stack the energies other than kinetic; a line shows how much kinetic energy is missing, which they must fill."""
-    energy = found.energy
-    shown = {key: energy[key] for key in ENERGIES if np.max(energy[key], initial=0.0) > 0.0}
-    if not shown:
-        return
-    times = units.from_si(energy["time"], "us")
-    colours = [COLOURS[index % len(COLOURS)] for index in (0, 6, 5, 1, 2, 3)]
-    panel.stackplot(times, *shown.values(), labels=[ENERGIES[key] for key in shown], colors=colours, alpha=0.75)
-    missing = energy["kinetic"][0] - energy["kinetic"]
-    panel.plot(times, missing, color="k", linewidth=0.9, label="kinetic, given up")
-    panel.set_ylim(0.0, 1.4 * max(float(np.max(missing)), 1e-12))
-    panel.legend(ncols=3, loc="upper center", columnspacing=1.0, handlelength=1.2)
-
-
-def _radius(panel: Axes, found: Impact) -> None:
-    radius = units.from_si(0.5 * found.ball.diameter, "mm")
-    from_face = units.from_si(found.motion["radius"], "mm")
-    panel.plot(units.from_si(found.motion["time"], "us"), from_face, color=BLUE)
-    panel.axhline(radius, color="0.5", linewidth=0.6, zorder=1)
-    panel.set_ylim(float(np.min(from_face, initial=radius)) - 0.08 * radius, radius * 1.05)
-
-
-def name_panel(panel: Axes, label: str, where: str = "") -> None:
-    """Write what a panel shows above it, and on the right where it is found."""
-    panel.set_title(label, loc="left")
-    if where:
-        panel.set_title(where, loc="right", fontsize=7.0, color="0.4")
-
-
-@styled
-def models_figure(found: Impact) -> Figure:
-    """Draw forces, the velocity of the ball along the face and its distance from the face, by every contact model.
+def models_picture(impact: Impact) -> Picture:
+    """Return forces, the velocity of the ball along the face and its distance from the face, by every contact model.
 
     The contact models strike the same ball with the same head as a rigid body, and have the parameters published for
     its kind of club.
 
     Parameters
     ----------
-    found
+    impact
         A run with a head.
     """
-    curves = {model: _of_model(found, contact) for model, contact in contacts(found).items()}
-    figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
-    panels = figure.subplots(2, 2, sharex=True)
-    labels = (
-        "normal force (kN)",
-        "force along the face (N)",
-        "velocity along the face (m/s)",
-        "mass centre to face, R (mm)",
-    )
-    for model, shown in {**curves, "fem": _of_elements(found)}.items():
-        style = look(model) if model in curves else {"color": "0.6", "linewidth": 2.5, "zorder": 1.5}
-        for panel, (times, values) in zip(panels.flat, shown, strict=True):
-            panel.plot(units.from_si(times, "us"), values, label=model, **style)
-    for panel, label in zip(panels.flat, labels, strict=True):
-        name_panel(panel, label)
-    panels[0][1].axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    radius = units.from_si(0.5 * found.ball.diameter, "mm")
-    panels[1][1].axhline(radius, color="0.5", linewidth=0.6, zorder=1)
-    panels[1][1].set_ylim(0.7 * radius, 1.05 * radius)
-    time_axes(panels[1], end_of(found))
-    legend_above(figure, panels[0][0].lines)
-    return figure
+    contact, motion = impact.contact, impact.motion
+    curves = {"fem": [
+        (contact["time"], contact["normal"]), (contact["time"], contact["tangential"]),
+        (motion["time"], impact.relative_velocity()[:, 1]), (motion["time"], motion["radius"]),
+    ]}  # fmt: skip
+    curves |= {model: _model_curves(impact, each) for model, each in contacts(impact).items()}
+    time, panels = time_axis(impact), []
+    for place, y in enumerate((FORCE, ALONG, SLIDING, _radius_axis(impact))):
+        marks = [
+            Mark("line", *shown[place], label=name, style=-1 if name == "fem" else name,
+                 size=2.5 if name == "fem" else None)
+            for name, shown in curves.items()
+        ]  # fmt: skip
+        panels.append(Panel([*marks, *[[], [LEVEL], [], [_round(impact)]][place]], time, y))
+    caption = "The same impact by the contact models and by finite elements"
+    return Picture("models", caption, [panels[:2], panels[2:]], share_x=True, legend=True, height=4.6)
 
 
-def contacts(found: Impact) -> dict[str, History]:
+def contacts(impact: Impact) -> dict[str, History]:
     """Return the same impact by every contact model."""
-    if found.equipment is None:
+    if impact.equipment is None:
         raise InputError(
             "impact", Told("one with a plane"), "one with a head, which the contact models can strike with"
         )
-    club, ball = found.equipment
+    club, ball = impact.equipment
     named = [name for name, each in models().items() if each.kind == "contact"]
-    return {name: history(club, found.given, model=name, ball=ball) for name in named}
+    return {name: history(club, impact.given, model=name, ball=ball) for name in named}
 
 
-def _of_elements(found: Impact) -> list[tuple[Any, Any]]:
-    contact, motion = found.contact, found.motion
-    return [
-        (contact["time"], units.from_si(contact["normal"], "kN")),
-        (contact["time"], contact["tangential"]),
-        (motion["time"], found.relative_velocity()[:, 1]),
-        (motion["time"], units.from_si(motion["radius"], "mm")),
-    ]
-
-
-def _of_model(found: Impact, contact: History) -> list[tuple[Any, Any]]:
+def _model_curves(impact: Impact, contact: History) -> list[tuple[Any, Any]]:
     """Return the curves of a contact model; directions along the face are those of first touch."""
-    up = found.attitude @ found.axes[1]
-    assert found.equipment is not None
-    radius = found.equipment[1].radius
-    along = (contact.ball_velocity - contact.club_velocity) @ up
-    shown = (
-        units.from_si(contact.normal_force, "kN"),
-        np.negative(contact.force_y),
-        along,
-        units.from_si(radius - contact.penetration, "mm"),
-    )
-    return [(contact.time, values) for values in shown]
+    assert impact.equipment is not None
+    sliding = (contact.ball_velocity - contact.club_velocity) @ (impact.attitude @ impact.axes[1])
+    distance = impact.equipment[1].radius - contact.penetration
+    return [(contact.time, each) for each in (contact.normal_force, np.negative(contact.force_y), sliding, distance)]
 
 
-SHOWN = (("restitution", "restitution", "{:.3f}"), ("characteristic_time_us", "characteristic time (µs)", "{:.0f}"))
-
-
-@styled
-def face_figure(rows: Sequence[Mapping[str, Any]]) -> Figure:
-    """Draw restitution and characteristic time over the face, seen from in front: the toe is on the right.
-
-    Parameters
-    ----------
-    rows
-        The rows of :func:`clubface.fem.head_tests.face_map`, over a grid.
-    """
-    toes, highs = (sorted({row[key] for row in rows}) for key in ("toe_mm", "high_mm"))
-    figure = Figure(figsize=(WIDTH, 1.5 + 0.3 * len(highs)), layout="constrained")
-    for panel, (key, label, text) in zip(figure.subplots(1, 2, sharey=True), SHOWN, strict=True):
-        values = np.full((len(highs), len(toes)), np.nan)
-        for row in rows:
-            values[highs.index(row["high_mm"]), toes.index(row["toe_mm"])] = row[key]
-        image = panel.imshow(values, origin="lower", aspect="auto", cmap="viridis")
-        for (up, across), value in np.ndenumerate(values):
-            # Black on the light end of the colours, white on the dark.
-            light = not np.isfinite(value) or image.norm(value) > 0.6
-            told = text.format(value) if np.isfinite(value) else "-"
-            panel.text(across, up, told, ha="center", va="center", fontsize=7, color="black" if light else "white")
-        panel.set_xticks(range(len(toes)), [f"{toe:g}" for toe in toes])
-        panel.set_yticks(range(len(highs)), [f"{high:g}" for high in highs])
-        panel.grid(visible=False)
-        panel.set_title(label)
-        panel.set_xlabel("towards the toe (mm)")
-    figure.axes[0].set_ylabel("above the centre (mm)")
-    return figure
-
-
-MARK: dict[str, Any] = {"color": "0.25", "marker": "x", "markersize": 5.0, "linestyle": "none", "zorder": 5}
-GREY = "0.55"
-
-
-@styled
-def paper_figure(runs: Mapping[str, Impact]) -> Figure:
-    """Draw velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
+def paper_picture(runs: Mapping[str, Impact]) -> Picture:
+    """Return velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
 
     Their numbers are marked.
 
@@ -273,77 +166,54 @@ def paper_figure(runs: Mapping[str, Impact]) -> Figure:
     runs
         Runs of their case, or of one like it, by what the legend calls them.
     """
-    figure = Figure(figsize=(WIDTH, 4.3), layout="constrained")
-    panels = figure.subplots(2, 4, sharex=True)
-    speed, launch, force, legend, radius, tangential, sliding, spin = panels.flat
-    for (name, found), dash in zip(runs.items(), DASHES, strict=False):
-        legend.plot([], [], color="0.2", linestyle=dash, label=name)
-        _curves(panels.flat, found, dash)
-    found = next(iter(runs.values()))
-    end, last = end_of(found), units.from_si(found.last_touch, "us")
-    undeformed = units.from_si(0.5 * found.ball.diameter, "mm")
-
-    def when(key: str) -> float:
-        return units.from_si(PUBLISHED[key], "us")
-
-    for panel, marks in (
-        (speed, ([end, end], [PUBLISHED["ball_speed_mps"], PUBLISHED["club_speed_after_mps"]])),
-        (launch, ([end], [PUBLISHED["launch_deg"]])),
-        (force, ([when("peak_force_time_s")], [units.from_si(PUBLISHED["peak_force_n"], "kN")])),
-        (radius, ([when("contraction_time_s")], [undeformed * (1.0 - PUBLISHED["contraction"])])),
-        (tangential, ([when("reversal_time_s")], [0.0])),
-        (sliding, ([0.0, last], [PUBLISHED["tangential_first_mps"], PUBLISHED["tangential_last_mps"]])),
-        (spin, ([last], [PUBLISHED["section_spin_rpm"]])),
-    ):
-        panel.plot(*marks, clip_on=False, **MARK)
-    sliding.axvline(when("tangential_least_time_s"), color="0.25", linewidth=0.8, linestyle=":")
-    for panel, label, where in (
-        (speed, "speed (m/s)", "Fig. 3"), (launch, "launch angle (deg)", "Fig. 3"),
-        (force, "normal force (kN)", "Fig. 4"), (radius, "mass centre\nto face (mm)", "Fig. 7"),
-        (tangential, "force along\nthe face (N)", "Fig. 6"), (sliding, "velocity along\nthe face (m/s)", "Fig. 6"),
-        (spin, "backspin (rpm)", "Fig. 6"),
-    ):  # fmt: skip
-        name_panel(panel, label, where)
-    for panel, level in ((tangential, 0.0), (radius, undeformed)):
-        panel.axhline(level, color="0.5", linewidth=0.6, zorder=1)
-    radius.set_ylim(0.7 * undeformed, 1.05 * undeformed)
-    time_axes(panels[1], end)
-    legend.plot([], [], color=BLUE, label="ball")
-    legend.plot([], [], color=RED, label="clubhead")
-    legend.plot([], [], color=GREEN, label="all nodes")
-    legend.plot([], [], color=GREY, label="nodes of a section")
-    legend.plot([], [], label="Roh and Lee", **MARK)
-    legend.set_axis_off()
-    legend.legend(loc="center left", borderaxespad=0.0)
-    return figure
+    first = next(iter(runs.values()))
+    time, last = time_axis(first), first.last_touch
+    end, radius = time.limits[1], 0.5 * first.ball.diameter
+    published = PUBLISHED
+    panels: dict[str, tuple[str, Axis, list[Mark]]] = {
+        "speed": ("Fig. 3", axis("speed", "speed", unit="m/s"),
+                  [_published([end, end], [published["ball_speed_mps"], published["club_speed_after_mps"]])]),
+        "launch": ("Fig. 3", axis("launch"), [_published([end], [to_si(published["launch_deg"], "deg")])]),
+        "force": ("Fig. 4", FORCE, [_published([published["peak_force_time_s"]], [published["peak_force_n"]])]),
+        "radius": ("Fig. 7", _radius_axis(first), [_round(first), _published(
+            [published["contraction_time_s"]], [radius * (1.0 - published["contraction"])])]),
+        "along": ("Fig. 6", ALONG, [LEVEL, _published([published["reversal_time_s"]], [0.0])]),
+        "sliding": ("Fig. 6", SLIDING, [
+            _published([0.0, last], [published["tangential_first_mps"], published["tangential_last_mps"]]),
+            Mark("rule", x=published["tangential_least_time_s"], style=-1, dash=2)]),
+        "spin": ("Fig. 6", SPIN, [_published([last], [to_si(published["section_spin_rpm"], "rpm")])]),
+    }  # fmt: skip
+    for dash, (name, impact) in enumerate(runs.items()):
+        for key, what, style, x, y in _paper_curves(impact):
+            panels[key][2].append(Mark("line", x, y, label=f"{what}, {name}", style=style, dash=dash))
+    made = [Panel(marks, time, y, title) for title, y, marks in panels.values()]
+    caption = "The case of Roh and Lee over time, with their numbers marked"
+    return Picture("paper", caption, [made[:4], [*made[4:], None]], share_x=True, legend=True, height=5.0)
 
 
-def _curves(panels: Any, found: Impact, dash: Any) -> None:
-    """Draw one run over time."""
-    speed, launch, force, _, radius, tangential, sliding, spin = panels
-    when = units.from_si(found.motion["time"], "us")
-    step = units.from_si(found.contact["time"], "us")
-    velocity = found.world_velocity()
-    speed.plot(when, np.linalg.norm(velocity, axis=1), color=BLUE, linestyle=dash)
-    speed.plot(when, np.linalg.norm(found.world_club_velocity(), axis=1), color=RED, linestyle=dash)
+def _published(x: Sequence[Any], y: Sequence[float]) -> Mark:
+    return Mark("points", x, y, label="Roh and Lee", style=-2, symbol="x", size=5.0)
+
+
+def _paper_curves(impact: Impact) -> Iterator[tuple[str, str, int, Any, Any]]:
+    """Yield panel, label, style, times and values of the curves of a run."""
+    contact, motion, velocity = impact.contact, impact.motion, impact.world_velocity()
+    when = motion["time"]
+    yield "speed", "ball", 0, when, np.linalg.norm(velocity, axis=1)
+    yield "speed", "clubhead", 1, when, np.linalg.norm(impact.world_club_velocity(), axis=1)
     # At first touch the ball rests and has no direction.
-    angle = np.arctan2(velocity[1:, 1], np.hypot(velocity[1:, 0], velocity[1:, 2]))
-    launch.plot(when[1:], units.from_si(angle, "deg"), color=BLUE, linestyle=dash)
-    force.plot(step, units.from_si(found.contact["normal"], "kN"), color=BLUE, linestyle=dash)
-    radius.plot(when, units.from_si(found.motion["radius"], "mm"), color=BLUE, linestyle=dash)
-    tangential.plot(step, found.contact["tangential"], color=RED, linestyle=dash)
-    sliding.plot(when, found.relative_velocity()[:, 1], color=BLUE, linestyle=dash)
-    try:
-        times, of_section = section_spin(found)
-        spin.plot(units.from_si(times, "us"), units.from_si(of_section, "rpm"), color=GREY, linestyle=dash)
-    except InputError:
-        pass
-    spin.plot(when, units.from_si(found.motion["spin"][:, 2], "rpm"), color=GREEN, linestyle=dash)
+    yield "launch", "ball", 0, when[1:], np.arctan2(velocity[1:, 1], np.hypot(velocity[1:, 0], velocity[1:, 2]))
+    yield "force", "ball", 0, contact["time"], contact["normal"]
+    yield "radius", "ball", 0, when, motion["radius"]
+    yield "along", "ball", 0, contact["time"], contact["tangential"]
+    yield "sliding", "ball", 0, when, impact.relative_velocity()[:, 1]
+    with suppress(InputError):  # a run without frames
+        yield "spin", "nodes of a section", -1, *section_spin(impact)
+    yield "spin", "all nodes", 2, when, motion["spin"][:, 2]
 
 
-@styled
-def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Figure:
-    """Draw ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
+def sweep_picture(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Picture:
+    """Return ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
 
     Parameters
     ----------
@@ -352,26 +222,23 @@ def sweep_figure(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
     published
         Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
     """
-    figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
-    panels = figure.subplots(2, 2, sharex=True)
-    shown = (
-        ("ball_speed_mps", "ball_speed_mps", "ball speed (m/s)"), ("launch_deg", "launch_deg", "launch angle (deg)"),
-        ("spin_rpm", "section_spin_rpm", "backspin (rpm)"), ("f", "f", "compression factor f"),
-    )  # fmt: skip
-    lofts = sorted({row["loft_deg"] for row in rows})
-    for panel, (key, told, label) in zip(panels.flat, shown, strict=True):
-        for index, loft in enumerate(lofts):
-            points = sorted((row["speed_mps"], row[key]) for row in rows if row["loft_deg"] == loft)
-            look = {"color": COLOURS[index % len(COLOURS)], "linestyle": DASHES[index % len(DASHES)]}
-            look["marker"] = MARKERS[index % len(MARKERS)]
-            panel.plot(*zip(*points, strict=True), markersize=3, label=f"{loft:.4g}°", **look)
+    panels = []
+    for key, marked, y in (
+        ("ball_speed_mps", "ball_speed_mps", axis("ball_speed", unit="m/s")),
+        ("launch_deg", "launch_deg", axis("launch")), ("spin_rpm", "section_spin_rpm", SPIN), ("f", "f", axis("f")),
+    ):  # fmt: skip
+        marks = []
+        for place, loft in enumerate(sorted({row["loft_deg"] for row in rows})):
+            points = sorted(
+                (row["speed_mps"], to_si(row[key], y.unit_drawn)) for row in rows if row["loft_deg"] == loft
+            )
+            x, values = zip(*points, strict=True)
+            label = f"loft {loft:.4g}°"
+            marks += [Mark("line", x, values, style=place, label=label),
+                      Mark("points", x, values, style=place, symbol=str(place), size=3.0)]  # fmt: skip
         if published:
-            panel.plot([SPEED], [PUBLISHED[told]], label="Roh and Lee, 11.5°", **MARK)
-        name_panel(panel, label)
-    if published:
-        panels[1][1].axhline(LEAST_FACTOR, color="0.25", linewidth=0.8, linestyle=":", label="least of Roh and Lee")
-        panels[1][1].legend(handles=panels[1][1].lines[-1:], loc="lower left")
-    for panel in panels[1]:
-        panel.set_xlabel("clubhead speed (m/s)")
-    panels[0][0].legend(title="loft", ncols=2, loc="upper left")
-    return figure
+            marks.append(_published([SPEED], [to_si(PUBLISHED[marked], y.unit_drawn)]))
+            marks += [Mark("rule", y=LEAST_FACTOR, style=-2, dash=2)] * (key == "f")
+        panels.append(Panel(marks, axis("speed", unit="m/s"), y))
+    caption = "Launch over club speed and loft" + "; the dotted line is the least factor of Roh and Lee" * published
+    return Picture("sweep", caption, [panels[:2], panels[2:]], share_x=True, legend=True, height=4.8)

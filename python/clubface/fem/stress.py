@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface import units
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
 from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
@@ -16,6 +17,8 @@ from clubface.fem.heads.read import Design, design_of
 from clubface.fem.result import SurfaceRecovery, von_mises
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 
 if TYPE_CHECKING:
     import os
@@ -113,17 +116,10 @@ class BlowStress:
     parts: tuple[PartStress, ...]
     surface: SurfaceStress
 
-    def notes(self) -> list[str]:
-        """Return what limits the stress, in sentences."""
-        notes = []
-        if not self.surface.bending:
-            notes.append(
-                "The mesh has one layer of hexahedra, which does not see how the wall bends: the stress is too small. "
-                "Mesh it with two layers or more."
-            )
-        if self.parts[0].spread is None:
-            notes.append("How far the stress depends on the mesh is not known: compare it with that of a finer mesh.")
-        return notes
+    def notes(self) -> list[Note]:
+        """Return what limits the stress."""
+        notes = [] if self.surface.bending else [note("one-layer-of-hexahedra")]
+        return notes if self.parts[0].spread is not None else [*notes, note("mesh-dependence-unknown")]
 
 
 def peak_stress(head: str | os.PathLike[str] | MeshedHead | Design, **blow: Any) -> list[PartStress]:
@@ -295,3 +291,61 @@ def _elastic(head: MeshedHead) -> MeshedHead:
     if isinstance(head, ShellHead):
         return replace(head, parts=tuple(replace(part, metal=elastic(part.metal)) for part in head.parts))
     return head
+
+
+FACING = 0.25
+"""Cosine of the angle between a quadrilateral's normal and the view above which it is seen."""
+
+
+def stress_picture(blow: BlowStress, loft: float) -> Picture:
+    """Return the stress over the surface of a head when it is largest, and a bar for the largest of each part.
+
+    A cross marks the place of the largest stress. A line across a bar is where the metal yields, if that is known.
+
+    Parameters
+    ----------
+    blow
+        The stress.
+    loft
+        Elevation of the face normal at the face centre [rad].
+    """
+    surface, parts = blow.surface, blow.parts
+    corners = surface.nodes[surface.quads]
+    normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    out, up = np.array([np.cos(loft), np.sin(loft), 0.0]), np.array([-np.sin(loft), np.cos(loft), 0.0])
+    ahead, vertical, _ = np.eye(3)
+    sides = {"face": (out, up), "back": (-out, up), "crown": (vertical, ahead), "sole": (-vertical, ahead)}
+    peak = max(parts, key=lambda part: part.stress)
+    at = int(((surface.nodes - np.array(peak.place)) ** 2).sum(axis=1).argmin())
+    colours = axis("stress", unit="MPa", limits=(0.0, float(surface.stress.max())))
+    toe = axis("to_the_toe", like="m", unit="mm")
+    views: list[Panel | None] = []
+    for name in surface.views:
+        towards, height = sides[name]
+        quads = surface.quads[normals @ towards > FACING]
+        marks = [Mark("cells", surface.nodes[quads, 2], surface.nodes[quads] @ height,
+                      values=surface.stress[quads].mean(axis=1))]  # fmt: skip
+        if at in quads:
+            x, y = surface.nodes[at, 2], surface.nodes[at] @ height
+            marks.append(Mark("points", [x], [y], symbol="x", size=7.0, style=-2))
+        label = axis("up_the_face" if height is up else "to_the_target", like="m", unit="mm")
+        views.append(Panel(marks, toe, label, name, equal=True, values=colours, grid=False))
+    bars = [
+        Mark("bars", [part.stress], [row], style=int(part.margin is not None and part.margin < 0.0), size=0.6)
+        for row, part in enumerate(parts)
+    ] + [
+        Mark("line", [part.yield_stress] * 2, [row - 0.42, row + 0.42], style=-2, size=2.0)
+        for row, part in enumerate(parts)
+        if part.yield_stress is not None
+    ]
+    names = Axis(names=[part.part for part in parts], limits=(len(parts) - 0.4, -0.6))
+    largest = axis("stress", "largest stress; the black line is where the metal yields, red bars are beyond it",
+                   unit="MPa")  # fmt: skip
+    below = 0.9 + 0.32 * len(parts)
+    return Picture(
+        "stress",
+        f"The stress of the surface {units.fixed(surface.time, 'us', 0)} after first touch, a cross where it is "
+        "largest; and the largest stress of every part beside where its metal yields",
+        [views, [Panel(bars, largest, names)]], heights=[2.6, below], height=2.6 + below,
+    )  # fmt: skip

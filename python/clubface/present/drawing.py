@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,14 +16,16 @@ from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import MaxNLocator
 
 from clubface import units
+from clubface.errors import InputError
 from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, look, marker, styled
 from clubface.results.pictures import Axis, Mark, Panel, Picture
+from clubface.support.files import whole_file
 
 ROW_HEIGHT = 2.4
 """Inches of a row of panels unless a picture says its height."""
 LONGEST_NAMES = 60
 """Letters of all names below a panel, beyond which they are turned."""
-_GREYS = {-1: "0.5", -2: "0.1"}
+_GREYS = {-1: "0.5", -2: "0.1", -3: "white"}
 
 
 @styled
@@ -37,6 +41,7 @@ def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figu
     first_of_row: dict[int, Axes] = {}
     first_of_column: dict[int, Axes] = {}
     for line, row in enumerate(rows):
+        bars: dict[int, list[tuple[Axes, Any, Panel]]] = {}
         for place, panel in enumerate(row):
             if panel is None:
                 continue
@@ -51,15 +56,49 @@ def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figu
             axes = figure.add_subplot(grid[line:below, place * span : (place + 1) * span], **shared)
             first_of_row.setdefault(line, axes)
             first_of_column.setdefault(place, axes)
-            _draw_panel(figure, axes, panel)
+            fixed = panel.values is not None and None not in panel.values.limits
+            bars.setdefault(id(panel.values if fixed else panel), []).append((axes, _draw_panel(axes, panel), panel))
             if picture.share_x and any(len(below) > place and below[place] is not None for below in rows[line + 1 :]):
                 axes.set_xlabel("")
                 axes.tick_params(labelbottom=False)
             if picture.share_y and first_of_row[line] is not axes:
                 axes.set_ylabel("")
                 axes.tick_params(labelleft=False)
+        for group in bars.values():  # panels that share the axis of their values share its bar
+            every, (shown, *_), (panel, *_) = zip(*group, strict=True)
+            if shown is not None and panel.values is not None:
+                bar = figure.colorbar(shown, ax=list(every), fraction=0.05, pad=0.01)
+                bar.set_label(panel.values.heading)
     _head(figure, picture)
     return figure
+
+
+@styled
+def animate(pictures: Sequence[Picture], path: str | os.PathLike[str], *, seconds: float = 5.0) -> Path:
+    """Write pictures of the same panels as an animated GIF and return its path."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    target = Path(path)
+    if target.suffix.lower() != ".gif":
+        raise InputError("animation", os.fspath(path), "a file ending in .gif")
+    figure = draw(pictures[0])
+    figure.set_dpi(100)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    figure.set_layout_engine("none")  # the places of the panels stay
+    panels = [axes for axes in figure.axes if axes.get_label() != "<colorbar>"]
+    images = []
+    for picture in pictures:
+        for axes, panel in zip(panels, picture.panels(), strict=True):
+            axes.clear()
+            _draw_panel(axes, panel)
+        canvas.draw()
+        images.append(Image.fromarray(np.array(canvas.buffer_rgba())[..., :3]).quantize(colors=96))
+    pace = max(20, round(1e3 * seconds / len(images)))
+    with whole_file(target) as file:
+        images[0].save(file, format="gif", save_all=True, append_images=images[1:], duration=pace, loop=0)
+    return target
 
 
 def picture_data(picture: Picture) -> tuple[list[str], list[list[Any]]]:
@@ -101,11 +140,12 @@ def _drawn(values: Any, axis: Axis) -> Any:
     return array if axis.unit_drawn == "1" else np.asarray(units.from_si(array, axis.unit_drawn), dtype=float)
 
 
-def _draw_panel(figure: Figure, axes: Axes, panel: Panel) -> None:
+def _draw_panel(axes: Axes, panel: Panel) -> Any:
+    """Draw a panel; return what its colours show, if it has any."""
     axes.grid(visible=panel.grid)
     floor: dict[str, Any] = {}
     for mark in panel.marks:
-        _DRAWERS[mark.kind](figure, axes, panel, mark, floor)
+        _DRAWERS[mark.kind](axes, panel, mark, floor)
     for axis, setter in ((panel.x, "x"), (panel.y, "y")):
         _set_axis(axes, axis, setter)
     if panel.equal:
@@ -115,6 +155,7 @@ def _draw_panel(figure: Figure, axes: Axes, panel: Panel) -> None:
         handles, labels = axes.get_legend_handles_labels()
         once = dict(zip(labels, handles, strict=True))
         axes.legend(once.values(), once.keys(), ncols=1 + (len(once) > 4))
+    return floor.get("coloured")
 
 
 def _set_axis(axes: Axes, axis: Axis, name: str) -> None:
@@ -189,25 +230,25 @@ def _point_look(mark: Mark) -> dict[str, Any]:
     return {"color": _colour(mark), "marker": shape, "linestyle": "none", **filled, **faint, **size}
 
 
-def _line(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _line(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     axes.plot(_drawn(mark.x, panel.x), _drawn(mark.y, panel.y), label=mark.label or None, **_line_look(mark))
 
 
-def _draw_points(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _draw_points(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
     if mark.values is not None:
         extent = _extent(mark, panel)
         shown = axes.scatter(
             x, y, c=_drawn(mark.values, panel.values or Axis()), s=mark.size or 9.0, linewidths=0, **extent
         )
-        _colour_bar(figure, axes, shown, panel)
+        floor["coloured"] = shown
         return
     axes.plot(x, y, label=mark.label or None, rasterized=np.size(x) > 500, **_point_look(mark))
     for at, up, words in zip(np.ravel(x), np.ravel(y), mark.texts, strict=False):
         axes.annotate(words, (at, up), (3.0, 3.0), textcoords="offset points", fontsize=7.0)
 
 
-def _bars(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _bars(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     y = _drawn(mark.y, panel.y)
     left = 0.0 if mark.x0 is None else _drawn(mark.x0, panel.x)
     height = mark.size or 0.7
@@ -217,7 +258,7 @@ def _bars(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str,
         axes.bar_label(bars, mark.texts, padding=2.0, fontsize=7.0)
 
 
-def _intervals(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _intervals(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
     errors: dict[str, Any] = {}
     for name, centre, low, high, axis in (
@@ -229,29 +270,29 @@ def _intervals(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict
     axes.errorbar(x, y, capsize=2.0, elinewidth=0.8, label=mark.label or None, **appearance, **errors)
 
 
-def _band(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _band(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     axes.fill_between(_drawn(mark.x, panel.x), _drawn(mark.y0, panel.y), _drawn(mark.y1, panel.y), color=_colour(mark),
                       alpha=0.25, linewidth=0.0, label=mark.label or None)  # fmt: skip
 
 
-def _area(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _area(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     axes.fill(_drawn(mark.x, panel.x), _drawn(mark.y, panel.y), color=_colour(mark), alpha=0.3 if mark.faint else 0.75,
               linewidth=0.0, label=mark.label or None)  # fmt: skip
 
 
-def _stack(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _stack(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
     below = floor.get("stack", np.zeros_like(y))
     axes.fill_between(x, below, below + y, color=_colour(mark), alpha=0.75, linewidth=0.0, label=mark.label or None)
     floor["stack"] = below + y
 
 
-def _steps(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _steps(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     axes.stairs(_drawn(mark.y, panel.y), _drawn(mark.x, panel.x), fill=True, color=_colour(mark), alpha=0.6,
                 label=mark.label or None)  # fmt: skip
 
 
-def _contour(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     """Fill between round levels, cut along an outline where there is one."""
     low, high = _ends(mark, panel)
     if not high - low > 1e-9 * max(abs(low), abs(high), 1e-9):
@@ -269,10 +310,10 @@ def _contour(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[s
         axes.add_patch(cut)
         for each in (shown, lines):
             each.set_clip_path(cut)
-    _colour_bar(figure, axes, shown, panel)
+    floor["coloured"] = shown
 
 
-def _cells(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _cells(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     corners = np.stack([_drawn(mark.x, panel.x), _drawn(mark.y, panel.y)], axis=-1)
     if mark.values is None:
         shown = PolyCollection(list(corners), facecolors=_colour(mark), edgecolors="0.35", linewidths=0.25)
@@ -283,18 +324,18 @@ def _cells(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str
                                cmap=extent["cmap"], edgecolors="0.35", linewidths=0.25)  # fmt: skip
         shown.set_clim(extent["vmin"], extent["vmax"])
         axes.add_collection(shown)
-        _colour_bar(figure, axes, shown, panel)
+        floor["coloured"] = shown
     axes.autoscale_view()
 
 
-def _outline(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _outline(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     points = np.column_stack([_drawn(mark.x, panel.x), _drawn(mark.y, panel.y)])
     shape = {key: each for key, each in _line_look(mark).items() if key != "color"}
     axes.add_patch(Polygon(points, fill=False, edgecolor=_colour(mark), label=mark.label or None, **shape))
     axes.autoscale_view()
 
 
-def _rule(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _rule(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     appearance = {
         "color": _colour(mark),
         "linewidth": mark.size or 0.7,
@@ -307,12 +348,12 @@ def _rule(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str,
         axes.axhline(float(each), **appearance)
 
 
-def _slope(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _slope(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     place = float(_drawn(mark.x, panel.x)), float(_drawn(mark.y, panel.y))
     axes.axline(place, slope=float(mark.values), color=_colour(mark), linewidth=0.8, linestyle=DASHES[mark.dash or 0])
 
 
-def _text(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _text(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     """Write texts at their places, or in the middle of a panel that has nothing else."""
     if mark.x is None:
         axes.set_axis_off()
@@ -325,7 +366,7 @@ def _text(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str,
         axes.text(float(at), float(up), words, ha="center", va="center", color=_colour(mark), fontsize=mark.size or 7.0)
 
 
-def _shade(figure: Figure, axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
+def _shade(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
     ends = (float(_drawn(each, panel.x)) for each in (mark.x0, mark.x1))
     axes.axvspan(*ends, color="0.80", zorder=0, linewidth=0.0)
 
@@ -349,13 +390,7 @@ def _extent(mark: Mark, panel: Panel, ends: tuple[float, float] | None = None) -
     return {"cmap": "RdBu_r" if panel.diverging else "viridis", "vmin": low, "vmax": high}
 
 
-def _colour_bar(figure: Figure, axes: Axes, shown: Any, panel: Panel) -> None:
-    if panel.values is not None:
-        bar = figure.colorbar(shown, ax=axes, fraction=0.05, pad=0.01)
-        bar.set_label(panel.values.heading)
-
-
-_DRAWERS: dict[str, Callable[[Figure, Axes, Panel, Mark, dict[str, Any]], None]] = {
+_DRAWERS: dict[str, Callable[[Axes, Panel, Mark, dict[str, Any]], None]] = {
     "line": _line, "points": _draw_points, "bars": _bars, "intervals": _intervals, "band": _band, "area": _area,
     "stack": _stack, "steps": _steps, "contour": _contour, "cells": _cells, "outline": _outline, "rule": _rule,
     "slope": _slope, "text": _text, "shade": _shade,

@@ -77,7 +77,7 @@ class Mark:
     label
         Its name in the legend; marks of the same name share an entry.
     style
-        The name of a model, whose colour and dash it has, or a number of the palette; -1 is grey, -2 black.
+        The name of a model, whose colour and dash it has, or a number of the palette; -1 is grey, -2 black, -3 white.
     symbol
         The shape of points: "o", "s", "+", ...; "" for the small dots of many points.
     dash

@@ -1,0 +1,44 @@
+"""Sentences about finite element impacts and heads."""
+
+_COST = (
+    "{elements:n element}, {steps:n step} of {safety} of the stable one, {wall}; energy balance error: {energy_error}"
+)
+
+SENTENCES = {
+    "carry-in-still-air": "In still air the ball would carry {carry:0}.",
+    "contact-of-impact": "They touch for {contact_time} and push each other with up to {peak_force}.",
+    "cost-of-failed-run": _COST + " until {last_time:us 0}, the last record kept",
+    "cost-of-run": _COST,
+    "energy-balance": "Energy balance error: {energy_error}, which is how far the computation can be trusted.",
+    "face-gives": (
+        "Its restitution is {restitution}. The pendulum of the rules touches it for {characteristic_time}; the rules "
+        "allow a driver 239 us, and 257 us with the tolerance."
+    ),
+    "head-mass": "The head weighs {mass}, with a moment of inertia about the vertical of {iyy}.",
+    "inertia-limit": "The rules of golf allow a driver 5900 g cm2.",
+    "largest-stress": (
+        "The largest stress, {stress:0}, is that of the {part}, {height:above/below} the face centre, "
+        "{toe_distance:to_the_toe/to_the_heel} and {forward:in_front_of_it/behind_it}."
+    ),
+    "launch-of-impact": (
+        "The ball {ball} leaves {head} at {ball_speed}, {launch} upwards and {azimuth:sides} of the target, and spins "
+        "backwards with {backspin}."
+    ),
+    "mesh-dependence": "Meshes of {counts:and} elements change it by {spread:.0%} at most.",
+    "mesh-dependence-unknown": "How far the stress depends on the mesh is not known: compare it with a finer mesh.",
+    "no-launch": "There is no launch: {reason}.",
+    "no-part-yields": "Struck at {blow}, no part yields. Closest to it is the {part}, with a margin of {margin}.",
+    "no-yield-stress": "No yield stress is given for: {parts}.",
+    "one-layer-of-hexahedra": (
+        "The mesh has one layer of hexahedra, which does not see how the wall bends: the stress is too small. Mesh it "
+        "with two layers or more."
+    ),
+    "part-yields": (
+        "Struck at {blow}, the {part} is too weak: the stress there reaches {stress:0}, and its metal yields at "
+        "{yield_stress:0}."
+    ),
+    "rebound": "The ball {ball} leaves {head} and spins with {backspin}.",
+    "strength-not-counted": (
+        "Notches, welds and fatigue over many blows are not counted: a real head needs more than this."
+    ),
+}
