@@ -29,8 +29,6 @@ DEFAULTS = {
     "equipment.parameters:ParameterSet": {"default": False, "includes_face": True},
     "inference.evaluation.evaluation:evaluate": {"resamples": 2000, "seed": 0},
     "fem.balls:Ball": {"friction": 0.35, "cube": 12},
-    "fem.files:write_run": {"animation": False},
-    "fem.files:write_sweep": {"published": False},
     "fem.head_tests:restitution": {"threads": 0},
     "fem.head_tests:characteristic_time": {"toe": 0.0, "high": 0.0, "threads": 0},
     "fem.heads.driver:DriverHead": {"scales": (0.5, 2.0), "elements": (36, 12, 25)},

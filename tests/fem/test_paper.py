@@ -12,6 +12,7 @@ from clubface.errors import InputError
 from clubface.fem import paper
 from clubface.fem.balls import node_masses
 from clubface.fem.case import case
+from clubface.fem.impact_result import paper_result
 from clubface.fem.sweep import sweep
 from fem_runs import coarse, drive_case, throw_case
 
@@ -156,10 +157,11 @@ def test_both_methods_of_contact_that_of_the_case_first():
     runs = paper.by_contact(base)
     assert list(runs) == ["augmented-lagrange", "penalty"]
     assert [run.settings.contact for run in runs.values()] == list(runs)
-    told = paper.document(runs)
-    assert told["by_contact"]["penalty"] == paper.table(runs["penalty"])
-    assert told["spin_rpm"] == told["by_contact"]["augmented-lagrange"]["spin_rpm"]
-    assert told["spin_rpm"] != told["by_contact"]["penalty"]["spin_rpm"]
+    published, first, second = paper_result(runs).table("paper").records()
+    assert (first["source"], second["source"]) == tuple(runs)
+    assert first["spin_rpm"] == pytest.approx(paper.table(runs["augmented-lagrange"])["spin_rpm"])
+    assert first["spin_rpm"] != second["spin_rpm"]
+    assert published["section_spin_rpm"] == pytest.approx(2047.0)
 
 
 def test_the_rigid_head_has_the_mass_and_the_cg_of_the_shells():

@@ -3,14 +3,15 @@
 import numpy as np
 import pytest
 
-from fem_runs import coarse_drive, coarse_shells, coarse_throw
-
-pytest.importorskip("matplotlib")
-
 from clubface.errors import InputError
 from clubface.fem.paper import PUBLISHED
-from clubface.fem.pictures import contacts, models_figure, paper_figure, sweep_figure
-from clubface.fem.section_picture import section_figure
+from clubface.fem.pictures import contacts, models_picture, paper_picture, sweep_picture
+from clubface.fem.section_picture import moving_section, section_picture
+from fem_runs import coarse_drive, coarse_shells, coarse_throw
+
+
+def lines(panel, label=""):
+    return [mark for mark in panel.marks if mark.kind == "line" and mark.label.startswith(label)]
 
 
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
@@ -30,64 +31,68 @@ def test_the_nodes_of_the_patch_add_up_to_what_the_contact_tells(run):
 
 def test_the_section_shows_pressure_and_shear_of_the_nodes_near_it():
     found = coarse_throw()
-    figure = section_figure(found, count=2)
-    below = [axes for axes in figure.axes if len(axes.lines) == 3]
-    assert below
-    _, pressure, shear = below[0].lines
-    assert [pressure.get_label(), shear.get_label()] == ["pressure", "shear"]
+    below = section_picture(found, count=2).rows[1][0]
     patch = found.patch
     times = np.unique(patch["time"])
     shown = found.frame_times[np.argmin(abs(found.frame_times - found.contact_time / 3))]
     near = times[np.argmin(abs(times - shown))]
     middle = (patch["time"] == near) & (abs(patch["toe"]) < 1e-4)
     assert middle.sum() > 2
-    for curve, key in ((pressure, "normal"), (shear, "tangential")):
-        per_area = patch[key][middle] / patch["area"][middle] * 1e-6
-        assert np.isin(np.round(per_area, 9), np.round(curve.get_xdata(), 9)).all()
+    for label, key in (("pressure", "normal"), ("shear", "tangential")):
+        (curve,) = (mark for mark in below.marks if mark.label == label)
+        assert np.isin(patch[key][middle] / patch["area"][middle], curve.x).all()
 
 
-def test_a_sweep_is_marked_with_what_p2_tells():
+def test_a_moving_section_has_the_forces_up_to_each_moment():
+    found = coarse_shells()
+    moving = moving_section(found)
+    assert len(moving) == len(found.frame_times)
+    for picture, time in zip(moving, found.frame_times, strict=True):
+        assert max(lines(picture.rows[0][1], "normal")[0].x, default=0.0) <= time
+
+
+def test_a_sweep_is_marked_with_the_published_numbers():
     keys = ("ball_speed_mps", "launch_deg", "spin_rpm", "f")
     rows = [{"speed_mps": speed, "loft_deg": 11.5, **dict.fromkeys(keys, speed)} for speed in (30.0, 60.0)]
-    marked = [axes.lines[1] for axes in sweep_figure(rows, published=True).axes]
-    assert [mark.get_xydata().tolist() for mark in marked] == [
-        [[35.0, PUBLISHED["section_spin_rpm" if key == "spin_rpm" else key]]] for key in keys
-    ]
-    assert all(len(axes.lines) == 1 for axes in sweep_figure(rows).axes)
+    sizes = {"ball_speed_mps": 1.0, "launch_deg": np.pi / 180.0, "spin_rpm": np.pi / 30.0, "f": 1.0}
+    panels = sweep_picture(rows, published=True).panels()
+    for panel, key in zip(panels, keys, strict=True):
+        (mark,) = (each for each in panel.marks if each.label == "Roh and Lee")
+        published = PUBLISHED["section_spin_rpm" if key == "spin_rpm" else key]
+        assert (mark.x, mark.y) == ([35.0], pytest.approx([published * sizes[key]]))
+        assert lines(panel)[0].y == pytest.approx([30.0 * sizes[key], 60.0 * sizes[key]])
+    assert not [mark for panel in sweep_picture(rows).panels() for mark in panel.marks if mark.label == "Roh and Lee"]
 
 
 def test_the_figures_of_the_paper_are_drawn_for_both_methods_of_contact():
     found = coarse_drive()
-    figure = paper_figure({"penalty": found, "augmented-lagrange": coarse_shells()})
-    panels = {panel.get_title(loc="left").replace("\n", " "): panel for panel in figure.axes}
-    ball, club, others_ball, _, mark = panels["speed (m/s)"].lines
-    for line, velocity in ((ball, found.world_velocity()), (club, found.world_club_velocity())):
-        assert line.get_ydata() == pytest.approx(np.linalg.norm(velocity, axis=1))
-    assert ball.get_linestyle() != others_ball.get_linestyle()
-    assert mark.get_ydata().tolist() == [50.4, 24.0]
-    launch = panels["launch angle (deg)"].lines[0].get_ydata()
+    speed, launch, *_ = paper_picture({"penalty": found, "augmented-lagrange": coarse_shells()}).panels()
+    for what, velocity in (("ball", found.world_velocity()), ("clubhead", found.world_club_velocity())):
+        one, other = lines(speed, what)
+        assert one.y == pytest.approx(np.linalg.norm(velocity, axis=1))
+        assert one.dash != other.dash
+    (mark,) = (each for each in speed.marks if each.kind == "points")
+    assert mark.y == [50.4, 24.0]
     # The velocity of the last record and that of the launch, some steps later, as the ball flies.
-    assert launch[-1] == pytest.approx(found.launch.get("launch", "deg"), abs=1e-3)
+    assert lines(launch)[0].y[-1] == pytest.approx(found.launch.launch, abs=2e-5)
 
 
 def test_the_contact_models_strike_as_the_finite_elements_do():
     found = coarse_drive()
-    figure = models_figure(found)
-    normal, tangential, sliding, radius = figure.axes
-    assert [line.get_label() for line in normal.lines] == ["volumetric", "rings", "area", "fem"]
-    over = contacts(found)
+    normal, tangential, sliding, radius = models_picture(found).panels()
+    assert [line.label for line in lines(normal)] == ["fem", "volumetric", "rings", "area"]
     for panel in (normal, tangential):
-        assert max(panel.lines[3].get_ydata()) > 0.0
-    for index, model in enumerate(over.values()):
-        assert max(normal.lines[index].get_ydata()) == pytest.approx(model.normal_force.max() / 1e3)
+        assert max(lines(panel)[0].y) > 0.0
+    for name, model in contacts(found).items():
+        force, along, slip, distance = (lines(panel, name)[0].y for panel in (normal, tangential, sliding, radius))
+        assert max(force) == pytest.approx(model.normal_force.max())
         # All meet with V sin(loft) along the face, and friction at first makes backspin.
-        assert sliding.lines[index].get_ydata()[0] == pytest.approx(found.relative_velocity()[0, 1], abs=1e-9)
-        assert tangential.lines[index].get_ydata()[3] > 0.0
+        assert slip[0] == pytest.approx(found.relative_velocity()[0, 1], abs=1e-9)
+        assert along[3] > 0.0
         launch = model.launch
         apart = [launch.get(f"velocity_{axis}") - launch.get(f"club_velocity_{axis}") for axis in "xyz"]
-        up = found.attitude @ found.axes[1]
-        assert sliding.lines[index].get_ydata()[-1] == pytest.approx(apart @ up, abs=0.01)
-        assert tangential.lines[index].get_ydata() == pytest.approx(-model.force_y)
-        assert min(radius.lines[index].get_ydata()) == pytest.approx(21.4 - 1e3 * model.penetration.max(), abs=1e-2)
+        assert slip[-1] == pytest.approx(apart @ (found.attitude @ found.axes[1]), abs=0.01)
+        assert along == pytest.approx(-model.force_y)
+        assert min(distance) == pytest.approx(21.4e-3 - model.penetration.max(), abs=1e-5)
     with pytest.raises(InputError, match="a plane"):
         contacts(coarse_throw())

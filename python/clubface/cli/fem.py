@@ -1,111 +1,25 @@
-"""``clubface fem``: finite element impacts.
-
-The rows of the tables of ``clubface fem``.
-"""
+"""``clubface fem``: finite element impacts of meshed balls and heads."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from clubface.cli import options, output
+from clubface.cli import options, show
 from clubface.cli.failures import Interrupted, say, say_written
 from clubface.cli.fem_heads import ball as report_ball, design, face as report_face, head as report_head
-from clubface.cli.output import print_numbers, progress_bar, run_with_progress
+from clubface.cli.output import progress_bar, run_with_progress
 from clubface.errors import InputError, RunError, Told
 from clubface.support.checks import check_choice
 from clubface.support.files import prepared_folder
-from clubface.units import fixed, from_si
+from clubface.units import fixed
 
 if TYPE_CHECKING:
     from clubface.fem.case import Case
-
-
-RUN_ROWS: tuple[tuple[str, str, str, int], ...] = (
-    ("ball speed, mph", "ball_speed", "mph", 1),
-    ("launch angle, deg", "launch", "deg", 2),
-    ("azimuth, deg", "azimuth", "deg", 2),
-    ("velocity off the plane, m/s", "normal_velocity", "1", 2),
-    ("velocity along it, m/s", "tangential_velocity", "1", 2),
-    ("backspin, rpm", "backspin", "rpm", 0),
-    ("sidespin, rpm", "sidespin", "rpm", 0),
-    ("spin axis, deg", "spin_axis", "deg", 1),
-    ("carry, yd", "carry", "yd", 1),
-    ("side, yd", "side", "yd", 1),
-    ("apex, yd", "apex", "yd", 1),
-)
-"""Label, key, unit and digits of launch and flight."""
-FIGURE_ROWS: tuple[tuple[str, str, str, int], ...] = (
-    ("peak force, N", "peak_force", "1", 0),
-    ("at, us", "peak_force_time", "us", 0),
-    ("contact, us", "contact_time", "us", 0),
-    ("largest tangential force, N", "tangential_max", "1", 0),
-    ("smallest tangential force, N", "tangential_min", "1", 0),
-    ("reversal, us", "reversal_time", "us", 0),
-    ("largest spin on the way, rpm", "spin_max", "rpm", 0),
-    ("contraction, %", "contraction", "%", 1),
-    ("at, us ", "contraction_time", "us", 0),
-    ("f'", "f_prime", "1", 4),
-    ("f", "f", "1", 4),
-)
-"""The same, of the figures of the contact."""
-
-PAPER_ROWS: tuple[tuple[str, str, str, int], ...] = (
-    ("ball speed, m/s", "ball_speed_mps", "1", 1),
-    ("ball speed, mph", "ball_speed_mps", "mph", 1),
-    ("launch angle, deg", "launch_deg", "1", 1),
-    ("club speed after, m/s", "club_speed_after_mps", "1", 1),
-    ("club speed after, mph", "club_speed_after_mps", "mph", 1),
-    ("spin of the launch, rpm", "spin_rpm", "1", 0),
-    ("spin of all nodes at take-off, rpm", "ball_spin_rpm", "1", 0),
-    ("spin of a section's nodes at take-off, rpm", "section_spin_rpm", "1", 0),
-    ("spin if it rolled off, rpm", "rolling_spin_rpm", "1", 0),
-    ("velocity along the face at first, m/s", "tangential_first_mps", "1", 2),
-    ("least of it, m/s", "tangential_least_mps", "1", 2),
-    ("at, us", "tangential_least_time_s", "us", 0),
-    ("at take-off, m/s", "tangential_last_mps", "1", 2),
-    ("peak force, N", "peak_force_n", "1", 0),
-    ("at, us ", "peak_force_time_s", "us", 0),
-    ("reversal, us", "reversal_time_s", "us", 0),
-    ("contraction, %", "contraction", "%", 1),
-    ("at, us  ", "contraction_time_s", "us", 0),
-    ("f'", "f_prime", "1", 4),
-    ("f", "f", "1", 4),
-)
-"""Label, key, unit and digits."""
-
-SWEEP_COLUMNS: tuple[tuple[str, str, str, int], ...] = (
-    ("speed\nm/s", "speed_mps", "1", 1),
-    ("\nmph", "speed_mps", "mph", 1),
-    ("loft\ndeg", "loft_deg", "1", 1),
-    ("ball\nm/s", "ball_speed_mps", "1", 1),
-    ("\nmph", "ball_speed_mps", "mph", 1),
-    ("launch\ndeg", "launch_deg", "1", 2),
-    ("spin\nrpm", "spin_rpm", "1", 0),
-    ("club after\nm/s", "club_speed_after_mps", "1", 1),
-    ("\nmph", "club_speed_after_mps", "mph", 1),
-    ("peak\nN", "peak_force_n", "1", 0),
-    ("f", "f", "1", 4),
-)
-"""Heading, key, unit and digits of the columns of a sweep."""
-
-REFERENCE_ROWS: tuple[tuple[str, str, str, int], ...] = (
-    ("normal rebound, m/s", "normal_mps", "1", 2),
-    ("tangential rebound, m/s", "tangential_mps", "1", 2),
-    ("spin, rpm", "spin_rpm", "1", 0),
-    ("largest spin, rpm", "spin_max_rpm", "1", 0),
-    ("peak force, N", "peak_force_n", "1", 0),
-    ("at, us", "peak_force_time_s", "us", 0),
-    ("contact, us", "contact_time_s", "us", 0),
-    ("largest tangential force, N", "tangential_max_n", "1", 0),
-    ("smallest tangential force, N", "tangential_min_n", "1", 0),
-    ("reversal, us", "reversal_time_s", "us", 0),
-)
-"""Label, key, unit and digits."""
-
+    from clubface.fem.result import Impact
+    from clubface.results.result import Result
 
 app = typer.Typer(
     add_completion=False,
@@ -144,47 +58,18 @@ def reference(
 ) -> None:
     """Throw the ball of Roh and Lee at a rigid plane, the case on which solvers are compared."""
     from clubface import fem
+    from clubface.fem.impact_result import reference_result
 
     settings = fem.Settings(contact=contact)
-    found = run_with_progress(
+    impact = run_with_progress(
         lambda progress: fem.reference(
             which=ball, friction=friction, refine=refine, element=element, settings=settings, progress=progress
         )
     )
-    document = {
-        "normal_mps": found.normal_velocity,
-        "tangential_mps": found.tangential_velocity,
-        "spin_rpm": from_si(found.backspin, "rpm"),
-        "spin_max_rpm": from_si(found.spin_max, "rpm"),
-        "peak_force_n": found.peak_force,
-        "peak_force_time_s": found.peak_force_time,
-        "contact_time_s": found.contact_time,
-        "tangential_max_n": found.tangential_max,
-        "tangential_min_n": found.tangential_min,
-        "reversal_time_s": found.reversal_time,
-        "energy_error": found.energy_error,
-        "elements": found.elements,
-        "steps": found.steps,
-        "wall_s": found.wall,
-    }
-    if as_json:
-        output.print_json(document)
-        _end(found)
-        return
-    from clubface.fem.paper import other_solvers
-
-    # What other solvers found is known of this case alone.
-    same = friction == 0.35 and ball == "reference"
-    beside, others = other_solvers() if same else ((), {})
-    rows = [
-        [label, *(output.number(from_si(value, unit), digits) for value in (document[key], *others.get(key, ())))]
-        for label, key, unit, digits in REFERENCE_ROWS
-    ]
-    rows = [[*row, *[""] * (len(beside) + 2 - len(row))] for row in rows]
-    title = "Reference case, beside other solvers" if same else "Reference case, varied"
-    print_numbers(("", "clubface", *beside), rows, title=title)
-    print(_cost(found))
-    _end(found)
+    # What other solvers gave is known of this case alone.
+    result = reference_result(impact, published=friction == 0.35 and ball == "reference")
+    show.Output(as_json).show(result)
+    _end(impact)
 
 
 @app.command("run")
@@ -204,9 +89,10 @@ def run(
     as_json: options.Json = False,
 ) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
-    from clubface.fem import case as cases, files
+    from clubface.fem import case as cases
+    from clubface.fem.impact_result import impact_result
 
-    output.check_report(report, (case,))
+    output = show.Output.check({"as_json": as_json, "report": report}, [case])
     chosen = cases.case(case)
     if animate and folder is None:
         raise InputError("--animate", Told("without --output"), "give the folder to write to, as in --output out/")
@@ -214,28 +100,19 @@ def run(
         chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:
         prepared_folder(folder)
-    found = run_with_progress(chosen.run)
-    written: list[Any] = []
-
-    def show() -> None:
-        print_numbers(("", ""), _rows_of(found), title=chosen.description or chosen.name)
-        output.print_paragraph(_cost(found))
-
+    impact = run_with_progress(chosen.run)
+    result = impact_result(impact, chosen.name, chosen.description)
+    written: list[Path] = []
     try:
-        if folder is not None:
-            written += files.write_run(found, folder, animation=animate)
-        if report is not None:
-            from clubface.cli.fem_heads import write_run
+        written = _write(result, folder)
+        if folder is not None and animate and len(impact.frames) > 1:
+            from clubface.fem.section_picture import moving_section
+            from clubface.present.drawing import animate as write_animation
 
-            write_run(report, found, chosen, case, show)
-            written.append(report)
+            written.append(write_animation(moving_section(impact), Path(folder) / "impact.gif"))
     finally:  # what took long is shown even where a disk is full
-        if as_json:
-            output.print_json(files.document(found))
-        else:
-            show()
-    say_written(written)
-    _end(found)
+        output.show(result, more=written)
+    _end(impact)
 
 
 @app.command("paper")
@@ -248,24 +125,21 @@ def paper(
     as_json: options.Json = False,
 ) -> None:
     """Run the case of Roh and Lee by both methods of contact, beside their figures; with --output redraw theirs."""
-    from clubface.fem import case as cases, files, paper as job
+    from clubface.fem import case as cases, paper as published
+    from clubface.fem.impact_result import paper_result
 
     chosen = cases.case(case)
     if folder is not None:
         prepared_folder(folder)
-    runs = run_with_progress(lambda progress: job.by_contact(chosen, progress))
-    written = []
+    runs = run_with_progress(lambda progress: published.by_contact(chosen, progress))
+    result = paper_result(runs)
+    written: list[Path] = []
     try:
-        if folder is not None:
-            written = files.write_paper(runs, folder)
+        written = _write(result, folder)
     finally:
-        if as_json:
-            output.print_json(job.document(runs))
-        else:
-            _print_paper(runs)
-    say_written(written)
-    for found in runs.values():
-        _end(found)
+        show.Output(as_json).show(result, more=written)
+    for impact in runs.values():
+        _end(impact)
     if folder is not None and swept:
         _, written = _sweep(chosen, SPEEDS, LOFTS, folder, published=True)
         say_written(written)
@@ -285,18 +159,8 @@ def sweep(
     """Run a case over speeds and lofts, one run on each core; with --output it can be resumed."""
     from clubface.fem import case as cases
 
-    rows, written = _sweep(cases.case(case), speed, loft, folder, workers=workers, published=case == "paper")
-    if as_json:
-        output.print_json(rows)
-    else:
-        print_numbers(
-            [head for head, *_ in SWEEP_COLUMNS],
-            [
-                [output.number(from_si(row[key], unit), digits) for _, key, unit, digits in SWEEP_COLUMNS]
-                for row in rows
-            ],
-        )
-    say_written(written)
+    result, written = _sweep(cases.case(case), speed, loft, folder, workers=workers, published=case == "paper")
+    show.Output(as_json).show(result, more=written)
 
 
 @app.command("export")
@@ -316,69 +180,45 @@ def export(
     if form == "lsdyna":
         say_written([keyword.write(chosen, target / f"{files.file_stem(chosen.name)}.k")])
         return
-    wanted = chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True})
-    found = run_with_progress(wanted.run)
-    say_written(files.write_series(found, target, chosen.name)[-1:])
-    _end(found)
-
-
-def _print_paper(runs: Mapping[str, Any]) -> None:
-    """Print the runs by the method of contact beside what was published."""
-    from clubface.fem import paper as job
-
-    tables = [job.PUBLISHED, *(job.table(found) for found in runs.values())]
-    rows = [
-        [label, *(output.number(from_si(each[key], unit), digits) if key in each else "" for each in tables)]
-        for label, key, unit, digits in PAPER_ROWS
-    ]
-    factors = (job.SPIN_FACTOR, *(job.spin_factor(found) for found in runs.values()))
-    rows.append(["f that the spin means, Eq. (6)", *(output.number(factor, 4) for factor in factors)])
-    title = "The case of Roh and Lee, as published and as computed by each method of contact"
-    print_numbers(("", "Roh and Lee", *runs), rows, title=title)
-    for found in runs.values():
-        print(_cost(found))
+    impact = run_with_progress(chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True}).run)
+    say_written(files.write_series(impact, target, chosen.name)[-1:])
+    _end(impact)
 
 
 def _sweep(
     base: Case, speed: str, loft: str, folder: str | None, *, workers: int | None = None, published: bool
-) -> tuple[list[dict[str, Any]], list[Path]]:
-    """Run a case over a grid; return the rows, and with a folder the files written there."""
-    from clubface.fem import files, sweep as job
+) -> tuple[Result, list[Path]]:
+    """Run a case over a grid; return the result, and with a folder the files written there."""
+    from clubface.fem import sweep as sweeps
 
-    speeds, lofts = job.grid(speed, "speed", "--speed"), job.grid(loft, "angle", "--loft")
+    speeds, lofts = sweeps.grid(speed, "speed", "--speed"), sweeps.grid(loft, "angle", "--loft")
     target = prepared_folder(folder) / "sweep.csv" if folder is not None else None
     with progress_bar("runs") as progress:
-        rows = job.sweep(base, speeds=speeds, lofts=lofts, output=target, workers=workers, progress=progress)
-    if folder is None or target is None:
-        return rows, []
-    return rows, [target, *files.write_sweep(rows, folder, published=published)]
+        rows = sweeps.sweep(base, speeds=speeds, lofts=lofts, output=target, workers=workers, progress=progress)
+    result = sweeps.sweep_result(rows, published=published)
+    return result, [] if target is None else [target, show.save_picture(result, target.with_suffix(".png"))]
 
 
-def _cost(found: Any) -> str:
-    steps = f"{found.steps} steps of {found.settings.safety:g} of the stable one"
-    counts = f"{found.elements} elements, {steps}, {found.wall:.2f} s"
-    # A run that failed keeps what it had until energies were last in balance; its error tells of a later time.
-    last = from_si(found.energy["time"][-1:].sum(), "us")
-    until = f" until {last:.0f} us, the last record kept" if found.stopped and not found.unfinished else ""
-    return f"{counts}; energies close to {found.energy_error:.2%}{until}"
+def _write(result: Result, folder: str | None) -> list[Path]:
+    """Write figures, histories and pictures to a folder where one is given."""
+    if folder is None:
+        return []
+    from clubface.plots import save
+    from clubface.present.drawing import draw
+    from clubface.present.files import write_json, write_table
+
+    target = prepared_folder(folder)
+    result = result.replace(provenance=result.provenance.with_files())
+    written = [write_json(result, target / "figures.json")]
+    written += [write_table(each, target / f"{each.name}.csv") for each in result.tables]
+    return written + [save(draw(each), target / f"{each.name}.png") for each in result.pictures()]
 
 
-def _rows_of(found: Any) -> list[list[str]]:
-    """Return the figures of a run for people."""
-    figures = found.outcome() | found.flown() | {key: getattr(found, key) for _, key, _, _ in FIGURE_ROWS}
-    return [
-        [label, output.number(from_si(figures[key], unit), digits)]
-        for label, key, unit, digits in (*RUN_ROWS, *FIGURE_ROWS)
-        if key in figures
-    ]
-
-
-def _end(found: Any) -> None:
-    """When all that a run has is printed and written: tell if there is no launch, because of Ctrl-C or by itself."""
-    if found.interrupted:
-        raise Interrupted(f"interrupted at {fixed(found.contact['time'][-1:].sum(), 'us', 0)} of the impact")
-    if found.unfinished:
-        # As long as was asked for.
-        say(found.stopped)
-    elif found.stopped:
-        raise RunError(found.stopped)
+def _end(impact: Impact) -> None:
+    """When all that a run has is printed and written: say why there is no launch, if there is none."""
+    if impact.interrupted:
+        raise Interrupted(f"interrupted at {fixed(impact.contact['time'][-1:].sum(), 'us', 0)} of the impact")
+    if impact.unfinished:  # as long as was asked for
+        say(str(impact.stopped))
+    elif impact.stopped:
+        raise RunError(impact.stopped)

@@ -111,34 +111,47 @@ class Output:
         whole, each into one of its own.
         """
         result = result.replace(provenance=result.provenance.with_files())
+        try:
+            more = [*more, *self._write(result, table, {"": result} if parts is None else parts)]
+        finally:  # what took long is shown even where a disk is full
+            if self.as_json:
+                from clubface.present.files import json_text
+
+                print(json_text(result.to_dict()))
+            else:
+                from clubface.present.terminal import print_result
+
+                print_result(result, self.units)
+        say_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
+
+    def _write(self, result: Result, table: str | None, parts: Mapping[str, Result]) -> list[Path]:
+        """Write the files that were asked for and return those of the folder."""
         if self.target is not None and table is not None:
             from clubface.present.files import write_table
 
             write_table(result.table(table or None), self.target)
         if self.plot is not None:
-            from clubface.plots import save
-            from clubface.present.drawing import draw
-
-            save(draw(result.pictures()[0], self.units), self.plot)
+            save_picture(result, self.plot, self.units)
         if self.report is not None:
             from clubface.present.report import write_report
 
             write_report(result, self.report, units=self.units, command=app.command())
-        if self.folder is not None:
-            from clubface.present.folder import write_folder
+        if self.folder is None:
+            return []
+        from clubface.present.folder import write_folder
 
-            for name, each in ({"": result} if parts is None else parts).items():
-                target = Path(self.folder, name)
-                more = [*more, *write_folder(each, target, units=self.units, command=app.command())]
-        if self.as_json:
-            from clubface.present.files import json_text
+        written = []
+        for name, each in parts.items():
+            written += write_folder(each, Path(self.folder, name), units=self.units, command=app.command())
+        return written
 
-            print(json_text(result.to_dict()))
-        else:
-            from clubface.present.terminal import print_result
 
-            print_result(result, self.units)
-        say_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
+def save_picture(result: Result, path: str | Path, units: Mapping[str, str] | None = None) -> Path:
+    """Write the first picture of a result to a file, which is returned."""
+    from clubface.plots import save
+    from clubface.present.drawing import draw
+
+    return save(draw(result.pictures()[0], units), path)
 
 
 def _units(texts: Iterable[str] | None) -> dict[str, str]:

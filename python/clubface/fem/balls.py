@@ -1,11 +1,4 @@
-"""Balls made of pieces, from TOML, from code or built in: checks, masses and nodes.
-
-Balls made of pieces: from TOML, from code or built in, with checks.
-
-The pieces of a ball, core and layers: from TOML or from code, with checks.
-
-What the nodes of a ball weigh.
-"""
+"""Balls made of pieces, from TOML, from code or built in: checks, masses and nodes."""
 
 from __future__ import annotations
 
@@ -14,6 +7,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -31,6 +25,7 @@ from clubface.equipment.balls import (
 from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.materials import Material, Maxwell, laws
+from clubface.results.result import Result
 from clubface.schema import (
     NAME,
     TEXT,
@@ -223,6 +218,11 @@ class Ball:
     def mesh(self) -> Mapping[str, Any]:
         """The mesh: nodes [m], elements, the piece of each element, the density of each piece [kg/m3]."""
         return core.fem_mesh(self.values())
+
+    def to_result(self) -> Result:
+        """Return the meshed ball beside what was asked for and the rules."""
+        # Found by name, since it also knows what is struck with the ball.
+        return import_module("clubface.fem.impact_result").ball_result(self)
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""

@@ -1,15 +1,10 @@
-"""Tests of a head, at one point or over its face: coefficient of restitution and characteristic time.
-
-The tests of a head: coefficient of restitution and characteristic time.
-
-Restitution and characteristic time over the face of a meshed head, one point on each core.
-"""
+"""Tests of a head, at one point or over its face: coefficient of restitution and characteristic time."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -21,12 +16,18 @@ from clubface.fem.balls import Ball, Piece, ball
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
+from clubface.fem.impact_result import columns_of
 from clubface.fem.materials import Material
 from clubface.fem.result import Impact
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 from clubface.fem.sweep import ResumableTable
 from clubface.jobs.workers import worker_count
+from clubface.results.notes import note
+from clubface.results.pictures import Axis, Mark, Panel, Picture
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Table, text
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
 
@@ -269,3 +270,39 @@ def _millimetres(point: tuple[float, float]) -> tuple[float, float]:
     """Return a point [mm] as it was given: without the rounding of the way to m and back."""
     toe, high = (round(units.from_si(value, "mm"), 9) for value in point)
     return toe, high
+
+
+def face_result(rows: Sequence[Mapping[str, Any]], name: str) -> Result:
+    """Return the tests over the face of the head ``name``, the rows of :func:`face_map`, as a result."""
+    columns = columns_of(rows, COLUMNS, labels={"toe_mm": "to the toe", "high_mm": "above centre"})
+    columns[-1] = text("stopped", [row["stopped"] for row in rows], printed=False)
+    reasons = [note("text", text=each) for each in dict.fromkeys(row["stopped"] for row in rows if row["stopped"])]
+    return Result(
+        kind="face", title=f"Restitution and characteristic time of {name}", tables=(Table("face", tuple(columns)),),
+        notes=tuple(reasons), provenance=Provenance({"head": name}), draw=lambda: [face_picture(rows)],
+    )  # fmt: skip
+
+
+def face_picture(rows: Sequence[Mapping[str, Any]]) -> Picture:
+    """Return restitution and characteristic time over the face, seen from in front: the toe is on the right."""
+    toes, highs = (sorted({row[key] for row in rows}) for key in ("toe_mm", "high_mm"))
+    x = Axis(label="towards the toe (mm)", names=[f"{each:g}" for each in toes])
+    y = Axis(label="above the centre (mm)", names=[f"{each:g}" for each in highs])
+    across = np.array([toes.index(row["toe_mm"]) for row in rows])
+    up = np.array([highs.index(row["high_mm"]) for row in rows])
+    corners = np.array([[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]])
+    panels: list[Panel | None] = []
+    for key, unit, title, form in (("restitution", "1", "restitution", ".3f"),
+                                   ("characteristic_time_us", "us", "characteristic time (µs)", ".0f")):  # fmt: skip
+        shown = np.array([row[key] for row in rows], dtype=float)
+        least, most = (float(end(shown[np.isfinite(shown)], initial=first)) if np.isfinite(shown).any() else 0.0
+                       for end, first in ((np.min, np.inf), (np.max, -np.inf)))  # fmt: skip
+        marks = [Mark("cells", across[:, None] + corners[:, 0], up[:, None] + corners[:, 1],
+                      values=units.to_si(shown, unit))]  # fmt: skip
+        light = ~(shown <= least + 0.6 * (most - least))
+        for chosen, style in ((light, -2), (~light, -3)):  # black on the light end of the colours, white on the dark
+            words = [f"{each:{form}}" if np.isfinite(each) else "-" for each in shown[chosen]]
+            marks.append(Mark("text", across[chosen], up[chosen], texts=words, style=style))
+        panels.append(Panel(marks, x, y, title, grid=False))
+    height = 1.5 + 0.3 * len(highs)
+    return Picture("face", "Restitution and characteristic time over the face", [panels], share_y=True, height=height)

@@ -1,37 +1,38 @@
-"""A finite element impact as a result: launch and contact, histories, the materials of the ball, and pictures."""
+"""Finite element impacts and balls as results: launch and contact, histories, materials, pictures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
-import numpy as np
-
+from clubface import units
 from clubface.fem.balls import Ball
+from clubface.fem.materials import laws
+from clubface.fem.paper import PUBLISHED, SPIN_FACTOR, other_solvers, spin_factor, table as paper_table
+from clubface.fem.result import Impact
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
+from clubface.results.pictures import Picture
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.simulation.provenance import flight_conditions, provenance_of
-from clubface.units import SI_UNITS, fixed
+from clubface.units import SI_UNITS, fixed, to_si
 
-if TYPE_CHECKING:
-    from clubface.fem.result import Impact
-    from clubface.results.pictures import Picture
-
-__all__ = ["cost_note", "impact_result", "materials_table"]
+__all__ = ["ball_result", "columns_of", "impact_result", "materials_table", "paper_result", "reference_result"]
 
 PRINTED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "spin_axis", "carry", "side", "apex")
 """What is printed of launch and flight."""
 CONTACT = (
     "peak_force", "peak_force_time", "contact_time", "tangential_max", "tangential_min", "reversal_time", "spin_max",
-    "contraction", "contraction_time", "f_prime", "f", "energy_error",
+    "contraction", "contraction_time", "f_prime", "f",
 )  # fmt: skip
 """What is printed of the contact."""
 _STYLES: dict[str, dict[str, Any]] = {
     "launch": {"digits": 2}, "azimuth": {"digits": 2}, "peak_force": {"unit": "N", "digits": 0},
     "tangential_max": {"unit": "N", "digits": 0}, "tangential_min": {"unit": "N", "digits": 0},
+    "tangential_first": {"digits": 2}, "tangential_least": {"digits": 2}, "tangential_last": {"digits": 2},
+    "tangential_least_time": {"unit": "us", "digits": 0},
     "contraction": {"unit": "%", "digits": 1}, "f_prime": {"digits": 4}, "f": {"digits": 4},
 }  # fmt: skip
 """How quantities are printed where that is not how the registry has them."""
@@ -43,10 +44,16 @@ ROWS_SHOWN = 12
 def impact_result(impact: Impact, name: str = "", description: str = "") -> Result:
     """Return an impact as a result; ``name`` and ``description`` are those of its case."""
     out = impact.outcome()
-    flown, numbers = impact.flown(), {each: getattr(impact, each) for each in (*CONTACT, "steps", "step", "wall")}
+    flown, numbers = (
+        impact.flown(),
+        {each: getattr(impact, each) for each in (*CONTACT, "energy_error", "steps", "step", "wall")},
+    )
     printed = (*(each for each in out if impact.launch is None or each in PRINTED), *flown, *CONTACT)
     values = [column_of(each, [value], printed=each in printed) for each, value in (out | flown | numbers).items()]
-    values += [text("elements", [impact.elements]), text("stopped", [impact.stopped or ""], printed=False)]
+    values += [
+        text("elements", [impact.elements], printed=False),
+        text("stopped", [impact.stopped or ""], printed=False),
+    ]
     head = "a rigid plane" if impact.equipment is None else impact.equipment[0].name
     inputs = {
         "case": name, "ball": impact.ball.name, "head": head, "friction": f"{impact.friction:g}",
@@ -70,9 +77,45 @@ def impact_result(impact: Impact, name: str = "", description: str = "") -> Resu
     )  # fmt: skip
 
 
-def column_of(name: str, values: Any, **options: Any) -> Column:
+def column_of(name: str, values: Any, like: str | None = None, **options: Any) -> Column:
     """Return a column of a quantity of the finite elements, printed as tables of impacts do."""
-    return column(name, values, **{**_STYLES.get(name, {}), **options})
+    return column(name, values, like, **{**_STYLES.get(name, {}), **options})
+
+
+_UNITS = {"mps": "m/s", "deg": "deg", "rpm": "rpm", "n": "N", "s": "s", "mm": "mm", "us": "us"}
+"""Of numbers in rows, by the ending of their keys."""
+
+
+def columns_of(
+    rows: Sequence[Mapping[str, Any]],
+    keys: Iterable[str],
+    *,
+    unit: str | None = None,
+    labels: Mapping[str, str] | None = None,
+) -> list[Column]:
+    """Return columns of rows whose keys end in a unit.
+
+    Parameters
+    ----------
+    rows, keys
+        The rows; the keys of which columns are made.
+    unit
+        In which speeds are printed; mph unless given.
+    labels
+        Headings by key, where they are not those of the quantity.
+    """
+    columns = []
+    for key in keys:
+        name, _, ending = key.rpartition("_")
+        values, label = [row.get(key) for row in rows], (labels or {}).get(key, "")
+        if (own := _UNITS.get(ending)) is None:
+            is_text = any(isinstance(each, str) for each in values)
+            columns.append(text(key, values) if is_text else column_of(key, values, label=label))
+            continue
+        values = [None if each is None else to_si(each, own) for each in values]
+        options = {"unit": unit} if own == "m/s" and unit else {}
+        columns.append(column_of(name, values, SI_UNITS[units.unit(own).dimension], label=label, **options))
+    return columns
 
 
 def cost_note(impact: Impact) -> Note:
@@ -120,7 +163,10 @@ def materials_table(ball: Ball) -> Table:
     rows: list[tuple[str, str, float, str]] = []
     values = ball.values()
     for piece, core in zip(ball.pieces, values["pieces"], strict=True):
-        constants = {name: (value, piece.material.unit_of(name)) for name, value in piece.material.constants.items()}
+        constants = {
+            name: (value, SI_UNITS[laws()[piece.material.law].constants[name]])
+            for name, value in piece.material.constants.items()
+        }
         known = {
             "radius": (core["radius"], "m"), "layers": (piece.layers, "1"), "density": (core["density"], "kg/m3"),
             "bulk_modulus": (core["bulk"], "Pa"), **constants,
@@ -139,6 +185,90 @@ def materials_table(ball: Ball) -> Table:
         "materials", text("piece", pieces), text("value of", names), Column("value", numbers, of, digits=-5),
         title=f"The ball {ball.name}", printed=False,
     )  # fmt: skip
+
+
+LABELS = {
+    "spin_rpm": "spin of the launch", "ball_spin_rpm": "spin of all nodes at take-off",
+    "section_spin_rpm": "spin of a section's nodes at take-off", "rolling_spin_rpm": "spin if it rolled off",
+    "tangential_first_mps": "velocity along the face at first", "tangential_least_mps": "least of it",
+    "tangential_least_time_s": "time of the least", "tangential_last_mps": "velocity along the face at take-off",
+}  # fmt: skip
+
+
+def paper_result(runs: Mapping[str, Impact]) -> Result:
+    """Return runs of the case by the method of contact beside the figures of Roh and Lee, as a result."""
+    rows = [PUBLISHED, *(paper_table(run) for run in runs.values())]
+    first = next(iter(runs.values()))
+    factors = [SPIN_FACTOR, *(spin_factor(run) for run in runs.values())]
+    columns = columns_of(rows, dict.fromkeys(key for each in reversed(rows) for key in each), unit="m/s",
+                         labels=LABELS)  # fmt: skip
+    figures = Table(
+        "paper",
+        (text("source", ["Roh and Lee", *runs]), *columns,
+         column("spin_factor", factors, "1", label="f that the spin means, Eq. (6)", digits=4)),
+        "The case of Roh and Lee, as published and as computed by each method of contact", "transposed",
+    )  # fmt: skip
+    whole = impact_result(first)
+
+    def draw() -> list[Picture]:
+        from clubface.fem.pictures import models_picture, paper_picture
+
+        return [*whole.pictures(), paper_picture(runs), models_picture(first)]
+
+    return whole.replace(
+        kind="paper", title="The case of Roh and Lee", tables=(figures, *whole.tables), values=(),
+        notes=tuple(cost_note(run) for run in runs.values()), draw=whole.draw and draw,
+    )  # fmt: skip
+
+
+def reference_result(impact: Impact, *, published: bool) -> Result:
+    """Return the reference case as a result, beside what other solvers gave if ``published``."""
+    names, others = other_solvers() if published else ([], {})
+    own = {
+        "normal_velocity_mps": impact.normal_velocity, "tangential_velocity_mps": impact.tangential_velocity,
+        "backspin_rpm": units.from_si(impact.backspin, "rpm"), "spin_max_rpm": units.from_si(impact.spin_max, "rpm"),
+        "peak_force_n": impact.peak_force, "peak_force_time_s": impact.peak_force_time,
+        "contact_time_s": impact.contact_time, "tangential_max_n": impact.tangential_max,
+        "tangential_min_n": impact.tangential_min, "reversal_time_s": impact.reversal_time,
+    }  # fmt: skip
+    rows = [own, *({key: of[place] for key, of in others.items() if place < len(of)} for place in range(len(names)))]
+    title = "Reference case, beside other solvers" if published else "Reference case, varied"
+    columns = (text("solver", ["clubface", *names]), *columns_of(rows, own, unit="m/s"))
+    return impact_result(impact).replace(
+        kind="reference", title=title, values=(), tables=(Table("reference", columns, title, "transposed"),)
+    )
+
+
+RULES = {"mass": 0.04593, "diameter": 0.04267}
+"""Most a ball may weigh [kg], least it may measure [m]: The Equipment Rules."""
+
+
+def ball_result(ball: Ball) -> Result:
+    """Return a meshed ball beside what was asked for and the rules."""
+    meshed = ball.properties()
+    diameter, solid = 2.0 * meshed["radius"], 0.4 * meshed["mass"] * meshed["radius"] ** 2
+    conforms = meshed["mass"] <= RULES["mass"] and diameter >= RULES["diameter"]
+    columns = (
+        text("row", ["meshed", "asked for", "rule"], label=""),
+        column("mass", [meshed["mass"], ball.mass, RULES["mass"]], digits=2, label="mass (rule: at most)"),
+        column("diameter", [diameter, ball.diameter, RULES["diameter"]], "m", unit="mm", digits=2,
+               label="diameter (rule: at least)"),
+        column("inertia", [meshed["inertia"], None, None], "kg m2", digits=2),
+        column("inertia_ratio", [meshed["inertia"] / solid, None, None], "1", digits=4,
+               label="inertia over homogeneous"),
+        column("core_density", [meshed["core_density"], None, None], "density", label="density of the core"),
+        text("elements", [int(meshed["elements"]), None, None]), text("nodes", [int(meshed["nodes"]), None, None]),
+        text("conforms", [conforms, None, None], printed=False),
+    )  # fmt: skip
+    title = ball.description or ball.name
+    table = Table("ball", columns, title, "transposed")
+    return Result(
+        "ball",
+        title,
+        (table, materials_table(ball)),
+        notes=(note("ball-conforms" if conforms else "ball-does-not-conform"),),
+        provenance=Provenance({"ball": ball.name}),
+    )
 
 
 def _pictures(impact: Impact) -> list[Picture]:

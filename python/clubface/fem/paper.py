@@ -1,15 +1,12 @@
 """Published and reference cases: Roh and Lee's impacts, and a ball whose every constant is stated.
 
-The case of Roh and Lee, "Analysis of golf ball spin mechanism at impact by FEM", and its table of figures.
-
-The reference case: a ball whose every constant is stated, thrown at a rigid plane.
+Roh and Lee: "Analysis of golf ball spin mechanism at impact by FEM".
 """
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -161,11 +158,6 @@ def figures(found: Impact) -> dict[str, Any]:
         "steps": found.steps,
         "wall_s": found.wall,
     }
-
-
-def document(runs: Mapping[str, Impact]) -> dict[str, Any]:
-    """Return the document that ``clubface fem paper --json`` prints: the first run, and the tables of all."""
-    return {**figures(next(iter(runs.values()))), "by_contact": {method: table(run) for method, run in runs.items()}}
 
 
 REFERENCE_SPEED = "35 m/s"

@@ -1,18 +1,10 @@
 """Results of a finite element impact: figures, histories, energies, and fields of stress and strain.
 
-Result of a finite element impact: figures, histories and energies.
-
-Stress and strain in the elements of a body, at the times of its deformed shapes.
-
-Stress at the surface of a body of hexahedra, from that at the centres of its elements.
-
 The stress at the centre of an element is the most exact one that a hexahedron has (it is superconvergent), but a wall
 under bending has its largest stress at its surface, half an element away: two layers of elements see half of it at
 their centres, three layers two thirds. Patch recovery (Zienkiewicz and Zhu, 1992) fits each component of the stress in
 the elements round a node inside the body by a linear function of the place. A node of the surface takes the value of
 the function of the nearest node inside, extrapolated.
-
-The displaced mass centre of the model ``adjusted``, from the forces on a ball of finite elements.
 """
 
 from __future__ import annotations
@@ -20,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from importlib import import_module
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -29,6 +22,7 @@ from numpy.typing import NDArray
 from clubface.errors import InputError
 from clubface.fem.balls import Ball
 from clubface.fem.heads import ShellHead
+from clubface.results.result import Described, Result
 from clubface.simulation.results import inputs
 from clubface.support.version import __version__
 
@@ -104,7 +98,7 @@ def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> NDArray[Any]:
     return np.stack([seen[..., i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))], axis=-1)
 
 
-class Impact:
+class Impact(Described):
     """One impact, in SI units.
 
     Attributes
@@ -301,6 +295,11 @@ class Impact:
 
         flight = fly(self.launch)
         return {name: float(flight.get(name)) for name in ("carry", "side", "apex")}
+
+    def to_result(self) -> Result:
+        """Return launch, contact, histories and pictures as a result."""
+        # Found by name, since it knows all that can be struck.
+        return import_module("clubface.fem.impact_result").impact_result(self)
 
     def relative_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).

@@ -170,11 +170,14 @@ def _tractions(impact: Impact, time: float) -> list[Mark]:
     near = impact.ball.diameter / (4.0 * impact.ball.cube)
     at = np.flatnonzero((patch["time"] == nearest) & (abs(patch["toe"]) < near))
     at = at[np.argsort(patch["up"][at])]
-    return [
-        Mark(kind, patch[key][at] / patch["area"][at], patch["up"][at], style=style, size=size, label=label)
-        for kind, size in (("line", None), ("points", 2.0))
-        for style, (key, label) in enumerate((("normal", "pressure"), ("tangential", "shear")))
-    ]
+    marks = []
+    for style, (key, label) in enumerate((("normal", "pressure"), ("tangential", "shear"))):
+        traction, up = patch[key][at] / patch["area"][at], patch["up"][at]
+        marks += [
+            Mark("line", traction, up, style=style),
+            Mark("points", traction, up, style=style, size=2.0, label=label),
+        ]
+    return marks
 
 
 def moving_section(impact: Impact) -> list[Picture]:

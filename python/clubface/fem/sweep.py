@@ -1,9 +1,4 @@
-"""Sweeps of a case over speeds and lofts, and tables of long computations that resume.
-
-Sweeps: one case over a grid of speeds and lofts, one run on each core, resumable.
-
-Tables of long computations, a row at a time, so that an interruption loses nothing.
-"""
+"""Sweeps of a case over speeds and lofts, one run on each core, and tables of long computations that resume."""
 
 from __future__ import annotations
 
@@ -11,6 +6,7 @@ import csv
 import io
 import os
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -20,10 +16,14 @@ from clubface.errors import FileError, InputError
 from clubface.fem import paper
 from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
+from clubface.fem.impact_result import columns_of
+from clubface.fem.pictures import sweep_picture
 from clubface.fem.result import Impact
 from clubface.jobs.engine import Job, run as run_job
 from clubface.jobs.store import Finished, Store, unfinished_folder
 from clubface.jobs.workers import in_threads, worker_count
+from clubface.results.result import Result
+from clubface.results.table import Table
 from clubface.support.files import prepared_folder
 from clubface.support.fingerprint import fingerprint
 
@@ -225,6 +225,16 @@ def sweep(
 
     places = {point: (point[0], _degrees(point[1])) for point in points}
     return table.fill(places, run, what="runs", workers=workers, progress=progress)
+
+
+def sweep_result(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Result:
+    """Return a sweep as a result; ``published`` says whether its picture has the numbers of Roh and Lee."""
+    shown = ("speed", "loft", "ball_speed", "launch", "spin", "club_speed_after", "peak_force", "f")
+    columns = [replace(each, printed=each.name in shown) for each in columns_of(rows, COLUMNS, unit="m/s")]
+    return Result(
+        kind="sweep", title="Sweep of speeds and lofts", tables=(Table("sweep", tuple(columns)),),
+        draw=lambda: [sweep_picture(rows, published=published)],
+    )  # fmt: skip
 
 
 def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:

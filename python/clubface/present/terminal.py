@@ -114,8 +114,8 @@ def headings_and_rows(
         cells = {(line.values[row], head.values[row]): value.shown(row, units) for row in count}
         unit = value.printed_unit_at(0, units) if len(table) else "1"
         corner = ("", "") if unit == "1" else ("", _WRITTEN.get(unit, unit))
-        return [corner, *((each, "") for each in heads)], [
-            [each, *(cells.get((each, other), "") for other in heads)] for each in lines
+        return [corner, *((str(each), "") for each in heads)], [
+            [str(each), *(cells.get((each, other), "") for other in heads)] for each in lines
         ]
     heads = []
     for each in columns:

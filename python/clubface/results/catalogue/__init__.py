@@ -5,6 +5,7 @@ One file a subject; :mod:`clubface.results.notes` explains the placeholders.
 
 from clubface.results.catalogue.design import SENTENCES as _DESIGN
 from clubface.results.catalogue.equipment import SENTENCES as _EQUIPMENT
+from clubface.results.catalogue.fem import SENTENCES as _FEM
 from clubface.results.catalogue.inference import SENTENCES as _INFERENCE
 from clubface.results.catalogue.shot import SENTENCES as _SHOT
 from clubface.results.catalogue.shots import SENTENCES as _SHOTS
@@ -14,6 +15,7 @@ SENTENCES: dict[str, str] = {
     "text": "{text}",
     **_DESIGN,
     **_EQUIPMENT,
+    **_FEM,
     **_INFERENCE,
     **_SHOT,
     **_SHOTS,

@@ -5,6 +5,8 @@ _COST = (
 )
 
 SENTENCES = {
+    "ball-conforms": "Mass and diameter are within The Equipment Rules.",
+    "ball-does-not-conform": "Mass or diameter are outside The Equipment Rules.",
     "carry-in-still-air": "In still air the ball would carry {carry:0}.",
     "contact-of-impact": "They touch for {contact_time} and push each other with up to {peak_force}.",
     "cost-of-failed-run": _COST + " until {last_time:us 0}, the last record kept",
@@ -17,8 +19,8 @@ SENTENCES = {
     "head-mass": "The head weighs {mass}, with a moment of inertia about the vertical of {iyy}.",
     "inertia-limit": "The rules of golf allow a driver 5900 g cm2.",
     "largest-stress": (
-        "The largest stress, {stress:0}, is that of the {part}, {height:above/below} the face centre, "
-        "{toe_distance:to_the_toe/to_the_heel} and {forward:in_front_of_it/behind_it}."
+        "The largest stress, {stress:0}, is that of the {part}, {high:mm 1} up the face from its centre and {toe:mm 1} "
+        "to the toe."
     ),
     "launch-of-impact": (
         "The ball {ball} leaves {head} at {ball_speed}, {launch} upwards and {azimuth:sides} of the target, and spins "

@@ -1,0 +1,126 @@
+"""A head as a result: mass, CG, inertia, how it was tuned, how it rebounds, and what it bears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from clubface.fem.heads import MeshedHead, ShellHead
+from clubface.fem.stress import BlowStress, stress_picture
+from clubface.quantities import register_quantity
+from clubface.results.notes import Note, note
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+
+__all__ = ["head_result"]
+
+register_quantity("cg_above", "m", golf=("mm", 2), label="CG above face normal",
+                  meaning="distance of the CG above the face normal through the face centre")  # fmt: skip
+SHOWN = ("mass", "cg_x", "cg_y", "cg_z", "cg_above", "ixx", "iyy", "izz")
+
+
+def head_result(
+    head: MeshedHead,
+    *,
+    tests: Mapping[str, float] | None = None,
+    blow: BlowStress | None = None,
+    inputs: Mapping[str, str] | None = None,
+) -> Result:
+    """Return a head as a result.
+
+    Parameters
+    ----------
+    head
+        The head.
+    tests
+        Its restitution and characteristic time [s], by name, where they were measured.
+    blow
+        The stress under a blow.
+    inputs
+        What tests and blow were given, in words: "blow", "toe", "ball".
+    """
+    asked = dict(head.asked) if isinstance(head, ShellHead) else {}
+    measured, inputs = dict(tests or {}), dict(inputs or {})
+    rows = ["meshed", "asked for"] if asked else ["meshed"]
+    values = {name: getattr(head if name == "cg_above" else head.club, name) for name in SHOWN}
+
+    def of(name: str, value: Any, like: str | None = None, **options: Any) -> Column:
+        return column(name, [value, asked.get(name)][: len(rows)], like, **options)
+
+    columns = [of(name, value, digits=2 if values[name] is not None and name[:2] in ("cg", "ma") else None)
+               for name, value in values.items()]  # fmt: skip
+    columns += [of(name, getattr(head.club, name), printed=False) for name in ("ixy", "ixz", "iyz")]
+    if "scale" in head.report:
+        columns.append(of("wall_scale", head.report["scale"], "1", label="walls over design"))
+    columns += [of(f"added_mass_{name}", mass, "mass", label=f"added mass {name}")
+                for name, mass in head.report.items() if name != "scale"]  # fmt: skip
+    columns.append(of("elements", head.elements, "1", digits=0))
+    columns += [of(name, value) for name, value in measured.items()]
+    title = head.description or head.name
+    notes = [note("held-as-delivered")] if any(each.startswith("cg_") for each in asked) else []
+    return Result(
+        kind="head", title=title,
+        tables=(Table("head", (text("row", rows, label=""), *columns), title, "transposed"),
+                *(() if blow is None else _stress_tables(blow, inputs))),
+        summary=tuple(_summary(head, measured, blow, inputs)),
+        notes=(*(blow.notes() if blow is not None else ()), *notes),
+        provenance=Provenance({"head": head.name, "elements": str(head.elements), **inputs}),
+        draw=None if blow is None else lambda: [stress_picture(blow, head.loft)],
+    )  # fmt: skip
+
+
+def _stress_tables(blow: BlowStress, inputs: Mapping[str, str]) -> Iterator[Table]:
+    parts = blow.parts
+    places = (("x", "to the target"), ("y", "above centre"), ("z", "to the toe"))
+    yield Table(
+        "stress",
+        (
+            text("part", [part.part for part in parts]),
+            column("stress", [part.stress for part in parts], label="largest stress", digits=0),
+            column("yield_stress", [part.yield_stress for part in parts], label="yields at", digits=0),
+            column("margin", [part.margin for part in parts], label="margin"),
+            column("time", [part.time for part in parts], label="after", unit="us", digits=0),
+            *(column(f"place_{name}", [part.place[axis] for part in parts], "m", label=label, unit="mm", digits=1,
+                     printed=axis > 0) for axis, (name, label) in enumerate(places)),
+            *([column("spread", [part.spread for part in parts], "1", label="spread by mesh", unit="%", digits=0)]
+              if parts[0].spread is not None else []),
+        ),
+        f"A blow at {inputs.get('blow', 'the club')}",
+    )  # fmt: skip
+    meshes = [(part.part, elements, stress) for part in parts for elements, stress in part.by_mesh]
+    names, elements, stresses = zip(*meshes, strict=True)
+    yield Table(
+        "meshes",
+        (text("part", names), text("elements", elements), column("stress", stresses, digits=0)),
+        "Largest stress (MPa) by number of elements", "pivot", printed=parts[0].spread is not None,
+    )  # fmt: skip
+
+
+def _summary(
+    head: MeshedHead, measured: Mapping[str, float], blow: BlowStress | None, inputs: Mapping[str, str]
+) -> Iterator[Note]:
+    yield note("head-mass", mass=head.club.mass, iyy=head.club.iyy)
+    if head.club.kind == "wood":
+        yield note("inertia-limit")
+    if measured:
+        yield note("face-gives", **measured)
+    if blow is None:
+        return
+    named = {"blow": inputs.get("blow", "the club")}
+    known = [part for part in blow.parts if part.margin is not None]
+    for part in known:
+        if part.margin is not None and part.margin < 0.0:
+            yield note("part-yields", part=part.part, stress=part.stress, yield_stress=part.yield_stress, **named)
+    weakest = min(known, key=lambda part: part.margin or 0.0, default=None)
+    if weakest is not None and weakest.margin is not None and weakest.margin >= 0.0:
+        yield note("no-part-yields", part=weakest.part, margin=weakest.margin, **named)
+    if others := [part.part for part in blow.parts if part.margin is None]:
+        yield note("no-yield-stress", parts=others)
+    peak = max(blow.parts, key=lambda part: part.stress)
+    forward, high, toe = peak.place
+    yield note("largest-stress", part=peak.part, stress=peak.stress, forward=forward, high=high, toe=toe)
+    if peak.spread is not None:
+        counts = [str(elements) for elements, _ in peak.by_mesh[1:]]
+        yield note("mesh-dependence", counts=counts, spread=peak.spread)
+    yield note("strength-not-counted")
