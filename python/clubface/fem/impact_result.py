@@ -257,7 +257,7 @@ def ball_result(ball: Ball) -> Result:
         column("inertia_ratio", [meshed["inertia"] / solid, None, None], "1", digits=4,
                label="inertia over homogeneous"),
         column("core_density", [meshed["core_density"], None, None], "density", label="density of the core"),
-        text("elements", [int(meshed["elements"]), None, None]), text("nodes", [int(meshed["nodes"]), None, None]),
+        *(column(name, [int(meshed[name]), None, None], "1", digits=0) for name in ("elements", "nodes")),
         text("conforms", [conforms, None, None], printed=False),
     )  # fmt: skip
     title = ball.description or ball.name
