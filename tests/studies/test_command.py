@@ -19,32 +19,36 @@ def study(clubface_):
 
 def test_a_study_is_run_looked_at_joined_and_summed_up(study, tmp_path):
     path, table, picture = shots(tmp_path), tmp_path / "all.csv", tmp_path / "all.svg"
-    assert "24 tasks in 5 chunks: 5 computed, 0 there already\nthe study is complete" in study("run", path).out
-    assert study("run", path, "--json").json["computed"] == 0
-    assert "5 of 5 chunks are done; 24 tasks, 5 a chunk" in study("status", path, "--check").out
+    first = study("run", path, "--json")
+    assert [first.values[name] for name in ("tasks", "chunks", "computed", "kept")] == [24, 5, 5, 0]
+    assert first.notes()[-1] == "study-complete"
+    assert study("run", path, "--json").values["computed"] == 0
+    state = study("status", path, "--check", "--json").values
+    assert [state[name] for name in ("chunks", "done", "tasks", "chunk")] == [5, 5, 24, 5]
     ran = study("join", tmp_path / "shots.store", "-o", table)
-    assert ran.out.splitlines()[0] == "24 tasks; SHA-256 of their columns:"
-    assert len(ran.out.splitlines()[4].split()[1]) == 64
     assert len(table.read_text().splitlines()) == 25
-    assert study("join", path, "--json").json["sums"]["toe"] in ran.out
+    sums = {row["column"]: row["sha256"] for row in study("join", path, "--json").rows()}
+    assert all(len(each) == 64 and each in ran.out for each in sums.values())
+    assert "toe" in sums
     ran = study("summary", path, "--output", "carry,side", "--plot", picture)
     assert "Mean and deviation along toe" in ran.out
     assert picture.read_text().startswith("<?xml")
-    document = study("summary", path, "--json").json
-    assert document["along"]["toe"]["levels"][2]["level"] == 0.01
-    assert document["overall"]["carry"]["count"] == 24
+    ran = study("summary", path, "--json")
+    levels = list(dict.fromkeys(row["level_from_mm"] for row in ran.rows("along_toe")))
+    assert levels[2] == pytest.approx(10.0, rel=1e-15)
+    assert {row["quantity"]: row["count"] for row in ran.rows("overall")}["carry"] == 24
 
 
 def test_a_summary_is_in_the_units_of_golfers_and_no_finer_than_its_spread(study, tmp_path):
     path = shots(tmp_path)
     study("run", path)
-    found = study("summary", path, "--json").json["overall"]["carry"]  # SI
-    mean, deviation = found["mean"] / 0.9144, found["deviation"] / 0.9144
+    (carry,) = [row for row in study("summary", path, "--json").rows("overall") if row["quantity"] == "carry"]
+    assert carry["unit"] == "m"
+    mean, deviation = carry["mean"] / 0.9144, carry["deviation"] / 0.9144
     assert 1.0 <= deviation < 100.0
     digits = 2 if deviation < 10.0 else 1
     (row,) = [line.split() for line in study("summary", path).out.splitlines() if line.startswith("carry")]
-    assert row[1:3] == [f"{mean:.{digits}f}", f"{deviation:.{digits}f}"]
-    assert row[-1] == "yd"
+    assert row[1:4] == ["yd", f"{mean:.{digits}f}", f"{deviation:.{digits}f}"]
 
 
 def test_a_tiny_spread_does_not_fill_a_summary_with_digits(study, tmp_path):
@@ -52,7 +56,7 @@ def test_a_tiny_spread_does_not_fill_a_summary_with_digits(study, tmp_path):
     path.write_text('[impact]\nclub = "driver"\noutputs = ["carry"]\n[sweep]\nspeed = ["50 m/s", "50.00001 m/s"]\n')
     study("run", path)
     (row,) = [line.split() for line in study("summary", path).out.splitlines() if line.startswith("carry")]
-    assert [len(each.replace(".", "")) for each in row[1:2]] == [6]
+    assert [len(each.replace(".", "")) for each in row[2:3]] == [6]
 
 
 def test_classes_of_an_input_are_told_no_finer_than_they_are_wide(study, tmp_path):
@@ -68,15 +72,13 @@ def test_classes_of_an_input_are_told_no_finer_than_they_are_wide(study, tmp_pat
     assert all(re.fullmatch(r"\d{2,3}\.\d to \d{2,3}\.\d", each) for each in lines), lines
 
 
-def test_shares_and_damage_are_told(study, tmp_path):
+def test_shares_and_damage_are_noted(study, tmp_path):
     path = squares(tmp_path)
-    assert "10 chunks of the whole study left to other runs" in study("run", path, "--shard", "1/2").out
-    assert study("status", path).out.splitlines()[2] == "missing, the first of them: " + ", ".join(
-        map(str, range(1, 20, 2))
-    )
+    assert study("run", path, "--shard", "1/2", "--json").notes("study-left")[0]["chunks"] == 10
+    missing = [row["chunk"] for row in study("status", path, "--json").rows() if row["state"] == "missing"]
+    assert missing == list(range(1, 20, 2))
     (tmp_path / "squares.store" / "parts" / "0000" / "00000002.parquet").write_bytes(b"")
-    ran = study("run", path)
-    assert ran.err == "clubface: note: 1 damaged part (2) was computed again\n"
+    assert study("run", path, "--json").notes("study-parts-mended") == [{"parts": 1, "shown": [2]}]
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from clubface import studies
-from clubface.cli.study import document
 from clubface.errors import InputError
+from clubface.studies.results import level_text, summary_picture
 from clubface.units import from_si
 from study_files import shots, squares
 
@@ -113,11 +113,11 @@ bulge = [{bulges}, "flat"]
     assert along.levels[9] == (pytest.approx(0.2941), pytest.approx(0.299))
     # The toe of a flat face points where its centre does; each class of curved ones points further to the right.
     assert along.figures[-1].mean[0] < along.figures[9].mean[0] < along.figures[0].mean[0]
-    assert [each["level"] for each in document(found)["along"]["bulge"]["levels"]][-1] == "flat"
+    assert level_text(along, -1) == "flat"
     pytest.importorskip("matplotlib")
-    from clubface.studies.picture import draw
+    from clubface.present.drawing import draw
 
-    draw(found).canvas.draw()
+    draw(summary_picture(found)).canvas.draw()
 
 
 def test_a_summary_does_not_depend_on_chunks_beyond_rounding(tmp_path):
@@ -132,15 +132,15 @@ def test_a_summary_does_not_depend_on_chunks_beyond_rounding(tmp_path):
 
 def test_a_picture_shows_every_quantity_along_every_input(drives):
     pytest.importorskip("matplotlib")
-    from clubface.studies.picture import draw
+    from clubface.present.drawing import draw
 
-    figure = draw(studies.summary(drives))
-    assert [each.get_xlabel() for each in figure.axes[-3:]] == ["loft, deg", "toe, mm", "attack, deg"]
+    figure = draw(summary_picture(studies.summary(drives)))
+    assert [each.get_xlabel().split(" (")[1] for each in figure.axes[-3:]] == ["deg)", "mm)", "deg)"]
     assert [figure.axes[3 * row].get_ylabel() for row in range(4)] == [
-        "ball speed, mph",
-        "backspin, rpm",
-        "carry, yd",
-        "side, yd",
+        "ball speed (mph)",
+        "backspin (rpm)",
+        "carry (yd)",
+        "side (yd)",
     ]
     mean = figure.axes[0].get_lines()[0].get_ydata()
     assert len(mean) == 4

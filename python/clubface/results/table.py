@@ -38,9 +38,12 @@ class Column:
     label
         Its heading; that of the quantity unless given.
     unit, digits
-        In which it is printed; those of the quantity unless given. Negative ``digits`` are significant ones.
+        In which it is printed; those of the quantity unless given. Negative ``digits`` are significant ones; a
+        sequence has those of each row.
     difference
-        Whether the numbers are differences, which are printed with their sign.
+        Whether the numbers are differences, to which no offset of a unit belongs.
+    signed
+        Whether they are printed with their sign; differences are unless this is False.
     in_files
         Whether files and JSON have it; one that is only printed repeats in words what others say in numbers.
     printed
@@ -52,8 +55,9 @@ class Column:
     quantity: Quantity | Sequence[Quantity | None] | None = None
     label: str = ""
     unit: str | None = None
-    digits: int | None = None
+    digits: int | Sequence[int] | None = None
     difference: bool = False
+    signed: bool | None = None
     in_files: bool = True
     printed: bool = True
 
@@ -105,11 +109,12 @@ class Column:
             return "yes" if value else "no"
         if isinstance(value, str):
             return value
+        digits = self.digits if self.digits is None or isinstance(self.digits, int) else self.digits[row]
         if of is None:
-            whole = float(value).is_integer() and self.digits is None
-            return str(int(value)) if whole else self._number(float(value), self.digits or 0)
+            whole = float(value).is_integer() and digits is None
+            return str(int(value)) if whole else self._number(float(value), digits or 0)
         unit = self.printed_unit_at(row, shown_units)
-        digits = of.digits(unit) if self.digits is None else self.digits
+        digits = of.digits(unit) if digits is None else digits
         return self._number(float(convert(value, unit, difference=self.difference)), digits)
 
     def printed_unit_at(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
@@ -119,12 +124,16 @@ class Column:
             return "1"
         return (shown_units or {}).get(of.name) or (shown_units or {}).get(self.name) or self.unit or of.golf.unit
 
+    @property
+    def _signed(self) -> bool:
+        return self.difference if self.signed is None else self.signed
+
     def _number(self, value: float, digits: int) -> str:
         if math.isinf(value):
             return FLAT if value > 0.0 else str(value)
         if digits < 0:
-            return "" if math.isnan(value) else f"{value + 0.0:{'+' if self.difference else ''}.{-digits}g}"
-        return format_number(value, digits, signed=self.difference)
+            return "" if math.isnan(value) else f"{value + 0.0:{'+' if self._signed else ''}.{-digits}g}"
+        return format_number(value, digits, signed=self._signed)
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError
-from clubface.shots.tables.headings import heading_of
 from clubface.studies.running import ChunkTally
 from clubface.studies.store import Names, open_store
 from clubface.support.checks import check_names
@@ -21,8 +20,6 @@ from clubface.support.checks import check_names
 MOST_LEVELS = 40
 """Different values of an input that are told one by one; more are put together in classes."""
 CLASSES = 10
-FLOWN = {"carry", "side", "total", "apex", "ellipse"}
-"""Words in the names of distances over ground, which golfers read in yards."""
 
 
 @dataclass(frozen=True)
@@ -226,9 +223,3 @@ def summary(
             Along(each.name, each.unit, each.levels, levels.figures()) for each, levels in zip(along, sums, strict=True)
         ],
     )  # fmt: skip
-
-
-def shown_unit(name: str, si_unit: str) -> str:
-    """Return the unit in which a quantity of a study is shown: distances over ground in yards, as everywhere."""
-    unit = heading_of(name, si_unit)[1]
-    return "yd" if unit == "m" and FLOWN & set(name.split("_")) else unit

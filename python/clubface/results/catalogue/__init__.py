@@ -9,6 +9,7 @@ from clubface.results.catalogue.fem import SENTENCES as _FEM
 from clubface.results.catalogue.inference import SENTENCES as _INFERENCE
 from clubface.results.catalogue.shot import SENTENCES as _SHOT
 from clubface.results.catalogue.shots import SENTENCES as _SHOTS
+from clubface.results.catalogue.studies import SENTENCES as _STUDIES
 from clubface.results.catalogue.validation import SENTENCES as _VALIDATION
 
 SENTENCES: dict[str, str] = {
@@ -18,6 +19,7 @@ SENTENCES: dict[str, str] = {
     **_FEM,
     **_INFERENCE,
     **_SHOT,
+    **_STUDIES,
     **_SHOTS,
     **_VALIDATION,
 }

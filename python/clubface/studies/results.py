@@ -1,0 +1,258 @@
+"""What a study did and found, as results: a run, how far it is, its columns joined, and its summary."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from clubface.equipment.balls import ball
+from clubface.equipment.clubs import CLUB_NAMES, club
+from clubface.equipment.described import FLAT
+from clubface.quantities import Quantity, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, table, text
+from clubface.simulation.provenance import equipment_sources, flight_conditions
+from clubface.studies.joining import Joined
+from clubface.studies.running import Outcome, Status
+from clubface.studies.study import read_study
+from clubface.studies.summaries import Along, Figures, Summary
+from clubface.units import size
+
+__all__ = ["joined_result", "run_result", "status_result", "summary_picture", "summary_result"]
+
+MOST_ROWS, MOST_COLUMNS = 8, 6
+"""Quantities and inputs of a picture and of the tables along inputs; the first of more."""
+ROW_HEIGHT = 1.25
+"""Inches of a panel."""
+STATISTICS = ("mean", "deviation", "least", "most")
+
+
+def run_result(done: Outcome) -> Result:
+    """Return what a run of a study computed, and what is left to other runs."""
+    count, shown = done.mended
+    notes = [*_task_notes(done.failed, done.remark)]
+    if count:
+        notes.insert(0, note("study-parts-mended", parts=count, shown=list(shown)))
+    code = "study-left" if done.missing else "study-complete"
+    notes.append(note(code, chunks=done.missing, store=done.store))
+    values = (
+        text("tasks", [done.tasks]), text("chunks", [done.chunks]), text("computed", [done.computed]),
+        text("kept", [done.chunks - done.computed], label="there already"), text("missing", [done.missing]),
+        text("store", [done.store], printed=False), text("failed", [done.failed[0]]),
+    )  # fmt: skip
+    return Result("study-run", "Run of a study", values=values, notes=tuple(notes))
+
+
+def status_result(state: Status) -> Result:
+    """Return how far a study is."""
+    values = (
+        text("tasks", [state.tasks]), text("chunks", [state.chunks]),
+        text("chunk", [state.chunk], label="tasks a chunk"), text("done", [state.done], label="chunks done"),
+        text("size", [state.size], label="bytes of all parts"), text("store", [state.store], printed=False),
+    )  # fmt: skip
+    chunks = [*(("missing", each) for each in state.missing), *(("damaged", each) for each in state.damaged)]
+    listed = table("chunks", text("state", [each for each, _ in chunks]), text("chunk", [each for _, each in chunks]))
+    notes = [note("study-store", store=state.store)]
+    return Result("study-status", state.name, (listed,), values, notes=tuple(notes))
+
+
+def joined_result(joined: Joined) -> Result:
+    """Return the SHA-256 of every column of a study whose parts were put together."""
+    notes = _task_notes(joined.failed, joined.remark)
+    if len(joined.processors) > 1:
+        notes.append(note("study-processors", processors=list(joined.processors)))
+    sums = table("sums", text("column", list(joined.sums)), text("sha256", list(joined.sums.values()), label="SHA-256"))
+    values = (text("tasks", [joined.tasks]),)
+    return Result("study-join", "Columns of a study", (sums,), values, notes=tuple(notes))
+
+
+def summary_result(of: Summary, study: str) -> Result:
+    """Return means, spreads and extremes of a study, of all tasks and along every input.
+
+    ``study`` is the file of the study, or the folder of its parts.
+    """
+    held = _held(study)
+    inputs = {"study": Path(study).name, "tasks": str(of.tasks)} | {
+        name: str(held[name]) for name in ("club", "ball", "hand", "model", "parameters") if name in held
+    }
+    inputs |= {name: str(value) for name, value in held.get("held", {}).items()}
+    if held:
+        inputs |= flight_conditions(*(held.get(name) for name in ("air", "wind", "ground")))
+    names = [name.replace("_", " ") for name in (each.name for each in of.along)]
+    return Result(
+        "study-summary", f"The study {of.name}", (_overall(of), *(_along(of, each) for each in of.along)),
+        (text("tasks", [of.tasks]),),
+        summary=(note("study-tasks", tasks=of.tasks, inputs=names), *_ranges(of)),
+        notes=tuple(_task_notes(of.failed, of.remark)),
+        provenance=Provenance(inputs=inputs, sources=tuple(_sources(held))),
+        draw=lambda: [summary_picture(of)],
+    )  # fmt: skip
+
+
+def summary_picture(of: Summary) -> Picture:
+    """Return the picture of a study: the first quantities, a row each, along the first inputs, a column each."""
+    shown = list(_quantities(of).values())[:MOST_ROWS]
+    along = list(of.along)[:MOST_COLUMNS]
+    return Picture(
+        "study", "Means, spreads and extremes along every input",
+        [[_panel(each, place, of_row) for each in along] for place, of_row in enumerate(shown)],
+        title=f"{of.name}: {of.tasks} tasks", height=0.7 + ROW_HEIGHT * max(len(shown), 2), share_x=True, share_y=True,
+        legend=True,
+    )  # fmt: skip
+
+
+def _task_notes(failed: tuple[int, str], remark: str) -> list[Note]:
+    count, first = failed
+    notes = [note("tasks-without-result", tasks=count, first=first)] if count else []
+    return [*notes, *([note("text", text=remark)] if remark else [])]
+
+
+def _quantities(of: Summary) -> dict[str, Quantity]:
+    return {name: quantity(name, unit) for name, unit in of.quantities.items()}
+
+
+def _overall(of: Summary) -> Table:
+    names, quantities = list(of.quantities), list(_quantities(of).values())
+    return table(
+        "overall",
+        text("quantity", names),
+        *_statistics([of.overall] * len(names), list(range(len(names))), quantities),
+        title=f"{of.name}: all tasks",
+    )
+
+
+def _along(of: Summary, along: Along) -> Table:
+    """Return a table along one input: of every level and quantity the statistics, printed as mean and deviation."""
+    quantities = _quantities(of)
+    rows = [(level, place) for level in range(len(along.levels)) for place in range(len(quantities))]
+    figures = [along.figures[level] for level, _ in rows]
+    places = [place for _, place in rows]
+    of_rows = [list(quantities.values())[place] for place in places]
+    input_quantity = None if along.unit is None else quantity(along.name, along.unit)
+    heads = [f"{each.label}, {each.golf.unit}".removesuffix(", 1") for each in of_rows]
+    statistics = _statistics(figures, places, of_rows)
+    cells = [f"{statistics[1].shown(row)} ± {statistics[2].shown(row)}" for row in range(len(rows))]
+    ends = [_ends(along.levels[level]) for level, _ in rows]
+    return table(
+        f"along_{along.name}",
+        text(along.name, [level_text(along, level) for level, _ in rows], in_files=False),
+        text("head", heads, in_files=False),
+        text("cell", cells, in_files=False),
+        *(
+            [text("level", [along.levels[level] for level, _ in rows], printed=False)]
+            if input_quantity is None
+            else [
+                Column("level_from", [low for low, _ in ends], input_quantity, printed=False),
+                Column("level_to", [high for _, high in ends], input_quantity, printed=False),
+            ]
+        ),
+        text("quantity", [list(quantities)[place] for place in places], printed=False),
+        *(Column(each.name, each.values, each.quantity, printed=False) for each in statistics),
+        title=f"Mean and deviation along {along.name.replace('_', ' ')}",
+        layout="pivot",
+        shown_rows=[row for row, place in enumerate(places) if place < MOST_ROWS],
+    )
+
+
+def _statistics(figures: Sequence[Figures], places: Sequence[int], quantities: Sequence[Quantity]) -> list[Column]:
+    """Return count, mean, deviation and extremes, a row for each pair of figures and place of a quantity."""
+    pairs = list(zip(figures, places, strict=True))
+    columns = [text("count", [int(each.count[place]) for each, place in pairs], printed=False)]
+    values = {name: [float(getattr(each, name)[place]) for each, place in pairs] for name in STATISTICS}
+    digits = [_digits(values, row, each) for row, each in enumerate(quantities)]
+    for name in STATISTICS:
+        spread = name == "deviation"
+        columns.append(Column(name, values[name], list(quantities), digits=digits, difference=spread, signed=False))
+    return columns
+
+
+def _digits(values: Mapping[str, Sequence[float]], row: int, of: Quantity) -> int:
+    """Return the places that show a spread to three digits, and the largest value to six at most."""
+    unit = size(of.golf.unit)
+    spread, largest = values["deviation"][row] / unit, max(abs(values[name][row]) for name in STATISTICS) / unit
+    if not 1e-6 <= spread < 1e7:
+        return -5
+    return max(min(2 - math.floor(math.log10(spread)), 5 - math.floor(math.log10(max(largest, spread)))), 0)
+
+
+def _ranges(of: Summary) -> list[Note]:
+    notes = []
+    for place, (name, each) in enumerate(list(_quantities(of).items())[:MOST_ROWS]):
+        least, most = (float(getattr(of.overall, key)[place]) for key in ("least", "most"))
+        if math.isfinite(least):
+            values = {key: [float(getattr(of.overall, key)[place])] for key in STATISTICS}
+            column = Column(name, [least, most], each, digits=_digits(values, 0, each))
+            notes.append(
+                note("study-range", quantity=each.label.capitalize(), least_text=column.shown(0),
+                     most_text=column.shown(1), unit=each.golf.unit.replace("1", ""))
+            )  # fmt: skip
+    return notes
+
+
+def level_text(along: Along, level: int) -> str:
+    """Return a level of an input as people read it, with its unit; the ends of a class to a tenth of its width."""
+    value = along.levels[level]
+    if along.unit is None:
+        return str(value)
+    of = quantity(along.name, along.unit)
+    width = (value[1] - value[0]) / size(of.golf.unit) if isinstance(value, tuple) else 0.0
+    digits = max(1 - math.floor(math.log10(width)), 0) if width > 1e-6 else -6
+    column = Column(along.name, _ends(value), of, digits=digits)
+    words = f"{column.shown(0)} to {column.shown(1)}" if isinstance(value, tuple) else column.shown(0)
+    return words if of.golf.unit == "1" or words == FLAT else f"{words} {of.golf.unit}"
+
+
+def _ends(level: Any) -> tuple[float, float]:
+    return level if isinstance(level, tuple) else (level, level)
+
+
+def _panel(along: Along, place: int, shown: Quantity) -> Panel:
+    mean, deviation, least, most = (
+        np.array([float(getattr(each, key)[place]) for each in along.figures]) for key in STATISTICS
+    )
+    middles = [sum(_ends(each)) / 2.0 for each in along.levels] if along.unit is not None else []
+    of_input = None if along.unit is None else quantity(along.name, along.unit)
+    x = np.arange(len(along.levels), dtype=float) if of_input is None else np.array(middles)
+    finite = np.isfinite(x)
+    marks = [
+        Mark("band", x[finite], y0=(mean - deviation)[finite], y1=(mean + deviation)[finite], label="mean ± deviation"),
+        Mark("line", x[finite], mean[finite], label="mean"),
+        *(
+            Mark("line", x[finite], each[finite], label="extremes", style=-1, dash=1, size=0.7)
+            for each in (least, most)
+        ),
+    ]
+    if of_input is None:
+        marks = [
+            Mark("intervals", x, mean, y0=least, y1=most, label="extremes", style=-1, symbol=""),
+            Mark("intervals", x, mean, y0=mean - deviation, y1=mean + deviation, label="mean ± deviation"),
+        ]
+    elif not finite.all():  # a flat face stands at the right of the numbers
+        last = x[finite][-1] + 0.15 * max(float(np.ptp(x[finite])), 1e-3) if finite.any() else 0.0
+        low, high = mean[~finite] - deviation[~finite], mean[~finite] + deviation[~finite]
+        marks.append(Mark("intervals", np.array([last]), mean[~finite], y0=low, y1=high))
+        marks.append(Mark("text", np.array([last]), most[~finite], texts=[FLAT]))
+    names = None if of_input is not None else [str(each) for each in along.levels]
+    across = Axis(of_input, "" if of_input is not None else along.name.replace("_", " "), names=names)
+    return Panel(marks, across, Axis(shown))
+
+
+def _held(study: str) -> Mapping[str, Any]:
+    """Return what the file of a study of impacts holds fixed; nothing for other kinds, or for the folder of a study."""
+    asked = read_study(study) if Path(study).is_file() else None
+    return asked.table if asked is not None and asked.kind.name == "impact" else {}
+
+
+def _sources(held: Mapping[str, Any]) -> list[str]:
+    """Return the sources of the club and ball of a study of impacts."""
+    if not held:
+        return []
+    clubs = [club(held["club"])] if held.get("club") in CLUB_NAMES else []
+    return list(equipment_sources(*clubs, *([ball(held.get("ball"))] if "ball" not in held else [])))
