@@ -102,7 +102,7 @@ class Report:
 
 def main(module: str) -> int:
     """Compare; return the exit status."""
-    names = ("models", "inputs", "outputs", "flight_inputs", "flight_outputs")
+    names = ("quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs")
     description = _as_json({name: getattr(_core, name)() for name in names})
     models = {entry["name"]: [p["default"] for p in entry["parameters"]] for entry in _core.models()}
     inputs = _deliveries()
