@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
+from typing import ClassVar
 
 from docutils import nodes
 from docutils.statemachine import StringList
@@ -21,6 +22,7 @@ from clubface.equipment.parameters import builtin_sets
 from clubface.inference.evaluation import published
 from clubface.present.terminal import headings_and_rows
 from clubface.results.table import Table
+from clubface.schema import file_schema, key_rows
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour, tour as tour_averages, tour_tables
 
@@ -95,6 +97,26 @@ class ModelParameters(CoreTable):
             lines += [f"  * {caveat}" for caveat in one.caveats]
             lines += [f"  * `{name}`: {caveat}" for name, caveat in one.value_caveats.items()]
         return lines
+
+
+class KeyTable(CoreTable):
+    """``{key-table} club``: the keys of a kind of file; with a second name those of one table in it, to a depth."""
+
+    required_arguments = 1
+    optional_arguments = 1
+    option_spec: ClassVar = {"depth": int}
+
+    def table(self) -> list[str]:
+        """One row a key."""
+        name, *table = self.arguments
+        prefix = f"{table[0]}." if table else ""
+        rows = []
+        for key, allowed, meaning in key_rows(file_schema(name)):
+            inner = key.replace("`", "").split(" or ")[0]
+            depth = inner.removeprefix(prefix).count(".") + 1
+            if inner.startswith(prefix) and depth <= self.options.get("depth", depth):
+                rows.append((key.replace(f"`{prefix}", "`"), allowed, meaning))
+        return markdown_table(("key", "allowed", "meaning"), rows)
 
 
 class Quantities(CoreTable):
@@ -173,6 +195,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
     app.add_directive("model-list", ModelList)
     app.add_directive("model-parameters", ModelParameters)
+    app.add_directive("key-table", KeyTable)
     app.add_directive("quantities", Quantities)
     app.add_directive("tour-comparison", TourComparison)
     app.add_directive("tour-summary", TourSummary)

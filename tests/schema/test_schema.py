@@ -1,12 +1,14 @@
 """A dataclass is the schema of its file: read, checked, written and described from its fields."""
 
 import json
+import tomllib
 from dataclasses import dataclass
 
 import pytest
 
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.schema import (
+    FILES,
     FLAG,
     NAME,
     TEXT,
@@ -23,10 +25,12 @@ from clubface.schema import (
     decode,
     encode,
     file_key,
+    file_schema,
     json_schema,
     key_rows,
     template,
 )
+from clubface.support.files import DATA
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -138,7 +142,7 @@ def test_an_object_of_a_dataclass_is_also_read_from_the_words_of_its_template():
 def test_the_keys_have_rows_for_a_page():
     rows = {name: (allowed, meaning) for name, allowed, meaning in key_rows(Tee)}
     assert rows["`width` or `half`"] == ("above 0 m", "from side to side")
-    assert rows["`colour`"] == ('`white`, `red`; "white" unless given', "of its markers")
+    assert rows["`colour`"] == ("`white`, `red`; `white` unless given", "of its markers")
     assert rows["`pegs.height`"] == ("0 to 100 mm", "above the ground")
     assert list(rows) == [*(f"`{key}`" if key != "width" else "`width` or `half`" for key in (
         "name", "width", "colour", "level", "holes", "winds", "grass", "grass.length", "pegs", "pegs.name",
@@ -161,3 +165,33 @@ def test_text_that_no_file_can_hold_is_refused():
 
     with pytest.raises(InputError, match="text in quotes"):
         decode(Note, {"text": "\ud800"})
+
+
+SHIPPED = {
+    "club": "clubs", "parameters": "parameters", "golfer": "golfers", "fem-case": "fem_cases",
+    "published-tables": "measurements", "driver-head": "fem_heads/paper", "iron-head": "fem_heads/7-iron",
+    "ball-of-pieces": "balls/modern", "ball": "balls/conforming",
+}  # fmt: skip
+"""Where files of each kind are shipped."""
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_file_is_valid_by_its_json_schema_and_one_with_another_key_is_not(name):
+    jsonschema = pytest.importorskip("jsonschema")
+    schema = json.loads(json.dumps(json_schema(file_schema(name), name)))
+    validator = jsonschema.Draft202012Validator(schema)
+    paths = list(DATA.glob(f"{SHIPPED[name]}.toml")) or list((DATA / SHIPPED[name]).glob("*.toml"))
+    assert paths
+    for path in paths:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        assert [each.message for each in validator.iter_errors(data)] == []
+        assert list(validator.iter_errors({**data, "another": 1}))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_every_kind_of_file_has_a_schema_with_a_meaning_for_its_keys(name, clubface_):
+    schema = json.loads(clubface_("schema", name).out)
+    assert schema["properties"]
+    assert all(each.strip() for each, *_ in key_rows(file_schema(name)))
+    with pytest.raises(UnknownNameError, match="did you mean"):
+        file_schema(name + "s")

@@ -65,6 +65,7 @@ COMMANDS = {
     "capture": "capture",
     "optimise": "optimise",
     "study": "study",
+    "schema": "schema",
 }
 """The module of each command, in the order of the help."""
 READER_GONE = 128 + 13

@@ -97,7 +97,7 @@ class Club(Described):
     SOURCE_GROUPS: ClassVar = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
 
     name: str = file_key(NAME, "what it is called in tables")
-    kind: str = file_key(Choice(KINDS), ", ".join(KINDS), example='"wood"')
+    kind: str = file_key(Choice(KINDS), "kind of head", example='"wood"')
     hand: int = file_key(Choice(HANDS), "right or left; the numbers stay those of the right-handed club", default=1)
     parameters: str = file_key(Choice(FAMILIES), "published parameter sets to use", default="")
     description: str = file_key(TEXT, "a sentence for lists", default="")

@@ -40,7 +40,6 @@ from clubface.schema import (
     Value,
     check_values,
     count,
-    decode,
     entries,
     file_key,
 )
@@ -310,11 +309,14 @@ def _no_pieces(name: object) -> InputError:
     return InputError("ball", name, f"one that is described by its pieces, for fem: {', '.join(ball_names())}")
 
 
+# The inertia here is that of the pieces; the other keys are of the other models.
+PIECES_FILE = Table(Ball, {name: entries(RigidBall)[name].value for name in ("inertia", "parameters", "sources")})
+"""The kind of file of a ball made of pieces."""
+
+
 def from_document(document: Document) -> Ball:
     """Read the ball a TOML document describes."""
-    # These are of the other models; the inertia here is that of the pieces.
-    others = {name: entries(RigidBall)[name].value for name in ("inertia", "parameters", "sources")}
-    return decode(Ball, document, others=others)
+    return PIECES_FILE.read(document.data, Place(document))
 
 
 def node_masses(mesh: Mapping[str, Any]) -> NDArray[Any]:

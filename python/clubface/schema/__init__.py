@@ -7,6 +7,7 @@ checked; files and templates are written; and pages and editors learn which keys
 from __future__ import annotations
 
 from clubface.schema.document import Document as Document, quoted as quoted
+from clubface.schema.files import FILES as FILES, file_schema as file_schema
 from clubface.schema.place import Place as Place
 from clubface.schema.tables import (
     Entry as Entry,

@@ -20,6 +20,7 @@ from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
 from typing import Any, NamedTuple, TypeVar
 
+from clubface import units
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.values import Quantity, Record, Tables, Value
@@ -189,6 +190,7 @@ class Table(Value):
             words = each.value.words()
             about = {"description": each.meaning + (f" ({words})" if words else "")}
             keys |= {one: {**each.value.json(), **about} for one in (name, *each.multiples)}
+        keys |= {name: each.json() for name, each in self.others.items()}
         required = [name for name, each in known.items() if each.is_required and not each.multiples]
         return {"type": "object", "properties": keys, "required": required, "additionalProperties": False}
 
@@ -294,10 +296,10 @@ def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> lis
     return lines
 
 
-def json_schema(schema: type, title: str = "") -> dict[str, Any]:
+def json_schema(schema: type | Value, title: str) -> dict[str, Any]:
     """Return the JSON Schema of the files of a dataclass, with which editors complete and check them."""
-    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title or schema.__name__}
-    return {**head, "description": (schema.__doc__ or "").split("\n")[0], **Table(schema).json()}
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title}
+    return head | (Table(schema) if isinstance(schema, type) else schema).json()
 
 
 def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str]]:
@@ -307,8 +309,11 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
         entry = each if isinstance(each, Entry) else None
         kind: Value = each.value if isinstance(each, Entry) else each
         words = kind.words().format(name)
-        if entry and not entry.is_required and isinstance(entry.default, int | float | str) and entry.default != "":
-            words += f"; {kind.write(entry.default)} unless given"
+        default: Any = entry.default if entry and not entry.is_required else None
+        if isinstance(default, int | float | str) and default != "":
+            is_number = isinstance(kind, Quantity) and default not in kind.special.values()
+            shown = units.show(default, kind.unit) if is_number else kind.write(default).strip('"')
+            words += f"; `{shown}` unless given"
         names = " or ".join(f"`{prefix}{one}`" for one in (name, *(entry.multiples if entry else ())))
         rows.append((names, words, entry.meaning if entry else ""))
         rows += key_rows(kind, f"{prefix}{name}.")

@@ -371,7 +371,8 @@ class Record(Value):
 
     def words(self) -> str:
         """Return what is in the table."""
-        return f"a table, each {self.values.words()}" if isinstance(self.values, Value) else "a table"
+        words = self.values.words() if isinstance(self.values, Value) else ""
+        return f"a table, each {words}" if words else "a table"
 
     def keys(self) -> Mapping[str, Any]:
         """Return the known keys."""

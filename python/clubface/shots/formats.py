@@ -335,8 +335,8 @@ class MappingFile:
     club: str | None = file_key(TEXT, "heading of the column that names the club", default=None)
     player: str | None = file_key(TEXT, "heading of the column that names the player", default=None)
     hand: str | None = file_key(TEXT, "heading of the column that says right or left", default=None)
-    speed_at: str = file_key(Choice(SPEED_AT), "where speed, attack and path are measured", default=UNKNOWN)
-    face_at: str = file_key(Choice(FACE_AT), "where loft and face angle are measured", default=UNKNOWN)
+    speed_at: str | None = file_key(Choice(SPEED_AT), "where speed, attack and path are measured", default=None)
+    face_at: str | None = file_key(Choice(FACE_AT), "where loft and face angle are measured", default=None)
     columns: Mapping[str, tuple[Field, bool]] = file_key(
         Record(_columns, example="[columns.speed]"), "the columns, by quantity"
     )
@@ -363,8 +363,8 @@ def mapping_of(path: str | os.PathLike[str]) -> Mapped:
         hand=() if file.hand is None else (file.hand,),
         needs_units=True,
         only_own=True,
-        speed_at=file.speed_at,
-        face_at=file.face_at,
+        speed_at=file.speed_at or UNKNOWN,
+        face_at=file.face_at or UNKNOWN,
     )
     return Mapped(layout, file.delimiter, file.decimal)
 

@@ -32,7 +32,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
-from clubface.schema import NAME, TEXT, Choice, Document, Place, Quantity, Record, Simple, Table, count, file_key
+from clubface.schema import NAME, TEXT, Choice, Document, Place, Quantity, Record, Simple, Table, Value, count, file_key
 from clubface.studies.axes import Axis, Swept, axis, inputs_named
 from clubface.studies.designs import (
     DESIGNS,
@@ -176,7 +176,9 @@ class StudyTable:
     kind: str = file_key(Choice(tuple(KINDS)), "what is computed", default="impact")
     design: str = file_key(Choice(tuple(DESIGNS)), "how the tasks are chosen", default=GRID)
     samples: Any = file_key(
-        Simple("a whole number"), "of a Latin hypercube (McKay et al. 1979) or a scrambled Sobol sequence", default=None
+        Simple("a whole number"),
+        "of a Latin hypercube (McKay et al. 1979; a million at most) or a Sobol sequence",
+        default=None,
     )
     seed: int | None = file_key(count(0, MOST_SEED), "of the same", default=None)
     chunk: int | None = file_key(count(1, MOST_ROWS), "tasks of a chunk", default=None)
@@ -199,6 +201,15 @@ class StudyTable:
                 raise InputError(key, getattr(self, key), allowed)
         if self.units and self.design != TABLE:
             raise InputError("units", self.units, f"leave it out of the design {self.design}, which reads no table")
+
+
+def _study_file() -> dict[str, Value]:
+    """Return the keys of the file of a study, the tables of all kinds among them."""
+    tables = {name: Record(kind(name).keys) for name in KINDS}
+    return {"study": Table(StudyTable), **tables, "sweep": Record(Simple("a list, or from, to and count or step"))}
+
+
+STUDY_FILE = Record(_study_file, ("sweep",))
 
 
 def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:

@@ -11,7 +11,7 @@ from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.meshed import MeshedClub, MeshedHead
 from clubface.fem.heads.user_mesh import MeshHead
-from clubface.schema import Choice, Document, Place, Value, decode, entries
+from clubface.schema import Choice, Document, Place, Table, Value, entries
 from clubface.support.files import builtin_names, path_of
 
 Design = DriverHead | IronHead | MeshHead
@@ -22,6 +22,10 @@ OF_A_CLUB = ("hand", "parameters", "characteristic_time", "cor")
 """What a file may say of the head as a rigid club, for the models that take it as one."""
 OTHERS: Mapping[str, Value] = {"kind": Choice(DESIGNS), **{key: entries(Club)[key].value for key in OF_A_CLUB}}
 """Keys of a file that are no part of the design."""
+
+
+DRIVER_FILE, IRON_FILE, MESH_FILE = (Table(each, OTHERS) for each in DESIGNS.values())
+"""The kinds of file that there are."""
 
 
 def head_names() -> tuple[str, ...]:
@@ -92,4 +96,4 @@ def _design(document: Document) -> Design:
     place.check_keys(document.data, document.data, ("kind",))
     with (at := place.key("kind")).errors():
         design = Choice(DESIGNS).read(document.data["kind"], at)
-    return decode(design, document, others=OTHERS)
+    return Table(design, OTHERS).read(document.data, Place(document))

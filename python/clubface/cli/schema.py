@@ -1,0 +1,22 @@
+"""``clubface schema``: what a TOML file may hold, as JSON Schema, with which editors complete and check it."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated
+
+import typer
+
+app = typer.Typer(add_completion=False)
+
+
+@app.command()
+def schema(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="Print the schema of this kind of file.", show_default=False)
+    ] = None,
+) -> None:
+    """List the kinds of TOML files, or print the JSON Schema of one for an editor."""
+    from clubface.schema import FILES, file_schema, json_schema
+
+    print("\n".join(FILES) if name is None else json.dumps(json_schema(file_schema(name), name), indent=2))
