@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from clubface.errors import InputError, UnknownNameError
-from clubface.shots.conditions import chosen
+from clubface.shots.conditions import match_shots
 from clubface.shots.recorded import RecordedShots
 from clubface.units import to_si
 
@@ -61,7 +61,7 @@ def shots():
     ],
 )
 def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, condition, mask, undecided):
-    found = chosen(shots, condition)
+    found = match_shots(shots, condition)
     assert found.mask.tolist() == [bool(each) for each in mask]
     assert found.undecided == undecided
 
@@ -96,21 +96,21 @@ def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, cond
 )
 def test_what_is_no_condition_is_refused_and_never_run(shots, condition, said):
     with pytest.raises(InputError, match=said) as caught:
-        chosen(shots, condition)
+        match_shots(shots, condition)
     assert len(str(caught.value)) < 1500
 
 
 def test_an_unknown_name_is_told_with_those_that_were_measured(shots):
     with pytest.raises(UnknownNameError, match=r"'smahs'.*did you mean smash"):
-        chosen(shots, "smahs > 1.3")
+        match_shots(shots, "smahs > 1.3")
     with pytest.raises(UnknownNameError, match="ball_speed, carry"):
-        chosen(shots, "backspin > 2000 rpm")
+        match_shots(shots, "backspin > 2000 rpm")
     with pytest.raises(InputError, match="must be in m/s"):
-        chosen(shots, "ball_speed_deg > 2")
+        match_shots(shots, "ball_speed_deg > 2")
 
 
 def test_shots_without_clubs_say_so(shots):
     from dataclasses import replace
 
     with pytest.raises(InputError, match="do not say the club"):
-        chosen(replace(shots, clubs=None), "club == '7i'")
+        match_shots(replace(shots, clubs=None), "club == '7i'")

@@ -6,10 +6,10 @@ from math import degrees
 import numpy as np
 import pytest
 
-import clubface
 from clubface.shots import loft_origin
 from clubface.shots.loft_origin import COMPUTED, FROM_MEASUREMENT, UNDECIDED, loft_origins, origin_notes
-from clubface.shots.recorded import joined
+from clubface.shots.recorded import join_sessions
+from clubface.validation import benchmark_data
 from monitor_sessions import USUAL, session
 
 
@@ -51,7 +51,7 @@ def test_measured_lofts_are_not_taken_for_computed_ones(club, step, model):
 
 def test_the_measured_lofts_of_the_benchmark_shots_are_measured():
     for club in ("driver", "7-iron"):
-        assert loft_origins(clubface.validation.benchmark_data.load(club).measured)[0].origin == FROM_MEASUREMENT
+        assert loft_origins(benchmark_data.load(club).measured)[0].origin == FROM_MEASUREMENT
 
 
 def test_whole_degrees_say_nothing_of_few_shots_and_enough_of_many():
@@ -78,7 +78,7 @@ def test_some_misread_shots_do_not_hide_a_computed_loft():
 
 
 def test_clubs_and_files_are_told_apart():
-    mixed = joined([
+    mixed = join_sessions([
         replace(session("driver", 20, ratio=1.137), source="radar.csv"),
         replace(session("driver", 20, seed=2), source="camera.csv"),
         replace(session("7-iron", 20, ratio=0.97, seed=3), source="third.csv"),

@@ -11,7 +11,7 @@ from clubface import shots as launch_monitor
 from clubface.inference.evaluation.evaluation import evaluate
 from clubface.inference.identification.problem import prepared_shots
 from clubface.inference.player_report import player_result
-from clubface.shots.session_summary import summarised
+from clubface.shots.session_summary import summarize_clubs
 
 DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
 # TrackMan and Garmin: headings of public exports (j72jones/stochasticGolf, and the four languages of the Garmin Golf
@@ -111,7 +111,7 @@ def test_a_condition_on_the_player_chooses_his_shots(clubface_, range_session, t
 
 
 def test_the_drives_of_two_players_are_no_club_of_one(clubface_, range_session, tmp_path):
-    first, iron, second = summarised(launch_monitor.read(range_session))
+    first, iron, second = summarize_clubs(launch_monitor.read(range_session))
     assert [(each.player, each.club) for each in (first, iron, second)] == [
         ("Ann", "Driver"), ("Ann", "7 Iron"), ("Ben", "Driver"),
     ]  # fmt: skip

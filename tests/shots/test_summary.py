@@ -7,7 +7,7 @@ import pytest
 
 from clubface import shots as launch_monitor
 from clubface.errors import InputError
-from clubface.shots.session_summary import session_picture, summarised
+from clubface.shots.session_summary import session_picture, summarize_clubs
 
 YD, MPH = 0.9144, 0.44704
 BAG = (
@@ -23,7 +23,7 @@ def bag(write):
 
 
 def test_means_and_spreads_are_those_of_the_measured_values_of_a_club(bag):
-    driver, seven, wedge = summarised(launch_monitor.read(bag))
+    driver, seven, wedge = summarize_clubs(launch_monitor.read(bag))
     assert [each.club for each in (driver, seven, wedge)] == ["Dr", "7i", "PW"]
     assert seven.places.tolist() == [0, 2, 5]
     assert seven.spreads["total_spin"][:2] == (2, pytest.approx(np.pi / 30 * 6200, rel=1e-14))
@@ -35,7 +35,7 @@ def test_means_and_spreads_are_those_of_the_measured_values_of_a_club(bag):
 
 
 def test_gaps_are_differences_of_mean_carries_with_their_errors(bag):
-    driver, seven, wedge = summarised(launch_monitor.read(bag))
+    driver, seven, wedge = summarize_clubs(launch_monitor.read(bag))
     assert driver.gap is not None
     assert driver.gap.length == pytest.approx((245 - 158) * YD, rel=1e-13)
     # Standard errors: 5 sqrt(2) / sqrt(2) = 5 yd of two drives, 2 / sqrt(3) yd of three irons.
@@ -46,9 +46,9 @@ def test_gaps_are_differences_of_mean_carries_with_their_errors(bag):
 
 
 def test_a_session_without_carry_or_clubs_is_summed_up_all_the_same(write):
-    (only,) = summarised(launch_monitor.read(write("ball_speed_mph,launch_deg\n150,12\n148,11\n")))
+    (only,) = summarize_clubs(launch_monitor.read(write("ball_speed_mph,launch_deg\n150,12\n148,11\n")))
     assert (only.club, only.gap, only.spreads["ball_speed"].shots) == ("", None, 2)
-    fast, slow, none = summarised(
+    fast, slow, none = summarize_clubs(
         launch_monitor.read(write("club,ball_speed_mph,launch_deg\n7i,118,18\nDr,150,12\nPutter,,1\n"))
     )
     assert [each.club for each in (fast, slow, none)] == ["Dr", "7i", "Putter"]
@@ -81,12 +81,12 @@ def test_conditions_and_json(clubface_, bag):
 def test_a_picture_needs_carries(write):
     shots = launch_monitor.read(write("ball_speed_mph\n150\n"))
     with pytest.raises(InputError, match="no carry"):
-        session_picture(shots, summarised(shots))
+        session_picture(shots, summarize_clubs(shots))
 
 
 def test_the_picture_shows_each_club_where_it_lands(bag):
     shots = launch_monitor.read(bag)
-    landings, carries = session_picture(shots, summarised(shots)).panels()
+    landings, carries = session_picture(shots, summarize_clubs(shots)).panels()
     points = [mark for mark in landings.marks if mark.kind == "points"]
     assert [len(mark.x) for mark in points] == [2, 3, 1]
     np.testing.assert_allclose(points[1].y, YD * np.array([160, 156, 158]), rtol=1e-14)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from clubface.errors import InputError
-from clubface.shots.recorded import joined
+from clubface.shots.recorded import join_sessions
 from clubface.validation import own_monitor as own
 from monitor_sessions import session
 
@@ -82,7 +82,7 @@ def test_clubs_are_taken_one_by_one_and_what_cannot_be_compared_is_named():
     driver = session("driver", 20)
     drives = replace(driver, deliveries={name: each for name, each in driver.deliveries.items() if name != "high"})
     few = session("pitching-wedge", 3)
-    result = own.own_monitor(joined([drives, session("7-iron", 20, file_club="7i", seed=2), few]))
+    result = own.own_monitor(join_sessions([drives, session("7-iron", 20, file_club="7i", seed=2), few]))
     assert [(each.club, each.head, bool(each.camps)) for each in result.clubs] == [
         ("driver", "driver", False), ("7i", "7-iron", True),
     ]  # fmt: skip

@@ -75,9 +75,9 @@ def read_shots(
     shots = read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
     if not where or texts["where"] is None:
         return shots
-    from clubface.shots.conditions import chosen_shots
+    from clubface.shots.conditions import matching_shots
 
-    return chosen_shots(shots, texts["where"])[0]
+    return matching_shots(shots, texts["where"])[0]
 
 
 def recorded_shots(path: str | list[str], texts: Mapping[str, Any]) -> ReadyShots:

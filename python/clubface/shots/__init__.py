@@ -10,14 +10,45 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from clubface.shots import open_connect as open_connect
-    from clubface.shots.monitors import FORMATS as FORMATS
+    from clubface.shots.conditions import Match as Match, match_shots as match_shots
+    from clubface.shots.formats import Field as Field, Format as Format
+    from clubface.shots.loft_origin import LoftOrigin as LoftOrigin, loft_origins as loft_origins
+    from clubface.shots.measured import (
+        MeasuredShots as MeasuredShots,
+        ReadyShots as ReadyShots,
+        measured_shots as measured_shots,
+        ready_shots as ready_shots,
+    )
+    from clubface.shots.monitors import (
+        FORMATS as FORMATS,
+        format_result as format_result,
+        formats_result as formats_result,
+    )
     from clubface.shots.reading import read as read
+    from clubface.shots.recorded import (
+        RejectedRow as RejectedRow,
+        assume_values as assume_values,
+        join_sessions as join_sessions,
+    )
+    from clubface.shots.recorded_result import recorded_result as recorded_result
     from clubface.shots.reference_points import refer as refer
+    from clubface.shots.session_summary import (
+        ClubSummary as ClubSummary,
+        session_result as session_result,
+        summarize_clubs as summarize_clubs,
+    )
 
 _HOME = {
-    "FORMATS": "monitors",
+    **dict.fromkeys(("Match", "match_shots"), "conditions"),
+    **dict.fromkeys(("Field", "Format"), "formats"),
+    **dict.fromkeys(("LoftOrigin", "loft_origins"), "loft_origin"),
+    **dict.fromkeys(("MeasuredShots", "ReadyShots", "measured_shots", "ready_shots"), "measured"),
+    **dict.fromkeys(("FORMATS", "format_result", "formats_result"), "monitors"),
     "read": "reading",
+    **dict.fromkeys(("RejectedRow", "assume_values", "join_sessions"), "recorded"),
+    "recorded_result": "recorded_result",
     "refer": "reference_points",
+    **dict.fromkeys(("ClubSummary", "session_result", "summarize_clubs"), "session_summary"),
 }
 
 _MODULES = ("open_connect",)

@@ -41,7 +41,7 @@ _COMPARED: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
 _OPPOSITES = (ast.NotEq, ast.NotIn)
 
 
-class Chosen(NamedTuple):
+class Match(NamedTuple):
     """Which shots a condition chooses.
 
     Attributes
@@ -78,7 +78,7 @@ class _Truth(NamedTuple):
     false: Any
 
 
-def chosen(shots: RecordedShots, condition: str) -> Chosen:
+def match_shots(shots: RecordedShots, condition: str) -> Match:
     """Return which shots fulfil a condition.
 
     Parameters
@@ -114,12 +114,12 @@ def chosen(shots: RecordedShots, condition: str) -> Chosen:
     if not isinstance(found, _Truth):
         raise InputError("where", condition, f"a condition that is true or false, {EXAMPLE}")
     true, false = (np.broadcast_to(each, len(shots)) for each in found)
-    return Chosen(true, int((~(true | false)).sum()))
+    return Match(true, int((~(true | false)).sum()))
 
 
-def chosen_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots, NDArray[np.intp]]:
+def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots, NDArray[np.intp]]:
     """Return the shots that fulfil a condition, with a note that counts them, and their places; there must be one."""
-    mask, undecided = chosen(shots, condition)
+    mask, undecided = match_shots(shots, condition)
     lacking = f"{undecided} lack something on which it turns"
     if not mask.any():
         told = f"; {lacking}" if undecided else ""

@@ -24,10 +24,10 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.errors import InputError, Told
 from clubface.shots.club_names import club_kind, may_be, same_club
-from clubface.shots.conditions import chosen_shots
+from clubface.shots.conditions import matching_shots
 from clubface.shots.loft_origin import AT_LAUNCH, LoftOrigin, computed, loft_origins, origin_notes
 from clubface.shots.reading import read
-from clubface.shots.recorded import RecordedShots, RejectedRow, with_assumed
+from clubface.shots.recorded import RecordedShots, RejectedRow, assume_values
 from clubface.shots.reference_points import refer
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.checks import check_choice
@@ -136,14 +136,14 @@ def ready_shots(
     only
         Take only the shots of the club that the file calls so. If left out: all shots, which must then be of one club.
     where
-        Take only the shots that fulfil this condition, see :func:`clubface.shots.conditions.chosen`. It is judged on
+        Take only the shots that fulfil this condition, see :func:`clubface.shots.match_shots`. It is judged on
         what was measured, where it was measured.
     mismatch
         What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
         "note".
     assume
         Values for what was not measured, such as ``{"toe": "0 mm"}``; see
-        :func:`clubface.shots.recorded.with_assumed`.
+        :func:`clubface.shots.recorded.assume_values`.
 
     Raises
     ------
@@ -154,7 +154,7 @@ def ready_shots(
         return given
     recorded = given if isinstance(given, RecordedShots) else read(given)
     origins = loft_origins(recorded)  # of all shots, and before lofts are assumed or referred
-    recorded, places = (recorded, np.arange(len(recorded))) if where is None else chosen_shots(recorded, where)
+    recorded, places = (recorded, np.arange(len(recorded))) if where is None else matching_shots(recorded, where)
     takes_all = club is not None and only is None and mismatch == NOTE
     of_club = np.arange(len(recorded)) if takes_all else of_one_club(recorded, only, club is not None)
     recorded, places = recorded.select(of_club), places[of_club]
@@ -163,7 +163,7 @@ def ready_shots(
         head = head.replace(hand=hand)
     lofts = recorded.deliveries.get("loft", np.empty(0))
     notes = check_club(head, recorded.clubs if only is None else None, lofts[np.isfinite(lofts)], mismatch)
-    found = refer(with_assumed(recorded, assume or {}), head)
+    found = refer(assume_values(recorded, assume or {}), head)
     told = {each.name: getattr(found, each.name) for each in fields(RecordedShots)}
     clubs, files = (None if each is None else set(map(str, each)) for each in (recorded.clubs, recorded.files))
     of_these = (clubs or {""}, files or {""})

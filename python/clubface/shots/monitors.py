@@ -9,13 +9,13 @@ columns of the same quantity must agree.
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 from clubface.results.notes import note
 from clubface.results.result import Result
-from clubface.results.table import table, text
+from clubface.results.table import Table, table, text
 from clubface.shots.formats import CG, FACE, Field, Format, common_names
 from clubface.shots.tables.headings import HAND, plain, shot_words
 from clubface.support.checks import Frozen, check_choice
@@ -71,17 +71,13 @@ TABLE = Format(
 
 
 def formats_result() -> Result:
-    """Return the layouts that are read, by name."""
-    layouts = list(FORMATS.values())
+    """Return the layouts that are read, by name; JSON and files also have their columns."""
     return Result(
         "monitor-formats",
         "Files of launch monitors",
-        tables=(
-            table("formats", text("name", [each.name for each in layouts], label="format"),
-                  text("title", [each.title for each in layouts], label="written by")),
-        ),
+        tables=(_layouts_table(FORMATS.values()), _columns_table(FORMATS.values(), printed=False)),
         hints=(note("monitor-any-other-file"),),
-    )  # fmt: skip
+    )
 
 
 def format_result(name: str) -> Result:
@@ -94,17 +90,32 @@ def format_result(name: str) -> Result:
     """
     check_choice("format", name, FORMATS)
     layout = FORMATS[name]
-    fields = layout.fields.values()
     return Result(
         "monitor-format",
         f"{layout.title}; {layout.source}",
-        tables=(
-            table("columns", text("quantity", list(layout.fields)),
-                  text("headings", [", ".join(each.shown) for each in fields], label="columns"),
-                  text("unit", [each.unit or "as the file says" for each in fields],
-                       label="unit unless named"),
-                  text("positive", [each.positive or "" for each in fields])),
-            table("layout", *(text(each, [getattr(layout, each)]) for each in
-                              ("name", "title", "speed_at", "face_at", "source")), printed=False),
-        ),
+        tables=(_columns_table([layout]), _layouts_table([layout], printed=False)),
+    )
+
+
+def _layouts_table(layouts: Collection[Format], **options: Any) -> Table:
+    labels = {"name": "format", "title": "written by"}
+    return table(
+        "formats",
+        *(text(name, [getattr(each, name) for each in layouts], label=labels.get(name, ""), printed=name in labels)
+          for name in ("name", "title", "speed_at", "face_at", "source")),
+        **options,
     )  # fmt: skip
+
+
+def _columns_table(layouts: Collection[Format], **options: Any) -> Table:
+    rows = [(each.name, quantity, field) for each in layouts for quantity, field in each.fields.items()]
+    fields = [field for _, _, field in rows]
+    return table(
+        "columns",
+        text("format", [name for name, _, _ in rows], printed=False),
+        text("quantity", [quantity for _, quantity, _ in rows]),
+        text("headings", [", ".join(each.shown) for each in fields], label="columns"),
+        text("unit", [each.unit or "as the file says" for each in fields], label="unit unless named"),
+        text("positive", [each.positive or "" for each in fields]),
+        **options,
+    )

@@ -33,7 +33,7 @@ from clubface.shots.monitor_cells import heading
 from clubface.shots.monitor_file import Session, SessionReader
 from clubface.shots.monitors import FORMATS, TABLE
 from clubface.shots.plausibility import without_contradictions, without_impossible, wrong_unit
-from clubface.shots.recorded import SIDES, RecordedShots, RejectedRow, iso_dates, joined
+from clubface.shots.recorded import SIDES, RecordedShots, RejectedRow, iso_dates, join_sessions
 from clubface.shots.signs import suspected_signs
 from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell
 from clubface.shots.tables.chunk import Reject
@@ -165,7 +165,7 @@ def read(
     ----------
     path
         The file: CSV with commas, semicolons, tabs or bars between cells, an Excel workbook, or a table of clubface.
-        Several files are sessions, see :func:`clubface.shots.recorded.joined`.
+        Several files are sessions, see :func:`clubface.shots.recorded.join_sessions`.
     format
         The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
     hand
@@ -207,7 +207,7 @@ def read(
         from clubface.shots.reference_points import refer
 
         sessions = [refer(each, club) for each in sessions]
-    return joined(sessions)
+    return join_sessions(sessions)
 
 
 def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None) -> RecordedShots:

@@ -305,7 +305,7 @@ NAMED = 3
 """Files that the name of their shots lists."""
 
 
-def joined(sessions: Sequence[RecordedShots]) -> RecordedShots:
+def join_sessions(sessions: Sequence[RecordedShots]) -> RecordedShots:
     """Return the shots of several files as one, in the order given, each shot with its file.
 
     A shot that an earlier file has already, with the same club, player, date and values, is left out, and a note counts
@@ -415,7 +415,7 @@ def _joined_texts(every: Sequence[Any], parts: Sequence[RecordedShots]) -> Any:
 Shots = TypeVar("Shots", bound=RecordedShots)
 
 
-def with_assumed(shots: Shots, assume: Mapping[str, Any]) -> Shots:
+def assume_values(shots: Shots, assume: Mapping[str, Any]) -> Shots:
     """Return the shots with stated values where those of a delivery were not measured, and notes that count them.
 
     Parameters

@@ -23,7 +23,7 @@ from clubface.shots.recorded_result import rejected_table
 from clubface.support.arrays import Floats
 from clubface.units import from_si
 
-__all__ = ["ClubSummary", "Gap", "Spread", "session_picture", "session_result", "summarised"]
+__all__ = ["ClubSummary", "Gap", "Spread", "session_picture", "session_result", "summarize_clubs"]
 
 QUANTITIES = (
     "speed", "ball_speed", "smash", "attack", "launch", "azimuth", "total_spin", "spin_axis", "carry", "side", "total",
@@ -94,7 +94,7 @@ class ClubSummary:
         return f"{self.player}'s {club}" if self.player else club
 
 
-def summarised(shots: RecordedShots) -> list[ClubSummary]:
+def summarize_clubs(shots: RecordedShots) -> list[ClubSummary]:
     """Return a summary of each club, the longest first; names of the same club, as 7i and 7 Iron, are taken together.
 
     The clubs of several players are summed up player by player, as these appear in the file. Values that were not
@@ -142,7 +142,7 @@ def _gap(longer: Spread | None, shorter: Spread | None) -> Gap | None:
 
 def session_result(shots: RecordedShots) -> Result:
     """Return counts, means, spreads and gaps of each club, with the picture of where its shots land."""
-    clubs = summarised(shots)
+    clubs = summarize_clubs(shots)
     return Result(
         "session-summary",
         f"{shots.source} ({shots.format})",
