@@ -1,0 +1,67 @@
+"""Names that no engineer would look for: each with the reason, and what to write in its place.
+
+``python scripts/check_words.py`` reads the names of the package (functions, parameters, variables, attributes) and
+prints those of the list; the exit status is 1 if there are any.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1] / "python" / "clubface"
+
+WORDS = {
+    "told": "a participle says nothing of what it holds: write describe_..., words, message",
+    "found": "everything that is computed was found: write what it is, or result",
+    "said": "write note, message or sentence",
+    "say": "write print_note",
+    "aside": "write offset, sideways or rejects",
+    "beside": "a preposition is no name: write sibling, other or compare_with",
+    "hit": "it is no noun for a set-up: write setup",
+}
+"""Names of functions, parameters and variables, alone or with an underscore before them."""
+PARAMETERS = {
+    "of": "a preposition is no parameter: write the noun it stands for",
+    "which": "a pronoun is no parameter: write the noun it stands for",
+    "with_": "a preposition is no parameter: write equipment",
+}
+"""Names of parameters."""
+
+
+def names_of(tree: ast.AST) -> Iterator[tuple[int, str, bool]]:
+    """Yield line and name of everything that a module names, and whether it is a parameter."""
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            yield node.lineno, node.name, False
+        elif isinstance(node, ast.arg):
+            yield node.lineno, node.arg, True
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.lineno, node.id, False
+
+
+def findings(text: str) -> list[tuple[int, str, str]]:
+    """Return line, name and reason of every name of a module that is on the list."""
+    listed = []
+    for line, name, is_parameter in names_of(ast.parse(text)):
+        plain = name.strip("_").lower()
+        reason = WORDS.get(plain) or (PARAMETERS.get(name) if is_parameter else None)
+        if reason:
+            listed.append((line, name, reason))
+    return sorted(listed)
+
+
+def main() -> int:
+    """Print what is on the list; return the exit status."""
+    count = 0
+    for path in sorted(ROOT.rglob("*.py")):
+        for line, name, reason in findings(path.read_text()):
+            print(f"{path.relative_to(ROOT.parents[1])}:{line}: {name}: {reason}")
+            count += 1
+    return 1 if count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,65 @@
+"""The catalogue has a sentence for every note that the package attaches, and none that nobody uses."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+import clubface
+from clubface.results.catalogue import SENTENCES
+from clubface.results.notes import placeholders
+
+ROOT = Path(clubface.__file__).parent
+
+
+def notes_attached():
+    """Every call of ``note`` with a literal code: file, line, code, names of its data, and whether it takes more."""
+    for path in sorted(ROOT.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "note"):
+                continue
+            first = node.args[0] if node.args else None
+            codes = [first.value] if isinstance(first, ast.Constant) else []
+            if isinstance(first, ast.IfExp):
+                codes = [each.value for each in (first.body, first.orelse) if isinstance(each, ast.Constant)]
+            names = {each.arg for each in node.keywords}
+            for code in codes:
+                yield f"{path.relative_to(ROOT)}:{node.lineno}", code, names - {None}, None in names
+
+
+ATTACHED = list(notes_attached())
+
+
+def test_notes_are_found():
+    assert len(ATTACHED) > 20
+
+
+def test_every_note_has_its_sentence_and_gives_it_all_it_needs():
+    for place, code, names, takes_more in ATTACHED:
+        assert code in SENTENCES, f"{place}: the catalogue has no sentence for {code}"
+        missing = placeholders(code) - names
+        assert takes_more or not missing, f"{place}: the sentence of {code} needs {missing}"
+
+
+def composed_codes():
+    """Patterns of the codes that are put together, such as ``note(f"dispersion-{name}-cause")``."""
+    for path in ROOT.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.JoinedStr) and any(isinstance(each, ast.FormattedValue) for each in node.values):
+                parts = [each.value if isinstance(each, ast.Constant) else None for each in node.values]
+                if re.fullmatch(r"[a-z0-9-]+", "".join(filter(None, parts)) or " "):
+                    yield "".join("[a-z0-9-]+" if each is None else re.escape(each) for each in parts)
+
+
+def test_no_sentence_is_left_over():
+    text = "\n".join(path.read_text() for path in ROOT.rglob("*.py") if "catalogue" not in path.parts)
+    patterns = [re.compile(each) for each in composed_codes()]
+    left = [code for code in SENTENCES if code != "text" and f'"{code}"' not in text]
+    assert [code for code in left if not any(each.fullmatch(code) for each in patterns)] == []
+
+
+@pytest.mark.parametrize("code", SENTENCES)
+def test_a_code_is_a_name_in_small_letters(code):
+    assert code == code.lower()
+    assert code.replace("-", "").isalnum()
