@@ -6,6 +6,7 @@ No page repeats by hand what the registry states or the models compute, and a mo
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import ClassVar
@@ -24,7 +25,8 @@ from clubface.present.terminal import headings_and_rows
 from clubface.results.table import Table
 from clubface.schema import file_schema, key_rows
 from clubface.shots.measured import QUANTITIES
-from clubface.validation import benchmark_data, tour, tour as tour_averages, tour_tables
+from clubface.validation import benchmark_data, tour, tour as tour_averages
+from clubface.validation.tour_result import mean_table
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:
@@ -135,18 +137,15 @@ class Quantities(CoreTable):
 class TourComparison(CoreTable):
     """``{tour-comparison} pga-2019 spin``: published value and model less published; computed by the build.
 
-    In place of a quantity, ``lofts`` and ``ratios`` show the dynamic lofts and I w / (m R v_t).
+    In place of a quantity, ``lofts`` shows dynamic lofts, ``published_ratios`` and ``own_ratios`` I w / (m R v_t).
     """
 
     required_arguments = 2
 
     def table(self) -> list[str]:
-        """One row a club; under a quantity the mean absolute errors."""
-        result, what = compared(self.arguments[0]), self.arguments[1]
-        tables = {"lofts": tour_tables.lofts, "ratios": tour_tables.ratios}
-        if what in tables:
-            return markdown_table(*tables[what](result))
-        return markdown_table(*tour_tables.comparison(result, what, signed=True))
+        """One row a club."""
+        result, name = compared(self.arguments[0]).to_result(), self.arguments[1]
+        return result_table(result.table(name))
 
 
 class TourSummary(CoreTable):
@@ -154,7 +153,9 @@ class TourSummary(CoreTable):
 
     def table(self) -> list[str]:
         """One row a model."""
-        return markdown_table(*tour_tables.summary(compared(name) for name in tour_averages.TABLES))
+        means = mean_table([compared(name) for name in tour_averages.TABLES])
+        every = [row for row, name in enumerate(means["averages"].values) if name == "all"]
+        return result_table(replace(means, columns=means.columns[1:], shown_rows=every))
 
 
 class BenchmarkMeans(CoreTable):

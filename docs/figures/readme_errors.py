@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from clubface.present.terminal import headings_and_rows
 from clubface.validation import tour
-from clubface.validation.tour_tables import summary
+from clubface.validation.tour_result import mean_table
 
 README = Path(__file__).parents[2] / "README.md"
 ROWS = re.compile(
@@ -16,7 +17,8 @@ ROWS = re.compile(
 
 def main() -> None:
     """Compute all tables and rewrite the rows."""
-    _, rows = summary([tour.tour(table=name) for name in tour.TABLES])
+    _, rows = headings_and_rows(mean_table([tour.tour(table=name) for name in tour.TABLES]))
+    rows = [row[1:] for row in rows if row[0] == "all"]
     lines = ["| --- | --- | --- | --- | --- |", *(f"| {' | '.join(row)} |" for row in rows)]
     text, found = ROWS.subn("\n".join(lines) + "\n", README.read_text(encoding="utf-8"))
     if not found:

@@ -10,8 +10,10 @@ pytest.importorskip("matplotlib")
 
 from clubface import plots
 from clubface.inference.identification.picture import identification_figure
+from clubface.present.drawing import draw
 from clubface.simulation.flight import trajectory
-from clubface.validation import pictures, tour
+from clubface.validation import tour
+from clubface.validation.tour_result import error_picture, launch_picture
 from synthetic_shots import recorded
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}
@@ -136,7 +138,7 @@ def test_finite_elements_look_like_no_other_model():
 
 
 def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
-    figure = pictures.error_figure(averages)
+    figure = draw(error_picture(averages))
     spin = figure.axes[4]
     drawn = sorted(value for line in spin.lines if line.get_marker() not in ("None", "") for value in line.get_ydata())
     expected = [error for name in averages.models for error in averages.errors(name)["spin"] * 30.0 / np.pi]
@@ -145,26 +147,25 @@ def test_errors_of_every_model_and_club_are_drawn_with_their_sign(averages):
 
 
 def test_launches_stand_beside_what_was_published(averages):
-    figure = pictures.launch_figure(averages)
+    figure = draw(launch_picture(averages))
     published = figure.axes[0].lines[0]
     assert published.get_ydata()[0] == pytest.approx(167.0, rel=1e-12)
     assert_nothing_overlaps(figure)
 
 
 def test_lofts_are_drawn_from_the_launch_angle_up(averages):
-    lofts = pictures.launch_figure(averages).axes[3]
+    possible, *solved, published = launch_picture(averages).rows[1][1].marks
     low, high = averages.possible_lofts
-    assert [bar.get_y() for bar in lofts.patches] == pytest.approx(np.degrees(low - averages.published["launch"]))
-    assert [bar.get_height() for bar in lofts.patches] == pytest.approx(np.degrees(high - low))
-    *solved, published = (line.get_ydata() for line in lofts.lines)
     launch = averages.published["launch"]
+    assert possible.y0 == pytest.approx(low - launch)
+    assert possible.y1 == pytest.approx(high - launch)
     for name, drawn in zip(averages.models, solved, strict=True):
-        assert drawn == pytest.approx(np.degrees(averages.solved_lofts[name] - launch))
-    assert published == pytest.approx([12.8 - 10.9, 20.2 - 14.1])
+        assert drawn.y == pytest.approx(averages.solved_lofts[name] - launch)
+    assert np.degrees(published.y) == pytest.approx([12.8 - 10.9, 20.2 - 14.1])
 
 
 def test_without_a_published_loft_there_is_no_row_of_launch_angles():
-    assert len(pictures.error_figure(tour.tour(["standard"])).axes) == 6
+    assert len(draw(error_picture(tour.tour(["standard"]))).axes) == 6
 
 
 def test_each_identified_parameter_has_its_interval_samples_and_profile(identified):

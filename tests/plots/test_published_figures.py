@@ -21,8 +21,8 @@ from clubface.inference.evaluation.result import error_picture
 from clubface.present.drawing import draw
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import tour, validate
-from clubface.validation.pictures import launch_figure
 from clubface.validation.tour import TABLES, published_lofts
+from clubface.validation.tour_result import launch_picture
 from clubface.validation.validation_result import validation_picture
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -94,25 +94,25 @@ def test_tour_averages_are_drawn_as_they_were_published(table):
     result = tour.tour(["standard"], table=table)
     rows = published_data.table(table)
     chosen = [list(rows["club"]).index(club) for club in result.clubs]
-    figure = launch_figure(result)
+    figure = draw(launch_picture(result))
     for axes, (name, unit) in zip(figure.axes, (("ball_speed", "mph"), ("spin", "rpm"), ("carry", "yd")), strict=False):
         assert unit in axes.get_ylabel()
-        (line,) = [line for line in axes.lines if line.get_color() == "0.55"]
+        line = axes.lines[0]  # the line of what is published
         assert line.get_ydata() == pytest.approx(rows.get(name, unit)[chosen])
     lofts = published_lofts(table)
     known = [club for club in result.clubs if club in lofts]
-    marks = [line for line in figure.axes[3].lines if line.get_marker() == "_"]
+    marks = [mark for mark in launch_picture(result).rows[1][1].marks if mark.label == "published loft"]
     launch = dict(zip(rows["club"], rows["launch"], strict=True))
-    drawn = [value for mark in marks for value in mark.get_ydata()]
-    assert drawn == pytest.approx([np.degrees(lofts[club] - launch[club]) for club in known])
+    drawn = [value for mark in marks for value in mark.y]
+    assert drawn == pytest.approx([lofts[club] - launch[club] for club in known])
 
 
 def test_the_pga_averages_of_2023_are_those_of_the_chart():
     # Typed again from TrackMan's table: driver, 6-iron and pitching wedge, in mph, rpm and yards.
-    figure = launch_figure(tour.tour(["standard"], table="pga-2023"))
+    figure = draw(launch_picture(tour.tour(["standard"], table="pga-2023")))
     clubs = [label.get_text() for label in figure.axes[2].get_xticklabels()]
     for index, expected in enumerate(([171, 130, 104], [2545, 6204, 9316], [282, 188, 142])):
-        (line,) = [line for line in figure.axes[index].lines if line.get_color() == "0.55"]
+        line = figure.axes[index].lines[0]
         drawn = dict(zip(clubs, line.get_ydata(), strict=True))
         assert [drawn[club] for club in ("driver", "6-iron", "pitching-wedge")] == pytest.approx(expected)
 

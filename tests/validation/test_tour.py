@@ -1,9 +1,6 @@
 """The comparison with the published tour averages."""
 
-import csv
 import dataclasses
-import io
-import json
 import math
 
 import numpy as np
@@ -14,14 +11,24 @@ from clubface import units
 from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
+from clubface.present.folder import write_folder
 from clubface.simulation import launch_conditioned
-from clubface.validation import tour, tour as job, tour_report, tour_tables
+from clubface.validation import tour, tour as job
 from clubface.validation.tour import averages, loft_of_ratio, spin_ratio, spin_ratio_of
+from clubface.validation.tour_result import first_model, mean_table
 
 
 @pytest.fixture(scope="module")
 def result() -> job.Tour:
     return job.tour(["standard", "volumetric"], table="pga-2019")
+
+
+def notes(tour):
+    return {each.code: each.data for each in tour.to_result().notes}
+
+
+def by_club(table):
+    return {each["club"]: each for each in table.records()}
 
 
 def test_the_published_averages_are_read_with_their_units():
@@ -49,7 +56,7 @@ def test_every_table_has_its_own_rows_and_source(table, row):
     assert [float(units.from_si(getattr(found, name), unit)) for name, unit in parts] == pytest.approx(row[1:])
     result = job.tour(["standard"], table=table)
     assert result.table is clubface.published_data.table(table)
-    assert result.table.source in tour_tables.notes(result)[0]
+    assert notes(result)["published-table"]["source"] == result.table.source
 
 
 def test_a_table_that_is_not_there_is_an_error_that_names_the_nearest():
@@ -57,11 +64,11 @@ def test_a_table_that_is_not_there_is_an_error_that_names_the_nearest():
         job.tour(["standard"], table="pga-2018")
 
 
-def test_a_club_without_a_head_is_left_out_and_told():
+def test_a_club_without_a_head_is_left_out_and_noted():
     result = job.tour(["standard"], table="lpga-2019")
     assert result.left_out == ["7-wood"]
     assert "7-wood" not in result.clubs
-    assert any("no head for it: 7-wood" in note for note in tour_tables.notes(result))
+    assert notes(result)["tour-left-out"]["clubs"] == ["7-wood"]
 
 
 def test_every_built_in_club_has_its_row():
@@ -113,18 +120,18 @@ def test_the_finite_elements_get_a_loft_of_their_own_too():
     assert shot.launch == pytest.approx(iron.launch, abs=2 * launch_conditioned.COARSE_RESOLUTION)
 
 
-def test_progress_tells_of_every_club():
-    told = []
-    job.tour(["standard", "slip"], progress=lambda done, every: told.append((done, every)))
-    assert told == [(done, 24) for done in range(1, 25)]
+def test_progress_counts_every_club():
+    calls = []
+    job.tour(["standard", "slip"], progress=lambda done, every: calls.append((done, every)))
+    assert calls == [(done, 24) for done in range(1, 25)]
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
-def test_another_ball_is_hit_by_every_club_and_told(result):
+def test_another_ball_is_hit_by_every_club_and_noted(result):
     light = dataclasses.replace(clubface.Ball.builtin("published"), name="light", mass="44 g")
     other = job.tour(["standard"], table="pga-2019", ball=light)
-    assert "Ball: light." in tour_tables.notes(other)
-    assert not any(note.startswith("Ball:") for note in tour_tables.notes(result))
+    assert notes(other)["tour-ball"]["balls"] == ["light"]
+    assert "tour-ball" not in notes(result)
     # Momentum: 1 + m/M with a mass 4.1% less, for heads of 200 to 300 g some 0.6 to 0.8% at the same loft.
     change = other.values["standard"]["ball_speed"] / result.values["standard"]["ball_speed"] - 1.0
     assert ((change > 0.004) & (change < 0.01))[result.loft_is_published].all()
@@ -235,24 +242,20 @@ def test_an_unknown_model_is_an_error_that_names_the_nearest():
 
 
 def test_a_launch_angle_from_which_the_loft_was_solved_is_no_prediction_and_has_no_part_in_the_mean(result):
-    _, rows = tour_tables.comparison(result, "launch", signed=True)
-    by_club = {row[0]: row[2:] for row in rows}
-    assert by_club["5-iron"] == [tour_tables.FITTED] * 2
-    assert all(cell.startswith("+") for cell in by_club["6-iron"])
+    rows = by_club(result.to_result().table("launch"))
+    assert rows["5-iron"]["standard_deg"] is rows["5-iron"]["volumetric_deg"] is None
+    assert rows["6-iron"]["standard_deg"] > 0.0
     predicted = np.abs(result.errors("standard")["launch"][[0, result.clubs.index("6-iron")]])
-    assert by_club[tour_tables.MEAN][0] == f"{np.degrees(predicted.mean()):.1f}"
     assert result.mean_absolute_error("standard")["launch"] == pytest.approx(predicted.mean(), rel=1e-14)
 
 
 def test_without_any_published_loft_no_launch_angle_is_compared():
     newer = job.tour(["standard"])
     assert math.isnan(newer.mean_absolute_error("standard")["launch"])
-    assert json.loads(tour_tables.as_json(newer))["mean_absolute_error"]["standard"]["launch_deg"] is None
-    assert "launch" not in tour_tables.compared(newer)
-    assert "Launch angle" not in tour_tables.as_markdown(newer)
-    assert any(
-        "belongs to these averages (only to pga-2019 and lpga-2019)" in each for each in tour_tables.notes(newer)
-    )
+    found = newer.to_result()
+    assert found.table("mean_absolute_error").records()[0]["launch_deg"] is None
+    assert "launch" not in [each.name for each in found.tables]
+    assert notes(newer)["tour-lofts-solved"]["others"] == ["pga-2019", "lpga-2019"]
 
 
 def test_the_mean_over_several_tables_is_that_of_all_their_rows(result):
@@ -261,73 +264,41 @@ def test_the_mean_over_several_tables_is_that_of_all_their_rows(result):
     assert len(spins) == 22
     found = job.mean_absolute_error([result, other], "standard")["spin"]
     assert found == pytest.approx(np.abs(spins).mean(), rel=1e-14)
-    heads, rows = tour_tables.summary([result, other])
-    assert rows[0][heads.index("spin (rpm)")] == f"{units.from_si(found, 'rpm'):.0f}"
+    (row,) = [
+        each for each in mean_table([result, other]).records()
+        if (each["averages"], each["model"]) == ("all", "standard")
+    ]  # fmt: skip
+    assert row["spin_rpm"] == pytest.approx(units.from_si(found, "rpm"), rel=1e-12)
 
 
 def test_the_lofts_of_the_models_stand_beside_the_published_ones(result):
-    heads, rows = tour_tables.lofts(result)
-    iron = dict(zip(heads, next(row for row in rows if row[0] == "6-iron"), strict=True))
-    assert iron == {"club": "6-iron", "published": "20.2", "possible": "19.6–20.6", "standard": "17.9",
-                    "volumetric": iron["volumetric"]}  # fmt: skip
-    assert float(iron["volumetric"]) < 18.0
-    assert next(row for row in rows if row[0] == "7-iron")[1] == ""
+    rows = by_club(result.to_result().table("lofts"))
+    iron = [rows["6-iron"][f"{name}_deg"] for name in ("published_loft", "least_loft", "most_loft", "standard")]
+    assert iron == pytest.approx([20.2, 19.6, 20.6, 17.9], abs=0.05)
+    assert rows["6-iron"]["volumetric_deg"] < 18.0
+    assert rows["7-iron"]["published_loft_deg"] is None
 
 
-def test_the_answer_of_the_default_model_stands_before_the_comparison(result):
+def test_people_see_the_launches_of_the_default_model_and_files_those_of_all(result):
     both = job.tour(["slip", DEFAULT_MODEL], table="pga-2019")
-    assert (tour_tables.first_model(both), tour_tables.first_model(result)) == (DEFAULT_MODEL, "standard")
-    heads, rows = tour_tables.answer(both)
-    iron = next(row for row in rows if row[0] == "6-iron")
-    place = both.clubs.index("6-iron")
-    assert iron[heads.index("dynamic\nloft\ndeg")] == "20.2"
-    spin = heads.index("spin\nrpm")
-    assert float(iron[spin]) == round(units.from_si(both.values[DEFAULT_MODEL]["spin"][place], "rpm"))
-    assert iron[spin + 1] == "6231"  # TrackMan (2019)
-    mean = units.from_si(both.mean_absolute_error(DEFAULT_MODEL)["spin"], "rpm")
-    assert float(rows[-1][spin]) == round(mean)
-    assert {len(row) for row in rows} == {len(heads)}
-    text = tour_tables.as_markdown(both)
-    assert text.index(f"## By {DEFAULT_MODEL}") < text.index("model less published")
-
-
-def test_signed_errors_in_tables_have_their_sign_and_no_negative_zero():
-    assert tour_tables._signed(0.04, 1) == "0.0"
-    assert tour_tables._signed(-0.04, 1) == "0.0"
-    assert tour_tables._signed(-0.06, 1) == "-0.1"
-    assert tour_tables._signed(12.3, 0) == "+12"
-
-
-def test_csv_and_json_hold_the_same_records(result):
-    rows = list(csv.DictReader(io.StringIO(tour_tables.as_csv(result))))
-    document = json.loads(tour_tables.as_json(result))
-    assert len(rows) == len(TOUR_CLUBS) * 2 == len(document["rows"])
-    for row, record in zip(rows, document["rows"], strict=True):
-        assert row["club"] == record["club"]
-        assert float(row["spin_error_rpm"]) == record["spin_error_rpm"]
-        difference = record["spin_rpm"] - record["published_spin_rpm"]
-        # Each number is rounded to 1e-6.
-        assert record["spin_error_rpm"] == pytest.approx(difference, abs=2e-6)
-        assert float(row["published_spin_ratio"]) == record["published_spin_ratio"]
-    assert set(document["mean_absolute_error"]) == {"standard", "volumetric"}
-    sources = {(each["club"], each["model"]): each["loft_source"] for each in document["rows"]}
-    assert sources["6-iron", "volumetric"] == "published"
-    assert sources["7-iron", "volumetric"] == "solved with volumetric"
-
-
-def test_the_markdown_says_where_lofts_come_from_and_has_a_table_a_quantity(result):
-    text = tour_tables.as_markdown(result)
-    assert "published for driver and 6-iron only, and used by every model. Elsewhere each model has the loft" in text
-    assert text.count("model less published") == len(job.QUANTITIES)
-    assert "## I w / (m R v_t) of the published launch" in text
-    widths = {line.count("|") for line in text.split("## Spin (rpm)")[1].split("##")[0].splitlines() if line}
-    assert len(widths) == 1
+    assert (first_model(both), first_model(result)) == (DEFAULT_MODEL, "standard")
+    clubs = both.to_result().table("clubs")
+    assert {clubs.records()[row]["model"] for row in clubs.shown_rows} == {DEFAULT_MODEL}
+    (iron,) = [each for each in clubs.records() if (each["club"], each["model"]) == ("6-iron", DEFAULT_MODEL)]
+    spin = units.from_si(both.values[DEFAULT_MODEL]["spin"][both.clubs.index("6-iron")], "rpm")
+    assert (iron["loft_deg"], iron["spin_rpm"]) == pytest.approx((20.2, spin))
+    assert iron["published_spin_rpm"] == pytest.approx(6231)  # TrackMan (2019)
+    assert iron["spin_error_rpm"] == pytest.approx(spin - 6231)
+    sources = {(each["club"], each["model"]): each["loft_source"] for each in clubs.records()}
+    assert sources["6-iron", "slip"] == "published"
+    assert sources["7-iron", "slip"] == "solved with slip"
 
 
 def test_tables_and_pictures_are_written(result, tmp_path):
     pytest.importorskip("matplotlib")
-    files = tour_report.write(result, tmp_path / "new" / "out")
-    assert [each.name for each in files] == [
-        "tour.csv", "tour.md", "tour.json", "tour-launch.png", "tour-launch.svg", "tour-errors.png", "tour-errors.svg",
-    ]  # fmt: skip
-    assert all(each.stat().st_size > 1000 for each in files)
+    files = write_folder(result.to_result(), tmp_path / "new" / "out")
+    pictures = [f"tour-{name}.{ending}" for name in ("launch", "errors") for ending in ("png", "svg")]
+    errors = [f"{name}.csv" for name in ("ball-speed", "launch", "spin", "carry", "mean-absolute-error")]
+    tables = ["tour.csv", "lofts.csv", "published-ratios.csv", "own-ratios.csv", *errors]
+    assert [each.name for each in files] == [*tables, "tour.md", "tour.json", *pictures]
+    assert all(each.stat().st_size > 200 for each in files)

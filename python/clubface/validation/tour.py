@@ -1,14 +1,8 @@
-"""What every model makes of the published averages of the tours.
-
-What every model makes of the published averages of the tours.
+"""The published averages of the tours, club by club, and what every model makes of them.
 
 Each club is delivered at its published speed and attack angle. Where its dynamic loft is published, every model uses
 that. For every other club each model gets the loft with which it launches the ball at the published angle: its launch
 angle is then no prediction, but ball speed, spin and carry are, and the loft carries no other model's errors.
-
-The published averages of the tours, club by club.
-
-The dynamic loft with which a model launches a ball at a published angle.
 
 The spin of a ball beside its speed along the face: I w / (m R v_t), angular over linear momentum and radius.
 
@@ -41,6 +35,7 @@ from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.equipment.models import model, models
 from clubface.errors import InputError, RangeWarning
 from clubface.published_data import PublishedTable
+from clubface.results.result import Described, Result
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact, warn_if_outside
 from clubface.simulation.launch import Launch
@@ -48,6 +43,7 @@ from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.spin import rolling_speed
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, without_warnings
+from clubface.validation.tour_result import tour_result
 
 TABLES = {"pga-2023": None, "pga-2019": "PGA Tour", "lpga-2019": "LPGA Tour"}
 """The published tables that models are compared with, each with the group whose published dynamic lofts belong to it.
@@ -150,12 +146,12 @@ def spin_ratio_of(found: Launch, loft: float) -> float:
     return float(rolling_speed(found.ball, found.total_spin) / np.linalg.norm(along))
 
 
-QUANTITIES = {"ball_speed": "mph", "launch": "deg", "spin": "rpm", "carry": "yd"}
-"""What is compared, and the unit it is read in. Spin is the total spin, as launch monitors report it."""
+QUANTITIES = ("ball_speed", "launch", "spin", "carry")
+"""What is compared. Spin is the total spin, as launch monitors report it."""
 
 
 @dataclass(frozen=True)
-class Tour:
+class Tour(Described):
     """Published averages and models, SI; every array holds one value a club.
 
     Attributes
@@ -202,15 +198,14 @@ class Tour:
         """The models, in the order asked for."""
         return list(self.values)
 
-    @property
-    def units(self) -> dict[str, str]:
-        """The quantities compared and the unit each is read in."""
-        return QUANTITIES
-
     @cached_property
     def published(self) -> dict[str, Floats]:
         """The published value of each quantity."""
         return {name: np.array([getattr(each, name) for each in self.averages]) for name in QUANTITIES}
+
+    def to_result(self) -> Result:
+        """Return it as a result."""
+        return tour_result([self])
 
     def is_fitted(self, quantity: str) -> NDArray[np.bool_]:
         """Return for which clubs a quantity is no prediction: the launch angle from which the loft was solved."""
@@ -245,9 +240,9 @@ class Tour:
         low, high = (self._over_launches(loft_of_ratio, balls, limit) for limit in (RIGID, FLATTENED))
         return low, high
 
-    def _over_launches(self, of: Callable[..., object], balls: Iterable[Ball], last: object) -> Floats:
+    def _over_launches(self, compute: Callable[..., object], balls: Iterable[Ball], last: object) -> Floats:
         rows = zip(balls, self.averages, np.broadcast_to(np.asarray(last), len(self.averages)).tolist(), strict=True)
-        return np.array([of(ball, each.ball_speed, each.launch, each.spin, value) for ball, each, value in rows])
+        return np.array([compute(ball, each.ball_speed, each.launch, each.spin, value) for ball, each, value in rows])
 
 
 def mean_absolute_error(results: Iterable[Tour], model_name: str) -> dict[str, float]:

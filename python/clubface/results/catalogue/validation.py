@@ -28,6 +28,33 @@ SENTENCES = {
     ),
     "own-monitor-strike": "drives are taken to be struck {high:0} above the face centre",
     "published-table": "{title}: {source}.",
+    "tour-ball": "Ball: {balls}.",
+    "tour-heads": (
+        "Only driver and 7-iron are measured heads (not those of the tour); the other clubs are a plausible parametric "
+        "set. Models with published parameters use those of driver or 7-iron for them."
+    ),
+    "tour-in-doubt": "{averages} is in doubt: {caveat}",
+    "tour-left-out": "{averages}: left out, as there is no head for it: {clubs}.",
+    "tour-lofts-published": (
+        "{averages}: dynamic loft is published for {clubs:and} only, and used by every model. Elsewhere each model has "
+        "the loft with which it launches the ball at the published angle, so that its launch angle is no prediction "
+        "there and has no error."
+    ),
+    "tour-lofts-solved": (
+        "{averages}: no dynamic loft is published that belongs to these averages (only to {others:and}): each model "
+        "has the loft with which it launches the ball at the published angle, so that its launch angle is no "
+        "prediction."
+    ),
+    "tour-ratio": (
+        "I w / (m R v_t) is {rigid:.0f} for a ball that stays round and {flattened:.2f} to 0.95 for one that is "
+        "flattened; over the face of first touch, which turns with its head, it is larger. The possible lofts are "
+        "those with which the published launch has {rigid:.0f} to {flattened:.2f}. With a loft further outside than "
+        "the head turns, half a degree for woods and one for irons, its figures cannot belong to one shot."
+    ),
+    "tour-strike": (
+        "Impact at the face centre, path and face square. Carries of the models are flights of their own launches; "
+        "'flight only' is the flight from the published launch."
+    ),
     "validation-verdict": (
         "{model}: in {met} of {quantities} measured quantities the mean error is within the tolerance, in {every} "
         "every error is."
