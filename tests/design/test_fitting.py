@@ -120,7 +120,7 @@ def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monke
 
 
 def test_a_fitting_of_other_parts_does_not_go_on_with_these(tmp_path, monkeypatch):
-    monkeypatch.setattr(fitting_run, "table", lambda *_: 1 / 0)
+    monkeypatch.setattr(fitting_run, "combinations_table", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         fit(from_text(TWO), output=tmp_path / "parts.csv")
     with pytest.raises(FileError, match="another study"):

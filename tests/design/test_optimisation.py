@@ -8,7 +8,7 @@ import pytest
 from clubface import club
 from clubface.design import feasibility
 from clubface.design.golfer import golfer
-from clubface.design.optimisation import landings, result, solve
+from clubface.design.optimisation import landings, solve
 from clubface.design.optimisation.landings import Landings, Setting
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import from_text
@@ -322,8 +322,9 @@ def test_two_golfers_are_weighted():
 
 def test_notes_tell_of_a_lie_that_no_file_has_and_of_a_head_without_point_masses(monkeypatch):
     _, found = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=64)
-    assert any("a club file has none" in each for each in result.notes(found))
+    codes = {each.code for each in found.to_result().notes}
+    assert "optimum-lie" in codes
     assert found.placed()
-    assert not any("No point masses" in each for each in result.notes(found))
+    assert "optimum-not-placed" not in codes
     monkeypatch.setattr(type(found), "placed", lambda _: [])
-    assert any("No point masses" in each for each in result.notes(found))
+    assert "optimum-not-placed" in {each.code for each in found.to_result().notes}

@@ -1,13 +1,11 @@
 """Point masses that are printed for a designer have the moments of the head, and lie in it."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from clubface import club
 from clubface.design.feasibility import Envelope, Volume, of_club, pseudo_inertia, room_inside
-from clubface.design.optimisation.result import placement_table
+from clubface.design.optimisation.optimum_result import placement_table
 from clubface.design.optimisation.study import Head
 from clubface.design.optimisation.variables import NEAR, PointMass, placement
 from clubface.errors import InputError
@@ -69,8 +67,10 @@ def test_point_masses_side_by_side_are_one_row_with_the_mass_of_all():
     beside = (-0.1, 0.03 - 1e-4, 1e-5)
     far = (-0.1, -0.03, 0.0)
     masses = [PointMass(0.006, at), PointMass(0.005, far), PointMass(0.004, beside), PointMass(1e-8, (0.0, 0.0, 0.0))]
-    _, rows = placement_table(SimpleNamespace(placed=lambda: masses))  # type: ignore[arg-type]
-    assert rows == [["1", "10.0", "-100.0", "30.0", "0.0"], ["2", "5.0", "-100.0", "-30.0", "0.0"]]
+    table = placement_table(masses)
+    assert list(table.shown_rows) == [0, 1]
+    assert table["mass"].values == pytest.approx([0.010, 0.005, 1e-8])
+    assert [table[name].values[0] for name in "xyz"] == pytest.approx(at)
 
 
 def test_the_room_in_a_ball_is_the_ball_and_in_a_box_the_ellipsoid_of_its_sides():

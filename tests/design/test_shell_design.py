@@ -10,7 +10,7 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.design import shells
-from clubface.design.shells import engine as engine_module, engine as fast_module, report
+from clubface.design.shells import engine as engine_module, engine as fast_module
 from clubface.design.shells.engine import Engine, FastModel, face_radius, plate_stress, plate_time, rigid_values
 from clubface.errors import FileError, InputError, RunError
 from clubface.fem.head_tests import characteristic_time
@@ -102,8 +102,8 @@ def test_the_rules_bind_the_fastest_face(fastest):
     # Faces get faster as they get thinner, until the rule of 239 us and its tolerance of 18 us stops them.
     assert 0.995 * 257e-6 <= time <= 257e-6
     assert search.best.values["ball_speed"] > search.start.values["ball_speed"]
-    verdicts = {row[0]: row[-1] for row in report.limits_table(search)[1]}
-    assert verdicts["characteristic time, µs"] == "binds"
+    verdicts = {each["quantity"]: each["verdict"] for each in fastest.to_result().table("limits").records()}
+    assert verdicts["characteristic_time"] == "binds"
     assert "broken" not in verdicts.values()
     assert fastest.runs == 2 * len(search.found.steps)
 
@@ -157,7 +157,7 @@ def test_of_two_metals_the_stronger_is_chosen():
     assert found.chosen.metal.name == "strong"
     weak, strong = (each.best.values["ball_speed"] for each in found.searches)
     assert strong > weak
-    assert [row[0] for row in report.metals_table(found)[1]] == ["weak", "strong"]
+    assert found.to_result().table("metals")["metal"].values == ["weak", "strong"]
 
 
 def test_a_limit_of_the_mass_that_the_target_breaks_is_refused_before_any_run():

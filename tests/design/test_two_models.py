@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from clubface.design.shells.management import Goal, manage
+from clubface.design.shells.management import Goal, trust_region_search as search
 from clubface.errors import RunError
 
 pytest.importorskip("scipy")
@@ -35,7 +35,7 @@ LEAST_MASS = 3.0
 
 def test_one_proposal_is_enough_where_the_fast_model_is_exact():
     model = walls()
-    found = manage(model, exact_as(model), np.array([0.7, 0.7]), LIGHTEST, radius=1.0, neighbours=False)
+    found = search(model, exact_as(model), np.array([0.7, 0.7]), LIGHTEST, radius=1.0, neighbours=False)
     assert [step.kind for step in found.steps] == ["start", "proposal"]
     assert found.ended == "no proposal promised a gain"
     # A proposal aims 0.05% inside of the limit, which costs a third of that.
@@ -51,7 +51,7 @@ def test_a_factor_with_slopes_is_learnt_from_neighbours():
         told = fast(place)
         return {**told, "strength": told["strength"] * math.exp(0.2 - 0.5 * place[0] + 0.3 * place[1])}
 
-    found = manage(fast, exact_as(exact), np.array([0.6, 0.6]), LIGHTEST, radius=1.0)
+    found = search(fast, exact_as(exact), np.array([0.6, 0.6]), LIGHTEST, radius=1.0)
     # The second round of neighbours confirms what the first proposal found.
     assert [step.kind for step in found.steps] == ["start", *["neighbour"] * 2, "proposal", *["neighbour"] * 2]
     best = found.steps[3]
@@ -61,14 +61,14 @@ def test_a_factor_with_slopes_is_learnt_from_neighbours():
 
 
 def test_a_poor_fast_model_costs_runs_and_not_the_optimum():
-    found = manage(walls((0.5, 1.2), 0.6), exact_as(walls()), np.array([0.9, 0.6]), LIGHTEST, most=40)
+    found = search(walls((0.5, 1.2), 0.6), exact_as(walls()), np.array([0.9, 0.6]), LIGHTEST, most=40)
     # The search ends where 0.01% are promised; the optimum is flat along the limit.
     assert found.steps[found.best].values["mass"] == pytest.approx(LEAST_MASS, rel=1e-3)
     assert found.steps[found.best].values["strength"] >= 1.0
 
 
 def test_a_start_beyond_the_limits_finds_its_way_back():
-    found = manage(walls((0.5, 1.2)), exact_as(walls()), np.array([0.02, 0.02]), LIGHTEST, most=40)
+    found = search(walls((0.5, 1.2)), exact_as(walls()), np.array([0.02, 0.02]), LIGHTEST, most=40)
     assert LIGHTEST.violation(found.steps[0].values) > 0.5
     assert found.steps[found.best].values["mass"] == pytest.approx(LEAST_MASS, rel=1e-3)
     assert LIGHTEST.violation(found.steps[found.best].values) == 0.0
@@ -81,7 +81,7 @@ def test_a_design_that_fails_is_refused_and_the_region_shrinks():
         # Walls below 1.2 cannot be run.
         return [model(place) if place[0] >= 0.35 else dict.fromkeys(model(place), math.nan) for place in places]
 
-    found = manage(model, exact, np.array([0.8, 0.8]), LIGHTEST, radius=1.0, neighbours=False, most=12)
+    found = search(model, exact, np.array([0.8, 0.8]), LIGHTEST, radius=1.0, neighbours=False, most=12)
     failed = [step for step in found.steps if math.isnan(step.values["mass"])]
     assert failed
     assert not any(step.accepted for step in failed)
@@ -93,7 +93,7 @@ def test_a_design_that_fails_is_refused_and_the_region_shrinks():
 
 def test_a_start_that_fails_is_told():
     with pytest.raises(RunError, match="the design to start from fails"):
-        manage(walls(), lambda places: [dict.fromkeys(("mass", "strength"), math.nan)], np.array([0.5, 0.5]), LIGHTEST)
+        search(walls(), lambda places: [dict.fromkeys(("mass", "strength"), math.nan)], np.array([0.5, 0.5]), LIGHTEST)
 
 
 @settings(max_examples=25, deadline=None)
@@ -103,7 +103,7 @@ def test_a_start_that_fails_is_told():
     most=st.integers(2, 12),
 )
 def test_the_best_is_the_best_of_all_that_were_judged(powers, start, most):
-    found = manage(walls(), exact_as(walls(powers)), np.array(start), LIGHTEST, most=most, neighbours=most > 3)
+    found = search(walls(), exact_as(walls(powers)), np.array(start), LIGHTEST, most=most, neighbours=most > 3)
     best = found.steps[found.best].values
     assert len(found.steps) <= most
     assert all(0.0 <= share <= 1.0 for step in found.steps for share in step.place)

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output, reporting, show
-from clubface.cli.failures import say
-from clubface.cli.output import print_numbers, progress_bar, run_with_progress
+from clubface.cli import options, output, show
+from clubface.cli.output import progress_bar, run_with_progress
 from clubface.errors import ClubfaceError, InputError
 from clubface.support.files import prepared_folder
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from clubface.design.shells.run import Improved
 
 
 def ball(
@@ -122,82 +115,24 @@ def face(
     show.Output(as_json).show(result, more=written)
 
 
-STEPS = ("design", "kind", "promised", "found", "beyond limits", "verdict")
-"""Names of the columns of a search whose heads are empty."""
-_OUTPUT = options.output("FILE", "Write the best head to this TOML file, which fem head and shot read.")
-
-
+@options.takes(
+    show.table_option("Write the best head to this TOML file, which fem head and shot read."),
+    show.plot_option("every design that was judged"), show.REPORT, {"resume": (options.Resume, False)}, show.JSON,
+)  # fmt: skip
 def design(
     study: Annotated[
         str, typer.Argument(metavar="STUDY", help="A TOML file: head, walls that may change, what is best, limits.")
     ],
-    target: Annotated[str | None, _OUTPUT] = None,
-    picture: Annotated[str | None, options.picture("every design that was judged")] = None,
     workers: Annotated[int | None, typer.Option("--workers", help="Runs at a time; all cores unless given.")] = None,
-    report: options.Report = None,
-    resume: options.Resume = False,
-    as_json: options.Json = False,
+    **texts: Any,
 ) -> None:
     """Find the walls of a head: a fast model proposes them, finite elements judge ball speed, stress and limits."""
-    output.check_target("--output", target, (".toml",), (study,))
-    output.check_picture(picture, (study,))
-    output.check_report(report, (study,))
-    output.check_resume(resume, target)
-    from clubface.design import shells
-    from clubface.design.shells import report as words
+    from clubface.design.shells import improve, read
 
-    asked = shells.read(study)
-    output.check_not_read(target)
+    shown = show.Output.check(texts, (study,), (".toml",))
+    output.check_resume(texts["resume"], shown.target)
+    asked = read(study)
+    output.check_not_read(shown.target)
     with progress_bar("designs") as progress:
-        found = shells.improve(asked, output=target, resume=resume, workers=workers, progress=progress)
-    if target is not None:
-        say(f"wrote {target}")
-    if picture is not None or report is not None:
-        from clubface.design.pictures import search_figure
-
-        figure = search_figure(found)
-        if picture is not None:
-            from clubface import plots
-
-            say(f"wrote {plots.save(figure, picture)}")
-        if report is not None:
-            _report(found, study, figure, report)
-            say(f"wrote {report}")
-    if as_json:
-        output.print_json(words.document(found))
-    else:
-        _print(found)
-
-
-def _report(found: Improved, study: str, figure: Figure, target: str) -> None:
-    from clubface.design.shells import report
-    from clubface.fem.heads import driver
-
-    heads, rows = report.steps_table(found.chosen, found.study.objective)
-    names = [head.replace("\n", " ") or name for head, name in zip(heads, STEPS, strict=True)]
-    reporting.write(
-        target, title=found.study.title, words=report.gains(found),
-        picture=("Every design that finite elements judged", figure),
-        columns={name: [row[place] for row in rows] for place, name in enumerate(names)}, show=lambda: _print(found),
-        launches=(), conditions={}, given={"study": Path(study).name, "runs of finite elements": str(found.runs)},
-        sources=[f"Metal {each.metal.name}: {each.metal.source}" for each in found.searches if each.metal.source],
-        files={"the-best-head.toml": driver.text(found.head)},
-    )  # fmt: skip
-
-
-def _print(found: Improved) -> None:
-    from clubface.design.shells import report
-
-    asked = found.study
-    print_numbers(*report.design_table(found), title=asked.title)
-    print()
-    if found.chosen.goal.limits:
-        print_numbers(*report.limits_table(found.chosen), title="Limits")
-        print()
-    if len(found.searches) > 1:
-        print_numbers(*report.metals_table(found), title="The best head of each metal")
-        print()
-    of = f" of {found.chosen.metal.name}" if len(found.searches) > 1 else ""
-    print_numbers(*report.steps_table(found.chosen, asked.objective), title=f"Designs{of} that finite elements judged")
-    print()
-    output.print_notes(report.notes(found))
+        found = improve(asked, output=shown.target, resume=texts["resume"], workers=workers, progress=progress)
+    shown.show(found.to_result(), table=None)

@@ -150,19 +150,19 @@ class Combination(NamedTuple):
     place: int
 
 
-def named(each: Combination) -> str:
+def describe(each: Combination) -> str:
     """Write a combination in words: "driver with the ball modern, the setting "back" and 1.0 deg more loft"."""
     parts = [f"{each.club} with the ball {each.ball}", *([f'the setting "{each.setting}"'] if each.setting else [])]
-    changed = told(each.changes)
+    changed = describe_changes(each.changes)
     return ", ".join([*parts, changed] if changed else parts)
 
 
-def told(changes: Mapping[str, float]) -> str:
+def describe_changes(changes: Mapping[str, float]) -> str:
     """Write the changes of a setting: "1.0 deg more loft, CG 3.0 mm forward"; nothing where none changes."""
-    return ", ".join("CG " * name.startswith("cg") + words for name, words in in_words(changes).items())
+    return ", ".join("CG " * name.startswith("cg") + words for name, words in change_words(changes).items())
 
 
-def in_words(changes: Mapping[str, float]) -> dict[str, str]:
+def change_words(changes: Mapping[str, float]) -> dict[str, str]:
     """Return each change that counts in words: "1.0 deg more loft" and "3.0 mm forward"."""
     parts = {}
     for name, change in changes.items():

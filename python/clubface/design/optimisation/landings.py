@@ -23,6 +23,7 @@ from clubface.design.feasibility import MASS_PROPERTIES
 from clubface.design.strokes import Hole, expected
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
+from clubface.quantities import Quantity, Reading, format_value
 from clubface.simulation import core
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, conditions
 from clubface.simulation.inputs import broadcast, equipped, shots
@@ -266,6 +267,22 @@ class Objective(NamedTuple):
     judge: Callable[[NDArray[Any]], Judged]
     one_shot: bool
     precision: float = FINE
+
+    @property
+    def quantity(self) -> Quantity:
+        """What it is for tables and pictures."""
+        si = units.SI_UNITS[units.unit(self.unit).dimension]
+        digits = {"1": 4, "m2": 0}.get(self.unit, 2)
+        label = _HEADINGS.get(self.name, self.name)
+        return Quantity(self.name, si, Reading(si, digits), Reading(self.unit, digits), label, meaning=self.meaning)
+
+    def show(self, value: float) -> str:
+        """Return a value with its unit as people read it."""
+        return format_value(value, self.quantity)
+
+
+_HEADINGS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
+"""Headings of objectives whose names are no words."""
 
 
 def carry(landed: NDArray[Any]) -> Judged:

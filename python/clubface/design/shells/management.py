@@ -1,12 +1,8 @@
-"""Trust-region management of two models: a fast one, corrected, proposes, and an exact one decides.
-
-Trust-region management of two models: a fast one, corrected, proposes, and an exact one accepts or refuses.
+"""A trust-region search with two models: a fast one, corrected, proposes, and an exact one accepts or refuses.
 
 The framework is that of Alexandrov, Dennis, Lewis and Torczon (1998). The fast model is corrected so that it agrees
 with the exact one at the best design; the slopes of the correction come from exact neighbours of the start and are kept
 up to date after Broyden (1965). All quantities are positive, and everything is relative: corrections are factors.
-
-A fast model, corrected to agree with an exact one where that was asked, and the best design that it promises.
 """
 
 from __future__ import annotations
@@ -128,7 +124,7 @@ class Step:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Managed:
+class SearchResult:
     """What a search found.
 
     Attributes
@@ -146,10 +142,10 @@ class Managed:
     ended: str
 
 
-def manage(
+def trust_region_search(
     fast: Fast, exact: Exact, start: NDArray[Any], goal: Goal, *, radius: float = 0.3, most: int = 20,
-    neighbours: bool = True, told: Callable[[int, int], object] | None = None,
-) -> Managed:  # fmt: skip
+    neighbours: bool = True, progress: Callable[[int, int], object] | None = None,
+) -> SearchResult:  # fmt: skip
     """Search for the best design with few runs of an exact model.
 
     Parameters
@@ -168,7 +164,7 @@ def manage(
     neighbours
         Whether it judges a neighbour along each variable, of the start and of the design where the search would end, so
         that the correction has their slopes. Without, a search may end where only its own way was known.
-    told
+    progress
         Called with the number of designs that were judged and the number of those allowed.
 
     Raises
@@ -176,12 +172,12 @@ def manage(
     RunError
         The design to start from fails.
     """
-    return _Search(fast, exact, goal, radius, most, told).run(np.asarray(start, float), neighbours)
+    return _Search(fast, exact, goal, radius, most, progress).run(np.asarray(start, float), neighbours)
 
 
 class _Search:
-    def __init__(self, fast: Fast, exact: Exact, goal: Goal, radius: float, most: int, told: Any) -> None:
-        self._fast, self._exact, self._goal, self._told = fast, exact, goal, told
+    def __init__(self, fast: Fast, exact: Exact, goal: Goal, radius: float, most: int, progress: Any) -> None:
+        self._fast, self._exact, self._goal, self._progress = fast, exact, goal, progress
         self._radius, self._most = radius, most
         self._steps: list[Step] = []
         self._best = 0
@@ -195,7 +191,7 @@ class _Search:
     def _values(self) -> Values:
         return self._steps[self._best].values
 
-    def run(self, start: NDArray[Any], neighbours: bool) -> Managed:
+    def run(self, start: NDArray[Any], neighbours: bool) -> SearchResult:
         """Search from a start."""
         values = self._exact([start])[0]
         if self._goal.violation(values) == math.inf:
@@ -220,8 +216,8 @@ class _Search:
             self._radius, looked = max(self._radius, AGAIN), True
         return self._managed(f"{self._most} designs were judged, as many as allowed")
 
-    def _managed(self, ended: str) -> Managed:
-        return Managed(steps=tuple(self._steps), best=self._best, ended=ended)
+    def _managed(self, ended: str) -> SearchResult:
+        return SearchResult(steps=tuple(self._steps), best=self._best, ended=ended)
 
     def _note(self, place: NDArray[Any], kind: str, values: Values, promised: Values | None) -> bool:
         accepted = not self._steps or self._goal.better(values, self._values)
@@ -233,8 +229,8 @@ class _Search:
         )  # fmt: skip
         if accepted:
             self._best = len(self._steps) - 1
-        if self._told is not None:
-            self._told(len(self._steps), self._most)
+        if self._progress is not None:
+            self._progress(len(self._steps), self._most)
         return accepted
 
     def _ratio(self, at: NDArray[Any], judged: Values) -> NDArray[Any]:

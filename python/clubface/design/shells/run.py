@@ -1,9 +1,4 @@
-"""A search for the best head of shells from start to end, and the limits that a head breaks.
-
-A study from start to end: for every metal a search, then the best head of all.
-
-Which limits a head breaks, in words.
-"""
+"""A search for the best head of shells from start to end: for every metal a search, then the best head of all."""
 
 from __future__ import annotations
 
@@ -15,37 +10,31 @@ from typing import Any
 
 import numpy as np
 
-from clubface import units
 from clubface.design.shells.engine import Engine, FastModel
 from clubface.design.shells.goal import Goal
-from clubface.design.shells.management import Managed, Step, manage
-from clubface.design.shells.study import QUANTITIES, NamedMetal, ShellStudy, read
+from clubface.design.shells.management import SearchResult, Step, trust_region_search
+from clubface.design.shells.result import design_quantity, search_result
+from clubface.design.shells.study import NamedMetal, ShellStudy, read
 from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver
 from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.read import from_text
 from clubface.jobs.store import store_for
+from clubface.quantities import format_value
+from clubface.results.result import Described, Result
 from clubface.support.checks import without_warnings
-
-DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
-"""Digits after the point, by unit."""
-
-
-def number(value: float, unit: str) -> str:
-    """Return a value [SI] in a unit, without it."""
-    return units.fixed(value, unit, DIGITS[unit]).removesuffix(f" {unit}").strip()
 
 
 def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float]) -> str:
     """Return which limits are broken, and by what values."""
-    told = []
+    parts = []
     for name, (least, most) in limits.items():
-        words, _, unit = QUANTITIES[name]
-        value = values[name]
+        value, quantity = values[name], design_quantity(name)
         if not least <= value <= most:
             limit, beyond = (most, "above") if value > most else (least, "below")
-            told.append(f"{words} {number(value, unit)} {unit} {beyond} {number(limit, unit)} {unit}")
-    return ", ".join(told)
+            shown = (format_value(each, quantity) for each in (value, limit))
+            parts.append(f"{quantity.label} {f' {beyond} '.join(shown)}")
+    return ", ".join(parts)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +43,7 @@ class Search:
 
     metal: NamedMetal
     goal: Goal
-    found: Managed
+    found: SearchResult
 
     @property
     def start(self) -> Step:
@@ -73,7 +62,7 @@ class Search:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Improved:
+class Improved(Described):
     """What a study found.
 
     Attributes
@@ -95,6 +84,15 @@ class Improved:
     chosen: Search
     head: DriverHead
     runs: int
+
+    def best_value(self, name: str) -> float:
+        """Return a variable of the best head as its file has it [SI]."""
+        table, key = name.split(".")
+        return getattr(self.head, table)[key]
+
+    def to_result(self) -> Result:
+        """Return what was found as a result."""
+        return search_result(self)
 
 
 def improve(
@@ -174,15 +172,15 @@ def _search(
 ) -> Search:
     goal, whole = study.goal(metal), study.designs * len(study.metals)
 
-    def told(done: int, _: int) -> None:
+    def count(done: int, _: int) -> None:
         if progress is not None:
             progress(number * study.designs + done, whole)
 
     try:
-        found = manage(
+        found = trust_region_search(
             lambda place: fast(study.at(place, metal)),
             lambda places: engine([as_written(study.at(place, metal)) for place in places]),
-            study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, told=told,
+            study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, progress=count,
         )  # fmt: skip
     except RunError as error:
         raise RunError(

@@ -108,4 +108,72 @@ SENTENCES = {
         "centre}, with a ball speed of {ball_speed}; the longest carry, {carry}, comes from "
         "{carry_toe:towards the toe/towards the heel} and {carry_high:above the centre/below the centre}."
     ),
+    "fitting-at-an-end": ("The best is at an end of the range of {names:and}; a wider range may give a better one."),
+    "fitting-best": "Of {combinations:n combination} the best is {best}: the {meaning} is {value}.",
+    "fitting-certain": "{worse} comes next, {behind} behind: the difference is statistically clear.",
+    "fitting-certain-but-small": (
+        "{worse} comes next, {behind} behind: the difference is statistically clear, but less than a golfer notices."
+    ),
+    "fitting-close": "Not clearly behind the best: {close} of the others.",
+    "fitting-error-unknown": "{worse} comes next, {behind} behind: how certain that is is not known, since other "
+    "shots miss its face.",
+    "fitting-errors-missing": "No error is given where other shots miss the face than with the best club.",
+    "fitting-not-certain": (
+        "{worse} comes next, {behind} behind: that is not clearly worse; more shots, or trying both, would show it."
+    ),
+    "fitting-not-shown": "{hidden} more are not shown; --output and --json have all.",
+    "fitting-shots": (
+        "{combinations:n combination}, all judged on the same {shots} shots of {golfers:n golfer}, delivered as with "
+        "{club}, with more dynamic loft where the club has more loft."
+    ),
+    "fitting-unchanged": "With {club} as it is now and {ball} it is {value}.",
+    "optimum-angles": "The club has {angles:and}.",
+    "optimum-change": "The {meaning} is {after} instead of {before}.",
+    "optimum-cg-moved": "Compared with the club at the start, its CG lies {moved:and}.",
+    "optimum-ellipsoid": (
+        "Mass is placed inside the mesh of {club}: in the largest ellipsoid there, {size} mm from face to back, sole "
+        "to crown and heel to toe, about ({centre}) mm from the face centre."
+    ),
+    "optimum-lie": "The lie is that at impact; a club file has none, so set it when the club is fitted.",
+    "optimum-limits-of-shots": (
+        "The club that is best for the mean delivery does not know the limits of the shots; the optimum keeps them on "
+        "the shots it was solved on."
+    ),
+    "optimum-loft": "One degree more static loft is taken to be one degree more at impact.",
+    "optimum-missed": "{missed:n shot} miss the face of the club and are left out.",
+    "optimum-nominal-better": (
+        "On fresh shots the club that is best for the mean delivery is better; the shots are too few."
+    ),
+    "optimum-nominal-like": (
+        "On fresh shots the optimum and the club that is best for the mean delivery do not differ clearly."
+    ),
+    "optimum-nominal-worse": ("On fresh shots the optimum is better than the club that is best for the mean delivery."),
+    "optimum-not-placed": (
+        "No point masses in the volume were found that have the moments of the discretionary mass: a box refuses no "
+        "head that can be built, but not every other one. Try a smaller box, an ellipsoid, or a limit of the CG."
+    ),
+    "optimum-on-fresh-shots": "This is what the best club does on shots that no solver has seen.",
+    "optimum-shots": (
+        "Solved on {shots:n shot}; the table is of {fresh} fresh ones, which no solver has seen. After ± stands the "
+        "standard error of a difference."
+    ),
+    "optimum-speed": (
+        "Clubhead speed is taken to fall as mass to the power {exponent:g} (MacKenzie, Ryan and Rice, 2015)."
+    ),
+    "optimum-starts": ("{alike} of {starts:n start} found this optimum of the {meaning} (to 1 part in 10,000)."),
+    "optimum-stopped-by": "What stops the optimum: {limits}.",
+    "optimum-tolerances": (
+        "It makes use of tolerances of the rules, which are there for what a measurement may be off: {rules}. "
+        "tolerance = false under [rules] keeps to the limits."
+    ),
+    "shells-at-an-end": "At an end of what may vary: {names}. Wider bounds may give a better head.",
+    "shells-change": "The {meaning} of the best head is {after} instead of {before}.",
+    "shells-effort": (
+        "{designs:n design} were judged by {runs:n run} of finite elements; the search for the best head ended because "
+        "{reason}."
+    ),
+    "shells-stress": (
+        "The stress is that of von Mises on either side of the face, of a metal that stays elastic, on the mesh of the "
+        "head: a finer mesh finds more. It shows yield under one blow and nothing of fatigue."
+    ),
 }

@@ -1,0 +1,324 @@
+"""An optimum as a result: the club, fresh shots, limits, placement of mass and front, and its picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.design.golfer import golfer_sources
+from clubface.design.optimisation.fitting import Fitting, change_words
+from clubface.design.optimisation.landings import FREE, SHARE, own_value
+from clubface.design.optimisation.study import UNITS, DesignStudy
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.impact import impact
+from clubface.simulation.provenance import flight_conditions, provenance_of
+
+if TYPE_CHECKING:
+    from clubface.design.optimisation.result import Optimum
+
+CERTAIN = 2.0
+"""Standard errors beyond which a difference is called one."""
+ONE_PLACE = 2e-4
+"""Distance [m] within which point masses are shown as one."""
+LEAST_SHOWN = 5e-5
+"""Point masses below this are not printed [kg]."""
+DRAWN_POINTS = 400
+"""Shots of a golfer that are drawn."""
+
+
+def optimum_result(of: Optimum) -> Result:
+    """Return an optimum as a result."""
+    tables = [_club_table(of), _fresh_table(of), _limits_table(of)]
+    if masses := of.placed():
+        tables.append(placement_table(masses))
+    if of.front:
+        tables.append(_front_table(of))
+    counts = {
+        "starts": of.starts, "starts_alike": of.alike, "steps": of.steps, "shots": of.shots, "missed": of.missed,
+        "fresh_shots": of.fresh.shots,
+    }  # fmt: skip
+    provenance = study_provenance(of.study, [of.study.club, of.built])
+    return Result(
+        kind="optimum", title=of.study.title, tables=tuple(tables),
+        values=tuple(text(name, [value], printed=False) for name, value in counts.items()),
+        summary=tuple(_summary(of)), notes=tuple(_notes(of)),
+        provenance=provenance + Provenance(descriptions={"the-best-club.toml": of.built.to_toml()}),
+        draw=lambda: [optimum_picture(of)],
+    )  # fmt: skip
+
+
+def study_provenance(
+    study: DesignStudy | Fitting, clubs: Sequence[Club], balls: Sequence[Ball | None] = (None,)
+) -> Provenance:
+    """Return for whom, with how many shots, with which equipment and in which air a study was solved."""
+    golfers = ", ".join(
+        (golfer.title or golfer.name) + (f" (weight {weight:g})" if len(study.golfers) > 1 else "")
+        for golfer, weight in study.golfers
+    )
+    inputs = {"golfers": golfers, "shots": str(study.shots), "seed": str(study.seed)}
+    if study.hole is not None:
+        inputs["hole"] = study.hole.describe()
+    setting = study.setting
+    launches = [
+        impact(
+            club, golfer.for_hand(club.hand).delivery(), model=setting.model, parameters=setting.parameters,
+            ball=setting.ball if ball is None else ball,
+        )
+        for club in clubs for ball in balls for golfer, _ in study.golfers
+    ]  # fmt: skip
+    sources = [each for golfer, _ in study.golfers for each in golfer_sources(golfer)]
+    return provenance_of(
+        launches, inputs | flight_conditions(air=setting.air, wind=setting.wind, ground=setting.ground), sources
+    )
+
+
+def _club_table(of: Optimum) -> Table:
+    """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
+    from clubface.design.optimisation.result import field_quantity
+
+    kinds = [field_quantity(name) for name in of.club]
+    bounds = [of.study.bounds.get(name, (None, None)) for name in of.club]
+    columns = (
+        text("field", list(of.club)),
+        Column("start", [own_value(of.study.club, name) for name in of.club], kinds, digits=-4),
+        Column("nominal", [of.nominal.get(name) for name in of.club], kinds, "best for the mean delivery", digits=-4),
+        Column("optimum", list(of.club.values()), kinds, digits=-4),
+        Column("least", [low for low, _ in bounds], kinds, "least allowed", digits=-4),
+        Column("most", [high for _, high in bounds], kinds, "most allowed", digits=-4),
+    )
+    return Table("club", columns)
+
+
+def _fresh_table(of: Optimum) -> Table:
+    """Return what the clubs are judged by on fresh shots, and what the optimum gains on either."""
+    judges = of.study.known()
+    kinds = [each.quantity for each in judges]
+    values = {club: [of.fresh.value(club, each.name) for each in judges] for club in of.fresh.clubs}
+    labels = {"start": "start", "nominal": "best for the mean delivery", "optimum": "optimum"}
+    columns = [
+        text("objective", [each.name for each in judges], printed=False),
+        text("what", [each.label for each in kinds], in_files=False),
+        *(Column(club, each, kinds, labels[club]) for club, each in values.items()),
+    ]
+    for club in of.fresh.clubs[:2]:
+        gains = [best - other for best, other in zip(values["optimum"], values[club], strict=True)]
+        errors = [of.fresh.error(club, each.name) for each in judges]
+        columns += [
+            Column(f"gain_on_{club}", gains, kinds, f"against {labels[club]}", difference=True),
+            Column(f"error_of_gain_on_{club}", errors, kinds, "±"),
+        ]
+    solved = [of.judged.get(each.name) for each in judges]
+    return Table("fresh", (*columns, Column("on_solved_shots", solved, kinds, printed=False)), "On fresh shots")
+
+
+def _limits_table(of: Optimum) -> Table:
+    verdicts = of.verdicts()
+    kinds = [each.quantity for each in verdicts]
+    ends = [[end if math.isfinite(end) else None for end in (each.least, each.most)] for each in verdicts]
+    columns = (
+        text("limit", [each.limit.removeprefix("the ") for each in verdicts]),
+        Column("optimum", [each.value for each in verdicts], kinds, digits=-5),
+        Column("least", [low for low, _ in ends], kinds, digits=-4),
+        Column("most", [high for _, high in ends], kinds, digits=-4),
+        text("margin", [each.margin for each in verdicts], printed=False),
+        text("verdict", [each.state for each in verdicts]),
+    )
+    return Table("limits", columns, "Limits")
+
+
+def placement_table(masses: Sequence[Any]) -> Table:
+    """Return point masses that are one way to place the discretionary mass, those of one place together."""
+    grouped: list[tuple[tuple[float, ...], list[float]]] = []
+    for each in masses:  # the heaviest first
+        near = [group for place, group in grouped if math.dist(place, each.place) < ONE_PLACE]
+        if near:
+            near[0].append(each.mass)
+        else:
+            grouped.append((each.place, [each.mass]))
+    grouped.sort(key=lambda group: -sum(group[1]))
+    sums = [sum(group) for _, group in grouped]
+    columns = (
+        column("mass", sums, digits=1),
+        *(
+            column(f"{name}", [place[row] for place, _ in grouped], "m", label=label, unit="mm", digits=1)
+            for row, (name, label) in enumerate((("x", "x, to the target"), ("y", "y, up"), ("z", "z, to the toe")))
+        ),
+    )
+    return Table(
+        "placement", columns, "One way to place the discretionary mass, seen from the face centre",
+        shown_rows=[place for place, each in enumerate(sums) if each >= LEAST_SHOWN],
+    )  # fmt: skip
+
+
+def _front_table(of: Optimum) -> Table:
+    from clubface.design.optimisation.result import field_quantity
+
+    judges = [of.study.objective(name) for name in of.study.objectives]
+    columns = [Column(each.name, [point.values[each.name] for point in of.front], each.quantity) for each in judges]
+    columns += [Column(name, [point.club[name] for point in of.front], field_quantity(name), digits=-4)
+                for name in of.club]  # fmt: skip
+    return Table("front", tuple(columns), "Pareto front")
+
+
+def _summary(of: Optimum) -> Iterator[Note]:
+    yield note("optimum-on-fresh-shots")
+    for judge in of.study.known():
+        before, after = (judge.show(of.fresh.value(club, judge.name)) for club in ("start", "optimum"))
+        yield note("optimum-change", meaning=judge.meaning, before=before, after=after)
+    moved = {
+        name: of.club[name] - own_value(of.study.club, name)
+        for name in ("cg_x", "cg_y", "cg_z")
+        if name in of.club
+    }  # fmt: skip
+    words = change_words(moved)
+    if "cg_x" in words:
+        words["cg_x"] = words["cg_x"].replace("mm ", "mm farther ")
+    if words:
+        yield note("optimum-cg-moved", moved=list(words.values()))
+    for name, meaning in (("iyy", "moment of inertia about the vertical axis"), ("bulge", "bulge"), ("roll", "roll")):
+        if name in of.club:
+            ends = own_value(of.study.club, name), of.club[name]
+            before, after = (units.show(each, UNITS[name], 4) for each in ends)
+            if before != after:
+                yield note("optimum-change", meaning=meaning, before=before, after=after)
+    if angles := [name for name in ("loft", "lie") if name in of.club and name in of.study.bounds]:
+        yield note("optimum-angles", angles=[f"a {name} of {units.fixed(of.club[name], 'deg', 1)}" for name in angles])
+
+
+def _notes(of: Optimum) -> Iterator[Note]:
+    study = of.study
+    yield note("optimum-starts", alike=of.alike, starts=of.starts, meaning=study.objective(study.objectives[0]).meaning)
+    yield note("optimum-shots", shots=of.shots, fresh=of.fresh.shots)
+    if of.missed:
+        yield note("optimum-missed", missed=of.missed)
+    yield _against_nominal(of)
+    if stopping := [each.limit for each in of.verdicts() if each.state == "kept, at the limit"]:
+        yield note("optimum-stopped-by", limits=stopping)
+    beyond = [each for each in study.rule_values(of.built) if each.conforms and each.value > each.rule.most]
+    if study.conform and beyond:
+        rules = [
+            f"{each.rule.title} {units.show(each.value, each.rule.unit, 4)}, limit "
+            f"{units.show(each.rule.most, each.rule.unit, 4)}"
+            for each in beyond
+        ]
+        yield note("optimum-tolerances", rules=rules)
+    envelope = study.variables.envelope
+    if envelope is not None and envelope.volume is not envelope.whole:
+        size, centre = (
+            [f"{1e3 * each:.0f}" for each in values] for values in (envelope.volume.size, envelope.volume.centre)
+        )
+        yield note("optimum-ellipsoid", club=study.club.name, size=size, centre=centre)
+    if study.moves_mass and not of.placed():
+        yield note("optimum-not-placed")
+    if "lie" in of.club:
+        yield note("optimum-lie")
+    if "mass" in study.bounds:
+        yield note("optimum-speed", exponent=study.setting.speed_exponent)
+    if "loft" in of.club:
+        yield note("optimum-loft")
+
+
+def _against_nominal(of: Optimum) -> Note:
+    """Return whether the optimum is better than the club that is best for the mean delivery alone."""
+    name = of.study.objectives[0]
+    if any(each not in FREE for each in of.study.limits):
+        return note("optimum-limits-of-shots")
+    robust, nominal = (of.fresh.value(club, name) for club in ("optimum", "nominal"))
+    gain, error = of.study.objective(name).sign * (nominal - robust), of.fresh.error("nominal", name)
+    if abs(gain) <= CERTAIN * error:
+        return note("optimum-nominal-like")
+    return note("optimum-nominal-worse" if gain > 0.0 else "optimum-nominal-better")
+
+
+def optimum_picture(of: Optimum) -> Picture:
+    """Return the landings with the start and with the optimum, and the front or every field in its bounds."""
+    golfers = of.study.landings(of.study.shots, seed=of.study.seed + 1)
+    clubs: dict[str, Any] = {"start": {}, "optimum": of.club}
+    landed = {name: np.concatenate([each.of(club) for each, _ in golfers], axis=1) for name, club in clubs.items()}
+    panels: list[Panel | None] = [landings_panel(landed)]
+    if of.front:
+        panels.append(_front_panel(of))
+    elif any(name in of.study.bounds for name in of.club):
+        panels.append(_bounds_panel(of))
+    return Picture(
+        "optimum", "Landings with the club at the start and with the optimum, and what changed", [panels],
+        widths=[1.0, 1.2][: len(panels)], height=3.4,
+    )  # fmt: skip
+
+
+def landings_panel(landed: Mapping[str, NDArray[Any]]) -> Panel:
+    """Return where shots come down and the ellipses that hold ``SHARE`` of them.
+
+    Parameters
+    ----------
+    landed
+        Carry and side [m] by what made them, each of shape (landings, shots).
+    """
+    marks, ellipses = [], []
+    for style, (name, values) in enumerate(landed.items()):
+        side, down = values[1], np.sqrt(np.maximum(values[0] ** 2 - values[1] ** 2, 0.0))
+        marks.append(Mark("points", side[:DRAWN_POINTS], down[:DRAWN_POINTS], style=style, symbol="", size=2.5))
+        ellipses.append(_ellipse(side, down))
+        marks.append(Mark("line", *ellipses[-1], style=style, label=name))
+    # The ellipses set the frame: a topped ball far behind would make all others small.
+    drawn = np.hstack(ellipses)
+    middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
+    (left, low), (right, high) = middle - half, middle + half
+    return Panel(
+        marks, axis("side", "side, right is positive", limits=(float(left), float(right))),
+        axis("carry", "distance down the line", limits=(float(low), float(high))),
+        f"Landings, with the ellipses of {SHARE:.0%}", equal=True, legend=True,
+    )  # fmt: skip
+
+
+def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
+    """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
+    values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
+    angle = np.linspace(0.0, 2.0 * math.pi, 200)
+    circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
+    around = vectors @ (np.sqrt(np.maximum(values, 0.0))[:, None] * circle)
+    return np.array([[side.mean()], [down.mean()]]) + around
+
+
+def _front_panel(of: Optimum) -> Panel:
+    one, other = (of.study.objective(name) for name in of.study.objectives)
+    x, y = ([point.values[each.name] for point in of.front] for each in (one, other))
+    # The start is judged on the same shots as the front only nearly: on fresh ones.
+    start = [[of.fresh.value("start", each.name)] for each in (one, other)]
+    marks = [
+        Mark("line", x, y, style=1, dash=0), Mark("points", x, y, style=1, label="front"),
+        Mark("points", x=start[0], y=start[1], symbol="s", label="start, on fresh shots"),
+    ]  # fmt: skip
+    x_axis, y_axis = (Axis(each.quantity, each.meaning) for each in (one, other))
+    return Panel(marks, x_axis, y_axis, "Pareto front", legend=True)
+
+
+def _bounds_panel(of: Optimum) -> Panel:
+    bounds = of.study.bounds
+    names = [name for name in of.club if name in bounds]
+    marks = [Mark("line", [0.0, 1.0], [row, row], style=-1, size=3.0) for row in range(len(names))]
+    for style, (label, symbol, away) in enumerate((("start", "s", 0.3), ("optimum", "o", -0.3))):
+        values = [own_value(of.study.club, name) if label == "start" else of.club[name] for name in names]
+        shares = [(value - bounds[name][0]) / (bounds[name][1] - bounds[name][0])
+                  for name, value in zip(names, values, strict=True)]  # fmt: skip
+        texts = [f"{units.from_si(value, UNITS[name]):.4g}" for name, value in zip(names, values, strict=True)]
+        rows = np.arange(len(names))
+        marks += [
+            Mark("points", shares, rows, style=style, symbol=symbol, label=label),
+            Mark("text", shares, rows + away, texts=texts, style=style),
+        ]
+    labels = [f"{name}\n{units.show_range(*bounds[name], UNITS[name])}" for name in names]
+    y = axis(names=labels, reversed=True, limits=(len(names) - 0.4, -0.6))
+    title = "Place between the least and the most that is allowed"
+    return Panel(marks, axis(ticks=False), y, title, legend=True, grid=False)

@@ -1,0 +1,221 @@
+"""A search for a head of shells as a result: start and best head, limits, metals, designs, and the picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from clubface import units
+from clubface.design.shells.study import QUANTITIES
+from clubface.fem.heads import driver
+from clubface.quantities import Quantity, Reading
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
+from clubface.results.result import Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.provenance import flight_conditions
+
+if TYPE_CHECKING:
+    from clubface.design.shells.management import Step
+    from clubface.design.shells.run import Improved
+
+DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
+"""Digits after the point, by unit."""
+SYMBOLS = {"start": "s", "neighbour": "^", "proposal": "o"}
+
+
+def design_quantity(name: str) -> Quantity:
+    """Return one of ``QUANTITIES``, or a variable such as "thickness.crown", for tables and sentences."""
+    if name in QUANTITIES:
+        label, _, unit = QUANTITIES[name]
+    else:
+        table, key = name.split(".")
+        label = f"{key.replace('_', ' ')}{' wall' if table == 'thickness' and 'face' not in key else ''}"
+        unit = "deg" if name == "shape.loft" else "mm"
+    reading = Reading(unit, DIGITS[unit])
+    metric = Reading({"mph": "m/s", "yd": "m"}.get(unit, unit), reading.digits)
+    return Quantity(name, units.SI_UNITS[units.unit(unit).dimension], metric, reading, label)
+
+
+def search_result(of: Improved) -> Result:
+    """Return what a study of a head of shells found as a result."""
+    several = len(of.searches) > 1
+    tables = [_best_table(of)]
+    if any(each.goal.limits for each in of.searches):
+        tables.append(_limits_table(of))
+    tables += [_metals_table(of, printed=several), _designs_table(of)]
+    provenance = Provenance(
+        inputs={"runs of finite elements": str(of.runs), **flight_conditions()},
+        sources=tuple(f"Metal {each.metal.name}: {each.metal.source}" for each in of.searches if each.metal.source),
+        descriptions={"the-best-head.toml": driver.text(of.head)},
+    )
+    return Result(
+        kind="shell-design", title=of.study.title, tables=tuple(tables),
+        values=(
+            text("objective", [of.study.objective], printed=False),
+            text("metal", [of.chosen.metal.name], printed=False), text("runs", [of.runs], printed=False),
+        ),
+        summary=tuple(_summary(of)), notes=tuple(_notes(of)), provenance=provenance,
+        draw=lambda: [search_picture(of)],
+    )  # fmt: skip
+
+
+def _best_table(of: Improved) -> Table:
+    """Return variables and quantities of the head to start from and of the best one."""
+    start, best = of.chosen.start.values, of.chosen.best.values
+    rows = [(name, of.study.start_value(name), of.best_value(name)) for name in of.study.bounds]
+    rows += [(name, start[name], best[name]) for name in QUANTITIES if name in best]
+    kinds = [design_quantity(name) for name, _, _ in rows]
+    columns = (
+        text("quantity", [name for name, _, _ in rows], printed=False),
+        text("what", [each.label for each in kinds], in_files=False),
+        Column("start", [value for _, value, _ in rows], kinds), Column("best", [value for _, _, value in rows], kinds),
+    )  # fmt: skip
+    return Table("best", columns)
+
+
+def _limits_table(of: Improved) -> Table:
+    """Return every limit with what start and best have of it, and the verdict."""
+    rows = [(search, name) for search in of.searches for name in search.goal.limits]
+    ends = [search.goal.limits[name] for search, name in rows]
+    kinds = [design_quantity(name) for _, name in rows]
+    best = [search.best.values[name] for search, name in rows]
+    columns = (
+        text("metal", [search.metal.name for search, _ in rows], printed=False),
+        text("quantity", [name for _, name in rows], printed=False),
+        text("what", [each.label for each in kinds], in_files=False),
+        Column("least", [least or None for least, _ in ends], kinds),
+        Column("most", [most if most < math.inf else None for _, most in ends], kinds),
+        Column("start", [search.start.values[name] for search, name in rows], kinds), Column("best", best, kinds),
+        text("verdict", [verdict(value, *each) for value, each in zip(best, ends, strict=True)]),
+    )  # fmt: skip
+    shown = [place for place, (search, _) in enumerate(rows) if search is of.chosen]
+    return Table("limits", columns, "Limits", shown_rows=shown)
+
+
+def verdict(value: float, least: float, most: float) -> str:
+    """Return "broken", "kept" or, within half a percent of the limit, "binds"."""
+    if not least <= value <= most:
+        return "broken"
+    return "binds" if value >= 0.995 * most or value <= 1.005 * least else "kept"
+
+
+def _metals_table(of: Improved, *, printed: bool) -> Table:
+    """Return the best head of every metal."""
+    objective = design_quantity(of.study.objective)
+    columns = (
+        text("metal", [each.metal.name for each in of.searches]),
+        column("yield_stress", [each.metal.metal.yield_stress for each in of.searches], "Pa", unit="MPa", digits=0),
+        Column(objective.name, [each.best.values[objective.name] for each in of.searches], objective),
+        text("within", [each.within for each in of.searches], label="within limits"),
+        text("designs", [len(each.found.steps) for each in of.searches]),
+        text("ended", [each.found.ended for each in of.searches], printed=False),
+        text("source", [each.metal.source for each in of.searches]),
+    )
+    return Table("metals", columns, "The best head of each metal", printed=printed)
+
+
+def _designs_table(of: Improved) -> Table:
+    """Return every design that the engine judged: what was promised, what was found, and what became of it."""
+    objective = of.study.objective
+    steps = [(search, place, step) for search in of.searches for place, step in enumerate(search.found.steps, 1)]
+    beyond = [search.goal.violation(step.values) for search, _, step in steps]
+
+    def values(key: str, name: str) -> list[float | None]:
+        return [(getattr(step, key) or {}).get(name) for _, _, step in steps]
+
+    known = [name for name in QUANTITIES if any(name in step.values for _, _, step in steps)]
+    other = [(key, name) for key in ("values", "promised") for name in known if name != objective]
+    columns = (
+        text("metal", [search.metal.name for search, _, _ in steps], printed=False),
+        text("design", [place for _, place, _ in steps], label=""),
+        text("kind", [step.kind for _, _, step in steps], label=""),
+        Column(f"promised_{objective}", values("promised", objective), design_quantity(objective), "promised"),
+        Column(f"found_{objective}", values("values", objective), design_quantity(objective), "found"),
+        column("beyond_limits", [each if 0.0 < each < math.inf else None for each in beyond], "1", unit="%", digits=2),
+        text("verdict", [_verdict_of(step) for _, _, step in steps], label=""),
+        text("accepted", [step.accepted for _, _, step in steps], printed=False),
+        text("radius", [step.radius for _, _, step in steps], printed=False),
+        *(text(name.replace(".", "_"), [step.place[row] for _, _, step in steps], printed=False)
+          for row, name in enumerate(of.study.bounds)),
+        *(Column(f"{'found' if key == 'values' else key}_{name}", values(key, name), design_quantity(name),
+                 printed=False) for key, name in other),
+    )  # fmt: skip
+    metal = f" of {of.chosen.metal.name}" if len(of.searches) > 1 else ""
+    return Table(
+        "designs", columns, f"Designs{metal} that finite elements judged",
+        shown_rows=[row for row, (search, _, _) in enumerate(steps) if search is of.chosen],
+    )  # fmt: skip
+
+
+def _verdict_of(step: Step) -> str:
+    if step.accepted:
+        return "accepted"
+    return "refused" if step.kind == "proposal" else ""
+
+
+def _summary(of: Improved) -> Iterator[Note]:
+    start, best = of.chosen.start.values, of.chosen.best.values
+    for name in dict.fromkeys((of.study.objective, "characteristic_time", "stress", "mass")):
+        if name in best:
+            kind = design_quantity(name)
+            before, after = (units.fixed(each[name], kind.golf.unit, kind.golf.digits) for each in (start, best))
+            if before != after:
+                yield note("shells-change", meaning=kind.label, before=before, after=after)
+
+
+def _notes(of: Improved) -> Iterator[Note]:
+    designs = sum(len(each.found.steps) for each in of.searches)
+    yield note("shells-effort", designs=designs, runs=of.runs, reason=of.chosen.found.ended)
+    if ends := [design_quantity(name).label for name in of.study.bounds if _is_at_an_end(of, name)]:
+        yield note("shells-at-an-end", names=ends)
+    if of.study.hardest is not None:
+        yield note("shells-stress")
+
+
+def _is_at_an_end(of: Improved, name: str) -> bool:
+    """Return whether the best head has the least or the greatest value of a variable."""
+    low, high = of.study.bounds[name]
+    value = of.best_value(name)
+    return min(value - low, high - value) < 1e-3 * (high - low)
+
+
+def search_picture(of: Improved) -> Picture:
+    """Return the objective of every design, promised and found, and what it has of each limit."""
+    return Picture(
+        "search", "Every design that finite elements judged", [[_objective_panel(of), _shares_panel(of)]], height=4.2,
+        legend=True,
+    )  # fmt: skip
+
+
+def _objective_panel(of: Improved) -> Panel:
+    steps, objective = of.chosen.found.steps, of.study.objective
+    numbers, values = np.arange(1, len(steps) + 1), np.array([step.values[objective] for step in steps])
+    last = np.maximum.accumulate([row if step.accepted else 0 for row, step in enumerate(steps)])
+    marks = [Mark("line", np.repeat(numbers, 2)[1:], np.repeat(values[last], 2)[:-1], label="best so far")]
+    within = np.array([of.chosen.goal.violation(step.values) == 0.0 for step in steps])
+    for kind, symbol in SYMBOLS.items():
+        for kept in (True, False):
+            rows = [row for row, step in enumerate(steps) if step.kind == kind and within[row] == kept]
+            if rows:
+                label = f"{kind}{'' if kept else ', beyond limits'}"
+                marks.append(Mark("points", numbers[rows], values[rows], symbol=symbol, hollow=not kept, label=label))
+    promised = {row + 1: step.promised[objective] for row, step in enumerate(steps) if step.promised is not None}
+    if promised:
+        label = "promised by the fast model"
+        marks.append(Mark("points", list(promised), list(promised.values()), symbol="x", style=1, label=label))
+    return Panel(marks, axis(label="design"), Axis(design_quantity(objective)))
+
+
+def _shares_panel(of: Improved) -> Panel:
+    steps, limits = of.chosen.found.steps, of.chosen.goal.limits
+    marks = [Mark("rule", y=1.0, style=-2, size=1.0)]
+    for style, (name, (least, most)) in enumerate(limits.items()):
+        shares = [step.values[name] / (most if most < math.inf else least) for step in steps]
+        marks.append(Mark("line", np.arange(1, len(steps) + 1), shares, style=style, label=design_quantity(name).label))
+    share = axis("share", "share of the limit", like="1", unit="%")
+    return Panel(marks, axis(label="design"), share)
