@@ -32,7 +32,7 @@ COMMANDS = {
     "clubs": "clubs driver",
     "compare": "compare driver 3-wood --speed '105 mph' --toe '10 mm' --model standard",
     "dispersion": "dispersion handicap-10-driver --count 256 --model standard --no-shares",
-    "evaluate": "evaluate driver.parquet --models standard,slip --resamples 50 --where 'row <= 30'",
+    "evaluate": "evaluate driver.parquet --models standard,slip --resamples 100 --where 'row <= 30'",
     "fem ball": "fem ball ball.toml",
     "fem design": "fem design walls.toml -o best-head.toml --workers 2",
     "fem face": "fem face head.toml --ball ball.toml --toe 0:8:8 --high 0:0:1 --workers 2",
@@ -63,7 +63,7 @@ COMMANDS = {
     "study status": "study status samples.toml --store here",
     "study summary": "study summary samples.toml --store here",
     "tour": "tour --averages lpga-2019 --model standard",
-    "validate": "validate --model standard --check tour-averages",
+    "validate": "validate --model standard --check tour-driver",
 }
 """A run of every command, in the folder of the golden outputs' input files."""
 PREPARED = {
@@ -118,7 +118,15 @@ def test_every_command_with_json_is_among_them():
     assert {name for name, options in OPTIONS.items() if "--json" in options} == set(COMMANDS) | LIVE
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+OWN_LAYOUT = {
+    "capture join", "capture markers", "capture read", "capture study", "fem design", "identify", "infer", "optimise"
+}  # fmt: skip
+"""Commands that still have a JSON layout of their own."""
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(each, marks=[pytest.mark.xfail(strict=True)] * (each in OWN_LAYOUT)) for each in COMMANDS]
+)
 def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tables):
     report = tmp_path / "report.html"
     document = run(name, *(["--report", str(report)] if "--report" in OPTIONS[name] else []))
@@ -131,7 +139,7 @@ def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tab
         saved = saved_tables(report)
         wanted = {each.replace("_", "-"): made["rows"] for each, made in document["tables"].items() if made["rows"]}
         if document["values"]:
-            wanted[document["kind"]] = [document["values"]]
+            wanted[f"{document['kind']}-values"] = [document["values"]]
         for each, rows in wanted.items():
             read = list(csv.DictReader(io.StringIO(saved[f"{each}.csv"])))
             assert read == [{key: "" if value is None else str(value) for key, value in row.items()} for row in rows]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -86,8 +87,11 @@ def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix:
 
     The names of the CSV files begin with the ``prefix``.
     """
-    if rows := values_of(result.values, units):
-        table = Table(result.kind, result.values)
+    if result.values:
+        table = Table(f"{result.kind}-values", result.values)
+        rows = values_of(result.values, units) or values_of(
+            [replace(each, printed=True) for each in result.values], units
+        )
         yield TextTable(("quantity", "value", "unit"), rows, _data(table, prefix))
     for each in result.tables:
         if not len(each):
