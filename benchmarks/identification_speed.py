@@ -10,7 +10,6 @@ import resource
 import time
 
 import clubface
-from clubface.inference.identification.result import parameter_rows
 
 PUBLISHED_SECONDS = 0.0683
 """CPU time of one volumetric impact in Caldwell and McPhee's Table 3 at 2.3 GHz: 0.683 s for ten."""
@@ -32,8 +31,8 @@ def main() -> None:
     print(f"{found.model}: {found.shots} drives, {found.evaluations:,} sets of parameters, {found.impacts:,} impacts")
     print(f"wall {wall:.1f} s, processor {processor:.1f} s, memory {memory:.0f} MB at most")
     print(f"cost (22) {found.cost:.6f}; the refinements ended at {', '.join(f'{cost:.6f}' for cost in found.refined)}")
-    for name, value, *_ in parameter_rows(found):
-        print(f"  {name:<18} {value}")
+    for name in found.free:
+        print(f"  {name:<18} {found.shown(name, float(found.parameters.values[name]), 5)}")
     if chosen.model == "volumetric":
         days = found.impacts * PUBLISHED_SECONDS / 86400.0
         print(f"at the published processor time of an impact, {PUBLISHED_SECONDS} s: {days:.1f} days")

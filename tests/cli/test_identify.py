@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import signal
 import subprocess
@@ -21,6 +22,11 @@ pytest.importorskip("typer")
 FAST = ("--population", "12", "--generations", "4", "--refined", "2", "--folds", "3", "--bootstrap", "5")
 
 
+def parameters(document):
+    """The rows of all parameters by name."""
+    return {row["parameter"]: row for row in document["tables"]["parameters"]["rows"]}
+
+
 @pytest.fixture
 def drives(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -31,22 +37,22 @@ def drives(tmp_path, monkeypatch):
 def test_shots_become_parameters_as_table_json_and_file(clubface_, drives):
     ran = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "-o", "fit.toml")
     assert ran.status == 0
-    assert "slip, driver, 20 shots: published cost" in ran.out
-    assert "slip_y" in ran.out
+    assert "Parameters of slip from 20 shots with driver" in ran.out
     again = clubface_("identify", drives, "--club", "driver", "--model", "slip", *FAST, "--json").json
-    for key in ("model", "parameters", "intervals", "cost", "cost_holdout", "evaluations", "impacts", "wall_s"):
-        assert key in again
-    assert again["model"] == "slip"
-    assert again["cost"] < again["cost_holdout"]
+    assert again["values"]["model"] == "slip"
+    assert again["values"]["cost"] < again["values"]["cost_holdout"]
+    (used,) = again["provenance"]["files"]
+    assert used["sha256"] == hashlib.sha256(Path(drives).read_bytes()).hexdigest()
     written = clubface.ParameterSet.from_toml("fit.toml")
-    assert dict(written.values) == again["parameters"]
+    assert used["sha256"] in written.source
     found = clubface.identify(
         clubface.read_shots(drives), club="driver", model="slip", population=12, generations=4, refined=2, folds=3,
         bootstrap=5,
     )  # fmt: skip
-    assert again["intervals"] == {name: list(ends) for name, ends in found.intervals.items()}
-    assert again["parameters"] == dict(found.parameters.values)
-    assert again["cost_holdout"] == found.cost_holdout
+    rows = parameters(again)
+    assert {name: row["value"] for name, row in rows.items()} == dict(found.parameters.values) == dict(written.values)
+    assert {name: (rows[name]["low"], rows[name]["high"]) for name in found.free} == found.intervals
+    assert again["values"]["cost_holdout"] == found.cost_holdout
     # Nothing is left beside the files asked for.
     assert sorted(os.listdir()) == ["drives.csv", "fit.toml"]
     used = clubface_("shot", "driver", "--speed", "113 mph", "--model", "slip", "--parameters", "fit.toml", "--json")
@@ -67,13 +73,16 @@ def test_options_reach_the_fit(clubface_, drives):
         "--set", "slip_z=0.01", "--bounds", "cor=0.7:0.9", "--cost", "robust", "--noise", "backspin=80 rpm",
         "--no-profiles", "--seed", "7", "--quantity", "ball_speed,backspin", "--json",
     ).json  # fmt: skip
-    assert ran["free"] == ["cor", "slip_y"]
-    assert ran["parameters"]["slip_z"] == 0.01
-    settings = ran["settings"]
-    assert settings["bounds"]["cor"] == [0.7, 0.9]
-    assert settings["cost"] == "robust"
-    assert settings["noise"][1] == pytest.approx(80.0 * 3.141592653589793 / 30.0)
-    assert (settings["seed"], settings["quantities"], ran["profiles"]) == (7, ["ball_speed", "backspin"], {})
+    rows = parameters(ran)
+    assert [name for name, row in rows.items() if row["identified"]] == ["cor", "slip_y"]
+    assert rows["slip_z"]["value"] == 0.01
+    assert (rows["cor"]["bound_low"], rows["cor"]["bound_high"]) == (0.7, 0.9)
+    assert ran["values"]["cost_kind"] == "robust"
+    deviations = ran["tables"]["deviations"]["rows"]
+    assert [row["quantity"] for row in deviations] == ["ball_speed", "backspin"]
+    assert deviations[1]["noise"] == pytest.approx(80.0)
+    assert ran["provenance"]["inputs"]["seed"] == "7"
+    assert "profiles" not in ran["tables"]
 
 
 @pytest.mark.parametrize(
@@ -138,5 +147,6 @@ def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):
     assert "Traceback" not in err
     resumed = clubface_(*arguments, "--resume", "--json").json
     whole = clubface_(*arguments, "--json").json
-    assert {**resumed, "wall_s": 0.0} == {**whole, "wall_s": 0.0}
+    del resumed["values"]["wall_time_s"], whole["values"]["wall_time_s"]
+    assert resumed == whole
     assert not os.path.exists(kept)

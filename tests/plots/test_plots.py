@@ -9,7 +9,6 @@ from clubface.errors import InputError
 pytest.importorskip("matplotlib")
 
 from clubface import plots
-from clubface.inference.identification.picture import identification_figure
 from clubface.present.drawing import draw
 from clubface.simulation.flight import trajectory
 from clubface.validation import tour
@@ -169,29 +168,28 @@ def test_without_a_published_loft_there_is_no_row_of_launch_angles():
 
 
 def test_each_identified_parameter_has_its_interval_samples_and_profile(identified):
-    figure = identification_figure(identified)
-    drawn = figure.axes
+    (picture,) = identified.to_result().pictures()
+    drawn = picture.panels()
     assert len(drawn) == len(identified.free) == 5
-    assert drawn[0].get_xlabel() == "shear modulus [MPa]"
-    for axes, name in zip(drawn, identified.free, strict=True):
-        factor = 1e-6 if name == "shear_modulus" else 1.0
-        band = axes.patches[0].get_extents().transformed(axes.transData.inverted())
-        low, high = identified.intervals[name]
-        assert (band.x0, band.x1) == pytest.approx((low * factor, high * factor), rel=1e-9)
-        assert axes.lines[0].get_xdata()[0] == pytest.approx(identified.parameters.values[name] * factor, rel=1e-12)
-        bars = axes.patches[1].get_data()
-        assert np.count_nonzero(bars.values) <= len(identified.samples)
-        left, right = axes.get_xlim()
-        assert left < low * factor
-        assert right > high * factor
-    assert_nothing_overlaps(figure)
+    assert drawn[0].x.heading == "shear modulus (MPa)"
+    for panel, name in zip(drawn, identified.free, strict=True):
+        marks = {mark.label: mark for mark in panel.marks}
+        low, high = marks["95% interval"].x
+        assert (low, high) == identified.intervals[name]
+        assert marks["fit"].x[0] == identified.parameters.values[name]
+        assert np.count_nonzero(marks["bootstrap"].y) <= len(identified.samples)
+        left, right = panel.x.limits
+        assert left < low
+        assert right > high
+    assert_nothing_overlaps(draw(picture))
 
 
 def test_a_profile_passes_the_level_of_95_percent_where_its_interval_ends(identified):
     profile = identified.profiles["damping"]
     assert profile.closed == (True, True)
-    curve = identification_figure(identified).axes[identified.free.index("damping")].lines[1]
-    rises = np.interp(profile.interval, curve.get_xdata(), curve.get_ydata())
+    panel = identified.to_result().pictures()[0].panels()[identified.free.index("damping")]
+    (curve,) = (mark for mark in panel.marks if mark.label == "profile")
+    rises = np.interp(profile.interval, curve.x, curve.y)
     # Straight pieces of a parabola between places: a sixteenth of a step squared.
     assert rises == pytest.approx(3.84146, rel=2e-3)
 

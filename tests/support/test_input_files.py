@@ -23,7 +23,6 @@ READERS = {"read_text", "read_bytes"}
 NO_INPUTS = {
     "support/files.py": "the place itself; what is written",
     "cli/failures.py": "the device for what nobody reads",
-    "inference/evaluation/report.py": "pictures that were just drawn",
     "fem/sweep.py": "finished runs of the same work",
     "published_data.py": "published tables, which come with the package",
     "simulation/own_law.py": "the source of a law of contact of one's own",

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
-from clubface.cli import options, output
-from clubface.cli.output import print_numbers, progress_bar
+from clubface.cli import options, output, show
+from clubface.cli.output import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.equipment.models import model as model_named
 from clubface.errors import ClubfaceError, InputError
@@ -17,105 +17,75 @@ from clubface.support.files import write_text
 
 app = typer.Typer(add_completion=False)
 
-_FIT, _SEARCH = "What is fitted", "Search and intervals"
+
+def _group(panel: str, rows: dict[str, tuple[Any, Any, str, str]]) -> options.Group:
+    """Return options under one heading from name, type, default, placeholder and help; "" shows the default instead."""
+
+    def option(name: str, metavar: str, text: str) -> Any:
+        flag = f"--{name}/--no-{name}" if name == "profiles" else f"--{name}"
+        return typer.Option(
+            flag, metavar=metavar or None, rich_help_panel=panel, help=text, show_default=metavar == ""
+        )  # fmt: skip
+
+    return {
+        name: (Annotated[kind, option(name, metavar, text)], default)
+        for name, (kind, default, metavar, text) in rows.items()
+    }
 
 
-def _option(*names: str, panel: str, metavar: str | None = None, text: str) -> Any:
-    return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=metavar is None)
+_TEXTS = list[str] | None
+FIT = _group("What is fitted", {
+    "free": (_TEXTS, None, "NAME",
+             "Parameter to identify; several with commas or repeated, or all. As published unless given."),
+    "tie": (_TEXTS, None, "A=B", "Let parameter A take the value of the free B. Repeatable."),
+    "bounds": (_TEXTS, None, "NAME=LOW:HIGH", "Narrower bounds of a parameter. Repeatable."),
+    "cost": (str, "published", "",
+             "What is minimised: published (Caldwell and McPhee, Eq. 22), least-squares or robust."),
+    "normaliser": (str, "absolute", "", "Means by which Eq. 22 divides: absolute or signed."),
+    "noise": (_TEXTS, None, "NAME=VALUE", 'Noise of the monitor: backspin="80 rpm". Repeatable.'),
+    "quantity": (_TEXTS, None, "NAME",
+                 "Launch quantity to compare. Repeatable; the five of Caldwell and McPhee unless given."),
+})  # fmt: skip
+SEARCH = _group("Search and intervals", {
+    "population": (int, 200, "", "Population of the genetic algorithm."),
+    "generations": (int, 100, "", "Generations of the genetic algorithm."),
+    "refined": (int, 5, "", "How many of the best points are refined by derivatives."),
+    "folds": (int, 5, "", "Folds of the hold-out; 0 for none."),
+    "bootstrap": (int, 200, "", "Bootstrap samples; 0 for none."),
+    "profiles": (bool, True, "", "Compute profile likelihoods."),
+    "confidence": (float, 0.95, "", "Confidence of the intervals."),
+    "seed": (int, 1, "", "Seed of the random numbers."),
+    "threads": (int | None, None, "N", "Number of threads; all cores unless given."),
+})  # fmt: skip
+_CHECKPOINT = options.option(
+    "--checkpoint", metavar="FOLDER",
+    text="Folder that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint unless given.",
+)  # fmt: skip
+_PASSED_ON = ("cost", "normaliser", *(name for name in SEARCH if name != "profiles"), "ball", "accuracy")
+"""Options that reach the fit as they are."""
 
 
 @app.command()
-@options.takes(RECORDED, options.FITTED_MODEL)
+@options.takes(RECORDED, options.FITTED_MODEL, FIT, SEARCH, show.plot_option("profiles and intervals"), show.JSON)
 def identify(
     shots: Annotated[
         str,
         typer.Argument(metavar="SHOTS", help="Recorded shots: a launch monitor's file, or a table, CSV or Parquet."),
     ],
-    free: Annotated[
-        list[str] | None,
-        _option(
-            "--free",
-            panel=_FIT,
-            metavar="NAME",
-            text="Parameter to identify; several with commas or repeated, or all. As published unless given.",
-        ),
-    ] = None,
-    tie: Annotated[
-        list[str] | None,
-        _option("--tie", panel=_FIT, metavar="A=B", text="Let parameter A take the value of the free B. Repeatable."),
-    ] = None,
-    bounds: Annotated[
-        list[str] | None,
-        _option("--bounds", panel=_FIT, metavar="NAME=LOW:HIGH", text="Narrower bounds of a parameter. Repeatable."),
-    ] = None,
     at_launch: options.AtLaunch = False,
-    cost: Annotated[
-        str,
-        _option(
-            "--cost",
-            panel=_FIT,
-            text="What is minimised: published (Caldwell and McPhee, Eq. 22), least-squares or robust.",
-        ),
-    ] = "published",
-    normaliser: Annotated[
-        str, _option("--normaliser", panel=_FIT, text="Means by which Eq. 22 divides: absolute or signed.")
-    ] = "absolute",
-    noise: Annotated[
-        list[str] | None,
-        _option(
-            "--noise", panel=_FIT, metavar="NAME=VALUE", text='Noise of the monitor: backspin="80 rpm". Repeatable.'
-        ),
-    ] = None,
-    quantities: Annotated[
-        list[str] | None,
-        _option(
-            "--quantity",
-            panel=_FIT,
-            metavar="NAME",
-            text="Launch quantity to compare. Repeatable; the five of Caldwell and McPhee unless given.",
-        ),
-    ] = None,
-    population: Annotated[
-        int, _option("--population", panel=_SEARCH, text="Population of the genetic algorithm.")
-    ] = 200,
-    generations: Annotated[
-        int, _option("--generations", panel=_SEARCH, text="Generations of the genetic algorithm.")
-    ] = 100,
-    refined: Annotated[
-        int, _option("--refined", panel=_SEARCH, text="How many of the best points are refined by derivatives.")
-    ] = 5,
-    folds: Annotated[int, _option("--folds", panel=_SEARCH, text="Folds of the hold-out; 0 for none.")] = 5,
-    bootstrap: Annotated[int, _option("--bootstrap", panel=_SEARCH, text="Bootstrap samples; 0 for none.")] = 200,
-    profiles: Annotated[
-        bool, _option("--profiles/--no-profiles", panel=_SEARCH, text="Compute profile likelihoods.")
-    ] = True,
-    confidence: Annotated[float, _option("--confidence", panel=_SEARCH, text="Confidence of the intervals.")] = 0.95,
-    seed: Annotated[int, _option("--seed", panel=_SEARCH, text="Seed of the random numbers.")] = 1,
-    threads: Annotated[
-        int | None, _option("--threads", panel=_SEARCH, metavar="N", text="Number of threads; all cores unless given.")
-    ] = None,
     target: Annotated[
         str | None,
         options.output("FILE", "Write the parameters to this TOML file, which --parameters takes elsewhere."),
     ] = None,
-    plot: Annotated[str | None, options.picture("profiles and intervals")] = None,
-    checkpoint: Annotated[
-        str | None,
-        options.option(
-            "--checkpoint",
-            metavar="FOLDER",
-            text="Folder that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint unless given.",
-        ),
-    ] = None,
+    checkpoint: Annotated[str | None, _CHECKPOINT] = None,
     resume: options.Resume = False,
-    as_json: options.Json = False,
     **texts: Any,
 ) -> None:
     """Identify parameters of a model from shots whose delivery and launch were measured."""
-    ties = {name: value.strip() for name, value in options.pairs(tie or (), "--tie").items()}
+    ties = {name: value.strip() for name, value in options.pairs(texts["tie"] or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)
-    output.check_picture(plot, read)
+    shown = show.Output.check({"plot": texts["plot"], "as_json": texts["as_json"]}, read)
     if texts["model"] is None:
         raise ClubfaceError("--model is missing; name the model whose parameters to find, as in --model slip")
     model = model_named(texts["model"]).name
@@ -124,59 +94,30 @@ def identify(
 
     recorded = recorded_shots(shots, texts)
     head = recorded.club
+    free = options.names(texts["free"])
     kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
-        found = fit(
-            recorded, club=head, model=model, parameters=options.one_set(head, texts), free=_free(free),
-            tied=ties or None, bounds=_bounds(bounds), ball=texts["ball"],
-            quantities=options.names(quantities) or None,
-            compared_at="launch" if at_launch else "delivery", cost=cost, normaliser=normaliser,
-            noise=options.pairs(noise or (), "--noise"), population=population,
-            generations=generations, refined=refined, folds=folds, bootstrap=bootstrap,
-            profiles=None if profiles else (), confidence=confidence, seed=seed, accuracy=texts["accuracy"],
-            threads=threads, checkpoint=kept, resume=resume,
+        identification = fit(
+            recorded, club=head, model=model, parameters=options.one_set(head, texts),
+            free="all" if free == ["all"] else free or None, tied=ties or None, bounds=_bounds(texts["bounds"]),
+            quantities=options.names(texts["quantity"]) or None, compared_at="launch" if at_launch else "delivery",
+            noise=options.pairs(texts["noise"] or (), "--noise"), profiles=None if texts["profiles"] else (),
+            checkpoint=kept, resume=resume, **{name: texts[name] for name in _PASSED_ON},
             progress=update and (lambda stage, done, whole, best: update(done, whole, stage, best)),
         )  # fmt: skip
+    written = []
     try:
-        _write(found, target, plot)
+        if target is not None:
+            written = [str(write_text(target, identification.to_toml()))]
     finally:  # what took long is shown even where a disk is full
-        if as_json:
-            output.print_json(found.to_dict())
-        else:
-            _print(found)
-
-
-def _write(found: Any, target: str | None, plot: str | None) -> None:
-    if target is not None:
-        write_text(target, found.to_toml())
-    if plot is not None:
-        from clubface.inference.identification.picture import identification_figure
-        from clubface.plots import save
-
-        save(identification_figure(found), plot)
-
-
-def _print(found: Any) -> None:
-    from clubface.inference.identification import result as report
-
-    share = f"{100 * found.confidence:g}% interval"
-    heads = ["parameter", "value", f"{share}\nfrom", "\nto", "profile\nlikelihood", "\nidentified"]
-    print_numbers(heads, report.parameter_rows(found), title=report.headline(found))
-    print()
-    print_numbers([each.replace(" ", "\n") for each in report.DEVIATION_HEADS], report.deviation_rows(found))
-    output.print_notes([*report.remarks(found), report.effort(found)])
-
-
-def _free(texts: Iterable[str] | None) -> str | list[str] | None:
-    names = options.names(texts)
-    return "all" if names == ["all"] else names or None
+        shown.show(identification.to_result(), more=written)
 
 
 def _bounds(texts: Iterable[str] | None) -> dict[str, tuple[str, str]]:
-    found = {}
+    bounds = {}
     for name, value in options.pairs(texts or (), "--bounds").items():
         low, colon, high = value.partition(":")
         if not (colon and low.strip() and high.strip()):
             raise InputError("--bounds", f"{name}={value}", "of the form name=low:high")
-        found[name] = (low.strip(), high.strip())
-    return found
+        bounds[name] = (low.strip(), high.strip())
+    return bounds

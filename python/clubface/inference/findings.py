@@ -45,7 +45,8 @@ from clubface.equipment.clubs import club
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import ClubfaceError
-from clubface.inference.evaluation.evaluation import Evaluation, evaluate
+from clubface.inference.evaluation.evaluation import evaluate
+from clubface.inference.evaluation.result import Evaluation
 from clubface.inference.evaluation.statistics import Resamples, interval
 from clubface.inference.identification.result import Identification
 from clubface.inference.identification.run import identify
@@ -54,7 +55,7 @@ from clubface.shots.measured import QUANTITIES
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.simulation.launch import Launch
-from clubface.simulation.results import input_dimensions
+from clubface.simulation.results import input_dimensions, outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import plain
 from clubface.support.files import prepared_folder, write_text
@@ -427,15 +428,20 @@ def _told(of: Identification, shots: BenchmarkShots, which: NDArray[np.int64]) -
     assert of.held_out is not None
     measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
     losses = np.abs(of.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)
-    told = of.to_dict()
-    kept = (
-        "parameters", "intervals", "cost", "cost_holdout", "evaluations", "impacts", "wall_s", "free", "shots",
-        "deviations", "identified", "warnings", "settings",
-    )  # fmt: skip
-    weak = [each["words"] for each in told["identifiability"]["directions"] if each["strength"] != "known"]
-    profiles = {name: each["interval"] for name, each in told["profiles"].items()}
-    held = {"places": which, "losses": losses.sum(axis=0)}
-    return {name: told[name] for name in kept} | {"weak": weak, "profile_intervals": profiles, "held_out": held}
+    return {
+        "parameters": dict(of.parameters.values),
+        "intervals": {name: list(pair) for name, pair in of.intervals.items()},
+        **{name: getattr(of, name) for name in ("cost", "cost_holdout", "evaluations", "impacts", "wall_s")},
+        "free": list(of.free),
+        "shots": of.shots,
+        "deviations": {name: {"unit": outputs()[name].unit, **vars(each)} for name, each in of.deviations.items()},
+        "identified": {name: of.identified(name) for name in of.free},
+        "warnings": [each.sentence for each in of.warnings],
+        "settings": dict(of.settings),
+        "weak": [each.words for each in of.identifiability.weak],
+        "profile_intervals": {name: list(each.interval) for name, each in of.profiles.items()},
+        "held_out": {"places": which, "losses": losses.sum(axis=0)},
+    }
 
 
 def _leads(shots: BenchmarkShots, fits: dict[str, Any]) -> dict[str, Any]:

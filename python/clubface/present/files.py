@@ -6,7 +6,6 @@ import csv
 import io
 import json
 import os
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,7 @@ from clubface.errors import LINES, FileError, legible
 from clubface.results.result import Result
 from clubface.results.table import Table
 from clubface.support.checks import plain
-from clubface.support.files import prepared_folder, whole_file, write_text
+from clubface.support.files import whole_file, write_text
 
 TABLES = (".csv", ".tsv", ".parquet", ".pq")
 """How the name of a table may end."""
@@ -55,18 +54,3 @@ def write_table(table: Table, path: str | os.PathLike[str]) -> Path:
 def write_json(result: Result, path: str | os.PathLike[str]) -> Path:
     """Write a result to a JSON file."""
     return write_text(path, json_text(result.to_dict()) + "\n")
-
-
-def write_folder(result: Result, folder: str | os.PathLike[str], tables: Mapping[str, Table]) -> list[Path]:
-    """Write a report, JSON and pictures named by the kind of a result, and ``tables`` by the name of their file."""
-    from clubface.plots import save
-    from clubface.present.drawing import draw
-    from clubface.present.report import write_report
-
-    target = prepared_folder(folder)
-    files = [write_report(result, target / f"{result.kind}{ending}") for ending in (".html", ".md")]
-    files.append(write_json(result, target / f"{result.kind}.json"))
-    files += [write_table(each, target / name) for name, each in tables.items()]
-    for each in result.pictures():
-        files += [save(draw(each), target / f"{each.name}{ending}") for ending in (".png", ".svg")]
-    return files

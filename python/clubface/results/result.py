@@ -120,11 +120,12 @@ class Result:
         return xarray.Dataset(variables, attrs={"title": self.title, "kind": self.kind})
 
     def write(self, folder: str | os.PathLike[str], tables: Mapping[str, Table] | None = None) -> list[Path]:
-        """Write a report (HTML and Markdown), JSON and pictures into a folder, named by the kind; return the files.
+        """Write pages (HTML and Markdown), JSON, tables and pictures into a folder; return the files.
 
-        ``tables`` are further ones by the name of their file.
+        ``tables`` are further ones, or replacements, by the name of their file.
         """
-        return import_module("clubface.present.files").write_folder(self, folder, tables or {})
+        write_folder = import_module("clubface.present.folder").write_folder
+        return write_folder(self, folder, pages=(".html", ".md"), tables=tables)
 
     def _repr_html_(self) -> str:
         # Found by name, since presentation stands above results.

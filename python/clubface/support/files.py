@@ -188,10 +188,15 @@ _ACTIVE: ContextVar[InputRecord | None] = ContextVar("input_record", default=Non
 
 
 def recorded(compute: Callable[P, R]) -> Callable[P, R]:
-    """Let a computation read each of its files once, however many of its parts ask for it."""
+    """Let a computation read each of its files once, however many of its parts ask for it.
+
+    As a part of one whose files are recorded, it adds to that record.
+    """
 
     @wraps(compute)
     def wrapped(*args: P.args, **options: P.kwargs) -> R:
+        if _ACTIVE.get() is not None:
+            return compute(*args, **options)
         with InputRecord().active():
             return compute(*args, **options)
 

@@ -39,16 +39,16 @@ def test_a_fit_with_lofts_computed_from_the_ball_is_biased_and_one_at_the_measur
 
 def test_fits_say_of_computed_lofts_what_they_are_and_what_to_do(radar):
     usual = clubface.identify(radar, **QUICK)
-    assert "1.137" in usual.notes[0]
-    assert "--at-launch" in usual.notes[0]
+    assert "1.137" in usual.notes[0].sentence
+    assert "--at-launch" in usual.notes[0].sentence
     (origin,) = json.loads(json.dumps(usual.to_dict()))["loft_origins"]
     assert origin["origin"] == "computed from the ball"
     assert origin["ratio"] == pytest.approx(1.137)
     at_launch = clubface.identify(radar, **QUICK, compared_at="launch")
-    assert "not used" in at_launch.notes[0]
+    assert "not used" in at_launch.notes[0].sentence
     assert at_launch.to_dict()["settings"]["compared_at"] == "launch"
     camera = clubface.identify(session("7-iron", 60, model="slip", parameters=TRUE), **QUICK)
-    assert not any("computed from the ball" in note for note in camera.notes)
+    assert not any("computed from the ball" in note.sentence for note in camera.notes)
 
 
 def test_lofts_and_faces_of_the_file_change_nothing_at_the_measured_launch(radar):
@@ -60,7 +60,7 @@ def test_lofts_and_faces_of_the_file_change_nothing_at_the_measured_launch(radar
     )
     fits = [clubface.identify(shots, **QUICK, compared_at="launch") for shots in (radar, shifted, bare)]
     assert fits[0].parameters.values == fits[1].parameters.values == fits[2].parameters.values
-    assert not any("static loft" in note for note in fits[2].notes)
+    assert not any("static loft" in note.sentence for note in fits[2].notes)
 
 
 @pytest.mark.parametrize(("model", "free"), [("slip", ["cor", "slip_y", "slip_z"]), ("response", ["friction"])])

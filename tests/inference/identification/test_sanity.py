@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from clubface.inference.identification.result import _bounds, _contacts, at_bound, worse
+from clubface.inference.identification.checks import at_bound, bounds_met, unphysical_contacts, worse
 
 NEAR = 1e-4
 """Part of its range within which a parameter meets a bound."""
@@ -27,15 +27,15 @@ def test_a_parameter_at_either_bound_is_told_with_it(place, side):
     point = np.array([place, 0.5])
     assert at_bound(two(), point) == (() if side is None else ("cor",))
     bound = {"lower": "0.5", "upper": "1"}
-    expected = [] if side is None else [f"cor meets its {side} bound, {bound[side]}: the best value may lie beyond it"]
-    assert _bounds(two(), point) == expected
+    expected = [] if side is None else [{"parameter": "cor", "side": side, "bound": bound[side]}]
+    assert [each.data for each in bounds_met(two(), point)] == expected
 
 
 @pytest.mark.parametrize(
     ("time", "force", "speed", "words"),
     [
         (450e-6, 12e3, 50.0, []), (351e-6, 8.1e3, 50.0, []), (599e-6, 16.9e3, 50.0, []),
-        (349e-6, 12e3, 50.0, ["contact lasts 349 us"]), (601e-6, 12e3, 50.0, ["contact lasts 601 us"]),
+        (349e-6, 12e3, 50.0, ["lasts 349 us"]), (601e-6, 12e3, 50.0, ["lasts 601 us"]),
         (450e-6, 7.9e3, 50.0, ["7.9 kN"]), (450e-6, 17.1e3, 50.0, ["17.1 kN"]),
         # Hertz: half the speed has 2^-1.2 = 0.435 of the force, 3.5 to 7.4 kN.
         (450e-6, 3.6e3, 25.0, []), (450e-6, 7.3e3, 25.0, []), (450e-6, 3.4e3, 25.0, ["3.4 kN"]),
@@ -47,9 +47,9 @@ def test_a_contact_that_no_ball_has_is_told(time, force, speed, words):
         contact=lambda _: (np.array([time, time]), np.array([force, force])),
         shots=SimpleNamespace(mean=lambda name: {"speed": speed}[name]),
     )
-    told = _contacts(of, np.array([0.5]))
+    told = unphysical_contacts(of, np.array([0.5]))
     assert len(told) == len(words)
-    assert all(word in text for word, text in zip(words, told, strict=True))
+    assert all(word in each.sentence for word, each in zip(words, told, strict=True))
 
 
 def test_what_a_fit_makes_worse_by_more_than_a_twentieth_is_told_in_its_unit():
@@ -62,5 +62,5 @@ def test_what_a_fit_makes_worse_by_more_than_a_twentieth_is_told_in_its_unit():
         "registry",
     )
     assert len(told) == 1
-    assert told[0].endswith("worse than registry, with which it began: ball_speed (MAE 1.06 mph, 1 mph before)")
+    assert told[0].data == {"before": "registry", "names": ["ball_speed (MAE 1.06 mph, 1 mph before)"]}
     assert worse({"launch": figures(1.04, 1.0)}, "registry") == []

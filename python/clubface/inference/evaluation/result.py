@@ -28,7 +28,7 @@ from clubface.shots.measured import DELIVERY, LAUNCH, QUANTITIES, MeasuredShots
 from clubface.shots.recorded import RejectedRow
 from clubface.support.arrays import Floats
 
-__all__ = ["Evaluation"]
+__all__ = ["Evaluation", "error_picture", "error_quantity", "refuse_input", "shot_tables"]
 
 SHOTS_FILE = "evaluation.csv"
 """Every shot with what each model computes for it."""
@@ -156,7 +156,7 @@ class Evaluation(Described):
         return Table("shots", tuple(columns))
 
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write the report (HTML, Markdown, JSON), its pictures and the table of shots; return the files.
+        """Write the report (HTML, Markdown, JSON), its pictures and tables, that of the shots too; return the files.
 
         Raises
         ------
@@ -164,12 +164,13 @@ class Evaluation(Described):
             One of the files is that of the shots.
         """
         refuse_input(folder, self.shots.source)
-        return self.to_result().write(folder, {SHOTS_FILE: self.shots_table()})
+        result = self.to_result()
+        return result.write(folder, {"errors.csv": result.table(), SHOTS_FILE: self.shots_table()})
 
     def _errors(self) -> Table:
         """Return one row a quantity and model: the errors with 95% intervals, and the lead of the best."""
         rows = [(name, model, size) for name, sizes in self.sizes.items() for model, size in sizes.items()]
-        read_as = [_error_quantity(name) for name, _, _ in rows]
+        read_as = [error_quantity(name) for name, _, _ in rows]
         rivals = [self._rival(name, model) for name, model, _ in rows]
         known = [self.published.get(model) for _, model, _ in rows]
 
@@ -218,12 +219,12 @@ class Evaluation(Described):
         """Return one row a quantity: the best model, those that are no worse, and the lead over the next."""
         names = list(self.best)
         nexts = [next((each for each in self.best[name].rivals if each.is_worse), None) for name in names]
-        read_as = [_error_quantity(name, 1) for name in names]
+        read_as = [error_quantity(name, 1) for name in names]
         return table(
             "best", text("quantity_label", [quantity(name).label for name in names], label="quantity", in_files=False),
             text("best_model", [self.best[name].model for name in names], label="least MAE"),
             Column("mae", [self.sizes[name][self.best[name].model].mae for name in names],
-                   [_error_quantity(name) for name in names], label="MAE"),
+                   [error_quantity(name) for name in names], label="MAE"),
             text("not_significantly_worse", [", ".join(self.best[name].equals) or "none" for name in names],
                  label="not significantly worse"),
             text("next_model", [each and each.model for each in nexts], label="next, significantly worse"),
@@ -268,7 +269,7 @@ class Evaluation(Described):
             else min(1.0, (floor * math.sqrt(math.pi / 2.0) / size.rms) ** 2) if size.rms else 1.0
             for size, floor in zip(sizes, least, strict=True)
         ]  # fmt: skip
-        read_as = [_error_quantity(name) for name in names]
+        read_as = [error_quantity(name) for name in names]
         return table(
             "noise", text("noise_of", [quantity(name).label for name in names], label="quantity", in_files=False),
             Column("deviation", [{**self.delivery_noise, **self.monitor_noise}.get(name) for name in names], read_as,
@@ -295,7 +296,7 @@ class Evaluation(Described):
                  in_files=False),
             text("over", [f"per {COVARIATES[each]} of {each}" for each in covariates], in_files=False),
             text("shown", [
-                f"{each:+.{_error_quantity(name).golf.digits or 1}f}{'*' * line.is_clear}"
+                f"{each:+.{error_quantity(name).golf.digits or 1}f}{'*' * line.is_clear}"
                 for each, (name, _, line) in zip(slopes, rows, strict=True)
             ], in_files=False),
             text("quantity", [name for name, _, _ in rows], printed=False),
@@ -316,7 +317,7 @@ class Evaluation(Described):
     def _published(self) -> Table:
         """Return the published figures of the same models, if the club is of a family they were published for."""
         rows = [(name, each) for name in QUANTITIES for each in self.published.values()]
-        read_as = [_error_quantity(name) for name, _ in rows]
+        read_as = [error_quantity(name) for name, _ in rows]
         columns = []
         for what, label in (("mae", "MAE"), ("std", "STD")):
             figures = [getattr(each, what).get(name) for name, each in rows]
@@ -406,7 +407,7 @@ def shot_tables(dropped: Iterable[RejectedRow], origins: Sequence[LoftOrigin]) -
     return left_out, lofts
 
 
-def _error_quantity(name: str, more: int = 0) -> Quantity:
+def error_quantity(name: str, more: int = 0) -> Quantity:
     """Return a quantity read with the digits of an error, and ``more``."""
     known = quantity(name)
     digits = known.golf.digits + (known.golf.unit != "rpm") + more
@@ -426,7 +427,7 @@ def error_picture(evaluation: Evaluation) -> Picture:
         sizes = [evaluation.sizes[name][model] for model in evaluation.models]
         low, high = (np.array([size.mae_interval[end] for size in sizes]) for end in (0, 1))
         mae = np.array([size.mae for size in sizes])
-        read_as = _error_quantity(name).golf
+        read_as = error_quantity(name).golf
         numbers = [f"{units.from_si(each, read_as.unit):.{read_as.digits}f}" for each in mae]
         marks = [
             Mark("bars", mae[[place]], places[[place]], style=model, size=0.6, faint=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any, Self
 
@@ -22,6 +22,8 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, Told, UnknownNameError
+from clubface.results.notes import Note, free_text, note
+from clubface.results.provenance import Provenance
 from clubface.schema import Document
 from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.measured import DELIVERY, QUANTITIES, SOLVED, measured_shots
@@ -29,6 +31,7 @@ from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots, RejectedRow
 from clubface.simulation.impact import impact
 from clubface.simulation.launch_conditioned import impact_at_launch
+from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import input_columns, inputs, outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import Frozen, check_choice, check_names, without_warnings
@@ -249,7 +252,9 @@ class PreparedShots:
     dropped
         Rows that cannot be used.
     notes
-        What a reader of the result must know of the data.
+        What was assumed about the shots.
+    provenance
+        What their launches were computed from with the parameters given.
     """
 
     club: Club
@@ -262,8 +267,9 @@ class PreparedShots:
     groups: NDArray[np.int64]
     source: str
     dropped: tuple[RejectedRow, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     loft_origins: tuple[LoftOrigin, ...] = ()
+    provenance: Provenance = field(default_factory=Provenance)
 
     def __len__(self) -> int:
         return self.launches.shape[1]
@@ -348,7 +354,7 @@ def prepared_shots(
         raise InputError(
             "quantities", ", ".join(missing), f"measured quantities; those of {measured.source} are {', '.join(there)}"
         )
-    notes = [f"not measured, so not in the cost: {', '.join(missing)}"] if missing else []
+    notes = [note("not-in-the-cost", names=missing)] if missing else []
     launches = np.array([measured.launch[name] for name in there])
     how: dict[str, Any] = {"model": parameters.model, "parameters": parameters, "ball": ball}
     problems: dict[int, str] = {}
@@ -380,8 +386,8 @@ def prepared_shots(
         rows=measured.rows[kept],
         groups=np.unique(np.arange(len(kept)) if labels is None else labels, return_inverse=True)[1],
         source=measured.source,
-        dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),
-        loft_origins=measured.loft_origins,
+        dropped=(*measured.dropped, *dropped), notes=(*free_text(measured.notes), *notes),
+        loft_origins=measured.loft_origins, provenance=provenance_of([launch]).with_files(),
     )  # fmt: skip
 
 

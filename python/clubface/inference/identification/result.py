@@ -1,15 +1,10 @@
-"""The result of an identification, and the checks of its shots and fit.
-
-The result of an identification.
-
-Checks of shots and fit: enough information, bounds, contact times and forces.
-"""
+"""The result of an identification as tables, notes and a picture."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -18,20 +13,28 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError
-from clubface.inference.identification.intervals import Identifiability, Profile, identifiability, outside
-from clubface.inference.identification.problem import FreeParameters
-from clubface.inference.identification.simulator import Simulator
-from clubface.quantities import display_unit
+from clubface.inference.evaluation.result import error_quantity, shot_tables
+from clubface.inference.identification.intervals import CHI_SQUARE_95, Identifiability, Profile, outside
+from clubface.quantities import display_unit, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import LoftOrigin
-from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RejectedRow
-from clubface.simulation.results import outputs
 from clubface.support.arrays import Floats
-from clubface.units import from_si
 
-PARAMETER_HEADS = ("parameter", "value", "from", "to", "profile", "identified")
-DEVIATION_HEADS = ("quantity", "mean size", "MAE", "held out", "before", "bias", "std")
+__all__ = ["Deviation", "Identification"]
+
+COLUMNS = 4
+"""Panels in a row of the picture."""
+HIGHEST = 3.0 * CHI_SQUARE_95
+"""Rise at the top of a panel."""
+BINS = 24
+FINE = 16
+"""Points of a curve between two places of a profile."""
+COSTS = {"published": "published cost", "least-squares": "mean square", "robust": "robust cost"}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -62,8 +65,8 @@ class Deviation:
     mae_before: float
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Identification:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Identification(Described):
     """Identified parameters, and how well the shots determine them.
 
     Attributes
@@ -119,6 +122,8 @@ class Identification:
         The options of the identification.
     loft_origins
         What the shots tell of where their dynamic lofts come from.
+    provenance
+        What the shots were read from and the fit began with.
     """
 
     model: str
@@ -143,60 +148,15 @@ class Identification:
     identifiability: Identifiability
     profiles: Mapping[str, Profile]
     at_bound: tuple[str, ...]
-    warnings: tuple[str, ...]
-    notes: tuple[str, ...]
+    warnings: tuple[Note, ...]
+    notes: tuple[Note, ...]
     settings: Mapping[str, Any]
     loft_origins: tuple[LoftOrigin, ...] = ()
+    provenance: Provenance = field(default_factory=Provenance)
 
     def to_toml(self) -> str:
         """Write the parameters as a file that ``parameters=`` and ``--parameters`` read."""
         return self.parameters.to_toml()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return the result as plain values for JSON, in SI; ``units`` holds their units."""
-        told = self.identifiability
-        return {
-            "model": self.model,
-            "club": self.club,
-            "parameters": dict(self.parameters.values),
-            "intervals": {name: list(pair) for name, pair in self.intervals.items()},
-            "cost": self.cost,
-            "cost_holdout": self.cost_holdout,
-            "evaluations": self.evaluations,
-            "impacts": self.impacts,
-            "wall_s": self.wall_s,
-            "units": self.parameters.units,
-            "free": list(self.free),
-            "confidence": self.confidence,
-            "intervals_from": self.method,
-            "cost_kind": self.cost_kind,
-            "shots": self.shots,
-            "dropped": [{"row": each.line, "reason": each.reason} for each in self.dropped],
-            "refined": list(self.refined),
-            "deviations": {name: _entry(name, each) for name, each in self.deviations.items()},
-            "identifiability": {
-                "standard_errors": dict(zip(told.names, told.errors.tolist(), strict=True)),
-                "directions": [
-                    {
-                        "strength": each.strength, "words": each.words, "error": each.error,
-                        "vector": each.vector.tolist(),
-                    }
-                    for each in told.directions
-                ],
-            },
-            "profiles": {
-                name: {
-                    "values": each.values.tolist(), "rise": each.rise.tolist(), "interval": list(each.interval),
-                }
-                for name, each in self.profiles.items()
-            },
-            "at_bound": list(self.at_bound),
-            "identified": {name: self.identified(name) for name in self.free},
-            "warnings": list(self.warnings),
-            "notes": list(self.notes),
-            "loft_origins": [each._asdict() for each in self.loft_origins],
-            "settings": dict(self.settings),
-        }  # fmt: skip
 
     def identified(self, name: str) -> str:
         """Return whether the shots determine a parameter.
@@ -218,237 +178,183 @@ class Identification:
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
         """Return a value of a parameter as text, in the unit in which people read it."""
-        unit = display_unit(name, model_named(self.model).parameter(name).unit)
-        return units.show(value, unit, digits)
+        return units.show(value, display_unit(name, model_named(self.model).parameter(name).unit), digits)
 
     def __repr__(self) -> str:
-        return text(self)
+        return str(self.to_result())
 
-
-def _entry(name: str, of: Deviation) -> dict[str, Any]:
-    return {
-        "unit": outputs()[name].unit, "mean": of.mean, "mae": of.mae, "bias": of.bias, "std": of.std,
-        "mae_holdout": of.mae_holdout, "mae_before": of.mae_before,
-    }  # fmt: skip
-
-
-def headline(of: Identification) -> str:
-    """Return one sentence: model, club, shots, cost."""
-    held = "" if math.isnan(of.cost_holdout) else f", held out {of.cost_holdout:.5g}"
-    kind = {"published": "published cost", "least-squares": "mean square", "robust": "robust cost"}[of.cost_kind]
-    return f"{of.model}, {of.club}, {of.shots} shots: {kind} {of.cost:.5g}{held}"
-
-
-def effort(of: Identification) -> str:
-    """Return one sentence on what was computed."""
-    return f"{of.evaluations:,} evaluations, {of.impacts:,} impacts, {of.wall_s:.1f} s"
-
-
-def parameter_rows(of: Identification) -> list[list[str]]:
-    """Return a row a free parameter: value, interval, profile likelihood interval, and whether it is identified."""
-    rows = []
-    for name in of.free:
-        low, high = of.intervals[name]
-        profile = of.profiles.get(name)
-        span = ""
-        if profile is not None:
-            ends = [of.shown(name, value) for value in profile.interval]
-            span = f"{ends[0] if profile.closed[0] else 'bound'} .. {ends[1] if profile.closed[1] else 'bound'}"
-        value = of.shown(name, float(of.parameters.values[name]), 5)
-        rows.append([name, value, of.shown(name, low), of.shown(name, high), span, of.identified(name)])
-    return rows
-
-
-def deviation_rows(of: Identification) -> list[list[str]]:
-    """Return a row a launch quantity, in the units people read."""
-    rows = []
-    for name, each in of.deviations.items():
-        unit = QUANTITIES.get(name) or display_unit(name, outputs()[name].unit)
-        numbers = (each.mean, each.mae, each.mae_holdout, each.mae_before, each.bias, each.std)
-        shown = ["" if math.isnan(number) else f"{from_si(number, unit):.4g}" for number in numbers]
-        rows.append([f"{name} [{unit}]", *shown])
-    return rows
-
-
-def remarks(of: Identification) -> list[str]:
-    """Return warnings, weak directions and notes, in this order."""
-    weak = [f"weak: {each.words}" for each in of.identifiability.directions if each.strength == "weak"]
-    left = [f"{_rows(len(of.dropped))} not used, the first: {_dropped(of)}"] if of.dropped else []
-    return [*of.warnings, *weak, *left, *of.notes]
-
-
-def text(of: Identification) -> str:
-    """Return everything for the screen."""
-    parts = [headline(of), effort(of), "", *_table(PARAMETER_HEADS, parameter_rows(of)), ""]
-    parts += [*_table(DEVIATION_HEADS, deviation_rows(of))]
-    said = remarks(of)
-    return "\n".join(parts + ([""] + [f"* {each}" for each in said] if said else []))
-
-
-def _rows(count: int) -> str:
-    return "one row was" if count == 1 else f"{count} rows were"
-
-
-def _dropped(of: Identification) -> str:
-    first = of.dropped[0]
-    return f"row {first.line}: {first.reason}"
-
-
-def _table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    widths = [max(len(each) for each in column) for column in zip(heads, *rows, strict=True)]
-    lines = []
-    for row in (heads, *rows):
-        cells = [
-            cell.rjust(width) if place else cell.ljust(width)
-            for place, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        lines.append("  ".join(cells).rstrip())
-    return lines
-
-
-AT_BOUND = 1e-4
-"""A parameter within this part of its range of a bound meets it."""
-WORSE, NOTHING = 0.05, 1e-6
-"""Part by which a mean absolute error must grow to be called worse; less is the luck of the shots. A change of the
-latter part of the mean size is rounding."""
-CONTACT_TIME = (350e-6, 600e-6)
-"""Mean contact times [s] outside this are unphysical: measured ones are 400 to 500 us."""
-PEAK_FORCE = (8e3, 17e3)
-"""Mean peak forces [N] outside this, at 50 m/s, are unphysical: measured drives reach 10 to 14 kN."""
-REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
-"""Hertz: the peak force grows with the speed [m/s] to the power 6/5."""
-
-
-def check_information(simulator: Simulator, point: Floats, noise: Floats) -> list[str]:
-    """Refuse shots that cannot determine the free parameters, and return remarks about few shots.
-
-    The message names what the shots leave open. ``point`` is one at which the parameters are tried, such as that of the
-    published set.
-    """
-    shots, free = simulator.shots, simulator.free
-    different = shots.different()
-    if different < 2:
-        what = "the number of shots" if len(shots) == 1 else f"the number of different ones among {len(shots)} shots"
-        advice = "at least two, with different deliveries: one shot leaves nothing to judge the fit by"
-        open_ = _open(simulator.of(shots.select(np.array([0]))), point, noise)  # copies tell no more than one
-        raise InputError(what, different, advice + (f". It does not determine: {open_}" if open_ else ""))
-    kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
-    distinct = shots.distinct_deliveries()
-    values = min(int(np.isfinite(shots.launches).sum()), kinds * distinct)
-    notes = []
-    if distinct == 1:
-        notes.append(f"all {len(shots)} shots have the same delivery: how the launch depends on it is not tested")
-    if different < len(shots):
-        notes.append(f"only {different} of {len(shots)} shots are different: if the others are copies, take them out")
-    if values < len(free):
-        same = f", since all {len(shots)} shots have the same delivery" if distinct == 1 else ""
-        raise InputError(
-            "the number of free parameters", len(free),
-            f"at most {values}, as many as there are different measured values{same}. Not determined:"
-            f" {_open(simulator, point, noise)}",
+    def to_result(self) -> Result:
+        """Return the parameters, deviations, directions and profiles with warnings, notes and a picture."""
+        weak = [note("fit-weak", direction=each.words) for each in self.identifiability.directions
+                if each.strength == "weak"]  # fmt: skip
+        left_out = []
+        if self.dropped:
+            first = f"{self.dropped[0].line}: {self.dropped[0].reason}"
+            left_out.append(note("rows-not-used", rows=len(self.dropped), first=first))
+        tables = (
+            self._parameters(), self._deviations(), self._directions(), self._profiles(), self._refinements(),
+            *shot_tables(self.dropped, self.loft_origins),
         )  # fmt: skip
-    if len(shots) < 5 * len(free):
-        notes.append(f"{len(shots)} shots are few for {len(free)} parameters: intervals are rough")
-    return notes
+        settings = {name: _words(value) for name, value in self.settings.items() if name not in ("noise", "bounds")}
+        return Result(
+            "identification", f"Parameters of {self.model} from {self.shots} shots with {self.club}",
+            tables=tuple(each for each in tables if len(each)),
+            values=(
+                text("model", [self.model], printed=False), text("club", [self.club], printed=False),
+                text("shots", [self.shots], printed=False), text("cost_kind", [self.cost_kind], printed=False),
+                column("cost", [self.cost], "1", label=COSTS[self.cost_kind], digits=-5),
+                column("cost_holdout", [self.cost_holdout], "1", label=f"{COSTS[self.cost_kind]}, held out", digits=-5),
+                text("confidence", [self.confidence], printed=False),
+                text("intervals_from", [self.method], label="intervals from"),
+                text("evaluations", [self.evaluations]), text("impacts", [self.impacts]),
+                column("wall_time", [self.wall_s], "s", label="time", unit="s", digits=1),
+            ),
+            notes=(*self.warnings, *weak, *left_out, *self.notes),
+            provenance=self.provenance + Provenance(inputs=settings), draw=lambda: [self._picture()],
+        )  # fmt: skip
+
+    def _parameters(self) -> Table:
+        """Return every parameter, of those that are free the interval and whether it is identified."""
+        names = list(self.parameters.values)
+        read_as = [quantity(name, self.parameters.units[name]) for name in names]
+        profiles = [self.profiles.get(name) for name in names]
+        bounds, tied = self.settings.get("bounds", {}), self.settings.get("tied", {})
+        errors = dict(zip(self.identifiability.names, self.identifiability.errors.tolist(), strict=True))
+
+        def numbers(name: str, values: list[Any], **options: Any) -> Column:
+            return Column(name, values, read_as, **options)
+
+        def end(pairs: Mapping[str, Any], place: int) -> list[Any]:
+            return [pairs[name][place] if name in pairs else None for name in names]
+
+        intervals = {name: each.interval for name, each in self.profiles.items()}
+        closed = {name: each.closed for name, each in self.profiles.items()}
+        share = f"{100 * self.confidence:g}% interval"
+        return table(
+            "parameters", text("parameter", names),
+            numbers("value", [float(self.parameters.values[name]) for name in names], digits=-5),
+            numbers("low", end(self.intervals, 0), label=f"{share} from", digits=-4),
+            numbers("high", end(self.intervals, 1), label="to", digits=-4),
+            text("profile", [self._profile_words(each) for each in profiles], label="profile likelihood",
+                 in_files=False),
+            text("identified", [self.identified(name) if name in self.free else None for name in names]),
+            numbers("profile_low", end(intervals, 0), printed=False),
+            numbers("profile_high", end(intervals, 1), printed=False),
+            text("closed_below", end(closed, 0), printed=False), text("closed_above", end(closed, 1), printed=False),
+            numbers("bound_low", end(bounds, 0), printed=False), numbers("bound_high", end(bounds, 1), printed=False),
+            text("at_bound", [name in self.at_bound if name in self.free else None for name in names], printed=False),
+            text("standard_error", [errors.get(name) for name in names], printed=False),
+            text("tied_to", [tied.get(name) for name in names], printed=False),
+            title="Parameters", shown_rows=[place for place, name in enumerate(names) if name in self.free],
+        )  # fmt: skip
+
+    def _profile_words(self, profile: Profile | None) -> str:
+        """Write the interval of a profile, an end without a crossing as a bound."""
+        if profile is None:
+            return ""
+        ends = [self.shown(profile.name, value) for value in profile.interval]
+        return " .. ".join(end if closed else "bound" for end, closed in zip(ends, profile.closed, strict=True))
+
+    def _deviations(self) -> Table:
+        rows = list(self.deviations.values())
+        read_as = [error_quantity(name) for name in self.deviations]
+        noise = self.settings.get("noise") or [None] * len(rows)
+        labels = {"mean": "mean size", "mae": "MAE", "mae_holdout": "held out", "mae_before": "before", "bias": "bias",
+                  "std": "STD"}  # fmt: skip
+        return table(
+            "deviations", text("deviation_of", [each.label for each in read_as], label="quantity", in_files=False),
+            *(
+                Column(name, [getattr(each, name) for each in rows], read_as, label=label, difference=name == "bias")
+                for name, label in labels.items()
+            ),
+            Column("noise", noise, read_as, printed=False),
+            Column("scatter", self.identifiability.noise.tolist(), read_as, printed=False),
+            title="Launches of the fit less measured ones",
+        )  # fmt: skip
+
+    def _directions(self) -> Table:
+        rows = self.identifiability.directions
+        return table(
+            "directions", text("strength", [each.strength for each in rows]),
+            text("words", [each.words for each in rows], label="direction"),
+            text("error", [each.error for each in rows], printed=False),
+            *(
+                text(f"{name}_share", [each.vector[place] for each in rows], printed=False)
+                for place, name in enumerate(self.identifiability.names)
+            ),
+            title="Directions of the parameters, the weakest first", printed=False,
+        )  # fmt: skip
+
+    def _profiles(self) -> Table:
+        rows = [(each, place) for each in self.profiles.values() for place in range(len(each.values))]
+        return table(
+            "profiles", text("parameter", [each.name for each, _ in rows]),
+            Column("value", [each.values[place] for each, place in rows],
+                   [quantity(each.name, self.parameters.units[each.name]) for each, _ in rows], digits=-5),
+            text("rise", [float(each.rise[place]) for each, place in rows], digits=-4),
+            title="Profile likelihoods: rise of minus twice the logarithm", printed=False,
+        )  # fmt: skip
+
+    def _refinements(self) -> Table:
+        return table("refinements", text("cost", self.refined, digits=-6), title="Refinements", printed=False)
+
+    def _picture(self) -> Picture:
+        """Return a panel for each free parameter: its profile likelihood with the 95% level, samples and interval."""
+        columns = min(len(self.free), COLUMNS)
+        panels = [self._panel(place, name) for place, name in enumerate(self.free)]
+        padded = [*panels, *[None] * (-len(panels) % columns)]
+        rows = [list(padded[start : start + columns]) for start in range(0, len(padded), columns)]
+        return Picture(
+            "identification", "Profile likelihoods with the level of 95%, fits to parts of the shots, and intervals",
+            rows, title=f"{self.model}, {self.club}, {self.shots} shots", share_y=True, legend=True,
+            height=0.5 + 1.75 * len(rows),
+        )  # fmt: skip
+
+    def _panel(self, place: int, name: str) -> Panel:
+        low, high = self.intervals[name]
+        value = float(self.parameters.values[name])
+        shown = [low, high, value]
+        unit = self.parameters.units[name]
+        marks = []
+        profile = self.profiles.get(name)
+        if profile is not None:
+            marks = [
+                Mark("line", *_between(profile.values, profile.rise), label="profile"),
+                Mark("points", profile.values, profile.rise, size=2.2),
+            ]
+            near = profile.values[profile.rise <= HIGHEST]
+            shown += [float(near.min()), float(near.max())]
+        span = max(shown) - min(shown) or abs(value) or 1.0
+        left, right = min(shown) - 0.08 * span, max(shown) + 0.08 * span
+        below: list[Mark] = []
+        if len(self.samples):
+            counts, edges = np.histogram(self.samples[:, place], bins=BINS, range=(left, right))
+            below = [Mark("steps", edges, counts / max(counts.max(), 1) * 0.45 * HIGHEST, style=-1, label="bootstrap")]
+        ends = np.array([low, high])
+        return Panel(
+            [
+                *below,
+                Mark("band", ends, y0=np.zeros(2), y1=np.full(2, HIGHEST), style=1,
+                     label=f"{100 * self.confidence:g}% interval"),
+                Mark("line", np.full(2, value), np.array([0.0, HIGHEST]), style=1, dash=0, label="fit"),
+                *marks,
+                Mark("rule", y=CHI_SQUARE_95, dash=2, style=-1, label="3.84: 95% of the likelihood"),
+            ],
+            axis(name, like=unit, unit=display_unit(name, unit), limits=(left, right)),
+            axis(label="-2 log likelihood,\nrise", limits=(0.0, HIGHEST)),
+        )  # fmt: skip
 
 
-def _open(simulator: Simulator, point: Floats, noise: Floats) -> str:
-    """Name the directions that the shots leave open."""
-    told = identifiability(simulator, point, noise)
-    return "; ".join(each.words for each in told.directions if each.strength in ("none", "unknown"))
+def _words(value: Any) -> str:
+    """Write a setting."""
+    if isinstance(value, Mapping):
+        return ", ".join(f"{name} follows {leader}" for name, leader in value.items()) or "none"
+    return (", ".join(map(str, value)) or "none") if isinstance(value, (list, tuple)) else str(value)
 
 
-def fit_warnings(simulator: Simulator, point: Floats, told: Identifiability, costs: list[float]) -> list[str]:
-    """Return the warnings about a fit: bounds met, unphysical contacts, what is not identified, a doubtful search."""
-    free = simulator.free
-    found = list(_bounds(free, point)) + _contacts(simulator, point)
-    for each in told.directions:
-        if each.strength in ("none", "unknown"):
-            found.append(f"not identified: {each.words}")
-    best = min(costs)
-    if len(costs) > 1 and sum(cost <= best * (1.0 + 1e-3) + 1e-12 for cost in costs) == 1:
-        second = sorted(costs)[1]
-        found.append(
-            f"only one of {len(costs)} refinements reached the least cost, {best:.6g} (the next {second:.6g}): another"
-            " seed or more generations may find a better fit"
-        )
-    return found
-
-
-def apart(intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]) -> list[str]:
-    """Return a warning if the fit and the least-squares fit, to which the profiles belong, exclude each other."""
-    names = [
-        name
-        for name, each in profiles.items()
-        if each.interval[0] > intervals[name][1] or each.interval[1] < intervals[name][0]
-    ]
-    if not names:
-        return []
-    return [
-        f"the likelihood puts {', '.join(names)} outside the interval: the model does not describe these shots, so that"
-        " its parameters depend on what the fit is judged by"
-    ]
-
-
-def at_bound(free: FreeParameters, point: Floats) -> tuple[str, ...]:
-    """Return the names of the parameters that meet a bound."""
-    return tuple(name for name, place in zip(free.names, point, strict=True) if _meets(place))
-
-
-def contradicted(
-    values: Mapping[str, float], intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]
-) -> list[str]:
-    """Return a warning of parameters [SI] whose interval, or that of their profile, does not hold their value."""
-    names = [name for name in intervals if outside(float(values[name]), intervals[name], profiles.get(name))]
-    if not names:
-        return []
-    return [
-        f"outside of their own interval: {', '.join(names)}; fits to parts of the shots, or the likelihood, lead"
-        " elsewhere, so that neither value nor interval can be trusted"
-    ]
-
-
-def worse(deviations: Mapping[str, Deviation], before: str) -> list[str]:
-    """Return a warning of the quantities that the fit makes worse than the set called ``before``."""
-    told = []
-    for name, each in deviations.items():
-        if each.mae > (1.0 + WORSE) * each.mae_before + NOTHING * each.mean:
-            unit = QUANTITIES.get(name) or display_unit(name, outputs()[name].unit)
-            after, then = (units.from_si(value, unit) for value in (each.mae, each.mae_before))
-            told.append(f"{name} (MAE {after:.3g} {unit}, {then:.3g} {unit} before)")
-    if not told:
-        return []
-    return [f"the fit makes some quantities worse than {before}, with which it began: {', '.join(told)}"]
-
-
-def _meets(place: float) -> bool:
-    return place < AT_BOUND or place > 1.0 - AT_BOUND
-
-
-def _bounds(free: FreeParameters, point: Floats) -> list[str]:
-    found = []
-    for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
-        side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
-        if _meets(place):
-            shown = units.show(float(bound), display_unit(each.name, each.unit), 4)
-            found.append(f"{each.name} meets its {side} bound, {shown}: the best value may lie beyond it")
-    return found
-
-
-def _contacts(simulator: Simulator, point: Floats) -> list[str]:
-    times, forces = simulator.contact(point)
-    if not np.isfinite(times).all():
-        return []
-    found = []
-    time, force = float(np.mean(times)), float(np.mean(forces))
-    if not CONTACT_TIME[0] <= time <= CONTACT_TIME[1]:
-        found.append(f"contact lasts {units.fixed(time, 'us', 0)} on average; measured contacts last 400 to 500 us")
-    scale = (simulator.shots.mean("speed") / REFERENCE_SPEED) ** SPEED_POWER
-    low, high = (limit * scale for limit in PEAK_FORCE)
-    if not low <= force <= high:
-        usual = f"{10 * scale:.0f} to {14 * scale:.0f} kN"
-        found.append(
-            f"the normal force peaks at {units.fixed(force, 'kN', 1)} on average; measured impacts of this"
-            f" speed at {usual}"
-        )
-    return found
+def _between(where: Floats, rise: Floats) -> tuple[Floats, Floats]:
+    """Return a curve through the places of a profile, its root linear between them as where its interval ends."""
+    place = np.linspace(0.0, len(where) - 1.0, FINE * (len(where) - 1) + 1)
+    roots = np.sqrt(rise) * np.sign(np.arange(len(rise)) - float(np.argmin(rise)))
+    counted = np.arange(len(where))
+    return np.interp(place, counted, where), np.interp(place, counted, roots) ** 2

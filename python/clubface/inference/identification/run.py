@@ -25,6 +25,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import Parameter, reduced_model
 from clubface.errors import InputError
 from clubface.inference.identification import search as genetic
+from clubface.inference.identification.checks import at_bound, check_information, fit_warnings
 from clubface.inference.identification.intervals import (
     BOOTSTRAP,
     FOLDS,
@@ -40,26 +41,20 @@ from clubface.inference.identification.intervals import (
     scatter,
 )
 from clubface.inference.identification.problem import free_parameters, prepared_shots
-from clubface.inference.identification.result import (
-    Deviation,
-    Identification,
-    apart,
-    at_bound,
-    check_information,
-    contradicted,
-    fit_warnings,
-    worse,
-)
+from clubface.inference.identification.result import Deviation, Identification
 from clubface.inference.identification.search import Population, refine, search
 from clubface.inference.identification.simulator import Cost, Effort, Simulator, cost_of, noise_of
 from clubface.jobs import Finished, Store
 from clubface.quantities import display_unit
+from clubface.results.notes import Note
+from clubface.results.provenance import Provenance
 from clubface.shots.measured import DELIVERY
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped, thread_count, tolerance
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, is_count
+from clubface.support.files import recorded
 
 
 class Checkpoint:
@@ -215,7 +210,7 @@ class Stages:
             found.append((np.array(point), float(cost)))
         return found
 
-    def result(self, notes: tuple[str, ...]) -> Identification:
+    def result(self, notes: tuple[Note, ...]) -> Identification:
         """Run all stages."""
         ends = self.refine(self.search())
         costs = [cost for _, cost in ends]
@@ -235,18 +230,12 @@ class Stages:
             name: _deviation(measured[place], simulated[place], before[place], None if held is None else held[place])
             for place, name in enumerate(shots.quantities)
         }
-        values = dict(zip(free.names, free.values(point).tolist(), strict=True))
-        warnings = (
-            *worse(deviations, free.fixed.name),
-            *fit_warnings(self.simulator, point, told, costs),
-            *apart(intervals, profiles),
-            *contradicted(values, intervals, profiles),
-        )
+        warnings = fit_warnings(self.simulator, point, told, costs, deviations, intervals, profiles)
         spans = ", ".join(f"{each.name} {_span(each, intervals[each.name])}" for each in free.declared())
         parameters = free.parameters(
             point, name=f"identified from {Path(shots.source).name}".replace("/", " "), reference=f"{len(shots)} shots",
-            source=f"clubface identify: {self.settings['cost']} cost",
-            caveats=(*warnings, f"{100 * confidence:g}% intervals: {spans}"),
+            source="; ".join([f"clubface identify: {self.settings['cost']} cost", *_fingerprints(shots.provenance)]),
+            caveats=(*(each.sentence for each in warnings), f"{100 * confidence:g}% intervals: {spans}"),
         )  # fmt: skip
         spent = self.checkpoint.spent
         return Identification(
@@ -260,6 +249,7 @@ class Stages:
             dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
             identifiability=told, profiles=profiles, at_bound=at_bound(free, point),
             warnings=warnings, notes=notes, settings=dict(self.settings), loft_origins=shots.loft_origins,
+            provenance=shots.provenance,
         )  # fmt: skip
 
     def _resampled(self, point: Floats, told: Identifiability) -> tuple[Floats | None, Floats]:
@@ -335,6 +325,11 @@ class Stages:
         return once
 
 
+def _fingerprints(provenance: Provenance) -> list[str]:
+    """Return the names of the files read with their fingerprints."""
+    return [f"{each.name}, SHA-256 {each.sha256}" for each in provenance.files]
+
+
 def _span(of: Parameter, interval: tuple[float, float]) -> str:
     unit = display_unit(of.name, of.unit)
     return " to ".join(units.show(end, unit, 4) for end in interval)
@@ -351,6 +346,7 @@ def _deviation(measured: Floats, simulated: Floats, before: Floats, held: Floats
     )  # fmt: skip
 
 
+@recorded
 def identify(
     shots: RecordedShots | str | os.PathLike[str],
     *,

@@ -1,0 +1,157 @@
+"""Checks of shots and fit: enough information, bounds, contact times and forces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from clubface import units
+from clubface.errors import InputError
+from clubface.inference.identification.intervals import Identifiability, Profile, identifiability, outside
+from clubface.inference.identification.problem import FreeParameters
+from clubface.inference.identification.result import Deviation
+from clubface.inference.identification.simulator import Simulator
+from clubface.quantities import display_unit
+from clubface.results.notes import Note, note
+from clubface.shots.measured import QUANTITIES
+from clubface.simulation.results import outputs
+from clubface.support.arrays import Floats
+
+AT_BOUND = 1e-4
+"""A parameter within this part of its range of a bound meets it."""
+WORSE, NOTHING = 0.05, 1e-6
+"""Part by which a mean absolute error must grow to be called worse; less is the luck of the shots. A change of the
+latter part of the mean size is rounding."""
+CONTACT_TIME = (350e-6, 600e-6)
+"""Mean contact times [s] outside this are unphysical: measured ones are 400 to 500 us."""
+PEAK_FORCE = (8e3, 17e3)
+"""Mean peak forces [N] outside this, at 50 m/s, are unphysical: measured drives reach 10 to 14 kN."""
+REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
+"""Hertz: the peak force grows with the speed [m/s] to the power 6/5."""
+
+
+def check_information(simulator: Simulator, point: Floats, noise: Floats) -> list[Note]:
+    """Refuse shots that cannot determine the free parameters, and return notes about few shots.
+
+    The message names what the shots leave open. ``point`` is one at which the parameters are tried, such as that of the
+    published set.
+    """
+    shots, free = simulator.shots, simulator.free
+    different = shots.different()
+    if different < 2:
+        what = "the number of shots" if len(shots) == 1 else f"the number of different ones among {len(shots)} shots"
+        advice = "at least two, with different deliveries: one shot leaves nothing to judge the fit by"
+        left = _undetermined(simulator.of(shots.select(np.array([0]))), point, noise)  # copies add nothing to one
+        raise InputError(what, different, advice + (f". It does not determine: {left}" if left else ""))
+    kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
+    distinct = shots.distinct_deliveries()
+    values = min(int(np.isfinite(shots.launches).sum()), kinds * distinct)
+    if values < len(free):
+        same = f", since all {len(shots)} shots have the same delivery" if distinct == 1 else ""
+        raise InputError(
+            "the number of free parameters", len(free),
+            f"at most {values}, as many as there are different measured values{same}. Not determined:"
+            f" {_undetermined(simulator, point, noise)}",
+        )  # fmt: skip
+    notes = []
+    if distinct == 1:
+        notes.append(note("fit-same-delivery", shots=len(shots)))
+    if different < len(shots):
+        notes.append(note("fit-copied-shots", different=different, shots=len(shots)))
+    if len(shots) < 5 * len(free):
+        notes.append(note("fit-few-shots", shots=len(shots), free=len(free)))
+    return notes
+
+
+def _undetermined(simulator: Simulator, point: Floats, noise: Floats) -> str:
+    """Name the directions that the shots leave open."""
+    directions = identifiability(simulator, point, noise).directions
+    return "; ".join(each.words for each in directions if each.strength in ("none", "unknown"))
+
+
+def fit_warnings(
+    simulator: Simulator,
+    point: Floats,
+    information: Identifiability,
+    costs: list[float],
+    deviations: Mapping[str, Deviation],
+    intervals: Mapping[str, tuple[float, float]],
+    profiles: Mapping[str, Profile],
+) -> tuple[Note, ...]:
+    """Return the warnings about a fit: quantities made worse, bounds, contacts, what is open, a doubtful search."""
+    free = simulator.free
+    notes = [*worse(deviations, free.fixed.name), *bounds_met(free, point), *unphysical_contacts(simulator, point)]
+    notes += [
+        note("fit-not-identified", direction=each.words)
+        for each in information.directions
+        if each.strength in ("none", "unknown")
+    ]
+    least, *others = sorted(costs)
+    if others and others[0] > least * (1.0 + 1e-3) + 1e-12:
+        notes.append(note("fit-one-refinement", refinements=len(costs), least=least, next=others[0]))
+    excluded = [
+        name
+        for name, each in profiles.items()
+        if each.interval[0] > intervals[name][1] or each.interval[1] < intervals[name][0]
+    ]
+    if excluded:
+        notes.append(note("fit-likelihood-elsewhere", names=excluded))
+    values = dict(zip(free.names, free.values(point).tolist(), strict=True))
+    return (*notes, *contradicted(values, intervals, profiles))
+
+
+def at_bound(free: FreeParameters, point: Floats) -> tuple[str, ...]:
+    """Return the names of the parameters that meet a bound."""
+    return tuple(name for name, place in zip(free.names, point, strict=True) if _meets(place))
+
+
+def contradicted(
+    values: Mapping[str, float], intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]
+) -> list[Note]:
+    """Return a warning of parameters [SI] whose interval, or that of their profile, does not hold their value."""
+    names = [name for name in intervals if outside(float(values[name]), intervals[name], profiles.get(name))]
+    return [note("fit-contradicted", names=names)] if names else []
+
+
+def worse(deviations: Mapping[str, Deviation], before: str) -> list[Note]:
+    """Return a warning of the quantities that the fit makes worse than the set called ``before``."""
+    names = []
+    for name, each in deviations.items():
+        if each.mae > (1.0 + WORSE) * each.mae_before + NOTHING * each.mean:
+            unit = QUANTITIES.get(name) or display_unit(name, outputs()[name].unit)
+            after, then = (units.from_si(value, unit) for value in (each.mae, each.mae_before))
+            names.append(f"{name} (MAE {after:.3g} {unit}, {then:.3g} {unit} before)")
+    return [note("fit-worse", before=before, names=names)] if names else []
+
+
+def _meets(place: float) -> bool:
+    return place < AT_BOUND or place > 1.0 - AT_BOUND
+
+
+def bounds_met(free: FreeParameters, point: Floats) -> list[Note]:
+    """Return a warning of each parameter that meets a bound of the search."""
+    notes = []
+    for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
+        if _meets(place):
+            side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
+            shown = units.show(float(bound), display_unit(each.name, each.unit), 4)
+            notes.append(note("fit-at-bound", parameter=each.name, side=side, bound=shown))
+    return notes
+
+
+def unphysical_contacts(simulator: Simulator, point: Floats) -> list[Note]:
+    """Return warnings of contacts that are shorter, longer, softer or harder than measured ones."""
+    times, forces = simulator.contact(point)
+    if not np.isfinite(times).all():
+        return []
+    notes = []
+    time, force = float(np.mean(times)), float(np.mean(forces))
+    if not CONTACT_TIME[0] <= time <= CONTACT_TIME[1]:
+        notes.append(note("fit-contact-time", contact_time=time))
+    scale = (simulator.shots.mean("speed") / REFERENCE_SPEED) ** SPEED_POWER
+    low, high = (limit * scale for limit in PEAK_FORCE)
+    if not low <= force <= high:
+        usual = {"least_peak_force": 10e3 * scale, "most_peak_force": 14e3 * scale}
+        notes.append(note("fit-peak-force", peak_force=force, **usual))
+    return notes
