@@ -83,9 +83,9 @@ def test_a_planted_absurd_attack_angle_is_remarked_and_an_ordinary_one_is_not():
     ordinary = infer(launch, club="9-iron", delivery={"attack": "-4.5 deg"})
     assert ordinary.warnings == []
     absurd = infer(launch, club="9-iron", delivery={"attack": "10 deg"})
-    text = "; ".join(absurd.warnings)
-    assert "expects attack -4.7 deg" in text
-    assert "not reproduced by these deliveries: attack 10 deg" in text
+    remarks = {each.code: each.data for each in absurd.warnings}
+    assert any(each.startswith("attack -4.7 deg") for each in remarks["contradicts-prior"]["expected"])
+    assert any(each.startswith("attack 10 deg") for each in remarks["not-reproduced"]["quantities"])
 
 
 def test_a_delivery_in_the_tail_of_the_prior_is_remarked():
@@ -94,7 +94,8 @@ def test_a_delivery_in_the_tail_of_the_prior_is_remarked():
         {"launch": "19 deg"}, club="9-iron", delivery={"attack": "10 deg"}, delivery_noise={"attack": "0.1 deg"}
     )
     # 14.7 deg from a mean that is known to 1.84 deg.
-    assert any(re.search(r"far from the prior: attack 9\.9\d deg is 8\.0 standard", each) for each in one.warnings)
+    (far,) = (each.data["quantities"] for each in one.warnings if each.code == "far-from-prior")
+    assert re.match(r"attack 9\.9\d deg is 8\.0 standard", far[0])
 
 
 def test_what_the_prior_leaves_out_is_taken_as_measured():

@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface import Prior, infer
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.inference import UnreachableLaunchError, posterior
+from clubface.inference import UnreachableLaunchError, pairs_picture
 from clubface.inference.prior import prior_of
 from clubface.inference.run import NOISE, Inference
 from clubface.shots.measured import QUANTITIES
@@ -93,10 +93,10 @@ def test_the_truth_has_any_rank_among_the_draws_with_the_same_probability(club, 
 
 
 def test_what_cannot_be_told_apart_is_said(found):
-    text = " ".join(posterior.ambiguities(found))
-    for pair in ("attack and loft", "toe and face", "path and face"):
-        assert pair in text
-    assert posterior.not_learned(found) == ["lie", "closure", "pitch_rate", "lie_rate"]
+    tied = [{each.data["first"], each.data["second"]} for each in found.ties]
+    for pair in ({"attack", "loft"}, {"toe", "face"}, {"path", "face"}):
+        assert pair in tied
+    assert found.not_learned == ["lie", "closure", "pitch_rate", "lie_rate"]
     correlation = dict(zip(found.names, found.correlation[found.names.index("face")], strict=True))
     # Toe side and closed face: the gear effect takes the ball back where an open face would send it.
     assert correlation["toe"] < -0.9
@@ -114,7 +114,7 @@ def test_one_number_alone_is_enough_to_ask():
     # A monitor knows ball speed to 0.25 m/s, a hundredth of the prior; what is not learned is in the impact point.
     assert one.learned["speed"] > 0.25
     # 2000 draws show a deviation to 1.6 %; three of these are less than the 5 % from which something is learned.
-    assert "face" in posterior.not_learned(one)
+    assert "face" in one.not_learned
 
 
 @pytest.mark.parametrize(
@@ -143,9 +143,9 @@ def test_a_left_handers_deliveries_are_the_mirror_image():
 
 def test_a_launch_that_contradicts_the_prior_is_warned_of(found):
     slow = infer({**DRIVE, "ball_speed": "120 mph"}, club="driver", model="slip", samples=300)
-    assert "contradicts the prior" in slow.warnings[0]
+    assert slow.warnings[0].code == "contradicts-prior"
     wide = infer({**DRIVE, "ball_speed": "120 mph"}, club="driver", model="slip", samples=300, prior="wide")
-    assert not any("contradicts" in each for each in wide.warnings)
+    assert not any(each.code.startswith("contradicts") for each in wide.warnings)
     assert found.warnings == []
 
 
@@ -247,13 +247,23 @@ def test_draws_become_shots_that_can_be_predicted(found, tmp_path):
 
 def test_the_picture_is_drawn(found, tmp_path):
     pytest.importorskip("matplotlib")
-    from clubface.inference.picture import pairs_figure, worth_drawing
-    from clubface.plots import save
+    from clubface.present.drawing import draw
 
-    assert worth_drawing(found) == ["speed", "attack", "path", "loft", "face", "toe", "high"]
-    figure = pairs_figure(found, truth=found.mean)
-    assert len(figure.axes) == 49
-    assert save(figure, tmp_path / "pairs.png").stat().st_size > 10_000
+    picture = pairs_picture(found, truth=found.mean)
+    drawn = [panel.x.label for panel in picture.rows[-1]]
+    assert drawn == ["speed", "attack", "path", "loft", "face", "toe", "high"]
+    assert len(draw(picture).axes) == 49
+
+
+def test_a_posterior_is_a_result_with_all_its_numbers(found):
+    document = found.to_dict()
+    rows = {row["quantity"]: row for row in document["tables"]["deliveries"]["rows"]}
+    assert rows["loft"]["mean"] == pytest.approx(found.mean["loft"] / DEG, rel=1e-14)
+    assert (rows["loft"]["low"], rows["loft"]["high"]) == pytest.approx(tuple(np.array(found.interval("loft")) / DEG))
+    measured = {row["quantity"]: row for row in document["tables"]["measured"]["rows"]}
+    assert measured["backspin"]["value"] == pytest.approx(2900.0)
+    assert document["values"]["effective"] == found.effective
+    assert found.to_pandas("measured")["reproduced"].tolist() == list(found.reproduced.values())
 
 
 def test_samples_and_confidences_are_taken_to_their_ends(found):

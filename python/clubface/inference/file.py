@@ -11,10 +11,10 @@ import math
 import os
 import pickle
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from clubface.inference.run import Inference
 from clubface.jobs.engine import Job, run
 from clubface.jobs.store import Store, unfinished_folder
 from clubface.jobs.workers import in_processes, in_sequence
+from clubface.results.notes import note
+from clubface.results.result import Described, Result
+from clubface.results.table import text
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.tables.writer import csv_lines
@@ -98,7 +101,7 @@ class Rows:
         for name in self.names:
             values = (found.mean[name], found.deviation[name], *found.interval(name))
             cells += [_cell(value, unit_of(name)) for value in values]
-        remarks = [*found.warnings, *([found.outside] if found.outside else [])]
+        remarks = [*(each.sentence for each in found.warnings), *([found.outside] if found.outside else [])]
         return [*cells, round(found.effective), "; ".join(remarks)]
 
     def _for(self, hand: int) -> Inference:
@@ -120,7 +123,8 @@ def _cell(value: float, unit: str) -> str:
     return "" if math.isnan(value) else f"{float(units.from_si(value, unit)):.6g}"
 
 
-class InferReport(NamedTuple):
+@dataclass(frozen=True)
+class InferReport(Described):
     """Result of the inference for a file of launches.
 
     Attributes
@@ -145,6 +149,17 @@ class InferReport(NamedTuple):
     without: int
     warned: int
     used: tuple[str, ...]
+
+    def to_result(self) -> Result:
+        """Return the counts, and notes on what was used and remarked."""
+        notes = [note("club-data-used", names=list(self.used))] if self.used else []
+        notes += [note("rows-with-remarks", rows=self.warned)] if self.warned else []
+        counts = [text(name, [getattr(self, name)]) for name in ("shots", "resumed", "without", "warned")]
+        return Result(
+            "inferred-shots", f"{self.shots - self.without} of {self.shots} launches inferred: {self.output}",
+            values=(text("output", [self.output], printed=False), *counts, text("used", [self.used], printed=False)),
+            notes=tuple(notes),
+        )  # fmt: skip
 
 
 def infer_shots(
@@ -200,8 +215,8 @@ def infer_shots(
         else:
             how = in_sequence
         written = list(run(job, how, store=store, progress=progress).values())
-        text = csv_lines([rows.headings, *written], ",")
-        store.write_result(target, lambda file: file.write(text))
+        content_of_file = csv_lines([rows.headings, *written], ",")
+        store.write_result(target, lambda file: file.write(content_of_file))
         store.remove()
     without = sum(row[-2] == "" for row in written)
     warned = sum(bool(row[-1]) for row in written) - without

@@ -1,14 +1,10 @@
-"""Posteriors: a sample of the deliveries that can have made a launch, and what it says in words.
-
-A sample of the deliveries that can have made a launch.
-
-A posterior in tables and words: what is known, which quantities are tied, and what the launch leaves open.
-"""
+"""Posteriors: a sample of the deliveries that can have made a launch, and what it shows."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,34 +12,43 @@ from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError
+from clubface.inference.evaluation.result import error_quantity
 from clubface.inference.importance import Sample
-from clubface.inference.prior import FAR, Prior, shown as with_unit, unit_of as unit_of
+from clubface.inference.prior import FAR, Prior, shown, unit_of
+from clubface.quantities import format_value, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.recorded import RecordedShots
+from clubface.simulation.impact import Tally
 from clubface.simulation.inputs import OF_CLUB
+from clubface.simulation.launch import Launch
+from clubface.simulation.provenance import provenance_of
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
     import pandas
 
+__all__ = ["Posterior", "pairs_picture"]
 
 FEWEST_EFFECTIVE = 400
 """Effective draws below which a sample should not be trusted."""
 SURPRISING = 0.001
 """Probability under the prior below which a shot contradicts it."""
 MOST_WEIGHT = 0.05
-"""Part of the weight on one draw from which it is warned of."""
-DIGITS = {"mph": 1, "deg": 1, "mm": 1, "deg/s": 0}
+"""Part of the weight on one draw from which a warning is given."""
+CLOSE = 0.5
+"""Correlation from which two quantities are called tied."""
+NOT_LEARNED = 0.05
+"""Narrowing below which a launch says nothing about a quantity."""
+MOST_QUANTITIES, MOST_POINTS, BINS = 7, 2000, 30
+"""Quantities and draws that a picture shows, and bars of a histogram."""
 
 
-def shown(value: float, name: str) -> str:
-    """Write a value [SI] of a quantity of a delivery in its unit."""
-    unit = unit_of(name)
-    return f"{float(units.from_si(value, unit)):.{DIGITS[unit]}f}"
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Posterior:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Posterior(Described):
     """Deliveries that can have made a launch, equally probable, in SI units.
 
     Attributes
@@ -67,13 +72,13 @@ class Posterior:
     surprise
         Probability, under the prior, of a shot that lies further from the expected ones than this.
     expected
-        What the prior expects of the measured quantities that are far from it, in words; "" if none is.
+        What the prior expects of each measured quantity that is far from it, in words.
     reproduced
         Mean of each measured quantity over the draws, which are close to the measured ones if the model can make them.
     seed
         Seed of the random numbers.
-    outside
-        What the mean delivery is outside of, in one line: the range of the model or of its parameters; or "".
+    struck
+        The launch of the mean delivery.
     """
 
     deliveries: dict[str, Floats]
@@ -87,10 +92,15 @@ class Posterior:
     parameters: ParameterSet
     sample: Sample
     surprise: float
-    expected: str
+    expected: list[str]
     reproduced: dict[str, float]
     seed: int
-    outside: str = ""
+    struck: Launch
+
+    @property
+    def outside(self) -> str:
+        """What the mean delivery is outside of, in one line: the range of the model or of its parameters; or ""."""
+        return Tally().add_all((self.struck,)).remark()
 
     @property
     def effective(self) -> float:
@@ -134,51 +144,58 @@ class Posterior:
         return np.atleast_2d(np.corrcoef(np.stack(list(self.deliveries.values()))))
 
     @property
-    def warnings(self) -> list[str]:
+    def not_learned(self) -> list[str]:
+        """The quantities that are as uncertain as before."""
+        return [name for name, part in self.learned.items() if part < NOT_LEARNED]
+
+    @property
+    def warnings(self) -> list[Note]:
         """Reasons not to trust the sample."""
-        found = [*self._against_the_prior(), *self._not_reproduced()]
-        wanted = min(FEWEST_EFFECTIVE, len(self))
-        if self.effective < wanted:
-            found.append(
-                f"only {self.effective:.0f} draws are effective (of {self.sample.draws}): the sample is too small"
-                " to be trusted"
-            )
-        if self.sample.largest_weight > MOST_WEIGHT:
-            found.append(f"a single draw has {self.sample.largest_weight:.0%} of the weight")
-        return found
-
-    def _against_the_prior(self) -> list[str]:
-        """Say where the measured values and the deliveries found are far from what was believed before."""
-        found = []
+        notes = []
         if self.surprise < SURPRISING:
-            told = f"expects {self.expected}" if self.expected else "hardly ever makes these values together"
-            found.append(
-                f"what was measured contradicts the prior ({self.prior.name}), which by {self.model} {told}; check"
-                " units and club, or give a prior that suits the golfer"
-            )
-        mean = self.mean
-        far = []
-        for name, value in mean.items():
-            before, spread = self.prior.mean[name], self.prior.deviation[name]
-            away = abs(value - before) / spread
-            if away > FAR:
-                far.append(
-                    f"{name} {with_unit(name, value, 3)} is {away:.1f} standard deviations from"
-                    f" {with_unit(name, before, 3)}"
-                )
-        if far:
-            found.append(f"a delivery far from the prior: {', '.join(far)}")
-        return found
-
-    def _not_reproduced(self) -> list[str]:
-        """Say which measured values the deliveries found do not make."""
-        measured = {**self.launch, **self.delivery}
-        far = [
-            f"{name} {with_unit(name, value, 4)} ({with_unit(name, self.reproduced[name], 4)})"
-            for name, value in measured.items()
+            code = "contradicts-prior" if self.expected else "contradicts-prior-together"
+            notes.append(note(code, prior=self.prior.name, model=self.model, expected=self.expected))
+        before, spread = self.prior.mean, self.prior.deviation
+        if far := [
+            f"{name} {shown(name, value, 3)} is {abs(value - before[name]) / spread[name]:.1f} standard deviations from"
+            f" {shown(name, before[name], 3)}"
+            for name, value in self.mean.items()
+            if abs(value - before[name]) > FAR * spread[name]
+        ]:
+            notes.append(note("far-from-prior", quantities=far))
+        if missed := [
+            f"{name} {shown(name, value, 4)} ({shown(name, self.reproduced[name], 4)})"
+            for name, value in {**self.launch, **self.delivery}.items()
             if not abs(self.reproduced[name] - value) <= FAR * self.noise[name]
+        ]:
+            notes.append(note("not-reproduced", quantities=missed))
+        if self.effective < min(FEWEST_EFFECTIVE, len(self)):
+            notes.append(note("sample-too-small", effective=round(self.effective), draws=self.sample.draws))
+        if self.sample.largest_weight > MOST_WEIGHT:
+            notes.append(note("one-draw-dominates", weight=self.sample.largest_weight))
+        return notes
+
+    @property
+    def ties(self) -> list[Note]:
+        """A note for each pair of quantities that are tied together, the closest first."""
+        correlation, names, deviation = self.correlation, self.names, self.deviation
+        pairs = [
+            (abs(correlation[i, j]), i, j)
+            for i in range(len(names))
+            for j in range(i)
+            if abs(correlation[i, j]) >= CLOSE and not {names[i], names[j]} <= set(self.not_learned)
         ]
-        return [f"not reproduced by these deliveries: {', '.join(far)}"] if far else []
+        notes = []
+        for _, i, j in sorted(pairs, reverse=True):
+            first, second = sorted((names[i], names[j]), key=lambda name: -deviation[name] / self.prior.deviation[name])
+            slope = float(correlation[i, j]) * deviation[second] / deviation[first]
+            change = slope * units.parse(f"1 {unit_of(first)}", OF_CLUB[first])
+            notes.append(
+                note("tied", first=first, second=second, correlation=float(correlation[i, j]),
+                     step=f"1 {unit_of(first)}", change=units.show(abs(change), unit_of(second), 2),
+                     direction="more" if change > 0 else "less")
+            )  # fmt: skip
+        return notes
 
     def shots(self) -> RecordedShots:
         """Return the draws as recorded shots, which can be written and predicted."""
@@ -193,8 +210,10 @@ class Posterior:
             format="clubface",
         )
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a draw, SI."""
+    def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
+        """Return one row a draw, or the table called ``name``, SI."""
+        if name is not None:
+            return self.to_result().to_pandas(name)
         import pandas
 
         return pandas.DataFrame(self.deliveries)
@@ -205,125 +224,148 @@ class Posterior:
         width = max(map(len, heads.values()))
         lines = [f"{len(self)} deliveries of {self.club.name} for one launch by {self.model}, prior {self.prior.name}"]
         for name, head in heads.items():
-            lines.append(f"  {head:<{width}}  {shown(mean[name], name):>9} +- {shown(deviation[name], name)}")
+            numbers = [format_value(each[name], quantity(name)).split()[0] for each in (mean, deviation)]
+            lines.append(f"  {head:<{width}}  {numbers[0]:>9} +- {numbers[1]}")
         return "\n".join(lines)
 
+    def to_result(self) -> Result:
+        """Return mean, spread and interval of each quantity, what was measured, and what the launch leaves open."""
+        sample = self.sample
+        notes = [*self.warnings]
+        if self.known:
+            exact = [f"{name} {shown(name, value, 4)}" for name, value in self.known.items()]
+            notes.append(note("taken-as-exact", quantities=exact))
+        notes += self.ties
+        if unknown := self.not_learned:
+            notes.append(note("launch-says-nothing" if not self.delivery else "shot-says-nothing", names=unknown))
+        notes.append(note("model-taken-as-exact", model=self.model, parameters=self.parameters.name))
+        measured = {
+            name: f"{shown(name, value, 5)} +- {shown(name, self.noise[name], 2)}"
+            for name, value in {**self.launch, **self.delivery}.items()
+        }
+        inputs = {**measured, "before": self.prior.name, "seed": str(self.seed)}
+        return Result(
+            "inference", f"Deliveries that make this launch: {self.club.name}, {self.model}",
+            tables=tuple(
+                each for each in (self._deliveries(), self._measured(), self._correlations(), self._prior(),
+                                  self._parameters()) if len(each)
+            ),
+            values=(
+                text("before", [self.prior.name]), text("samples", [len(self)]), text("draws", [sample.draws]),
+                text("effective", [round(self.effective)], label="effective draws", in_files=False),
+                text("effective", [self.effective], printed=False), text("impacts", [sample.evaluations]),
+                text("stages", [sample.stages], printed=False),
+                text("largest_weight", [sample.largest_weight], printed=False),
+                text("log_evidence", [sample.log_evidence], printed=False),
+                text("surprise", [self.surprise], printed=False), text("seed", [self.seed]),
+            ),
+            notes=tuple(notes),
+            provenance=replace(provenance_of([self.struck]), inputs=inputs), draw=lambda: [pairs_picture(self)],
+        )  # fmt: skip
 
-CLOSE = 0.5
-"""Correlation from which two quantities are said to go together."""
-NOT_LEARNED = 0.05
-"""Narrowing below which a launch is said to tell nothing of a quantity."""
+    def _deliveries(self) -> Table:
+        names = self.names
+        read_as = [quantity(name) for name in names]
+        ends = [self.interval(name) for name in names]
+        numbers = {
+            "mean": ("mean", self.mean.values()), "std": ("STD", self.deviation.values()),
+            "low": ("95% from", [low for low, _ in ends]), "high": ("to", [high for _, high in ends]),
+            "prior_mean": ("before", self.prior.mean.values()), "prior_std": ("+-", self.prior.deviation.values()),
+        }  # fmt: skip
+        return table(
+            "deliveries", text("delivery_of", [each.label for each in read_as], label="quantity", in_files=False),
+            *(Column(name, list(values), read_as, label=label) for name, (label, values) in numbers.items()),
+            column("narrower", list(self.learned.values()), "1", label="narrower by", unit="%", digits=0),
+            title="Deliveries",
+        )  # fmt: skip
+
+    def _measured(self) -> Table:
+        given = {**self.launch, **self.delivery, **self.known}
+        read_as = [quantity(name) for name in given]
+        return table(
+            "measured", text("measured", [each.label for each in read_as], in_files=False),
+            Column("value", list(given.values()), read_as),
+            Column("noise", list(map(self.noise.get, given)), [error_quantity(name) for name in given]),
+            Column("reproduced", list(map(self.reproduced.get, given)), read_as),
+            text("part", ["launch" if name in self.launch else "club" for name in given], printed=False),
+            title="Measured, and what these deliveries make",
+        )  # fmt: skip
+
+    def _correlations(self) -> Table:
+        rows = self.correlation
+        return table(
+            "correlations", text("quantity", self.names),
+            *(text(name, rows[:, place].tolist(), digits=2) for place, name in enumerate(self.names)),
+            title="Correlations", printed=False,
+        )  # fmt: skip
+
+    def _prior(self) -> Table:
+        pairs = self.prior.correlations
+        return table(
+            "prior_correlations", text("first", [first for first, _ in pairs]),
+            text("second", [second for _, second in pairs]), text("correlation", list(pairs.values()), digits=2),
+            title="Correlations before", printed=False,
+        )  # fmt: skip
+
+    def _parameters(self) -> Table:
+        values, own = self.parameters.values, self.parameters.units
+        return table(
+            "parameters", text("parameter", list(values)),
+            Column("value", list(values.values()), [quantity(name, own[name]) for name in values], digits=-5),
+            title=f"Parameters: {self.parameters.name}", printed=False,
+        )  # fmt: skip
 
 
-def summary(of: Posterior) -> tuple[list[str], list[list[str]]]:
-    """Return headings and rows: mean, standard deviation and 95% interval of each quantity, and what was believed."""
-    heads = ["", "mean", "STD", "95%", "before", "narrower by"]
-    mean, deviation, learned = of.mean, of.deviation, of.learned
-    rows = []
-    for name in of.names:
-        low, high = of.interval(name)
-        rows.append(
-            [
-                f"{name} ({unit_of(name)})",
-                shown(mean[name], name),
-                shown(deviation[name], name),
-                f"[{shown(low, name)}, {shown(high, name)}]",
-                f"{shown(of.prior.mean[name], name)} +- {shown(of.prior.deviation[name], name)}",
-                f"{100.0 * learned[name]:.0f}%",
-            ]
-        )
-    return heads, rows
+def pairs_picture(posterior: Posterior, *, truth: Mapping[str, float] | None = None) -> Picture:
+    """Return every pair of quantities, the prior of each, and correlations; ``truth`` [SI] is marked if known."""
+    names = _drawn_quantities(posterior)
+    known = truth or {}
+    rows: list[list[Panel | None]] = []
+    for row, below in enumerate(names):
+        panels: list[Panel | None] = []
+        for place, name in enumerate(names):
+            across = axis(name, name.replace("_", " "))
+            upwards = axis(below, below.replace("_", " "))
+            if place:  # the first panel of the row has the numbers and words
+                upwards = Axis(quantity(below)._replace(label=""), ticks=False)
+            if place == row:
+                panels.append(_distribution(posterior, name, known))
+            elif place < row:
+                x, y = (posterior.deliveries[each][:MOST_POINTS] for each in (name, below))
+                marks = [Mark("points", x, y, symbol="", size=1.6, label="deliveries that make this launch")]
+                if name in known and below in known:
+                    marks.append(
+                        Mark("points", [known[name]], [known[below]], symbol="+", size=8.0, style=1, label="truth")
+                    )
+                panels.append(Panel(marks, across, upwards, grid=False))
+            else:
+                both = posterior.correlation[posterior.names.index(below), posterior.names.index(name)]
+                size = 6.0 + 5.0 * abs(float(both))
+                panels.append(Panel([Mark("text", texts=[f"{both:+.2f}"], size=size)], across, grid=False))
+        rows.append(panels)
+    caption = "Pairs of quantities of the deliveries that make this launch, what was believed before, and correlations"
+    return Picture("pairs", caption, rows, share_x=True, legend=True, height=6.9)
 
 
-def ambiguities(of: Posterior) -> list[str]:
-    """Return a sentence about each pair of quantities that are tied together, the closest first."""
-    correlation, names, same = of.correlation, of.names, not_learned(of)
-    pairs = [
-        (abs(correlation[i, j]), i, j)
-        for i in range(len(names))
-        for j in range(i)
-        if names[i] not in same or names[j] not in same
-    ]
-    found = []
-    for size, i, j in sorted(pairs, reverse=True):
-        if size < CLOSE:
-            break
-        one, other = sorted((names[i], names[j]), key=lambda name: -of.deviation[name] / of.prior.deviation[name])
-        slope = float(correlation[i, j]) * of.deviation[other] / of.deviation[one]
-        step = units.parse(f"1 {unit_of(one)}", OF_CLUB[one])
-        change = float(units.from_si(slope * step, unit_of(other)))
-        word = "more" if change > 0 else "less"
-        found.append(
-            f"{one} and {other} are tied (correlation {correlation[i, j]:+.2f}): 1 {unit_of(one)} more {one} with"
-            f" {abs(change):.2g} {unit_of(other)} {word} {other} makes about the same launch"
-        )
-    return found
+def _drawn_quantities(posterior: Posterior) -> list[str]:
+    """Return the quantities that the launch narrows or ties to others; if they are too many, the narrowest ones."""
+    tied = np.abs(posterior.correlation - np.eye(len(posterior.names))).max(axis=0) >= CLOSE
+    learned = posterior.learned
+    names = [name for name, each in zip(posterior.names, tied, strict=True) if each or learned[name] >= NOT_LEARNED]
+    kept = sorted(names, key=lambda name: -learned[name])[:MOST_QUANTITIES]
+    return [name for name in posterior.names if name in kept] or list(posterior.names[:MOST_QUANTITIES])
 
 
-def not_learned(of: Posterior) -> list[str]:
-    """Return the quantities that are as uncertain as before."""
-    return [name for name, part in of.learned.items() if part < NOT_LEARNED]
-
-
-def notes(of: Posterior) -> list[str]:
-    """Return what a reader of the tables must know."""
-    given = ", ".join(
-        f"{name} {with_unit(name, value, 5)} +- {with_unit(name, of.noise[name], 2)}"
-        for name, value in {**of.launch, **of.delivery}.items()
-    )
-    found = [*of.warnings]
-    found.append(f"Measured: {given}. Before: {of.prior.name}.")
-    if of.known:
-        told = ", ".join(f"{name} {with_unit(name, value, 4)}" for name, value in of.known.items())
-        found.append(f"Measured, and taken as exact since the prior leaves it out: {told}.")
-    found += [f"{text}." for text in ambiguities(of)]
-    unknown = not_learned(of)
-    if unknown:
-        what = "The launch tells" if not of.delivery else "What was measured tells"
-        found.append(f"{what} nothing of {', '.join(unknown)}: there the prior is seen again.")
-    found.append(
-        f"{of.model} with {of.parameters.name} is taken as exact; its errors belong into the noise. {len(of)} draws"
-        f" from {of.sample.draws} weighted ones, of which {of.effective:.0f} are effective;"
-        f" {of.sample.evaluations} impacts, seed {of.seed}."
-    )
-    return found
-
-
-def document(of: Posterior) -> dict[str, Any]:
-    """Return everything but the draws as one document for JSON, SI."""
-    return {
-        "club": of.club.name,
-        "model": of.model,
-        "parameters": {"name": of.parameters.name, "values": dict(of.parameters.values)},
-        "launch": of.launch,
-        "delivery": {**of.delivery, **of.known},
-        "noise": of.noise,
-        "prior": {
-            "name": of.prior.name,
-            "mean": dict(of.prior.mean),
-            "deviation": dict(of.prior.deviation),
-            "correlations": [[*pair, value] for pair, value in of.prior.correlations.items()],
-        },
-        "units": {name: units.SI_UNITS[OF_CLUB[name]] for name in of.names},
-        "mean": of.mean,
-        "deviation": of.deviation,
-        "interval_95": {name: list(of.interval(name)) for name in of.names},
-        "learned": of.learned,
-        "names": list(of.names),
-        "correlation": np.round(of.correlation, 6),
-        "ambiguities": ambiguities(of),
-        "not_learned": not_learned(of),
-        "diagnostics": {
-            "samples": len(of),
-            "effective": of.effective,
-            "draws": of.sample.draws,
-            "impacts": of.sample.evaluations,
-            "stages": of.sample.stages,
-            "largest_weight": of.sample.largest_weight,
-            "log_evidence": of.sample.log_evidence,
-            "surprise": of.surprise,
-            "reproduced": of.reproduced,
-            "seed": of.seed,
-        },
-        "warnings": of.warnings,
-    }
+def _distribution(posterior: Posterior, name: str, truth: Mapping[str, float]) -> Panel:
+    """Return the panel of one quantity with what was believed before."""
+    density, edges = np.histogram(posterior.deliveries[name], bins=BINS, density=True)
+    mean, deviation = posterior.prior.mean[name], posterior.prior.deviation[name]
+    margin = 0.05 * float(edges[-1] - edges[0])
+    low, high = float(edges[0]) - margin, float(edges[-1]) + margin
+    x = np.linspace(low, high, 200)
+    prior = np.exp(-0.5 * ((x - mean) / deviation) ** 2) / (deviation * np.sqrt(2.0 * np.pi))
+    marks = [Mark("steps", edges, density), Mark("line", x, prior, style=-1, label="before", dash=0)]
+    if name in truth:
+        marks.append(Mark("line", [truth[name]] * 2, [0.0, float(density.max())], style=1, dash=0))
+    across = axis(name, name.replace("_", " "), limits=(low, high))
+    return Panel(marks, across, axis(limits=(0.0, None), ticks=False), grid=False)

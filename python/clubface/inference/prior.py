@@ -317,14 +317,14 @@ class Expectation:
         away = np.abs(measured - self.mean) > FAR * np.hypot(self.spread, self._scale)
         return [name for name, each in zip(self.names, away, strict=True) if each]
 
-    def told(self, names: Sequence[str]) -> str:
-        """Return in words what is expected of some of the quantities."""
+    def words(self, names: Sequence[str]) -> list[str]:
+        """Return what is expected of each of some quantities, with its spread."""
         places = [self.names.index(name) for name in names]
-        return ", ".join(
+        return [
             f"{self.names[place]} {shown(self.names[place], float(self.mean[place]), 3)} +-"
             f" {shown(self.names[place], float(self.spread[place]), 2)}"
             for place in places
-        )
+        ]
 
 
 def shown(name: str, value: float, digits: int) -> str:
@@ -343,7 +343,7 @@ def unreachable(measured: Mapping[str, float], expected: Expectation, who: str) 
     """Return the error for a shot that the prior ``who`` cannot reach."""
     given = ", ".join(f"{name} {shown(name, value, 4)}" for name, value in measured.items())
     advice = (
-        f"within reach of {who} expects {expected.told(expected.names)}: if units and club are right, give a prior that"
-        " suits the golfer"
+        f"within reach of {who} expects {', '.join(expected.words(expected.names))}: if units and club are right, give"
+        " a prior that suits the golfer"
     )
     return UnreachableLaunchError("launch", given, advice)

@@ -27,7 +27,7 @@ from clubface.shots.formats import CG, CONTACT, FACE
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.reference_points import ATTITUDE, MOTION, as_seen
 from clubface.simulation import core
-from clubface.simulation.impact import Parameters, Tally, impact, warn_if_outside
+from clubface.simulation.impact import Parameters, impact, warn_if_outside
 from clubface.simulation.inputs import OF_CLUB, equipped, parameter_set, shots, thread_count, tolerance
 from clubface.simulation.results import input_columns, outputs
 from clubface.simulation.spin import (
@@ -233,7 +233,7 @@ def infer(
         delivery_noise=delivery_noise, samples=samples, seed=seed, accuracy=accuracy, threads=threads,
     )  # fmt: skip
     found = prepared.of(launch, delivery, progress=progress)
-    warn_if_outside((prepared.struck({**found.known, **found.mean}),))
+    warn_if_outside((found.struck,))
     return found
 
 
@@ -318,7 +318,6 @@ class Inference:
         deliveries = self.prior.deliveries(found.points)
         reproduced = seen(found.points).mean(axis=0).tolist()
         noises = dict(zip((*names, *club_names), scale.tolist(), strict=True))
-        middle = self.struck({**known, **{name: float(values.mean()) for name, values in deliveries.items()}})
         return Posterior(
             deliveries=deliveries,
             launch=measured,
@@ -331,10 +330,10 @@ class Inference:
             parameters=self.parameters,
             sample=found._replace(evaluations=impacts),
             surprise=expected.surprise(target),
-            expected=expected.told(expected.far(target)),
+            expected=expected.words(expected.far(target)),
             reproduced=dict(zip((*names, *club_names), reproduced, strict=True)),
             seed=self._seed,
-            outside=Tally().add_all((middle,)).remark(),
+            struck=self.struck({**known, **{name: float(values.mean()) for name, values in deliveries.items()}}),
         )
 
     def struck(self, delivery: Mapping[str, float]) -> Any:

@@ -1,6 +1,15 @@
 """Sentences about evaluations of models, identified parameters and inferred deliveries."""
 
 SENTENCES = {
+    "club-data-used": "Measured club data counted as well: {names}.",
+    "contradicts-prior": (
+        "What was measured contradicts the prior ({prior}), which by {model} expects {expected}; check units and club, "
+        "or give a prior that suits the golfer."
+    ),
+    "contradicts-prior-together": (
+        "What was measured contradicts the prior ({prior}), which by {model} hardly ever makes these values together; "
+        "check units and club, or give a prior that suits the golfer."
+    ),
     "evaluation-best": "{model} has the smallest mean absolute error in {names:and}.",
     "evaluation-errors": (
         "Errors are model less measured; percentages are of the mean magnitude of the measured values. STD is the "
@@ -23,6 +32,7 @@ SENTENCES = {
         "times are totals of ten shots. The paper does not say whether a mean of azimuth and sidespin, or an STD, is "
         "of magnitudes."
     ),
+    "far-from-prior": "A delivery far from the prior: {quantities}.",
     "fit-at-bound": "{parameter} meets its {side} bound, {bound}: the best value may lie beyond it.",
     "fit-contact-time": "Contact lasts {contact_time:us 0} on average; measured contacts last 400 to 500 us.",
     "fit-contradicted": (
@@ -49,9 +59,21 @@ SENTENCES = {
     ),
     "fit-weak": "Weakly identified: {direction}.",
     "fit-worse": "The fit makes some quantities worse than {before}, with which it began: {names}.",
+    "launch-says-nothing": "The launch says nothing about {names:and}: there the sample repeats the prior.",
+    "model-taken-as-exact": "{model} with {parameters} is taken as exact; add its errors to the noise.",
     "not-in-the-cost": "Not measured, so not in the cost: {names}.",
+    "not-reproduced": "Not reproduced by these deliveries: {quantities}.",
+    "one-draw-dominates": "A single draw has {weight:.0%} of the weight.",
     "published-caveat": "Published {model}, {club}: {caveat}",
     "rows-left-out": "Left out of {source}: {rows:n row} ({first})",
     "rows-not-used": "{rows:n row} not used; the first is {first}",
+    "rows-with-remarks": "{rows:n row} with a remark in the last column.",
+    "sample-too-small": "Only {effective} draws are effective (of {draws}): the sample is too small to be trusted.",
+    "shot-says-nothing": "What was measured says nothing about {names:and}: there the sample repeats the prior.",
     "shots-not-computed": "Left out for all models, since one cannot compute them: {shots:n shot} ({first})",
+    "taken-as-exact": "Measured, and taken as exact because the prior leaves it out: {quantities}.",
+    "tied": (
+        "{first} and {second} are tied (correlation {correlation:+.2f}): {step} more {first} with {change} {direction} "
+        "{second} makes about the same launch."
+    ),
 }
