@@ -175,12 +175,12 @@ def test_the_command_uses_club_data_and_ignores_what_it_is_told_to(clubface_, wr
     source = str(write("club,ball_speed_mph,launch_deg,attack_deg\n9-iron,110,22,10\n9-iron,110,22,-5\n"))
     target = tmp_path / "out.csv"
     ran = clubface_("infer", source, "-o", str(target), "--samples", "100")
-    assert "measured club data counted, too: attack" in ran.err
+    assert "Measured club data counted as well: attack." in ran.out
     absurd, ordinary = rows_of(target)
     assert "attack" in absurd["remark"]
     assert ordinary["remark"] == ""
     ran = clubface_("infer", source, "-o", str(target), "--samples", "100", "--ignore", "attack")
-    assert "club data" not in ran.err
+    assert "club data" not in ran.out
     absurd, ordinary = rows_of(target)
     assert absurd["attack_deg"] == ordinary["attack_deg"]
 
@@ -190,8 +190,10 @@ def test_the_command_takes_club_data_of_one_launch(clubface_):
         "infer", "--club", "driver", "--ball-speed", "159 mph", "--speed", "108 mph", "--samples", "200", "--json",
         "--delivery-noise", "speed=0.5 mph",
     )  # fmt: skip
-    assert ran.json["delivery"] == {"speed": pytest.approx(108 * 0.44704)}
-    assert ran.json["deviation"]["speed"] < 0.6 * 0.44704
+    measured = {row["quantity"]: row["value"] for row in ran.json["tables"]["measured"]["rows"]}
+    assert measured["speed"] == pytest.approx(108 * 0.44704)
+    deliveries = {row["quantity"]: row for row in ran.json["tables"]["deliveries"]["rows"]}
+    assert deliveries["speed"]["std"] < 0.6 * 0.44704
 
 
 @pytest.mark.parametrize(

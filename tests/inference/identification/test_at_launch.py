@@ -41,12 +41,12 @@ def test_fits_say_of_computed_lofts_what_they_are_and_what_to_do(radar):
     usual = clubface.identify(radar, **QUICK)
     assert "1.137" in usual.notes[0].sentence
     assert "--at-launch" in usual.notes[0].sentence
-    (origin,) = json.loads(json.dumps(usual.to_dict()))["loft_origins"]
+    (origin,) = json.loads(json.dumps(usual.to_dict()))["tables"]["loft_origins"]["rows"]
     assert origin["origin"] == "computed from the ball"
     assert origin["ratio"] == pytest.approx(1.137)
     at_launch = clubface.identify(radar, **QUICK, compared_at="launch")
     assert "not used" in at_launch.notes[0].sentence
-    assert at_launch.to_dict()["settings"]["compared_at"] == "launch"
+    assert at_launch.to_dict()["provenance"]["inputs"]["compared_at"] == "launch"
     camera = clubface.identify(session("7-iron", 60, model="slip", parameters=TRUE), **QUICK)
     assert not any("computed from the ball" in note.sentence for note in camera.notes)
 
