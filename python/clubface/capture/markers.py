@@ -213,7 +213,7 @@ def _check_axes(target: str | tuple[str, str], up: str) -> None:
 
 SEEN = "seen"
 """Stands for the position of a marker that the calibration places."""
-LENGTH, DEVIATION = Quantity("mm"), Quantity("mm", lower=0)
+LENGTH, DEVIATION = Quantity("mm", decimals=6), Quantity("mm", lower=0, decimals=6)
 VECTOR = Items(LENGTH, 3, 3, "three lengths in a list")
 POSITION = Either(
     {
@@ -288,32 +288,29 @@ class MarkerFile:
         Table(LaboratoryTable), "axes and units of the files", default_factory=LaboratoryTable
     )
     noise: Mapping[str, float] = file_key(
-        Record({"marker": Quantity("mm", above=0)}), "standard deviation of a `marker`", default_factory=dict
+        Record({"marker": Quantity("mm", above=0, decimals=6)}),
+        "standard deviation of a `marker`",
+        default_factory=dict,
     )
     assumed: Any = file_key(Table(Assumed), "standard deviations of what is not measured", default_factory=Assumed)
 
     @classmethod
     def of(cls, markers: Markers) -> Self:
-        """Return the file of a mapping, lengths to 1 nm."""
+        """Return the file of a mapping."""
         ball = None
         if markers.ball is not None or markers.ball_position is not None:
-            offset: Any = _rounded(markers.ball_offset) if any(markers.ball_offset) else ()
+            offset: Any = markers.ball_offset if any(markers.ball_offset) else ()
             ball = BallTable(
-                marker=markers.ball, offset=offset, position=_rounded(markers.ball_position),
-                accuracy=_rounded(markers.ball_accuracy),
-            )  # fmt: skip
+                marker=markers.ball, offset=offset, position=markers.ball_position, accuracy=markers.ball_accuracy
+            )
         return cls(
-            club=markers.club,
-            cluster={name: _rounded(each) for name, each in markers.cluster.items()},
+            club=markers.club, cluster=markers.cluster, face=markers.face, ball=ball,
             calibration=CalibrationTable(
-                by=markers.by, file=markers.calibration, frames=markers.frames, ground=_rounded(markers.ground),
-                accuracy=_rounded(markers.accuracy),
+                by=markers.by, file=markers.calibration, frames=markers.frames, ground=markers.ground,
+                accuracy=markers.accuracy,
             ),
-            face={name: FacePoint(*_rounded(each)) for name, each in markers.face.items()},
-            ball=ball,
             laboratory=LaboratoryTable(target=markers.target, up=markers.up, unit=markers.unit),
-            noise={} if markers.noise is None else {"marker": _rounded(markers.noise)},
-            assumed=markers.assumed.told(),
+            noise={} if markers.noise is None else {"marker": markers.noise}, assumed=markers.assumed.told(),
         )  # fmt: skip
 
     def values(self) -> dict[str, Any]:
@@ -329,13 +326,6 @@ class MarkerFile:
             return found
         return found | {"ball": ball.marker, "ball_offset": ball.offset, "ball_position": ball.position,
                         "ball_accuracy": ball.accuracy}  # fmt: skip
-
-
-def _rounded(value: Any) -> Any:
-    """Return a length, or several, to 1 nm."""
-    if value is None:
-        return None
-    return round(value, 9) + 0.0 if isinstance(value, float | int) else tuple(round(each, 9) + 0.0 for each in value)
 
 
 class MarkerMap(Markers):

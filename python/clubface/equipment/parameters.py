@@ -54,8 +54,8 @@ from clubface.schema import (
     Value,
     check_values,
     decode,
+    encode,
     file_key,
-    quoted,
 )
 from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
@@ -385,29 +385,17 @@ class ParameterSet:
             if not isinstance(value, float):
                 raise InputError(key, value, "a single number to be written to a file")
         name, _, variant = self.name.partition("/")
-        lines = [f"title = {quoted(name)}", f"reference = {quoted(self.reference)}", "", "[[set]]"]
-        lines += [
-            f"model = {quoted(self.model)}",
-            f"club = {quoted(self.club)}",
-            f"source = {quoted(self.source)}",
-        ]
-        lines += [f"variant = {quoted(variant)}"] if variant else []
-        lines += [] if self.includes_face else ["includes_face = false"]
-        if self.characteristic_time is not None:
-            lines += [f'characteristic_time = "{self.characteristic_time!r} s"']
-        lines += ["caveats = [" + ", ".join(quoted(text) for text in self.caveats) + "]"]
-        lines += ["[set.range]"] if self.range else []
-        lines += [f"{name} = [{least!r}, {most!r}]" for name, (least, most) in self.range.items()]
-        lines += ["[set.values]"]
-        lines += [
-            f"{key} = {quoted(f'{value!r} {unit}')}"
+        values = {
+            key: f"{value!r} {unit}"
             for (key, value), unit in zip(self.values.items(), self.units.values(), strict=True)
-        ]
-        lines += [
-            "[set.value_caveats]",
-            *(f"{key} = {quoted(text)}" for key, text in self.value_caveats.items()),
-        ]
-        return "\n".join(lines) + "\n"
+        }
+        table = {
+            "model": self.model, "club": self.club, "variant": variant, "source": self.source,
+            "includes_face": None if self.includes_face else False, "characteristic_time": self.characteristic_time,
+            "caveats": self.caveats, "range": self.range, "values": values, "value_caveats": self.value_caveats,
+        }  # fmt: skip
+        given = {key: value for key, value in table.items() if value is False or value}
+        return encode(ParameterFile(title=name, reference=self.reference, set=(given,)))
 
 
 @cache

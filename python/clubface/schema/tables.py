@@ -20,7 +20,6 @@ from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
 from typing import Any, NamedTuple, TypeVar
 
-from clubface import units
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.values import Quantity, Record, Tables, Value
@@ -246,7 +245,9 @@ def encode(subject: Any, *, leave_out: Collection[str] = (), **changed: Any) -> 
 def _values(subject: Any, leave_out: Collection[str] = ()) -> dict[str, Any]:
     known = entries(type(subject)).values()
     pairs = ((each, getattr(subject, each.attribute)) for each in known if each.key not in leave_out)
-    return {each.key: value for each, value in pairs if not (value is None or value == "" or value in ((), {}, []))}
+    return {
+        each.key: value for each, value in pairs if each.is_required or not (value is None or value in ("", (), {}, []))
+    }
 
 
 def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) -> list[str]:
@@ -257,7 +258,7 @@ def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) ->
         kind = kinds[name].value if isinstance(kinds[name], Entry) else kinds[name]
         path = f"{heading}.{written_key(name)}" if heading else written_key(name)
         if isinstance(kind, Tables):
-            for each in value:
+            for each in kind.rows(value):
                 inner = _lines(kind.keys(), each if isinstance(each, Mapping) else _values(each), path)
                 sections += ["", f"[[{path}]]", *inner]
         elif isinstance(kind, Table) or (isinstance(kind, Record) and not kind.example.startswith("{")):
@@ -311,9 +312,7 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
         words = kind.words().format(name)
         default: Any = entry.default if entry and not entry.is_required else None
         if isinstance(default, int | float | str) and default != "":
-            is_number = isinstance(kind, Quantity) and default not in kind.special.values()
-            shown = units.show(default, kind.unit) if is_number else kind.write(default).strip('"')
-            words += f"; `{shown}` unless given"
+            words += f"; `{kind.show(default)}` unless given"
         names = " or ".join(f"`{prefix}{one}`" for one in (name, *(entry.multiples if entry else ())))
         rows.append((names, words, entry.meaning if entry else ""))
         rows += key_rows(kind, f"{prefix}{name}.")

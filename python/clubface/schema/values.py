@@ -6,7 +6,7 @@ Every kind has the methods of :class:`Value`. What is read is in SI and as the p
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -42,6 +42,10 @@ class Value:
         return (
             quoted(value) if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else repr(value)
         )
+
+    def show(self, value: Any) -> str:
+        """Return a value as pages show it."""
+        return self.write(value).strip('"')
 
     def json(self) -> dict[str, Any]:
         """Return the JSON Schema of the value."""
@@ -125,6 +129,8 @@ class Quantity(Value):
         What an error says is allowed; made from the limits unless given.
     special
         Numbers [SI] that have a word, such as "flat".
+    decimals
+        Places behind the point that are written; all that the bits need unless given.
     """
 
     unit: str
@@ -134,6 +140,7 @@ class Quantity(Value):
     below: float | None = None
     allowed: str = ""
     special: Mapping[str, float] = field(default_factory=dict)
+    decimals: int | None = None
 
     @property
     def dimension(self) -> str:
@@ -159,9 +166,16 @@ class Quantity(Value):
         return value
 
     def write(self, value: float) -> str:
-        """Return text that reads back as the same bits."""
+        """Return text that reads back as the same bits, or to so many decimals."""
         word = next((word for word, number in self.special.items() if number == value), None)
+        if word is None and self.decimals is not None:
+            word = f"{round(units.from_si(value, self.unit), self.decimals) + 0.0:.10g} {self.unit}"
         return repr(value) if self.unit == "1" else quoted(word or written(value, self.unit))
+
+    def show(self, value: float) -> str:
+        """Return the number to six digits with its unit, or its word."""
+        word = next((word for word, number in self.special.items() if number == value), None)
+        return word or units.show(value, self.unit)
 
     def json(self) -> dict[str, Any]:
         """Return text or a number; the limits of a number with a unit are left to words."""
@@ -418,6 +432,10 @@ class Tables(Value):
 
     def check(self, value: Any, place: Place) -> Any:
         """Return what is given: objects check themselves."""
+        return value
+
+    def rows(self, value: Any) -> Iterable[Any]:
+        """Return the tables of a value, each an object or a dictionary."""
         return value
 
     def json(self) -> dict[str, Any]:

@@ -21,7 +21,7 @@ REACH = 0.3
 Place = tuple[Any, Any, Any, Any]
 """x, y, z and mass, text with units or SI."""
 _COORDINATE = Quantity(
-    "mm", -1e3 * REACH, 1e3 * REACH,
+    "mm", -1e3 * REACH, 1e3 * REACH, decimals=4,
     allowed='within 300 mm of the face centre; numbers are metres, "-33 mm" is text',
 )  # fmt: skip
 
@@ -45,10 +45,14 @@ class Places(Tables):
             found[name] = tuple(kind.read(each, FilePlace(name=key, label=label)) for (key, kind), each in pairs)
         return found
 
+    def rows(self, value: Any) -> list[dict[str, Any]]:
+        """Return the tables."""
+        return [dict(zip(self.table.keys(), (name, *place), strict=True)) for name, place in value.items()]
+
 
 def places(what: str, mass: str, least: float) -> Places:
     """Return the kind of tables of masses; ``mass`` is the key of each mass, which is at least that many grams."""
-    keys = {"name": NAME, **dict.fromkeys("xyz", _COORDINATE), mass: Quantity("g", least, 500)}
+    keys = {"name": NAME, **dict.fromkeys("xyz", _COORDINATE), mass: Quantity("g", least, 500, decimals=4)}
     return Places(Record(keys, keys), what)
 
 

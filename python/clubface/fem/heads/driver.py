@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, TargetWarning
@@ -16,27 +15,27 @@ from clubface.fem.core import beside
 from clubface.fem.heads.added_mass import TRIMS, Place
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.schema import NAME, TEXT, Items, Quantity, Record, Table, check_values, count, file_key, quoted
+from clubface.schema import NAME, TEXT, Items, Quantity, Record, Table, check_values, count, encode, file_key
 from clubface.support.checks import warn_once
 
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
 SHAPES: Mapping[str, Quantity] = {
-    "loft": Quantity("deg", 0, 40),
-    "bulge": Quantity("mm", 100, 10000),
-    "roll": Quantity("mm", 100, 10000),
-    "width": Quantity("mm", 50, 150),
-    "depth": Quantity("mm", 30, 150),
-    "crown": Quantity("mm", 8, 60),
-    "sole": Quantity("mm", 8, 60),
-    "rounding": Quantity("mm", 1, 20),
+    "loft": Quantity("deg", 0, 40, decimals=4),
+    "bulge": Quantity("mm", 100, 10000, decimals=4),
+    "roll": Quantity("mm", 100, 10000, decimals=4),
+    "width": Quantity("mm", 50, 150, decimals=4),
+    "depth": Quantity("mm", 30, 150, decimals=4),
+    "crown": Quantity("mm", 8, 60, decimals=4),
+    "sole": Quantity("mm", 8, 60, decimals=4),
+    "rounding": Quantity("mm", 1, 20, decimals=4),
 }
 """In the order of the core."""
 SHAPE = tuple(SHAPES)
 WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
 TARGETS: Mapping[str, Quantity] = {
-    "mass": Quantity("g", 50, 500),
-    **dict.fromkeys((*CENTRE, "cg_above"), Quantity("mm")),
-    **dict.fromkeys(INERTIA, Quantity("g cm2")),
+    "mass": Quantity("g", 50, 500, decimals=4),
+    **dict.fromkeys((*CENTRE, "cg_above"), Quantity("mm", decimals=4)),
+    **dict.fromkeys(INERTIA, Quantity("g cm2", decimals=4)),
 }
 CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
 """The unit in which a target is told, and how near [SI] it counts as met."""
@@ -71,7 +70,9 @@ class DriverHead:
         "limits of the factor on crown, sole and skirt by which the mass is met", default=(0.5, 2.0),
     )  # fmt: skip
     shape: Mapping[str, float] = file_key(Record(SHAPES, SHAPE), "dimensions")
-    thickness: Mapping[str, float] = file_key(Record(dict.fromkeys(WALLS, Quantity("mm")), WALLS), "thickness of walls")
+    thickness: Mapping[str, float] = file_key(
+        Record(dict.fromkeys(WALLS, Quantity("mm", decimals=4)), WALLS), "thickness of walls"
+    )
     target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "what the head shall have")
     metal: Metal = file_key(Table(Metal), "the metal of all parts", default_factory=Metal)
     trims: Mapping[str, Place] = file_key(TRIMS, "places where mass may be added", default_factory=dict)
@@ -136,51 +137,7 @@ def text(head: DriverHead, *, characteristic_time: float | None = None) -> str:
 
     A ``characteristic_time`` [s] tells the models that take the head as rigid how its face gives.
     """
-    lines = [f"name = {quoted(head.name)}"]
-    if head.description:
-        lines.append(f"description = {quoted(head.description)}")
-    lines += [
-        'kind = "driver"',
-        f"elements = {list(head.elements)}",
-        f"scales = {[float(each) for each in head.scales]}",
-    ]
+    lines = ['kind = "driver"\n']
     if characteristic_time is not None:
-        lines.append(f"characteristic_time = {_told(characteristic_time, 'us', 1)}")
-    lines += ["", "[shape]"]
-    lines += [f"{key} = {_told(value, 'deg' if key == 'loft' else 'mm')}" for key, value in head.shape.items()]
-    lines += ["", "[thickness]", *(f"{key} = {_told(value, 'mm')}" for key, value in head.thickness.items())]
-    lines += ["", "[target]", *(f"{key} = {_target(key, value)}" for key, value in head.target.items())]
-    lines += ["", "[metal]", *_metal(head.metal)]
-    for name, place in head.trims.items():
-        lines += ["", "[[trims]]", f"name = {quoted(name)}"]
-        lines += [f"{axis} = {_told(value, 'mm')}" for axis, value in zip("xyz", place[:3], strict=True)]
-        lines.append(f"most = {_told(place[3], 'g')}")
-    return "\n".join(lines) + "\n"
-
-
-def _told(value: Any, unit: str, digits: int = 4) -> str:
-    return quoted(f"{round(units.from_si(float(value), unit), digits):.10g} {unit}")
-
-
-def _target(key: str, value: float) -> str:
-    return _told(value, "g cm2" if key in INERTIA else "mm" if key in (*CENTRE, "cg_above") else "g")
-
-
-def _metal(metal: Metal) -> list[str]:
-    lines = [f"youngs = {_told(metal.youngs, 'GPa')}", f"poisson = {metal.poisson!r}",
-             f"density = {_told(metal.density, 'kg/m3')}"]  # fmt: skip
-    if metal.yield_stress is None:
-        return lines
-    lines.append(f"yield = {_told(metal.yield_stress, 'MPa')}")
-    hardening = metal.hardening
-    if hardening is not None and hardening.table:
-        points = ", ".join(f"[{strain!r}, {_told(stress, 'MPa')}]" for strain, stress in hardening.table)
-        lines.append(f"hardening = [{points}]")
-    elif hardening is not None:
-        lines.append(
-            f"hardening = {{modulus = {_told(hardening.modulus, 'MPa')}, gain = {_told(hardening.gain, 'MPa')}, "
-            f"rate = {hardening.rate!r}}}"
-        )
-    if metal.points is not None:
-        lines.append(f"points = {metal.points}")
-    return [*lines, f"rule = {quoted(metal.rule)}"]
+        lines.append(f"characteristic_time = {Quantity('us', decimals=1).write(characteristic_time)}\n")
+    return "".join([*lines, encode(head)])

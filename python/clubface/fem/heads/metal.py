@@ -101,6 +101,13 @@ class HardeningValue(Value):
         """Return the hardening."""
         return Hardening.of(given)
 
+    def write(self, value: Hardening) -> str:
+        """Return the points of a table, or names and values."""
+        stress = Quantity("MPa", decimals=4).write
+        if value.table:
+            return f"[{', '.join(f'[{strain!r}, {stress(each)}]' for strain, each in value.table)}]"
+        return f"{{ modulus = {stress(value.modulus)}, gain = {stress(value.gain)}, rate = {value.rate!r} }}"
+
     def words(self) -> str:
         """Return the three ways."""
         return "a modulus, a table of `modulus`, `gain` and `rate`, or a list of plastic strains and stresses"
@@ -124,11 +131,19 @@ class Metal:
     elastic one, for which stress resultants are as accurate.
     """
 
-    youngs: float = file_key(Quantity("GPa", 0.1, 1000), "Young's modulus", example="114 GPa", default=114e9)
+    youngs: float = file_key(
+        Quantity("GPa", 0.1, 1000, decimals=4), "Young's modulus", example="114 GPa", default=114e9
+    )
     poisson: float = file_key(Quantity("1", above=-1, below=0.5), "Poisson's ratio", example="0.34", default=0.34)
-    density: float = file_key(Quantity("kg/m3", 100, 25000), "density", example="4430 kg/m3", default=4430.0)
+    density: float = file_key(
+        Quantity("kg/m3", 100, 25000, decimals=4), "density", example="4430 kg/m3", default=4430.0
+    )
     yield_stress: float | None = file_key(
-        Quantity("MPa"), "stress in tension at which it yields", name="yield", example="880 MPa", default=None
+        Quantity("MPa", decimals=4),
+        "stress in tension at which it yields",
+        name="yield",
+        example="880 MPa",
+        default=None,
     )
     hardening: Hardening | None = file_key(
         HARDENING, "increase of the yield stress with plastic strain: a modulus, its values, or points of a table",
