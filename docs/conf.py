@@ -1,11 +1,15 @@
 """Sphinx configuration: Markdown pages, formulas, and an API reference read from the docstrings."""
 
+import re
 import sys
 import warnings
+from dataclasses import is_dataclass
 from importlib.metadata import version as installed_version
 from pathlib import Path
 
 from clubface.errors import RangeWarning
+from clubface.schema import Quantity, entries
+from clubface.units import SI_UNITS
 
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
 warnings.simplefilter("ignore", RangeWarning)  # the pages compare models beyond their ranges, and say so
@@ -55,6 +59,19 @@ def keep_names_together(app, what, name, obj, options, lines):
             lines[number] = f":ivar {together}:{rest}"
 
 
+def describe_fields(app, what, name, obj, options, lines):
+    """Describe the fields of a dataclass that is the schema of a file, as they are declared."""
+    if what != "class" or not is_dataclass(obj):
+        return
+    documented = re.findall(r"[\w]+(?=[,:])", " ".join(each for each in lines if each.startswith(":ivar ")))
+    for each in entries(obj).values():
+        if each.attribute not in documented:
+            unit = f" [{SI_UNITS[each.dimension]}]" if isinstance(each.value, Quantity) and each.unit != "1" else ""
+            meaning = each.meaning.replace("`", "``")
+            lines.append(f":ivar {each.attribute}: {meaning[:1].upper()}{meaning[1:]}{unit}.")
+
+
 def setup(app):
     """Run after napoleon, which makes the fields."""
+    app.connect("autodoc-process-docstring", describe_fields, priority=890)
     app.connect("autodoc-process-docstring", keep_names_together, priority=900)
