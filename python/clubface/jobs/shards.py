@@ -20,11 +20,11 @@ class Shard(NamedTuple):
     """One of several jobs: its number, from 1 on, and how many there are."""
 
     number: int
-    of: int
+    shards: int
 
     def of_all(self, parts: int) -> range:
         """Return which of all parts fall to it."""
-        return range(self.number - 1, parts, self.of)
+        return range(self.number - 1, parts, self.shards)
 
 
 def shard_of(text: str, environment: Mapping[str, str] = os.environ) -> Shard:

@@ -151,13 +151,13 @@ def _written(name: str, given: Mapping[str, Any], unit: str, *keys: str) -> tupl
 def _steps(name: str, given: Mapping[str, Any], unit: str) -> int:
     """Return how many steps lead from the first value to the last; a step is a difference, also of degrees Celsius."""
     dimension = units.unit(unit).dimension
-    step, of = units.parse_exactly(given["step"], dimension, name=f"step of {name}")
+    step, step_unit = units.parse_exactly(given["step"], dimension, name=f"step of {name}")
     first, last = (units.parse(given[key], dimension, name=name) for key in ("from", "to"))
     alike = _written(name, given, unit, "from", "to", "step")
     if alike is not None:
         exact = (alike[0][1] - alike[0][0]) / step if step else None
     else:
-        size = float(step) * units.size(of.symbol)
+        size = float(step) * units.size(step_unit.symbol)
         # What a unit's conversion rounds off is no part of a step.
         exact = (last - first) / size if size else None
         if exact is not None and math.isfinite(exact) and abs(exact - round(exact)) <= 1e-9 * max(abs(exact), 1.0):

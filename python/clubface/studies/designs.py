@@ -69,11 +69,11 @@ class Grid:
 
     def at(self, places: NDArray[Any]) -> dict[str, NDArray[Any]]:
         """Return the inputs of combinations by name."""
-        found = {}
+        values = {}
         for each in reversed(self.axes):
             places, place = np.divmod(places, each.count or 1)
-            found[each.name] = each.at(place)
-        return {each.name: found[each.name] for each in self.axes}
+            values[each.name] = each.at(place)
+        return {each.name: values[each.name] for each in self.axes}
 
 
 class Samples:
@@ -142,14 +142,14 @@ class Rows:
 class Remembered:
     """A design that keeps what it last returned to each thread: the task and the part of a chunk both ask for it."""
 
-    def __init__(self, of: Design) -> None:
-        self.axes, self.count = of.axes, of.count
-        self._of, self._last = of, threading.local()
+    def __init__(self, design: Design) -> None:
+        self.axes, self.count = design.axes, design.count
+        self._design, self._last = design, threading.local()
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
         """Return the inputs of consecutive tasks by name."""
         if getattr(self._last, "tasks", None) != tasks:
-            self._last.tasks, self._last.values = None, self._of.values(tasks)
+            self._last.tasks, self._last.values = None, self._design.values(tasks)
             self._last.tasks = tasks
         return dict(self._last.values)
 
@@ -193,9 +193,9 @@ def table_columns(
     try:
         words = _words(known)
         units_of = check_units(given_units or {}, words.dimensions)
-        found = layout(reader.headings, reader.path, reader.header_line, words, units_of, _as_key)
-        used = found.used
-        for heading in found.passed:
+        columns = layout(reader.headings, reader.path, reader.header_line, words, units_of, _as_key)
+        used = columns.used
+        for heading in columns.passed:
             if plain_name(heading) in known:  # of names, which rows of numbers do not hold
                 name = plain_name(heading)
                 message = f'this column is not read; sweep it beside the table, as in {name} = ["..."], or rename it'
@@ -206,7 +206,7 @@ def table_columns(
         for chunk in reader.chunks(AT_A_TIME, 0):
             if chunk.ragged:
                 raise FileError(str(path), chunk.ragged[0].line, chunk.ragged[0].reason)
-            for row, reason in summaries_in(chunk, found).items():
+            for row, reason in summaries_in(chunk, columns).items():
                 raise FileError(str(path), chunk.lines[row], f"{reason}; remove it")
             for column in used:
                 numbers, bad = chunk.numbers(column)

@@ -134,8 +134,8 @@ class StudyFile:
         """Return fingerprints of the files that the study reads, by their names from its folder."""
         _ = self.task
         folder, own = os.path.join(absolute(self.folder), ""), absolute(self.path)
-        found = {path: each.sha256 for path, each in self.inputs.by_path().items() if path != own}
-        return {path.removeprefix(folder): sum_ for path, sum_ in sorted(found.items())}
+        checksums = {path: each.sha256 for path, each in self.inputs.by_path().items() if path != own}
+        return {path.removeprefix(folder): sum_ for path, sum_ in sorted(checksums.items())}
 
     def wrap(self, error: ClubfaceError) -> FileError:
         """Return an error about a value of the kind's table with file and line."""
@@ -238,12 +238,12 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
 
 def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
     """Return [sweep] with inputs named by group and name, as in ``air.temperature``, under the one name they have."""
-    found: dict[str, Any] = {}
+    flat: dict[str, Any] = {}
     for name, _, given in inputs_named(sweep, known):
-        if name in found:
+        if name in flat:
             raise InputError(name, Told("swept twice"), "one line of [sweep]")
-        found[name] = given
-    return found
+        flat[name] = given
+    return flat
 
 
 def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept: Mapping[str, Swept]) -> None:

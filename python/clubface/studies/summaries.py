@@ -106,18 +106,18 @@ class _Sums:
         levels = len(self._count)
         for place, every in enumerate(values):
             there = np.isfinite(every)
-            at, found = level[there], every[there]
+            at, finite = level[there], every[there]
             count = np.bincount(at, minlength=levels)
             some = np.maximum(count, 1)
-            mean = np.bincount(at, found, levels) / some
-            squares = np.bincount(at, (found - mean[at]) ** 2, levels)
+            mean = np.bincount(at, finite, levels) / some
+            squares = np.bincount(at, (finite - mean[at]) ** 2, levels)
             before, whole = self._count[:, place].copy(), self._count[:, place] + count
             shift = (mean - self._mean[:, place]) * (count > 0)
             self._mean[:, place] += shift * count / np.maximum(whole, 1)
             self._squares[:, place] += squares + shift**2 * before * count / np.maximum(whole, 1)
             self._count[:, place] = whole
-            np.minimum.at(self._least[:, place], at, found)
-            np.maximum.at(self._most[:, place], at, found)
+            np.minimum.at(self._least[:, place], at, finite)
+            np.maximum.at(self._most[:, place], at, finite)
 
     def figures(self) -> list[Figures]:
         """Return the statistics of each level."""

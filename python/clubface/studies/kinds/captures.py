@@ -41,12 +41,12 @@ OF_CAMERAS = ("rate", "noise", "gaps", "gap")
 
 
 def _columns() -> dict[str, Column]:
-    found: dict[str, Column] = {}
+    columns: dict[str, Column] = {}
     for name in QUANTITIES:
-        unit = inputs()[name].unit
-        found[f"{name}_error"] = Column(unit, f"captured less true: {inputs()[name].meaning}")
-        found[f"{name}_stated"] = Column(unit, f"standard deviation that the reading states: {inputs()[name].meaning}")
-    return found | {"touch_error": Column("s", "error of the instant of first touch")}
+        unit, meaning = inputs()[name].unit, inputs()[name].meaning
+        columns[f"{name}_error"] = Column(unit, f"captured less true: {meaning}")
+        columns[f"{name}_stated"] = Column(unit, f"standard deviation that the reading states: {meaning}")
+    return columns | {"touch_error": Column("s", "error of the instant of first touch")}
 
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:

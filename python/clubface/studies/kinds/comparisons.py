@@ -35,15 +35,15 @@ OTHER = "other"
 class DesignWithout:
     """A design that leaves some inputs out. See :class:`clubface.studies.designs.Design`."""
 
-    def __init__(self, of: Design, names: Collection[str]) -> None:
-        self.axes = tuple(each for each in of.axes if each.name not in names)
-        self.count = of.count
-        self._of = of
+    def __init__(self, design: Design, names: Collection[str]) -> None:
+        self.axes = tuple(each for each in design.axes if each.name not in names)
+        self.count = design.count
+        self._design = design
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
         """Return the inputs of consecutive tasks by name."""
-        found = self._of.values(tasks)
-        return {each.name: found[each.name] for each in self.axes}
+        values = self._design.values(tasks)
+        return {each.name: values[each.name] for each in self.axes}
 
 
 def _first(study: DescribedStudy) -> DescribedStudy:
@@ -94,13 +94,13 @@ class Comparisons:
     def run(self, indices: range) -> Computed:
         """Compute both shots of every task."""
         first, second = (each.run(indices) for each in self._both)
-        found, tally = {}, Tally()
+        columns, tally = {}, Tally()
         for each in (first, second):
             tally.add_counts(each.outside)
         for name in self._names:
             one, other = first.columns[name], second.columns[name]
-            found |= {name: one, f"{name}_other": other, f"{name}_difference": other - one}
-        return Computed(found, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
+            columns |= {name: one, f"{name}_other": other, f"{name}_difference": other - one}
+        return Computed(columns, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
 
 
 OTHER_SHOT = Record(
@@ -130,12 +130,12 @@ SCATTERED = ("missed", "ball_speed_loss", "carry_mean", "carry_deviation", "carr
 def _columns() -> dict[str, Column]:
     from clubface.design.contributions import quantities
 
-    found = {**FACE, "missed": Column("1", "share of the swings that miss the face")}
+    columns = {**FACE, "missed": Column("1", "share of the swings that miss the face")}
     for name, each in quantities().items():
-        found[f"{name}_mean"] = Column(each.unit, f"mean over impacts that scatter: {each.meaning}")
-        found[f"{name}_deviation"] = Column(each.unit, f"standard deviation over them: {each.meaning}")
-        found[f"{name}_loss"] = Column(each.unit, f"how much the mean is below the value at the centre: {each.meaning}")
-    return found
+        columns[f"{name}_mean"] = Column(each.unit, f"mean over impacts that scatter: {each.meaning}")
+        columns[f"{name}_deviation"] = Column(each.unit, f"standard deviation over them: {each.meaning}")
+        columns[f"{name}_loss"] = Column(each.unit, f"drop of the mean from the value at the centre: {each.meaning}")
+    return columns
 
 
 def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
@@ -166,19 +166,19 @@ def _task(study: DescribedStudy) -> OneByOne:
         place = {**held, **task}
         shot = shot_inputs.single(task)
         alone: dict[str, Any] = {"workers": 1} if shot["model"] in MODULES else {}
-        found = map_face(**shot, **shot_inputs.conditions.at(task), grid=grid, **alone)
-        best, longest = found.best(), found.best("carry")
+        face_map = map_face(**shot, **shot_inputs.conditions.at(task), grid=grid, **alone)
+        best, longest = face_map.best(), face_map.best("carry")
         figures: dict[str, Any] = {
-            "face_area": found.outline.area, "area": lambda: found.area(place["share"]),
+            "face_area": face_map.outline.area, "area": lambda: face_map.area(place["share"]),
             "sweet_spot_toe": best.toe, "sweet_spot_high": best.high, "best_ball_speed": best.value,
             "longest_toe": longest.toe, "longest_high": longest.high, "longest_carry": longest.value,
         }  # fmt: skip
         if scatters:
             spread = (place["spread_toe"], place["spread_high"])
-            of = found.forgiveness(spread, toe=place["about_toe"], high=place["about_high"])
+            forgiveness = face_map.forgiveness(spread, toe=place["about_toe"], high=place["about_high"])
             for part in ("mean", "deviation", "loss"):
-                figures |= {f"{name}_{part}": each for name, each in getattr(of, part).items()}
-            figures["missed"] = of.missed
+                figures |= {f"{name}_{part}": each for name, each in getattr(forgiveness, part).items()}
+            figures["missed"] = forgiveness.missed
         return figures
 
     return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))

@@ -83,10 +83,10 @@ def _case_task(study: DescribedStudy) -> OneByOne:
     parts = {name: loaded(study, name, read) for name, read in readers.items() if name in swept}
 
     def compute(task: Values) -> dict[str, Any]:
-        found = _varied(base, {**task, **{name: each[task[name]] for name, each in parts.items()}}).run()
-        if found.stopped:
-            raise RunError(found.stopped)
-        return {**{name: getattr(found, name) for name in CONTACT}, **found.outcome()}
+        impact = _varied(base, {**task, **{name: each[task[name]] for name, each in parts.items()}}).run()
+        if impact.stopped:
+            raise RunError(impact.stopped)
+        return {**{name: getattr(impact, name) for name in CONTACT}, **impact.outcome()}
 
     columns = chosen_columns(study.table, every, tuple(name for name in USUAL_OF_CASES if name in every))
     return OneByOne(study, columns, compute, elements=True)
@@ -131,8 +131,8 @@ def _design_units() -> dict[str, str]:
         **{f"target_{name}": "kg m2" for name in INERTIA},
     }
     tables = {"shape": (*SHAPE, *IRON_SHAPE), "thickness": WALLS, "target": TARGETS, "grooves": GROOVES}
-    found = {f"{table}_{name}": "m" for table, names in tables.items() for name in names}
-    return {**found, **other, **{f"metal_{name}": unit for name, unit in METAL.items()}}
+    units = {f"{table}_{name}": "m" for table, names in tables.items() for name in names}
+    return {**units, **other, **{f"metal_{name}": unit for name, unit in METAL.items()}}
 
 
 def _swept_heads(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
@@ -154,8 +154,8 @@ def _head_task(study: DescribedStudy) -> OneByOne:
     columns = chosen_columns(table, COLUMNS, USUAL_OF_HEADS)
 
     @lru_cache(maxsize=1)
-    def meshed(which: str, changes: tuple[tuple[str, float], ...]) -> MeshedHead:
-        return _changed(designs[which], changes).mesh()
+    def meshed(name: str, changes: tuple[tuple[str, float], ...]) -> MeshedHead:
+        return _changed(designs[name], changes).mesh()
 
     def compute(task: Values) -> dict[str, Any]:
         how = {**held, **task}

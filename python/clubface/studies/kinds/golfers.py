@@ -42,12 +42,12 @@ HOLE = ("length", "fairway", "rough", "green")
 
 def swept_golfers() -> dict[str, Swept]:
     """Return what of golfers and holes may be swept: means and spreads of their deliveries, mishits, and lengths."""
-    found = {f"{part}_{name}": Swept(inputs()[name].unit) for part in ("mean", "spread") for name in OF_CLUB}
-    found |= {name: Swept("1") for name in ("spread_factor", "mishit_share", "mishit_scale")}
-    return found | {f"hole_{name}": Swept("m") for name in HOLE} | {"golfer": Swept(None)}
+    swept = {f"{part}_{name}": Swept(inputs()[name].unit) for part in ("mean", "spread") for name in OF_CLUB}
+    swept |= {name: Swept("1") for name in ("spread_factor", "mishit_share", "mishit_scale")}
+    return swept | {f"hole_{name}": Swept("m") for name in HOLE} | {"golfer": Swept(None)}
 
 
-def changed_golfer(of: Golfer, task: Mapping[str, Any]) -> Golfer:
+def changed_golfer(golfer: Golfer, task: Mapping[str, Any]) -> Golfer:
     """Return a golfer with the figures that a task sweeps; correlations stay.
 
     Raises
@@ -55,26 +55,28 @@ def changed_golfer(of: Golfer, task: Mapping[str, Any]) -> Golfer:
     InputError
         The golfer does not vary what is swept, or a figure is out of its range.
     """
-    mean, spread = np.array(of.mean), np.array(of.spread)
-    for place, name in enumerate(of.variables):
+    mean, spread = np.array(golfer.mean), np.array(golfer.spread)
+    for place, name in enumerate(golfer.variables):
         mean[place] = task.get(f"mean_{name}", mean[place])
         spread[place] = task.get(f"spread_{name}", spread[place])
     for name in task:
         part, _, variable = name.partition("_")
-        if part in ("mean", "spread") and variable in OF_CLUB and variable not in of.variables:
-            raise InputError(name, task[name], f"left out, since {variable} is not among the variables of {of.name}")
+        if part in ("mean", "spread") and variable in OF_CLUB and variable not in golfer.variables:
+            raise InputError(
+                name, task[name], f"left out, since {variable} is not among the variables of {golfer.name}"
+            )
     spread = spread * task.get("spread_factor", 1.0)
     if (spread < 0.0).any():
         raise InputError("spread", float(spread.min()), "at least 0")
-    correlation = np.array(of.correlation)
+    correlation = np.array(golfer.correlation)
     np.fill_diagonal(correlation, 1.0)
     mishits = {name: task[name] for name in ("mishit_share", "mishit_scale") if name in task}
-    if not mishits and (spread == of.spread).all() and (mean == of.mean).all():
-        return of
+    if not mishits and (spread == golfer.spread).all() and (mean == golfer.mean).all():
+        return golfer
     # What is not swept keeps its bits.
-    same = (spread == of.spread)[:, None] & (spread == of.spread)
-    covariance = np.where(same, of.covariance, correlation * np.outer(spread, spread))
-    return of.replace(mean=mean, covariance=covariance, **mishits)
+    same = (spread == golfer.spread)[:, None] & (spread == golfer.spread)
+    covariance = np.where(same, golfer.covariance, correlation * np.outer(spread, spread))
+    return golfer.replace(mean=mean, covariance=covariance, **mishits)
 
 
 def changed_hole(hole: Hole | None, task: Mapping[str, Any]) -> Hole | None:
@@ -102,14 +104,14 @@ def _columns(percentiles: tuple[int, ...]) -> dict[str, Column]:
     from clubface.design.dispersion import FLOWN, LAUNCHED
 
     every = {**outputs(), **flight_outputs()}
-    found: dict[str, Column] = {}
+    columns: dict[str, Column] = {}
     for name in (*LAUNCHED, *FLOWN):
         unit, meaning = every[name].unit, every[name].meaning
-        found[f"{name}_mean"] = Column(unit, f"mean over the shots: {meaning}")
-        found[f"{name}_deviation"] = Column(unit, f"standard deviation over the shots: {meaning}")
+        columns[f"{name}_mean"] = Column(unit, f"mean over the shots: {meaning}")
+        columns[f"{name}_deviation"] = Column(unit, f"standard deviation over the shots: {meaning}")
         for share in percentiles:
-            found[f"{name}_p{share}"] = Column(unit, f"what {share}% of the shots are below: {meaning}")
-    found |= {
+            columns[f"{name}_p{share}"] = Column(unit, f"what {share}% of the shots are below: {meaning}")
+    columns |= {
         "ellipse_area": Column("m2", "area of the ellipse of the landings"),
         "ellipse_long": Column("m", "half its long axis"),
         "ellipse_short": Column("m", "half its short axis"),
@@ -117,7 +119,7 @@ def _columns(percentiles: tuple[int, ...]) -> dict[str, Column]:
         "strokes": Column("1", "strokes expected after the shot"),
         "gained": Column("1", "strokes gained on the average of the PGA Tour"),
     }
-    return found | {name: Column("1", f"share of the shots at rest: {name}") for name in ON_A_HOLE[2:]}
+    return columns | {name: Column("1", f"share of the shots at rest: {name}") for name in ON_A_HOLE[2:]}
 
 
 def _swept_dispersions(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
@@ -162,17 +164,17 @@ def _dispersion_task(study: DescribedStudy) -> OneByOne:
         options = shot_inputs.single(task, None if own is None else own.replace(hand=golfer.hand))
         if delivery := options.pop("delivery"):
             raise _of_golfer(*next(iter(delivery.items())))
-        found = dispersion(
+        result = dispersion(
             golfer, **options, **shot_inputs.conditions.at(task), count=shots, threads=1,
             seed=int(task.get("seed", seed)),
             hole=changed_hole(held, task),
         )  # fmt: skip
-        figures: dict[str, Any] = {"lost": found.lost / found.count, "strokes": found.strokes, "gained": found.gained}
-        figures |= found.lies
-        for name in found.quantities:
-            figures |= {f"{name}_mean": found.mean(name), f"{name}_deviation": found.spread(name)}
-            figures |= {f"{name}_p{each}": found.quantile(name, each / 100) for each in percentiles}
-        long, short = found.ellipse(share / 100).half_axes.tolist()
+        figures: dict[str, Any] = {"lost": result.lost / result.count, **result.lies}
+        figures |= {"strokes": result.strokes, "gained": result.gained}
+        for name in result.quantities:
+            figures |= {f"{name}_mean": result.mean(name), f"{name}_deviation": result.spread(name)}
+            figures |= {f"{name}_p{each}": result.quantile(name, each / 100) for each in percentiles}
+        long, short = result.ellipse(share / 100).half_axes.tolist()
         return {**figures, "ellipse_long": long, "ellipse_short": short, "ellipse_area": math.pi * long * short}
 
     return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
@@ -235,11 +237,11 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
     every["alike"] = Column("1", "share of the starts of the solver that end as well as the best")
 
     def compute(task: Values) -> dict[str, Any]:
-        found = optimise(changed_study(asked, {**task, **{name: each[task[name]] for name, each in parts.items()}}))
-        figures = {**found.club, "alike": found.alike / found.starts}
+        optimum = optimise(changed_study(asked, {**task, **{name: each[task[name]] for name, each in parts.items()}}))
+        figures = {**optimum.club, "alike": optimum.alike / optimum.starts}
         for name in asked.objectives:
-            figures |= {f"{name}_{club}": found.fresh.value(club, name) for club in found.fresh.clubs}
-            figures[f"{name}_error"] = found.fresh.error("start", name)
+            figures |= {f"{name}_{club}": optimum.fresh.value(club, name) for club in optimum.fresh.clubs}
+            figures[f"{name}_error"] = optimum.fresh.error("start", name)
         return figures
 
     return OneByOne(study, chosen_columns(study.table, every, tuple(every)), compute)

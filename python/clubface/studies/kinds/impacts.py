@@ -50,7 +50,7 @@ class Impacts:
         """Compute shots, those of the same club, ball, hand and model together."""
         values = self._design.values(indices)
         codes = {name: values.pop(name) for name in self._shot_inputs.choices}
-        found = {name: np.full(len(indices), np.nan) for name in self.columns}
+        columns = {name: np.full(len(indices), np.nan) for name in self.columns}
         failed: list[tuple[int, str]] = []
         tally = Tally()
         for chosen, rows in _alike(codes, len(indices)):
@@ -58,13 +58,13 @@ class Impacts:
             launch, flight = self._shots(names, {name: each[rows] for name, each in values.items()})
             tally.add(launch)
             for name in self.columns:
-                found[name][rows] = (launch if name in outputs() else flight).get(name)
+                columns[name][rows] = (launch if name in outputs() else flight).get(name)
             reasons = {}
             for each in (*launch.problems, *(flight.problems if flight is not None else ())):
                 reasons.setdefault(each.row[0] if each.row else 0, f"{each.parameter}: {each.reason}")
             places = np.arange(len(indices))[rows]
             failed += [(indices.start + int(places[row]), reason) for row, reason in reasons.items()]
-        return Computed(found, sorted(failed), tally.counts())
+        return Computed(columns, sorted(failed), tally.counts())
 
     def _shots(self, names: Mapping[str, str], values: Mapping[str, NDArray[Any]]) -> tuple[Any, Any]:
         """Return launches and flights, None where none are asked for, with what has names held."""
@@ -82,9 +82,9 @@ def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str
     """Return each combination of names that occurs, and its rows."""
     if not codes:
         return [({}, slice(None))]
-    rows, which = np.unique(np.stack([*codes.values()], axis=1), axis=0, return_inverse=True)
+    rows, rows_of = np.unique(np.stack([*codes.values()], axis=1), axis=0, return_inverse=True)
     return [
-        (dict(zip(codes, map(int, row), strict=True)), np.flatnonzero(which.reshape(count) == place))
+        (dict(zip(codes, map(int, row), strict=True)), np.flatnonzero(rows_of.reshape(count) == place))
         for place, row in enumerate(rows)
     ]
 
@@ -117,10 +117,10 @@ def _best_loft_task(study: DescribedStudy) -> OneByOne:
 
     def compute(task: Values) -> dict[str, Any]:
         options = shot_inputs.single(task)
-        found = best_loft(**options.pop("delivery"), **options, **shot_inputs.conditions.at(task))
-        within = found.within[0]
-        figures = {name: getattr(found, name)[0] for name in ("ball_speed", "launch", "spin", "carry", "total")}
-        return {**figures, "best_loft": found.loft[0], "within_below": within[0], "within_above": within[1]}
+        best = best_loft(**options.pop("delivery"), **options, **shot_inputs.conditions.at(task))
+        within = best.within[0]
+        figures = {name: getattr(best, name)[0] for name in ("ball_speed", "launch", "spin", "carry", "total")}
+        return {**figures, "best_loft": best.loft[0], "within_below": within[0], "within_above": within[1]}
 
     return OneByOne(study, chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
 

@@ -198,7 +198,7 @@ class OneByOne:
     def run(self, indices: range) -> Computed:
         """Compute one task after the other; why one has no result is told."""
         values = {name: each.tolist() for name, each in self._design.values(indices).items()}
-        found = {name: np.full(len(indices), math.nan) for name in self.columns}
+        columns = {name: np.full(len(indices), math.nan) for name in self.columns}
         failed: list[tuple[int, str]] = []
         for place, index in enumerate(indices):
             task = {name: self._choices[name][each[place]] if name in self._choices else float(each[place])
@@ -212,5 +212,5 @@ class OneByOne:
                 failed.append((index, str(error)))
                 continue
             for name, each in row.items():
-                found[name][place] = each
-        return Computed(found, failed)
+                columns[name][place] = each
+        return Computed(columns, failed)

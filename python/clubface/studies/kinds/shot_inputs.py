@@ -68,7 +68,7 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
     for each in given if isinstance(given, list) else [given]:
         if isinstance(each, str) and each in OWN:
             raise InputError("model", each, "one of the package: a law of your own is known in one process alone")
-        parameters |= {of.name: Swept(of.unit) for of in model_of(each).parameters}
+        parameters |= {parameter.name: Swept(parameter.unit) for parameter in model_of(each).parameters}
     return {**parameters, **numbers, **swept_conditions(), **named, "hand": Swept(None, tuple(HANDS))}
 
 
@@ -98,11 +98,11 @@ class Conditions:
 
     def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return air, wind and ground as a flight takes them, from what is swept; the rest of the values is left."""
-        found = dict(self._held)
+        groups = dict(self._held)
         for group, known in BY_GROUP.items():
             if changed := {name: each for name, each in values.items() if name in known}:
-                found[group] = {**(found[group] or {}), **changed}
-        return found
+                groups[group] = {**(groups[group] or {}), **changed}
+        return groups
 
 
 class ShotInputs:
@@ -153,15 +153,15 @@ class ShotInputs:
     def equipped(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the options of :func:`clubface.impact` for what has names and for parameters that are swept."""
         table = {**self.table, **names}
-        which = self._clubs.get(table.get("club"))
+        club = self._clubs.get(table.get("club"))
         model = table.get("model", DEFAULT_MODEL)
         given = _given(table, model, self._folder)
         changed = {name: values[name] for name in self._parameters}
         if changed:
-            of: ParameterSet = parameter_set(model, which or club_of("driver"), given)
-            given = of.replace(**changed)
+            base: ParameterSet = parameter_set(model, club or club_of("driver"), given)
+            given = base.replace(**changed)
         return {
-            "club": which, "model": model, "parameters": given, "ball": self._balls[table.get("ball")],
+            "club": club, "model": model, "parameters": given, "ball": self._balls[table.get("ball")],
             "accuracy": self._accuracy,
         }  # fmt: skip
 
@@ -197,26 +197,26 @@ ALTERNATIVES = (("altitude",), ("pressure",)), (LEVEL, ("wind_x", "wind_z"))
 
 def changed_table(table: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
     """Return the table of a kind with changes: each of its numbers and names stays that is not changed."""
-    found = {**table, **changes}
+    changed = {**table, **changes}
     for group in ("held", "parameters", *CONDITIONS):
         first, other = _values(group, table.get(group)), changes.get(group)
         if not first or not isinstance(other, Mapping) or (group == "parameters" and "model" in changes):
             continue
         if _is_by_model(first) and _is_by_model(other):
-            found[group] = {name: {**first.get(name, {}), **other.get(name, {})} for name in {**first, **other}}
+            changed[group] = {name: {**first.get(name, {}), **other.get(name, {})} for name in {**first, **other}}
         elif not (_is_by_model(first) or _is_by_model(other)):
             gone = replaced_by(other)
-            found[group] = {**{name: each for name, each in first.items() if name not in gone}, **other}
-    return found
+            changed[group] = {**{name: each for name, each in first.items() if name not in gone}, **other}
+    return changed
 
 
 def replaced_by(names: Iterable[str]) -> set[str]:
     """Return inputs and those that say the same in another way."""
-    found = {*names}
+    replaced = {*names}
     for one, two in ALTERNATIVES:
-        if found & {*one, *two}:
-            found |= {*two} if found & {*one} else {*one}
-    return found
+        if replaced & {*one, *two}:
+            replaced |= {*two} if replaced & {*one} else {*one}
+    return replaced
 
 
 def _values(group: str, given: Any) -> Mapping[str, Any]:
