@@ -100,8 +100,7 @@ def test_units_outputs_and_variables_can_be_chosen():
 @pytest.mark.parametrize(
     ("values", "error", "said"),
     [
-        ({"speed": [50.0, 51.0]}, InputError, "one shot"),
-        ({"speed": 50.0, "parameters": {"friction": np.array([0.3, 0.35])}}, InputError, "one shot"),
+        ({"speed": [50.0, 51.0], "toe": [0.0, 0.06]}, ShotError, "60.0 mm"),
         ({"speed": 50.0, "toe": 0.06}, ShotError, "52.5 mm"),
         ({"speed": 50.0, "outputs": ["spin"]}, UnknownNameError, "did you mean"),
         ({"speed": 50.0, "variables": ["hand"]}, UnknownNameError, "variable"),
@@ -113,6 +112,63 @@ def test_units_outputs_and_variables_can_be_chosen():
 def test_a_mistake_is_told(values, error, said):
     with pytest.raises(error, match=said.replace(".", r"\.")):
         clubface.sensitivity("driver", **values)
+
+
+BATCH = {"speed": np.array([47.0, 49.0, 51.0]), "loft": np.array([[0.2], [0.24]]), "toe": 4e-3, "high": -2e-3}
+"""Shots of shape (2, 3), in SI."""
+
+
+@pytest.mark.parametrize("model", ["slip", "volumetric", "response"])
+def test_a_batch_of_derivatives_is_the_loop_over_its_shots_bit_for_bit(model):
+    table = clubface.sensitivity("driver", BATCH, model=model, outputs=MAIN)
+    assert table.si.shape == (len(MAIN), len(table.variables), 2, 3)
+    for row, column in np.ndindex(2, 3):
+        shot = {**BATCH, "speed": float(BATCH["speed"][column]), "loft": float(BATCH["loft"][row, 0])}
+        one = clubface.sensitivity("driver", shot, model=model, outputs=MAIN)
+        assert one.variables == table.variables
+        assert np.array_equal(one.si, table.si[:, :, row, column])
+        assert np.array_equal(one.values, table.values[:, :, row, column])
+
+
+def test_a_batch_of_derivatives_is_that_of_central_differences():
+    table = clubface.sensitivity("driver", BATCH, model="slip", outputs=MAIN, variables=["speed", "loft", "toe"])
+    for name, step in (("speed", 1e-3), ("loft", 1e-4), ("toe", 1e-5)):
+        high, low = (
+            clubface.impact("driver", {**BATCH, name: BATCH[name] + sign * step}, model="slip") for sign in (1.0, -1.0)
+        )
+        for output in MAIN:
+            difference = (high.get(output) - low.get(output)) / (2.0 * step)
+            scale = np.abs(difference).max() + 1e-3
+            # Second order in the step, and rounding over it: below 1e-5, as for single shots.
+            assert table.value(output, name) == pytest.approx(difference, rel=1e-5, abs=1e-5 * scale), (output, name)
+
+
+def test_derivatives_by_arrays_of_parameters_and_of_shots_that_cannot_be_computed():
+    frictions = np.array([0.3, 0.35])
+    table = clubface.sensitivity(
+        "driver", speed=50.0, parameters={"friction": frictions}, outputs="backspin", variables="friction"
+    )
+    one = clubface.sensitivity(
+        "driver", speed=50.0, parameters={"friction": 0.35}, outputs="backspin", variables="friction"
+    )
+    assert table.value("backspin", "friction")[1] == one.value("backspin", "friction")
+    part = clubface.sensitivity("driver", speed=50.0, toe=[0.0, 0.2], model="slip", outputs=MAIN, on_error="nan")
+    assert np.isfinite(part.si[..., 0]).all()
+    assert np.isnan(part.si[..., 1]).all()
+    (problem,) = part.launch.problems
+    assert (problem.row, problem.parameter) == ((1,), "toe")
+
+
+def test_a_batch_of_derivatives_has_its_shots_as_dimensions():
+    table = clubface.sensitivity("driver", BATCH, model="slip", outputs=["backspin"], variables=["toe", "cor"])
+    array = pytest.importorskip("xarray") and table.to_xarray()
+    assert array.dims == ("output", "variable", "loft", "speed")
+    assert float(array.sel(output="backspin", variable="toe", speed=49.0)[1]) == table.si[0, 0, 1, 1]
+    rows = table.to_result().to_dict()["tables"]["derivatives"]["rows"]
+    assert len(rows) == 2 * 2 * 3
+    assert {"dim_0": 1, "dim_1": 2, "output": "backspin", "variable": "toe"}.items() <= rows[-2].items()
+    assert rows[-2]["value"] == table.values[0, 0, 1, 2]
+    assert "shape (2, 3)" in repr(table)
 
 
 def test_a_derivative_is_asked_for_by_its_names_and_unit():

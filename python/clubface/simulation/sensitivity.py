@@ -7,9 +7,10 @@ Exact derivatives of a flight by the launch it begins with, the ball, the air an
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,12 +26,13 @@ from clubface.results.result import Result
 from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
-from clubface.simulation.impact import Parameters, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
+from clubface.simulation.impact import Parameters, impact, warn_if_outside
+from clubface.simulation.inputs import Delivery, as_values, check_on_error, prepare, thread_count, tolerance
 from clubface.simulation.launch import Launch
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
     Variable,
+    dimension_names,
     flattened,
     flight_inputs,
     flight_outputs,
@@ -65,9 +67,9 @@ class Sensitivity:
     variables
         Names of the columns: inputs and parameters of the model.
     si
-        The derivatives in SI and radians, shape (outputs, variables).
+        The derivatives in SI and radians, shape (outputs, variables), followed by the shape of the launch.
     launch
-        The launch they belong to.
+        The launch they belong to, of one shot or of many.
     """
 
     def __init__(
@@ -93,10 +95,12 @@ class Sensitivity:
 
     @property
     def values(self) -> NDArray[Any]:
-        """The derivatives in the units shown, shape (outputs, variables)."""
-        rows = np.array([units.size(self._shown[name]) for name in self.outputs])
-        columns = np.array([units.size(self._shown[name]) for name in self.variables])
-        return self.si * columns / rows[:, None]
+        """The derivatives in the units shown, of the shape of ``si``."""
+        rows, columns = (
+            np.array([units.size(self._shown[name]) for name in names]) for names in (self.outputs, self.variables)
+        )
+        ones = (1,) * len(self.launch.shape)
+        return self.si * columns.reshape(-1, *ones) / rows.reshape(-1, 1, *ones)
 
     @property
     def main_variables(self) -> tuple[str, ...]:
@@ -115,10 +119,10 @@ class Sensitivity:
         self._place(output, variable)
         return f"{self._shown[output]} per {self._shown[variable]}"
 
-    def value(self, output: str, variable: str, unit: str | None = None) -> float:
-        """Return one derivative: in SI, or in ``unit`` such as "rpm per mm"."""
-        row, column = self._place(output, variable)
-        derivative = float(self.si[row, column])
+    def value(self, output: str, variable: str, unit: str | None = None) -> Any:
+        """Return one derivative, of many shots an array: in SI, or in ``unit`` such as "rpm per mm"."""
+        derivative = self.si[self._place(output, variable)]
+        derivative = derivative if self.launch.shape else float(derivative)
         if unit is None:
             return derivative
         upper, result, lower = unit.partition(" per ")
@@ -129,20 +133,29 @@ class Sensitivity:
 
     def to_result(self, *, every_variable: bool = False) -> Result:
         """Return the derivatives as a result; the coefficients of a fit are printed if ``every_variable`` is."""
-        pairs = [(output, variable) for variable in self.variables for output in self.outputs]
+        shots = list(np.ndindex(self.launch.shape))
+        pairs = [(output, variable) for variable in self.variables for output in self.outputs] * len(shots)
+        of_shot = [shot for shot in shots for _ in range(len(self.variables) * len(self.outputs))]
         values = self.values
         printed = self.variables if every_variable else self.main_variables
         table = Table(
             "derivatives",
             (
+                *(
+                    text(name, [shot[place] for shot in of_shot])
+                    for place, name in enumerate(dimension_names(self.launch.shape, {}))
+                ),
                 text("output", [output for output, _ in pairs], printed=False),
                 text("variable", [variable for _, variable in pairs], printed=False),
                 text("per", [self._per(variable) for _, variable in pairs], in_files=False),
                 text("of", [f"{each} {self._shown[each]}".removesuffix(" 1") for each, _ in pairs], in_files=False),
-                text("value", [float(values[self._place(*pair)]) for pair in pairs], digits=-4),
+                text("value", [
+                    float(values[(*self._place(*pair), *shot)]) for pair, shot in zip(pairs, of_shot, strict=True)
+                ], digits=-4),
                 text("unit", [self.unit(*pair) for pair in pairs], printed=False),
             ),
-            title=f"{self.launch.club.name}, {self.launch.model}: change of the launch", layout="pivot",
+            title=f"{self.launch.club.name}, {self.launch.model}: change of the launch",
+            layout="rows" if self.launch.shape else "pivot",
             shown_rows=[place for place, (_, variable) in enumerate(pairs) if variable in printed],
         )  # fmt: skip
         notes = [
@@ -161,29 +174,40 @@ class Sensitivity:
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a variable and one column an output, in the units shown, which stand in the labels.
 
-        An entry is column per row: under ``backspin [rpm]`` beside ``toe [mm]`` it is rpm per mm.
+        An entry is column per row: under ``backspin [rpm]`` beside ``toe [mm]`` it is rpm per mm. Of many shots it is
+        one row a derivative in SI, under the names of output, variable and shot.
         """
         import pandas
 
+        if self.launch.shape:
+            return self.to_xarray().to_dataframe()
         index = pandas.Index([self._label(name) for name in self.variables], name="variable")
         frame = pandas.DataFrame(self.values.T, index, [self._label(name) for name in self.outputs])
         frame.attrs = {"units": self.units, "provenance": self.provenance}
         return frame
 
     def to_xarray(self) -> xarray.DataArray:
-        """Return an array over ``output`` and ``variable`` in SI, their units as coordinates."""
+        """Return an array over ``output``, ``variable`` and the dimensions of the shots in SI, units as coordinates."""
         import xarray
 
-        coordinates = {
+        coordinates: dict[Any, Any] = {
             "output": list(self.outputs),
             "variable": list(self.variables),
             "output_unit": ("output", [self._rows[name].unit for name in self.outputs]),
             "variable_unit": ("variable", [self._columns[name].unit for name in self.variables]),
         }
-        attrs = flattened(self.provenance)
-        return xarray.DataArray(self.si, coordinates, ("output", "variable"), "derivative", attrs)
+        if self.launch.shape:
+            coordinates |= dict(self.launch.to_xarray().coords)
+        dims = ("output", "variable", *dimension_names(self.launch.shape, self.launch.varied))
+        return xarray.DataArray(self.si, coordinates, dims, "derivative", flattened(self.provenance))
 
     def __repr__(self) -> str:
+        if self.launch.shape:
+            return (
+                f"derivatives of launches of shape {self.launch.shape} by {self.launch.model}: {self.launch.club.name},"
+                f" ball {self.launch.ball.name}; outputs {', '.join(self.outputs)}; variables"
+                f" {', '.join(self.main_variables)}"
+            )
         shown = [name for name in MAIN if name in self.outputs] or list(self.outputs)[:6]
         place = [self.outputs.index(name) for name in shown]
         heads = [f"{name} [{self._shown[name]}]" for name in shown]
@@ -227,14 +251,17 @@ def sensitivity(
     outputs: Iterable[str] | None = None,
     variables: Iterable[str] | None = None,
     units: Mapping[str, str] | None = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
     **values: Any,
 ) -> Sensitivity:
     """Compute the derivatives of a launch by every input and parameter, through the same code as the launch itself.
 
     Parameters
     ----------
-    club, delivery, model, parameters, ball, accuracy, hand, **values
-        As for :func:`impact`, for a single shot.
+    club, delivery, model, parameters, ball, accuracy, hand, threads, progress, on_error, **values
+        As for :func:`impact`, arrays among them: the derivatives of many shots are computed together.
     outputs
         Names of launch quantities; left out, all the model gives.
     variables
@@ -245,29 +272,50 @@ def sensitivity(
     Returns
     -------
     Sensitivity
-        A table with labels and units.
+        A table with labels and units; of many shots an array, shape (outputs, variables, *shots).
     """
-    accuracy = tolerance(accuracy)
+    check_on_error(on_error)
+    accuracy, cores = tolerance(accuracy), thread_count(threads)
     reduced_model(model, "one with derivatives")
-    prepared = prepare(model, club, as_values(delivery, values), ball, parameters, hand, single="a sensitivity")
-    try:
-        computed, jacobian = core.sensitivity(model, prepared.shots.columns, prepared.parameters, accuracy)
-    except ValueError as error:
-        raise prepared.error(error) from None
-    known_rows = _known_outputs(computed)
+    values = dict(as_values(delivery, values))
     known_columns = _known_variables(model)
-    rows = _chosen("output", outputs, known_rows)
     across = _chosen("variable", variables, {name: each for name, (_, each) in known_columns.items()})
-    si = jacobian[[known_rows[name][0] for name in rows]][:, [known_columns[name][0] for name in across]]
+    places = [known_columns[name][0] for name in across]
+    size = len(launch_outputs()) * (1 + len(across))
+    prepared = prepare(model, club, values, ball, parameters, hand, outputs=size)
+    shape = prepared.shots.shape
+    if shape:
+        outcome = impact(
+            club, values, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand, threads=threads,
+            on_error=on_error,
+        )  # fmt: skip
+        known_rows = _known_outputs(
+            [0.0 if np.isfinite(getattr(outcome, name)).any() else math.nan for name in launch_outputs()]
+        )
+        rows = _chosen("output", outputs, known_rows)
+        chosen = [known_rows[name][0] for name in rows]
+        computed, _ = core.sensitivities(
+            model, prepared.shots.columns, prepared.parameters, math.prod(shape), chosen, places, accuracy, cores,
+            progress,
+        )  # fmt: skip
+        si = computed.reshape(len(rows), 1 + len(across), *shape)[:, 1:]
+    else:
+        try:
+            computed, jacobian = core.sensitivity(model, prepared.shots.columns, prepared.parameters, accuracy)
+        except ValueError as error:
+            raise prepared.error(error) from None
+        known_rows = _known_outputs(computed)
+        rows = _chosen("output", outputs, known_rows)
+        si = jacobian[[known_rows[name][0] for name in rows]][:, places]
+        outcome = Launch(computed.reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
+        warn_if_outside((outcome,))
     row_quantities = {name: known_rows[name][1] for name in rows}
     column_quantities = {name: known_columns[name][1] for name in across}
     shown = _shown_units({**row_quantities, **column_quantities}, units or {})
-    outcome = Launch(computed.reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
-    warn_if_outside((outcome,))
     return Sensitivity(si, row_quantities, column_quantities, shown, outcome)
 
 
-def _known_outputs(computed: NDArray[Any]) -> dict[str, tuple[int, Variable]]:
+def _known_outputs(computed: Sequence[float] | NDArray[Any]) -> dict[str, tuple[int, Variable]]:
     """Return row and quantity of the outputs the model gives; those without a value are left out."""
     result = enumerate(launch_outputs().items())
     return {name: (row, each) for row, (name, each) in result if computed[row] == computed[row]}
