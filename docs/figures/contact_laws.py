@@ -11,7 +11,6 @@ import clubface
 from clubface import fem, plots, units
 from clubface.equipment.parameters import ParameterSet
 from clubface.fem.case import case
-from clubface.fem.pictures import name_panel
 from clubface.fem.reduced import AreaTerm, area_term
 from clubface.fem.result import Displacement, Impact, displaced_centre
 from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
@@ -59,9 +58,9 @@ def area_figure(found: AreaTerm, friction: float, radius: float, thrown: dict[fl
     for index, (mu, terms) in enumerate(thrown.items()):
         style = {"color": COLOURS[index], "linestyle": DASHES[index], "marker": MARKERS[index]}
         eta.plot(ANGLES, [term.free_damping for term in terms], label=f"friction {mu:g}", **style)
-    name_panel(force, "force along the face (N)")
-    name_panel(area, "contact area (mm²)")
-    name_panel(eta, "fitted $\\eta$ (N s/m²)")
+    force.set_title("force along the face (N)", loc="left")
+    area.set_title("contact area (mm²)", loc="left")
+    eta.set_title("fitted $\\eta$ (N s/m²)", loc="left")
     for panel in (force, area):
         panel.set_xlabel("time (µs)")
     eta.set_xlabel("angle from the normal (deg)")
@@ -119,7 +118,7 @@ def displacement_figure(curves: dict[str, tuple[list[float], list[Displacement]]
             mark = {"color": COLOURS[index], "marker": "x", "linestyle": "none", "markersize": 6.0}
             panel.plot([speed], [units.from_si(getattr(told, key), "mm")], label=f"{club}, published", **mark)
         panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-        name_panel(panel, label)
+        panel.set_title(label, loc="left")
         panel.set_xlabel("clubhead speed (m/s)")
     legend_above(figure, panels[0].lines[:-1])
     return figure

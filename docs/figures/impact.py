@@ -27,10 +27,10 @@ def draw_section(panel: plt.Axes, section: Section, frame: int) -> None:
     """Draw ball and head at one moment, coloured by compression up to 40%."""
     corners, squeezed = section.at(frame)
     panel.add_collection(
-        PolyCollection(list(corners), array=squeezed, cmap=BALL, clim=(0, 0.4), edgecolors="0.4", linewidths=0.2)
+        PolyCollection(list(1e3 * corners), array=squeezed, cmap=BALL, clim=(0, 0.4), edgecolors="0.4", linewidths=0.2)
     )
     walls, thickness = section.head_at(frame)
-    panel.add_collection(LineCollection(list(walls), linewidths=1.1 * thickness, colors="0.45"))
+    panel.add_collection(LineCollection(list(1e3 * walls), linewidths=1.1e3 * thickness, colors="0.45"))
     panel.set(aspect="equal", xlim=(-17, 46), ylim=(-30, 33), title=f"{section.times[frame] * 1e6:.0f} µs")
     panel.axis("off")
 

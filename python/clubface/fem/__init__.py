@@ -8,32 +8,41 @@ forces, motion, energies and the figures of Roh and Lee ("Analysis of golf ball 
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any
+from types import ModuleType
 
-from clubface.fem.balls import Ball as Ball, Piece as Piece, ball as ball, ball_names as ball_names
-from clubface.fem.derivatives import Derivatives as Derivatives, sensitivity as sensitivity, variables as variables
+from clubface.fem.balls import Ball, Piece, ball, ball_names
+from clubface.fem.derivatives import Derivatives, sensitivity, variables
 from clubface.fem.heads import (
-    DriverHead as DriverHead,
-    Hardening as Hardening,
-    IronHead as IronHead,
-    MeshedHead as MeshedHead,
-    MeshHead as MeshHead,
-    Metal as Metal,
-    ShellHead as ShellHead,
-    SolidHead as SolidHead,
-    head as head,
-    head_names as head_names,
+    DriverHead,
+    Hardening,
+    IronHead,
+    MeshedHead,
+    MeshHead,
+    Metal,
+    ShellHead,
+    SolidHead,
+    head,
+    head_names,
 )
-from clubface.fem.materials import Material as Material, Maxwell as Maxwell, laws as laws
-from clubface.fem.paper import reference as reference
-from clubface.fem.result import ElementFields as ElementFields, Impact as Impact
-from clubface.fem.run import strike as strike, throw as throw
-from clubface.fem.settings import Settings as Settings
+from clubface.fem.materials import Material, Maxwell, laws
+from clubface.fem.paper import reference
+from clubface.fem.result import ElementFields, Impact
+from clubface.fem.run import strike, throw
+from clubface.fem.settings import Settings
 
-_MODULES = ("case", "files", "head_tests", "keyword", "paper", "reduced", "stress", "sweep")
+__all__ = [
+    "Ball", "Derivatives", "DriverHead", "ElementFields", "Hardening", "Impact", "IronHead", "Material", "Maxwell",
+    "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead", "SolidHead", "ball", "ball_names", "head",
+    "head_names", "laws", "reference", "sensitivity", "strike", "throw", "variables",
+]  # fmt: skip
+
+_MODULES = (
+    "case", "files", "head_result", "head_tests", "impact_result", "keyword", "paper", "pictures", "reduced",
+    "section_picture", "stress", "sweep",
+)  # fmt: skip
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> ModuleType:
     """Import the modules that not every user needs when they are first named."""
     if name in (*_MODULES, "face_map", "vtu"):  # the last two have moved
         return import_module(f"clubface.fem.{name}")
