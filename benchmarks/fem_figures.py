@@ -176,9 +176,9 @@ def derivatives() -> None:
     given = {"speed": 45.0, "loft": 0.2}
 
     def launch(**changes: float) -> dict[str, float]:
-        return fem.strike("driver", {**given, **changes}, which="modern", settings=END).outcome()
+        return fem.strike("driver", {**given, **changes}, ball="modern", settings=END).outcome()
 
-    exact = fem.sensitivity("driver", given, which="modern", by=["speed", "loft"])
+    exact = fem.sensitivity("driver", given, ball="modern", by=["speed", "loft"])
     for name, widths in (("speed", (0.3, 1.0, 2.0)), ("loft", (0.003, 0.01, 0.03))):
         for quantity in ("ball_speed", "launch", "backspin"):
             slopes = {}
@@ -196,7 +196,7 @@ def meshes() -> None:
         pieces = tuple(replace(piece, layers=count) for piece, count in zip(made.pieces, layers, strict=True))
         balls.append(replace(made, cube=cube, pieces=pieces))
     for ball in [*balls, made.refined(2), made.refined(3)]:
-        found = fem.reference(which=ball, settings=END)
+        found = fem.reference(ball=ball, settings=END)
         angle = math.degrees(math.atan2(found.tangential_velocity, found.normal_velocity))
         speed = math.hypot(found.normal_velocity, found.tangential_velocity)
         say(f"{found.elements} elements", speed=speed, rpm=found.backspin * RPM, angle=angle)
@@ -205,12 +205,12 @@ def meshes() -> None:
 def models() -> None:
     """Agreement with the reduced models, and launches of a driver."""
     for club, given in (("driver", {"speed": 50.0, "loft": "12 deg"}), ("7-iron", {"speed": 38.0, "loft": "28 deg"})):
-        found = fem.strike(club, given, which="modern", settings=END)
+        found = fem.strike(club, given, ball="modern", settings=END)
         for model in reduced.LAWS:
             same = reduced.equivalent(found, model)
             say(f"{club}, {model}", error=same.error, longer=same.contact_time / same.reference_contact_time - 1.0)
     for name in ("reference", "modern"):
-        launch = fem.strike("driver", which=name, settings=END, speed=45.0).outcome()
+        launch = fem.strike("driver", ball=name, settings=END, speed=45.0).outcome()
         say(f"driver at 45 m/s, {name}", smash=launch["ball_speed"] / 45.0, rpm=launch["backspin"] * RPM)
 
 

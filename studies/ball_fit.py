@@ -70,7 +70,7 @@ def hit(made: fem.Ball, against: str, speed: float) -> dict[str, float]:
         found = fem.throw(made, speed=speed, settings=END)
         parted = found.normal_velocity
     else:
-        found = fem.strike(HEAD, which=made, speed=speed, settings=END)
+        found = fem.strike(HEAD, ball=made, speed=speed, settings=END)
         parted = found.launch.ball_speed - found.launch.club_velocity_x
     return {
         "restitution": float(parted / speed),
@@ -115,7 +115,7 @@ def main() -> None:
     for cover in (COVER_RANGE[0], COVER_MIDDLE, COVER_RANGE[1]):
         made = ball(values, cover)
         restitution = hit(made, "plate", 38.1)["restitution"]
-        spins = [fem.strike(CLUBS[name], shot, which=made, settings=END).launch.get("backspin", "rpm")
+        spins = [fem.strike(CLUBS[name], shot, ball=made, settings=END).launch.get("backspin", "rpm")
                  for name, shot in SHOTS.items()]  # fmt: skip
         print(f"{cover:18.0f}        {restitution:16.3f}" + "".join(f"{spin:12.0f} rpm" for spin in spins))
 

@@ -65,7 +65,7 @@ def start_share(made: fem.Ball, target: Mapping[str, Any]) -> float:
     """Return the share of the way from attack angle to dynamic loft at which the ball starts."""
     attack, loft = (units.parse(target[name], "angle") for name in ("attack", "loft"))
     delivery = {name: target[name] for name in ("speed", "attack", "loft")}
-    shot = fem.strike(club(target["club"]), delivery, which=made, settings=END).launch
+    shot = fem.strike(club(target["club"]), delivery, ball=made, settings=END).launch
     return float((shot.launch - attack) / (loft - attack))
 
 
@@ -84,7 +84,7 @@ class SpinAtLaunch:
         delivery = {name: self.target.get(name, 0.0) for name in ("speed", "attack", "high")}
         ends = []
         for loft in (self.loft - WIDTH, self.loft + WIDTH):
-            strike = fem.strike(club(self.target["club"]), {**delivery, "loft": loft}, which=made, settings=END)
+            strike = fem.strike(club(self.target["club"]), {**delivery, "loft": loft}, ball=made, settings=END)
             ends.append((float(strike.launch.launch), float(strike.launch.total_spin)))
         (low, least), (high, most) = ends
         share = (self.launch - low) / (high - low)
@@ -113,7 +113,7 @@ class Fit:
             oblique = [pool.submit(tangential_restitution, made, each) for each in self.oblique]
             shares = [pool.submit(start_share, made, each) for each in self.shares]
             spins = [pool.submit(each.error, made) for each in self.shots]
-            iron = pool.submit(fem.strike, club("7-iron"), SLIP, which=made, settings=END)
+            iron = pool.submit(fem.strike, club("7-iron"), SLIP, ball=made, settings=END)
         errors = [*(job.result() for job in spins), math.log(float(iron.result().launch.total_spin) / self.slip)]
         normal = ball_fit.figures(made, self.normal)
         return normal, [job.result() for job in oblique], [job.result() for job in shares], errors

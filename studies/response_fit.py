@@ -318,7 +318,7 @@ def _sum(values: Iterable[float]) -> str:
 def _row(place: tuple[int, int], planned: Strike, ball: Ball, keep_going: Any) -> dict[str, Any]:
     club, delivery, friction = planned
     with without_warnings():
-        found = strike(club, delivery, which=ball, friction=friction, settings=_SETTINGS, progress=keep_going)
+        found = strike(club, delivery, ball=ball, friction=friction, settings=_SETTINGS, progress=keep_going)
     out = found.outcome()
     results = {name: float(f"{out[name]:.{DIGITS}g}") for name in TARGETS}
     return {"part": float(place[0]), "number": float(place[1]), **results, "stopped": found.stopped or ""}

@@ -126,8 +126,8 @@ def print_causes() -> None:
     print_change("mass centre level with the face centre", with_mass_centre(above=0.0))
     for friction in (0.2, 0.7, 2.0):
         print_change(f"friction {friction}", IRON, friction=friction)
-    print_change("elastic cover", IRON, which=with_cover())
-    print_change("cover that relaxes more (1.0, 100 us)", IRON, which=with_cover(Maxwell(1.0, 100e-6)))
+    print_change("elastic cover", IRON, ball=with_cover())
+    print_change("cover that relaxes more (1.0, 100 us)", IRON, ball=with_cover(Maxwell(1.0, 100e-6)))
     for name, other in (("loft", "18 deg"), ("loft", "32 deg"), ("speed", "60 mph"), ("speed", "95 mph")):
         print_change(f"{name} {other}", IRON, {**SHOT, name: other})
 

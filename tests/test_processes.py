@@ -105,7 +105,7 @@ def _many_shots():
 
 def _meshed_ball():
     settings = fem.Settings(duration=20e-6, threads=2)
-    return fem.strike("driver", speed="40 m/s", which=coarse(), settings=settings).peak_force
+    return fem.strike("driver", speed="40 m/s", ball=coarse(), settings=settings).peak_force
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")

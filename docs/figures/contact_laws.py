@@ -140,7 +140,7 @@ def the_displacement() -> Figure:
             if least <= speed <= largest:
                 delivery = {"speed": speed, "loft": math.radians(loft)}
                 rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
-                found = fem.strike(rigid, delivery, which=BALL, friction=FRICTION, settings=END)
+                found = fem.strike(rigid, delivery, ball=BALL, friction=FRICTION, settings=END)
                 add(f"{club}, {loft:g}°", speed, displaced_centre(found))
     for speed in SPEEDS:
         add("plane, 12°", speed, displaced_centre(throw(speed, 12.0, FRICTION)))

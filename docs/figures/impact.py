@@ -20,7 +20,7 @@ BALL, FORCE, SPIN = "YlOrRd", "#0072B2", "#D55E00"
 def struck() -> Impact:
     """Return the published head of shells striking a modern ball at 105 mph, its shapes kept."""
     settings = fem.Settings(frames=121)
-    return fem.strike(fem.head("paper"), speed="105 mph", which="modern", friction=0.35, settings=settings)
+    return fem.strike(fem.head("paper"), speed="105 mph", ball="modern", friction=0.35, settings=settings)
 
 
 def draw_section(panel: plt.Axes, section: Section, frame: int) -> None:

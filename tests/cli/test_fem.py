@@ -32,7 +32,7 @@ def test_the_reference_case_is_printed_beside_other_solvers_unless_it_is_varied(
     ran = clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml"), "--json")
     (row,) = ran.rows("reference")
     assert row["solver"] == "clubface"
-    expected = fem.reference(which=tmp_path / "ball.toml")
+    expected = fem.reference(ball=tmp_path / "ball.toml")
     assert row["normal_velocity_mps"] == expected.normal_velocity
     assert row["peak_force_kN"] == pytest.approx(1e-3 * expected.peak_force)
     assert ran.notes("cost-of-run")[0]["elements"] == 256

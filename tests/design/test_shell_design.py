@@ -131,7 +131,7 @@ def test_what_is_told_is_what_the_written_head_does(fastest, tmp_path):
     read = fem.head(str(target))
     best = fastest.chosen.best.values
     assert characteristic_time(read) == best["characteristic_time"]
-    hit = fem.strike(read, which=coarse("modern"), speed=44.7, loft=0.2, settings=fem.Settings(until_separation=True))
+    hit = fem.strike(read, ball=coarse("modern"), speed=44.7, loft=0.2, settings=fem.Settings(until_separation=True))
     assert float(hit.launch.get("ball_speed")) == best["ball_speed"]
     assert read.club.mass == best["mass"]
 
@@ -141,7 +141,7 @@ def test_the_stress_limit_refuses_a_thin_face(fastest):
     strict = shells.improve(study(hardest=hardest, metals=(metal("1000 MPa"),), safety=1.1))
     limit, values = 1000e6 / 1.1, strict.chosen.best.values
     assert 0.99 * limit <= values["stress"] <= limit
-    face = peak_stress(strict.head, which=coarse("modern"), speed=50.0, loft=0.2)[0]
+    face = peak_stress(strict.head, ball=coarse("modern"), speed=50.0, loft=0.2)[0]
     assert (face.part, face.stress) == ("face", values["stress"])
     assert strict.head.thickness["face_centre"] > fastest.head.thickness["face_centre"] + 2e-4
     # The face without that limit would break it.

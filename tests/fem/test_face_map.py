@@ -20,7 +20,7 @@ SPEED = 48.768
 def test_restitution_off_centre_is_what_momentum_tells():
     # A rigid head without friction gives one impulse on the normal: J (1/m + 1/M + (r x n) I^-1 (r x n)) = (1 + e) V.
     club, ball, toe, high = clubface.club("driver"), coarse("modern"), 0.02, 0.005
-    found = head_tests.restitution(club, which=ball, toe=toe, high=high, friction=0.0)
+    found = head_tests.restitution(club, ball=ball, toe=toe, high=high, friction=0.0)
     turn = turn_to_sole(club.loft)
     point = face_point(toe, high, club.bulge, club.roll)
     normal = nearest(point, club.bulge, club.roll)[1]
@@ -28,7 +28,7 @@ def test_restitution_off_centre_is_what_momentum_tells():
     give = 1.0 / club.mass + turning @ np.linalg.solve(turn.T @ np.asarray(club.inertia) @ turn, turning)
     hit = fem.strike(
         club,
-        which=ball,
+        ball=ball,
         friction=0.0,
         speed=SPEED,
         loft=0.0,
@@ -50,7 +50,7 @@ def test_restitution_before_the_cg_is_that_of_the_old_rule():
     above = turn_to_sole(club.loft).T @ np.asarray(club.cg)
     hit = fem.strike(
         head,
-        which=ball,
+        ball=ball,
         speed=SPEED,
         loft=0.0,
         toe=-above[2],
@@ -60,7 +60,7 @@ def test_restitution_before_the_cg_is_that_of_the_old_rule():
     mass = ball.properties()["mass"]
     rule = hit.launch.velocity_x * (club.mass + mass) / (club.mass * SPEED) - 1.0
     # The head was tuned to have its CG there, and got it to 6 nm; momentum is exact. They are 1e-10 apart.
-    assert head_tests.restitution(head, which=ball) == pytest.approx(rule, abs=1e-8)
+    assert head_tests.restitution(head, ball=ball) == pytest.approx(rule, abs=1e-8)
 
 
 def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
@@ -69,7 +69,7 @@ def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
         coarse_head(),
         toes=[-0.02, 0.0, 0.02],
         highs=[0.0],
-        with_ball=coarse("modern"),
+        ball=coarse("modern"),
         progress=lambda *told: done.append(told),
     )
     assert [(row["toe_mm"], row["high_mm"]) for row in rows] == [(-20.0, 0.0), (0.0, 0.0), (20.0, 0.0)]
@@ -79,7 +79,7 @@ def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
         heel, centre, toe = (row[key] for row in rows)
         assert heel == pytest.approx(toe, abs=close)
         assert centre > heel + more
-    assert rows[1]["restitution"] == head_tests.restitution(coarse_head(), which=coarse("modern"), toe=0.0, high=0.0)
+    assert rows[1]["restitution"] == head_tests.restitution(coarse_head(), ball=coarse("modern"), toe=0.0, high=0.0)
 
 
 def test_a_point_that_fails_is_told_beside_the_others(monkeypatch):

@@ -28,7 +28,7 @@ def giving(time):
 def test_the_more_a_face_gives_the_faster_leaves_the_ball():
     times = [0.0, 40e-6, 100e-6, 160e-6, 220e-6, 280e-6, 340e-6, 400e-6]
     made = coarse("modern")
-    found = [head_tests.restitution(giving(time), which=made) for time in times]
+    found = [head_tests.restitution(giving(time), ball=made) for time in times]
     assert all(low < high for low, high in pairwise(found))
 
 
@@ -71,7 +71,7 @@ def test_the_same_impact_of_a_left_hander_is_the_mirror_image():
     # Toe, closure and the like belong to the club; the face angle to the world.
     hits = [("right", OFF_CENTRE), ("left", {**OFF_CENTRE, "face": -OFF_CENTRE["face"]})]
     right, left = (
-        fem.strike(giving(250e-6).replace(hand=hand), hit, settings=END, which=coarse("modern")).outcome()
+        fem.strike(giving(250e-6).replace(hand=hand), hit, settings=END, ball=coarse("modern")).outcome()
         for hand, hit in hits
     )
     for name in ("ball_speed", "launch", "backspin", "club_velocity_x", "club_spin_z"):

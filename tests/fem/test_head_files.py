@@ -47,8 +47,8 @@ def test_finite_elements_take_the_mesh_by_every_way_that_leads_to_it(file):
     rigid = clubface.impact(fem.head(file).club, SHOT, model="fem")
     # A face of 1.8 mm of titanium springs: some per cent of ball speed.
     assert launch.ball_speed > 1.01 * rigid.ball_speed
-    assert head_tests.restitution(file, which=coarse("modern")) == head_tests.restitution(
-        fem.head(file), which=coarse("modern")
+    assert head_tests.restitution(file, ball=coarse("modern")) == head_tests.restitution(
+        fem.head(file), ball=coarse("modern")
     )
 
 
@@ -104,7 +104,7 @@ def test_a_head_is_measured_where_and_with_what_is_asked(clubface_, file):
     assert toe["characteristic_time_s"] == head_tests.characteristic_time(made, toe="15 mm")
     assert centre["restitution"] == head_tests.restitution(made)
     slower = clubface_("fem", "head", str(file), "--measure", "--safety", "0.3", "--ball", "distance", "--json").json
-    assert slower["restitution"] == head_tests.restitution(made, which="distance", safety=0.3)
+    assert slower["restitution"] == head_tests.restitution(made, ball="distance", safety=0.3)
     assert "add --measure" in clubface_("fem", "head", str(file), "--toe", "15 mm").err
 
 

@@ -84,7 +84,7 @@ def test_a_ball_that_reaches_round_the_edge_of_the_face_is_told():
         EdgeWarning,
         match="^struck 40 mm to the toe and 0 mm above.* round the edge of the face.* its launch is in doubt",
     ):
-        found = fem.strike(fem.head("paper"), speed="35 m/s", loft="11.5 deg", toe="40 mm", which="paper")
+        found = fem.strike(fem.head("paper"), speed="35 m/s", loft="11.5 deg", toe="40 mm", ball="paper")
     assert found.over_edge
     assert found.stopped is None
     assert not fem.strike(fem.head("paper"), speed="35 m/s", toe="30 mm").over_edge
@@ -124,7 +124,7 @@ def test_restitution_of_a_rigid_head_is_that_of_the_ball():
     alone = plane.normal_velocity / 48.768
     # The closing speed is the same; a head that gives way takes a fifth less energy, which the ball notices a little.
     rigid = clubface.club("driver").replace(characteristic_time=0.0)
-    assert head_tests.restitution(rigid, which=made) == pytest.approx(alone, abs=0.02)
+    assert head_tests.restitution(rigid, ball=made) == pytest.approx(alone, abs=0.02)
 
 
 def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
@@ -138,8 +138,8 @@ def test_a_thinner_face_springs_more_and_holds_the_striker_longer():
     # Drivers of the rules' limit, 239 us, lie between; stiff heads have about half of that.
     assert 240e-6 < times[0] < 420e-6
     assert 120e-6 < times[1] < 239e-6
-    springs = [head_tests.restitution(head, which=coarse("modern")) for head in (thin, thick)]
-    assert springs[0] > springs[1] > head_tests.restitution(thin.club, which=coarse("modern"))
+    springs = [head_tests.restitution(head, ball=coarse("modern")) for head in (thin, thick)]
+    assert springs[0] > springs[1] > head_tests.restitution(thin.club, ball=coarse("modern"))
 
 
 def test_the_striker_is_fine_enough(monkeypatch):
@@ -183,7 +183,7 @@ def test_the_name_of_a_meshed_head_is_not_that_of_a_club():
     with pytest.raises(InputError, match=r'clubface\.fem\.head\("paper"\)'):
         fem.strike("paper", speed=35.0)
     # A club of the same name is meant where there is one.
-    assert fem.strike("7-iron", speed=35.0, which=coarse()).head is None
+    assert fem.strike("7-iron", speed=35.0, ball=coarse()).head is None
 
 
 def test_a_case_says_which_kind_of_head_it_has(tmp_path):

@@ -44,7 +44,7 @@ WIDE = {"width": "9 mm", "depth": "1 mm", "pitch": "14 mm", "wall": "3 mm"}
 def test_grooves_hold_a_ball_without_friction():
     # Grooves as wide as the elements of a coarse ball, to be quick; without friction nothing else pulls along the face.
     head = {"shape": {**IRON, "face": "9 mm", "top": "9 mm"}, "elements": (16, 12, 1)}
-    how = {"speed": "38 m/s", "loft": "30 deg", "friction": 0.0, "which": coarse()}
+    how = {"speed": "38 m/s", "loft": "30 deg", "friction": 0.0, "ball": coarse()}
     settings = fem.Settings(until_separation=True)
     plain, grooved = (
         fem.strike(fem.IronHead(name="iron", grooves=grooves, **head).mesh(), settings=settings, **how)
@@ -70,7 +70,7 @@ def test_grooves_that_the_ball_cannot_feel_are_refused():
         InputError,
         match=r"wide as nodes of the ball are apart, 8\.06 mm.*9\.0 times",
     ):
-        fem.strike(head, speed="38 m/s", loft="30 deg", which=coarse())
+        fem.strike(head, speed="38 m/s", loft="30 deg", ball=coarse())
 
 
 @pytest.mark.parametrize(
@@ -92,7 +92,7 @@ def test_a_stiff_iron_is_a_rigid_one():
     stiff = fem.Metal(youngs=1e12, poisson=0.29, density=7800.0)
     shape = {**IRON, "face": "9 mm", "top": "9 mm"}
     head = fem.IronHead(name="stiff", shape=shape, metal=stiff, elements=(16, 12, 1)).mesh()
-    how = {"speed": "38 m/s", "loft": "25 deg", "toe": "6 mm", "which": coarse(), "friction": 0.3}
+    how = {"speed": "38 m/s", "loft": "25 deg", "toe": "6 mm", "ball": coarse(), "friction": 0.3}
     settings = fem.Settings(until_separation=True)
     meshed = fem.strike(head, settings=settings, **how).launch
     rigid = fem.strike(head.club, settings=settings, **how).launch

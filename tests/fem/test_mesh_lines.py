@@ -60,7 +60,7 @@ def plate(kind):
 
 def struck(head, toe, high):
     return fem.strike(
-        head, speed=48.0, loft=head.loft, toe=toe, high=high, which=coarse("modern"),
+        head, speed=48.0, loft=head.loft, toe=toe, high=high, ball=coarse("modern"),
         settings=fem.Settings(duration=8e-4),
     )  # fmt: skip
 

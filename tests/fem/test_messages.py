@@ -121,7 +121,7 @@ def test_a_broken_mesh_is_told_in_our_words_alone(tmp_path, capfd, content):
 @pytest.mark.parametrize("measure", [head_tests.restitution, head_tests.characteristic_time])
 def test_ctrl_c_while_a_head_is_measured_is_no_mistake(tmp_path, measure):
     path = head_file(tmp_path, "paper", "[36, 12, 25]", "[14, 8, 10]")
-    how = {"which": coarse("modern")} if measure is head_tests.restitution else {}
+    how = {"ball": coarse("modern")} if measure is head_tests.restitution else {}
     pressed = []
 
     def press(time, whole):

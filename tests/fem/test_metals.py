@@ -72,7 +72,7 @@ def test_a_table_of_two_points_is_linear_hardening():
 
 def test_an_iron_of_soft_metal_yields():
     design = replace(from_toml(IRON), elements=(16, 12, 2))
-    how = {"speed": "45 m/s", "loft": "30 deg", "which": coarse("paper"), "settings": fem.Settings(duration="500 us")}
+    how = {"speed": "45 m/s", "loft": "30 deg", "ball": coarse("paper"), "settings": fem.Settings(duration="500 us")}
     hard = fem.strike(design.mesh(), **how)
     soft = fem.strike(replace(design, metal=replace(design.metal, yield_stress="100 MPa")).mesh(), **how)
     assert hard.energy["plastic"].max() == 0.0

@@ -13,7 +13,7 @@ SETTINGS = fem.Settings(until_separation=True)
 
 
 def drive(which):
-    return fem.strike("driver", speed="50 m/s", loft="12 deg", which=which, settings=SETTINGS)
+    return fem.strike("driver", speed="50 m/s", loft="12 deg", ball=which, settings=SETTINGS)
 
 
 # Error over the peak and of the contact time. Hertz' law bends as a ball's force does, until the ball is flat; the
@@ -39,7 +39,7 @@ def test_a_reduced_model_with_stiffness_and_damping_of_a_drive_has_its_force(mod
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
 def test_it_has_so_on_the_whole_mesh(club, model, error):
     speed, loft = {"driver": ("50 m/s", "12 deg"), "7-iron": ("38 m/s", "28 deg")}[club]
-    found = fem.strike(club, speed=speed, loft=loft, which="modern", settings=SETTINGS)
+    found = fem.strike(club, speed=speed, loft=loft, ball="modern", settings=SETTINGS)
     assert equivalent(found, model).error < error
 
 

@@ -18,7 +18,7 @@ OUTPUTS = ("ball_speed", "launch", "backspin")
 def launch(club="driver", ball=BALL, **values):
     friction = values.pop("friction", 0.2)
     given = {"speed": 45.0, "loft": 0.2, **values}
-    return fem.strike(club, which=ball, friction=friction, settings=SETTINGS, **given).outcome()
+    return fem.strike(club, ball=ball, friction=friction, settings=SETTINGS, **given).outcome()
 
 
 def differences(run, at, step):
@@ -35,7 +35,7 @@ def check(found, name, expected):
 
 def test_derivatives_with_a_rigid_head():
     names, values = ("speed", "loft", "friction", "characteristic_time"), (45.0, 0.2, 0.2, 250e-6)
-    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=names, which=BALL, friction=0.2, settings=SETTINGS)
+    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS)
     for name, at in zip(names, values, strict=True):
         check(found, name, differences(lambda value, name=name: launch(**{name: value}), at, 1e-6 * at))
 
@@ -43,7 +43,7 @@ def test_derivatives_with_a_rigid_head():
 def test_derivatives_by_thickness_and_modulus_of_a_face():
     head = coarse_head()
     names = ("head.face.thickness", "head.face.youngs", "friction")
-    found = fem.sensitivity(head, speed=45.0, loft=0.2, by=names, which=BALL, friction=0.2, settings=SETTINGS)
+    found = fem.sensitivity(head, speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS)
     count = head.parts[0].elements
     mean = float(head.thickness[:count].mean())
 
@@ -78,7 +78,7 @@ def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
     material = made.pieces[piece].material
     names = (*material.constants, "poisson")
     by = [f"{made.pieces[piece].name}.{each}" for each in names]
-    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=by, which=made, friction=0.2, settings=SETTINGS)
+    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=by, ball=made, friction=0.2, settings=SETTINGS)
 
     def changed(key, value):
         values = {key: value} if key == "poisson" else {"constants": {**material.constants, key: value}}
@@ -95,9 +95,9 @@ def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
 def test_derivatives_by_the_size_of_a_piece():
     """Where the shapes of elements are variables too, whatever else is differentiated by stays as it is."""
     found = fem.sensitivity(
-        "driver", speed=45.0, loft=0.2, by=("speed", "core.radius"), which=BALL, friction=0.2, settings=SETTINGS
+        "driver", speed=45.0, loft=0.2, by=("speed", "core.radius"), ball=BALL, friction=0.2, settings=SETTINGS
     )
-    alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by="speed", which=BALL, friction=0.2, settings=SETTINGS)
+    alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by="speed", ball=BALL, friction=0.2, settings=SETTINGS)
     for output in OUTPUTS:
         # The same operations in another order, some fused.
         assert found.by(output, "speed") == pytest.approx(alone.by(output, "speed"), rel=1e-8, abs=1e-12)
@@ -120,18 +120,18 @@ def test_four_variables_take_one_run_whatever_they_change():
 
     names = ("core.c10", "core.poisson", "cover.shear", "speed")
     found = fem.sensitivity(
-        "driver", speed=45.0, loft=0.2, by=names, which=BALL, friction=0.2, settings=SETTINGS, progress=watch
+        "driver", speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS, progress=watch
     )
     assert runs == {1}
     # One at a time they are the same.
     for name in names:
-        alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by=name, which=BALL, friction=0.2, settings=SETTINGS)
+        alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by=name, ball=BALL, friction=0.2, settings=SETTINGS)
         for output in OUTPUTS:
             assert found.by(output, name) == pytest.approx(alone.by(output, name), rel=1e-12), (name, output)
 
 
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
-    hit = {"speed": 100.0, "loft": 0.2, "which": SOFT, "friction": 0.2, "settings": SETTINGS}
+    hit = {"speed": 100.0, "loft": 0.2, "ball": SOFT, "friction": 0.2, "settings": SETTINGS}
     rigid = club("driver").replace(characteristic_time=0.0)
     run = fem.strike(rigid, **hit)
     assert run.settings.safety < fem.strike(rigid, **hit | {"speed": 45.0}).settings.safety
@@ -148,9 +148,9 @@ def test_a_solid_head_is_refused():
 
 
 def test_an_unknown_variable_is_told():
-    assert {"speed", "friction", "core.radius"} <= set(fem.variables("driver", which=BALL))
-    known = fem.variables(coarse_head(), which=BALL)
+    assert {"speed", "friction", "core.radius"} <= set(fem.variables("driver", ball=BALL))
+    known = fem.variables(coarse_head(), ball=BALL)
     assert "head.crown.thickness" in known
     assert "club_mass" not in known
     with pytest.raises(UnknownNameError, match=r"head\.face\.thickness"):
-        fem.sensitivity(coarse_head(), speed=45.0, by="head.face.thicknes", which=BALL)
+        fem.sensitivity(coarse_head(), speed=45.0, by="head.face.thicknes", ball=BALL)

@@ -16,7 +16,7 @@ from clubface.support.files import builtin_path
 from fem_meshes import HEAD, write_mesh
 from fem_runs import coarse, coarse_head
 
-BLOW = {"speed": "50 m/s", "which": coarse("modern")}
+BLOW = {"speed": "50 m/s", "ball": coarse("modern")}
 
 
 def with_face(head, **metal):
@@ -47,7 +47,7 @@ def test_a_face_yields_where_its_margin_is_negative_and_not_where_it_is_positive
         assert found.stress == pytest.approx(elastic.stress, rel=0.02)
         assert found.margin == pytest.approx(share - 1.0, abs=0.02)
         assert (found.margin < 0.0) is yields
-        ran = fem.strike(metal, which=BLOW["which"], speed=BLOW["speed"])
+        ran = fem.strike(metal, ball=BLOW["ball"], speed=BLOW["speed"])
         assert bool(ran.energy["plastic"][-1] > 0.0) is yields
 
 
@@ -175,7 +175,7 @@ def test_the_command_shows_stress_beside_yield(clubface_, tmp_path):
     run = ("fem", "head", str(file), "--blow", "38 m/s", "--ball", ball)
     ran = clubface_(*run, "--meshes", "1", "--json")
     [part], [mesh] = ran.rows("stress"), ran.rows("meshes")
-    [expected] = stress.peak_stress(file, speed="38 m/s", which=ball)
+    [expected] = stress.peak_stress(file, speed="38 m/s", ball=ball)
     assert mesh["elements"] == 320
     assert part["stress_MPa"] == mesh["stress_MPa"] == pytest.approx(1e-6 * expected.stress)
     assert part["margin_pct"] == pytest.approx(100.0 * (300e6 / expected.stress - 1.0))

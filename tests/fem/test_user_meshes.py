@@ -31,7 +31,7 @@ def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, write, name):
     lighter = fem.head(MeshHead(name="x", file=tmp_path / name, groups=GROUPS, **FACE))
     assert head.club.cg_x > lighter.club.cg_x
     assert head.club.cg_y > lighter.club.cg_y
-    found = fem.strike(head, speed="40 m/s", which=coarse(), settings=fem.Settings(duration=60e-6))
+    found = fem.strike(head, speed="40 m/s", ball=coarse(), settings=fem.Settings(duration=60e-6))
     assert found.peak_force > 1000.0
 
 

@@ -63,7 +63,7 @@ def reference(
     settings = fem.Settings(contact=contact)
     impact = run_with_progress(
         lambda progress: fem.reference(
-            which=ball, friction=friction, refine=refine, element=element, settings=settings, progress=progress
+            ball=ball, friction=friction, refine=refine, element=element, settings=settings, progress=progress
         )
     )
     # What other solvers gave is known of this case alone.

@@ -78,12 +78,12 @@ def head(
     if measure:
         tests = run_with_progress(
             lambda progress: {
-                "restitution": head_tests.restitution(made, which=ball, **place, safety=safety, progress=progress),
+                "restitution": head_tests.restitution(made, ball=ball, **place, safety=safety, progress=progress),
                 "characteristic_time": head_tests.characteristic_time(made, **place, safety=safety, progress=progress),
             }
         )
     if speed is not None:
-        how: dict[str, Any] = {"which": ball, "speed": speed, **place, "safety": safety, "meshes": meshes}
+        how: dict[str, Any] = {"ball": ball, "speed": speed, **place, "safety": safety, "meshes": meshes}
         struck = run_with_progress(lambda progress: stress.blow_stress(name, **how, progress=progress))
     inputs = {each: str(value) for each, value in given.items() if value is not None}
     shown.show(head_result(made, tests=tests, blow=struck, inputs=inputs))
@@ -108,7 +108,7 @@ def face(
     target = None if folder is None else prepared_folder(folder) / "face.csv"
     with progress_bar("points") as progress:
         rows = head_tests.face_map(
-            name, toes=toes, highs=highs, with_ball=ball, output=target, workers=workers, progress=progress
+            name, toes=toes, highs=highs, ball=ball, output=target, workers=workers, progress=progress
         )
     result = head_tests.face_result(rows, name)
     written = [] if target is None else [target, show.save_picture(result, target.with_suffix(".png"))]

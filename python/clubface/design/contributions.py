@@ -210,13 +210,13 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
     if head is not None and not isinstance(head, ShellHead):
         raise RunError("finite elements give derivatives for rigid heads and heads of shells, not of solids")
     club = launch.club if head is None else head
-    known = variables(club, which=ball)
+    known = variables(club, ball=ball)
     if unknown := [name for name in line.names if name not in known]:
         raise RunError(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
     delivered = {name: value for name, value in point.inputs.items() if inputs()[name].group == "delivery"}
     moved = {name: point.inputs[name] for name in line.names if name in point.inputs}
     found = sensitivity(
-        club, {**delivered, **moved, "hand": point.inputs["hand"]}, by=line.names, which=ball,
+        club, {**delivered, **moved, "hand": point.inputs["hand"]}, by=line.names, ball=ball,
         friction=point.parameters["friction"],
     )  # fmt: skip
     return np.array([found.values[name] for name in outputs()]), found.jacobian

@@ -129,7 +129,7 @@ def run_points(
     ) -> list[float | None]:
         try:
             result = strike(
-                struck.club, {**struck.delivery, "toe": place[0], "high": place[1]}, which=struck.ball,
+                struck.club, {**struck.delivery, "toe": place[0], "high": place[1]}, ball=struck.ball,
                 friction=friction, settings=Settings(until_separation=True, threads=threads), progress=keep_going,
             )  # fmt: skip
         except ShotError:

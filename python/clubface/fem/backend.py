@@ -51,7 +51,7 @@ class FiniteElements:
         """Run shot after shot; one that ends early has no launch."""
         (friction,) = shots.parameters
         head, how = mesh_of(shots.club), replace(HOW, threads=shots.threads)
-        found = np.full((len(outputs()), shots.size), np.nan)
+        launches = np.full((len(outputs()), shots.size), np.nan)
         problems: Problems = []
         for row in range(shots.size):
             columns, mu = [_at(each, row) for each in shots.inputs], _at(friction, row)
@@ -65,25 +65,25 @@ class FiniteElements:
             if record.stopped:
                 problems.append((row, MODEL.name, record.stopped))
                 continue
-            found[:, row] = record.launch
+            launches[:, row] = record.launch
             if shots.progress is not None:
                 shots.progress(row + 1)
-        return found, problems
+        return launches, problems
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any]:
         """Run the shot again and keep its forces on the ball [s, N]."""
         made, _ = self.balls(launch.ball, None)
         friction = launch.parameters.values["friction"]
-        return force_history(strike(launch.club, delivery, which=made, friction=friction, settings=HOW))
+        return force_history(strike(launch.club, delivery, ball=made, friction=friction, settings=HOW))
 
 
 BACKEND = FiniteElements()
 
 
-def force_history(found: Impact) -> dict[str, NDArray[Any]]:
+def force_history(impact: Impact) -> dict[str, NDArray[Any]]:
     """Return the forces on the ball under the names of :class:`clubface.History` [s, N]."""
-    contact = found.contact
-    touching = contact["time"] <= found.last_touch
+    contact = impact.contact
+    touching = contact["time"] <= impact.last_touch
     named = {"time": contact["time"], "normal_force": contact["normal"],
              "force_y": -contact["tangential"], "force_z": contact["toe"]}  # fmt: skip
     return {name: values[touching] for name, values in named.items()}

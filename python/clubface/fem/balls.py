@@ -243,13 +243,13 @@ class Ball:
     @cached_property
     def rigid(self) -> RigidBall:
         """The ball as the other models see it: mass, radius and inertia of the mesh."""
-        found = self.properties()
+        meshed = self.properties()
         with without_warnings():
             return RigidBall(
                 name=self.name,
-                mass=found["mass"],
-                radius=found["radius"],
-                inertia=found["inertia"],
+                mass=meshed["mass"],
+                radius=meshed["radius"],
+                inertia=meshed["inertia"],
                 friction=self.friction,
                 parameters={MODEL_NAME: {"friction": self.friction}},
                 construction=self,
@@ -271,19 +271,19 @@ def ball_names() -> tuple[str, ...]:
     return tuple(name for name in all_names() if "pieces" in Document.read(builtin_path("ball", name, FOLDER)).data)
 
 
-def ball(which: str | os.PathLike[str] | Ball | RigidBall | None = None) -> Ball:
+def ball(source: str | os.PathLike[str] | Ball | RigidBall | None = None) -> Ball:
     """Return a built-in ball of pieces by name, or read one from a TOML file; without a name it is ``DEFAULT_BALL``.
 
     A :class:`clubface.Ball` made of pieces is meshed with its own mass and radius.
     """
-    if isinstance(which, Ball):
-        return which
-    if isinstance(which, RigidBall):
-        return _of_rigid(which)
-    path = path_of("ball", DEFAULT_BALL if which is None else which, FOLDER)
+    if isinstance(source, Ball):
+        return source
+    if isinstance(source, RigidBall):
+        return _of_rigid(source)
+    path = path_of("ball", DEFAULT_BALL if source is None else source, FOLDER)
     document = Document.read(path)
-    if "pieces" not in document.data and not is_path(which):
-        raise _no_pieces(which)
+    if "pieces" not in document.data and not is_path(source):
+        raise _no_pieces(source)
     return from_document(document)
 
 

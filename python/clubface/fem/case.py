@@ -115,7 +115,7 @@ class Case:
             return throw(self.ball, friction=self.friction, settings=self.settings, progress=progress, **self.delivery)
         assert self.club is not None
         return strike(
-            self.club, self.delivery, which=self.ball, friction=self.friction, settings=self.settings, progress=progress
+            self.club, self.delivery, ball=self.ball, friction=self.friction, settings=self.settings, progress=progress
         )
 
     @classmethod
@@ -134,11 +134,11 @@ def case_names() -> tuple[str, ...]:
     return builtin_names(FOLDER)
 
 
-def case(which: str | os.PathLike[str] | Case) -> Case:
+def case(source: str | os.PathLike[str] | Case) -> Case:
     """Return a built-in case by name, or read one from a TOML file."""
-    if isinstance(which, Case):
-        return which
-    return Case.from_toml(path_of("case of finite elements", which, FOLDER))
+    if isinstance(source, Case):
+        return source
+    return Case.from_toml(path_of("case of finite elements", source, FOLDER))
 
 
 def _made_head(values: dict[str, str], place: Place) -> tuple[str, Club | MeshedHead | None]:

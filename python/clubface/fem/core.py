@@ -46,7 +46,7 @@ def core_call(function: Callable[..., T], *arguments: Any, progress: Progress | 
         if progress is not None:
             progress(time, whole)
 
-    with told():
+    with translated_errors():
         if threading.current_thread() is not threading.main_thread():
             return function(*arguments, watch)
         with ThreadPoolExecutor(1) as pool:
@@ -67,14 +67,14 @@ def core_call(function: Callable[..., T], *arguments: Any, progress: Progress | 
                 stop.set()
 
 
-def beside(function: Callable[..., Any], *arguments: Any) -> Any:
+def in_thread(function: Callable[..., Any], *arguments: Any) -> Any:
     """Call the core in a second thread; Ctrl-C ends the wait, but the core completes its result."""
-    with told(), ThreadPoolExecutor(1) as pool:
+    with translated_errors(), ThreadPoolExecutor(1) as pool:
         return pool.submit(function, *arguments).result()
 
 
 @contextmanager
-def told() -> Iterator[None]:
+def translated_errors() -> Iterator[None]:
     """Turn an error of the core about an input, ``ValueError(name, value, allowed)``, into an :class:`InputError`."""
     try:
         yield

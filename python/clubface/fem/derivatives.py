@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, ShotError
 from clubface.fem import core
-from clubface.fem.balls import Ball, ball
+from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.run import AnyBall, friction_of, inputs_of, one_shot
@@ -49,7 +49,7 @@ class Derivatives(NamedTuple):
         return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
 
 
-def variables(club: str | os.PathLike[str] | Club | ShellHead, *, which: AnyBall = None) -> list[str]:
+def variables(club: str | os.PathLike[str] | Club | ShellHead, *, ball: AnyBall = None) -> list[str]:
     """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
 
     A piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants of
@@ -58,11 +58,11 @@ def variables(club: str | os.PathLike[str] | Club | ShellHead, *, which: AnyBall
     "head.face.thickness", and "youngs", "poisson" and "density". The mesh of such a head stays as it is, and its club
     is no variable.
     """
-    made, head, rigid = ball(which), *_head_of(club)
-    found = core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+    made, head, rigid = ball_of(ball), *_head_of(club)
+    names = core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
     for piece in made.pieces:
-        found.insert(found.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
-    return found
+        names.insert(names.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
+    return names
 
 
 def _slopes(made: Ball, name: str) -> dict[str, float]:
@@ -90,7 +90,7 @@ def sensitivity(
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
     by: Iterable[str],
-    which: AnyBall = None,
+    ball: AnyBall = None,
     friction: Any = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
@@ -100,7 +100,7 @@ def sensitivity(
 
     Parameters
     ----------
-    club, delivery, **values, which, friction, settings
+    club, delivery, **values, ball, friction, settings
         As for :func:`strike`. If left out, the settings end the run soon after the last touch.
     by
         Names of variables, see :func:`variables`. Every four of them take one run.
@@ -109,11 +109,11 @@ def sensitivity(
     """
     from clubface.simulation.inputs import as_values
 
-    made = ball(which)
+    made = ball_of(ball)
     mu = friction_of(friction, made)
     how = Settings(until_separation=True) if settings is None else settings_of(settings)
     names = (by,) if isinstance(by, str) else tuple(by)
-    known = variables(club, which=made)
+    known = variables(club, ball=made)
     check_names("variable", names, known)
     head, rigid = _head_of(club)
     inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
@@ -123,8 +123,8 @@ def sensitivity(
     run = replace(how, frames=0).values()
 
     def all_runs(watch: Progress) -> Any:
-        def step(which: int, time: float, whole: float) -> None:
-            watch(which + time / whole, runs)
+        def step(number: int, time: float, whole: float) -> None:
+            watch(number + time / whole, runs)
 
         return core.fem_sensitivity(made.values(), head, inputs, mu, run, directions, step)
 
@@ -132,8 +132,8 @@ def sensitivity(
         run["safety"] = safety
         return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
 
-    found, jacobian = _first_stable(at, how)
-    return Derivatives(dict(zip(outputs(), map(float, found), strict=True)), names, jacobian)
+    launch, jacobian = _first_stable(at, how)
+    return Derivatives(dict(zip(outputs(), map(float, launch), strict=True)), names, jacobian)
 
 
 def _first_stable(run: Callable[[float | None], tuple[Any, Any]], how: Settings) -> tuple[Any, Any]:

@@ -20,7 +20,7 @@ PARAVIEW = [0, 1, 2, 3, 5, 4]
 """Places of xx, yy, zz, xy, yz, xz among ours."""
 
 
-def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
+def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
     """Write every kept shape as a VTU file, and a collection of them with their times.
 
     The axes are those of the world (x towards the target, y up, z to the right), with the origin at the clubhead's CG
@@ -33,7 +33,7 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
 
     Parameters
     ----------
-    found
+    impact
         A run with frames.
     folder
         An existing folder.
@@ -52,32 +52,32 @@ def write_series(found: Impact, folder: str | os.PathLike[str], name: str) -> li
     """
     import meshlane
 
-    if not len(found.frames):
+    if not len(impact.frames):
         raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
-    ball = found.ball.mesh
-    shapes = found.world_positions()
+    ball = impact.ball.mesh
+    shapes = impact.world_positions()
     cells: list[Any] = [("hexahedron", np.asarray(ball["elements"], dtype=np.int32))]
     of_cells: dict[str, list[Any]] = {
         "piece": [np.asarray(ball["piece"], dtype=np.int32)],
         "thickness": [np.zeros(len(ball["elements"]))],
     }
-    if found.head is not None:
-        kind, corners, parts, thickness = _cells(found.head)
+    if impact.head is not None:
+        kind, corners, parts, thickness = _cells(impact.head)
         cells.append((kind, corners.astype(np.int32) + len(ball["nodes"])))
-        of_cells["piece"].append((parts + len(found.ball.pieces)).astype(np.int32))
+        of_cells["piece"].append((parts + len(impact.ball.pieces)).astype(np.int32))
         of_cells["thickness"].append(thickness)
-        shapes = np.concatenate([shapes, found.world_positions(found.head_frames)], axis=1)
+        shapes = np.concatenate([shapes, impact.world_positions(impact.head_frames)], axis=1)
     target, stem = Path(folder), file_stem(name)
     written = []
     for number, shape in enumerate(shapes):
         moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
         path = target / f"{stem}-{number:04d}.vtu"
-        data = of_cells | _felt(found, number)
+        data = of_cells | _felt(impact, number)
         with whole_file(path) as file:
             grid = meshlane.Mesh(shapes[0], cells, point_data=moved, cell_data=data)
             meshlane.write(file.name, grid, file_format="vtu")
         written.append(path)
-    return [*written, _collection(target / f"{stem}.pvd", found.frame_times.tolist(), written)]
+    return [*written, _collection(target / f"{stem}.pvd", impact.frame_times.tolist(), written)]
 
 
 def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
@@ -89,17 +89,17 @@ def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
     return "hexahedron", head.hexahedra, none, none
 
 
-def _felt(found: Impact, frame: int) -> dict[str, list[Any]]:
+def _felt(impact: Impact, frame: int) -> dict[str, list[Any]]:
     """Return stress and strain of all cells in a frame, a list of the bodies' arrays each."""
     data: dict[str, list[Any]] = {}
-    for fields in (found.fields, found.head_fields):
+    for fields in (impact.fields, impact.head_fields):
         if fields is None:
             continue
         shells = fields.stress.ndim == 4
         outer, inner = ((frame, slice(None), side) if shells else (frame,) for side in (0, 1))
         arrays = {
-            "stress": turned(fields.stress[outer], found.attitude)[:, PARAVIEW],
-            "strain": turned(fields.strain[outer], found.attitude)[:, PARAVIEW],
+            "stress": turned(fields.stress[outer], impact.attitude)[:, PARAVIEW],
+            "strain": turned(fields.strain[outer], impact.attitude)[:, PARAVIEW],
             "pressure": fields.pressure[outer],
             "von_mises": fields.von_mises[outer],
             "von_mises_inner": fields.von_mises[inner],

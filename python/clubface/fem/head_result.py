@@ -45,18 +45,18 @@ def head_result(
     rows = ["meshed", "asked for"] if asked else ["meshed"]
     values = {name: getattr(head if name == "cg_above" else head.club, name) for name in SHOWN}
 
-    def of(name: str, value: Any, like: str | None = None, **options: Any) -> Column:
+    def value_column(name: str, value: Any, like: str | None = None, **options: Any) -> Column:
         return column(name, [value, asked.get(name)][: len(rows)], like, **options)
 
-    columns = [of(name, value, digits=2 if values[name] is not None and name[:2] in ("cg", "ma") else None)
+    columns = [value_column(name, value, digits=2 if values[name] is not None and name[:2] in ("cg", "ma") else None)
                for name, value in values.items()]  # fmt: skip
-    columns += [of(name, getattr(head.club, name), printed=False) for name in ("ixy", "ixz", "iyz")]
+    columns += [value_column(name, getattr(head.club, name), printed=False) for name in ("ixy", "ixz", "iyz")]
     if "scale" in head.report:
-        columns.append(of("wall_scale", head.report["scale"], "1", label="walls over design"))
-    columns += [of(f"added_mass_{name}", mass, "mass", label=f"added mass {name}")
+        columns.append(value_column("wall_scale", head.report["scale"], "1", label="walls over design"))
+    columns += [value_column(f"added_mass_{name}", mass, "mass", label=f"added mass {name}")
                 for name, mass in head.report.items() if name != "scale"]  # fmt: skip
-    columns.append(of("elements", head.elements, "1", digits=0))
-    columns += [of(name, value) for name, value in measured.items()]
+    columns.append(value_column("elements", head.elements, "1", digits=0))
+    columns += [value_column(name, value) for name, value in measured.items()]
     title = head.description or head.name
     notes = [note("held-as-delivered")] if any(each.startswith("cg_") for each in asked) else []
     return Result(

@@ -12,9 +12,9 @@ import numpy as np
 from clubface import units
 from clubface.equipment.clubs import Club, club
 from clubface.errors import InputError, RangeWarning, RunError
-from clubface.fem.balls import Ball, Piece, ball
+from clubface.fem.balls import Ball, Piece, ball as ball_of
 from clubface.fem.core import Progress
-from clubface.fem.heads import MeshedHead, head, head as meshed, mesh_of
+from clubface.fem.heads import MeshedHead, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
 from clubface.fem.impact_result import columns_of
 from clubface.fem.materials import Material
@@ -44,7 +44,7 @@ STRIKER_SPEED = "0.6 m/s"
 def restitution(
     head: Club | MeshedHead | str,
     *,
-    which: AnyBall = None,
+    ball: AnyBall = None,
     speed: Any = COR_SPEED,
     toe: Any = None,
     high: Any = None,
@@ -59,7 +59,7 @@ def restitution(
     ----------
     head
         A head of shells. A rigid club shows what the ball alone loses.
-    which
+    ball
         The ball, as for :func:`clubface.fem.ball`.
     speed
         Speed of approach [m/s]; the face normal at the face centre is level.
@@ -88,8 +88,8 @@ def restitution(
     """
     from clubface.equipment.face import face_point, turn_to_sole
 
-    found = head if isinstance(head, MeshedHead) else club(head)
-    shaped = mesh_of(found) or found
+    run = head if isinstance(head, MeshedHead) else club(head)
+    shaped = mesh_of(run) or run
     rigid = shaped.club if isinstance(shaped, MeshedHead) else shaped
     approach = units.parse(speed, "speed", name="speed")
     cg = turn_to_sole(rigid.loft).T @ np.asarray(rigid.cg)
@@ -97,17 +97,17 @@ def restitution(
         toe, high = -cg[2], -cg[1]
     across = units.parse(toe or 0.0, "length", name="toe")
     up = units.parse(high or 0.0, "length", name="high")
-    found = strike(
-        shaped, which=which, friction=friction, settings=_settings(threads, safety), progress=progress,
+    run = strike(
+        shaped, ball=ball, friction=friction, settings=_settings(threads, safety), progress=progress,
         speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
-    _check_complete(found)
-    launch = found.outcome()
+    _check_complete(run)
+    launch = run.outcome()
     flies, follows, spin = (
         np.array([launch[f"{name}_{axis}"] for axis in "xyz"]) for name in ("velocity", "club_velocity", "club_spin")
     )
-    lever = found.attitude @ (cg + face_point(across, up, rigid.bulge, rigid.roll))
-    normal = found.attitude @ found.axes[0]
+    lever = run.attitude @ (cg + face_point(across, up, rigid.bulge, rigid.roll))
+    normal = run.attitude @ run.axes[0]
     return float((flies - follows - np.cross(spin, lever)) @ normal / (approach * normal[0]))
 
 
@@ -152,14 +152,14 @@ def characteristic_time(
         The run failed.
     """
     approach = units.parse(speed, "speed", name="speed")
-    found = strike(
-        meshed(head), which=striker(), friction=0.0, settings=_settings(threads, safety, interval=1e-6),
+    run = strike(
+        meshed(head), ball=striker(), friction=0.0, settings=_settings(threads, safety, interval=1e-6),
         progress=progress, speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
-    _check_complete(found)
-    gained = found.motion["velocity"][:, 0]
+    _check_complete(run)
+    gained = run.motion["velocity"][:, 0]
     share = (gained - gained[0]) / (gained[-1] - gained[0])
-    first, last = (_crossing(found.motion["time"], share, level) for level in (0.05, 0.95))
+    first, last = (_crossing(run.motion["time"], share, level) for level in (0.05, 0.95))
     return last - first
 
 
@@ -167,12 +167,12 @@ def _settings(threads: int, safety: float | None, interval: float = Settings.int
     return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads, safety=safety)
 
 
-def _check_complete(found: Impact) -> None:
+def _check_complete(run: Impact) -> None:
     """Refuse a run that did not come to its end: nothing can be measured on it."""
-    if found.interrupted:
+    if run.interrupted:
         raise KeyboardInterrupt
-    if found.stopped:
-        raise RunError(found.stopped)
+    if run.stopped:
+        raise RunError(run.stopped)
 
 
 def striker() -> Ball:
@@ -197,11 +197,11 @@ MOST = 1_000
 
 
 def face_map(
-    which: str | os.PathLike[str] | MeshedHead | Design,
+    head: str | os.PathLike[str] | MeshedHead | Design,
     *,
     toes: Sequence[float],
     highs: Sequence[float],
-    with_ball: AnyBall = None,
+    ball: AnyBall = None,
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -210,11 +210,11 @@ def face_map(
 
     Parameters
     ----------
-    which
+    head
         The head, as for :func:`clubface.fem.head`.
     toes, highs
         Distances of the points from the face centre [m], towards the toe and upwards.
-    with_ball
+    ball
         The ball for the restitution, as for :func:`clubface.fem.ball`.
     output
         A CSV file. Points found in the file are not computed again, nor those that an interrupted run has finished.
@@ -237,7 +237,7 @@ def face_map(
         A point lies outside the face.
     """
     worker_count(workers)
-    made, struck = head(which), ball(with_ball)
+    made, struck = meshed(head), ball_of(ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
         raise InputError("the number of points of a face", len(points), f"1 to {MOST}")
@@ -249,7 +249,7 @@ def face_map(
     def measure(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
         where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": threads, "progress": keep_going}
         try:
-            measured = restitution(made, which=struck, **where)
+            measured = restitution(made, ball=struck, **where)
             return _row(point, measured, characteristic_time(made, **where))
         except RunError as error:
             return _row(point, math.nan, math.nan, str(error))

@@ -194,14 +194,14 @@ def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
     """Write the head of a case behind a ball of so many ``nodes`` and ``elements``, and its contact with the ball."""
     assert case.club is not None
     club = case.club.club if isinstance(case.club, MeshedHead) else case.club
-    hit = _first_touch(case, club)
-    _spin(deck, hit["ball_spin"], case.ball.diameter / 2.0)
+    touch = _first_touch(case, club)
+    _spin(deck, touch["ball_spin"], case.ball.diameter / 2.0)
     if isinstance(case.club, MeshedHead):
         write_elements = _shells if isinstance(case.club, ShellHead) else _solid
-        faces, last = write_elements(deck, case.club, hit, nodes, elements)
-        _masses_and_motion(deck, case.club, hit, nodes, last)
+        faces, last = write_elements(deck, case.club, touch, nodes, elements)
+        _masses_and_motion(deck, case.club, touch, nodes, last)
     else:
-        _rigid(deck, club, hit, nodes, elements)
+        _rigid(deck, club, touch, nodes, elements)
         faces = [HEAD_PART]
     deck.comment("Penalty by node mass and time step (SOFT = 1), as in clubface.")
     for part in faces:
@@ -223,14 +223,14 @@ def _spin(deck: Cards, spin: list[float], radius: float) -> None:
         )
 
 
-def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
     """Write mesh and parts of a head of shells; return the parts of its face, and the last element."""
     deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
     for number, part in enumerate(head.parts):
         section = HEAD_SECTION + number
         _section(deck, section, part.metal)
         _part(deck, HEAD_PART + number, f"{head.name}: {part.name}", part.metal, section, HEAD_HOURGLASS)
-    deck.nodes(_places(head, hit), nodes + 1)
+    deck.nodes(_places(head, touch), nodes + 1)
     deck.keyword("ELEMENT_SHELL_THICKNESS")
     corners = (head.quads.astype(int) + nodes + 1).tolist()
     walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
@@ -240,13 +240,13 @@ def _shells(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: i
     return faces, elements + len(corners)
 
 
-def _solid(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
     """Write mesh and part of a solid head; return its part, and the last element."""
     if head.grooves is not None:
         deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
     # Section and hourglass control are those of the ball.
     _part(deck, HEAD_PART, head.name, head.metal, 1, 1)
-    deck.nodes(_places(head, hit), nodes + 1)
+    deck.nodes(_places(head, touch), nodes + 1)
     corners = head.hexahedra.astype(int) + nodes + 1
     return [HEAD_PART], deck.elements("SOLID", repeat(HEAD_PART, len(corners)), corners, elements + 1)
 
@@ -278,41 +278,41 @@ def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hour
     deck.card(list(stresses))
 
 
-def _places(head: Any, hit: dict[str, Any]) -> NDArray[Any]:
+def _places(head: Any, touch: dict[str, Any]) -> NDArray[Any]:
     """Return the nodes of a head [m] in the axes of the deck."""
-    return (head.nodes @ turn_to_sole(head.loft) - hit["point"]) @ np.asarray(hit["axes"]).T
+    return (head.nodes @ turn_to_sole(head.loft) - touch["point"]) @ np.asarray(touch["axes"]).T
 
 
-def _masses_and_motion(deck: Cards, head: Any, hit: dict[str, Any], nodes: int, last: int) -> None:
+def _masses_and_motion(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, last: int) -> None:
     """Write added masses, as elements behind the ``last``, and the velocity of every node."""
     deck.keyword("ELEMENT_MASS")
     added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
     deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1))
-    spin = np.asarray(hit["spin"])
-    velocities = np.asarray(hit["velocity"]) + np.cross(spin, _places(head, hit) - np.asarray(hit["cg"]))
+    spin = np.asarray(touch["spin"])
+    velocities = np.asarray(touch["velocity"]) + np.cross(spin, _places(head, touch) - np.asarray(touch["cg"]))
     deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
     for number, velocity in enumerate(velocities.tolist(), start=nodes + 1):
         deck.card([number, *velocity, *spin.tolist()])
 
 
-def _rigid(deck: Cards, club: Club, hit: dict[str, Any], nodes: int, elements: int) -> None:
+def _rigid(deck: Cards, club: Club, touch: dict[str, Any], nodes: int, elements: int) -> None:
     """Write a rigid head: a mesh of its face for contact, its mass, inertia and motion as numbers."""
     if club.characteristic_time:
         deck.comment("the face of this club gives by a spring in clubface; this deck has a rigid face")
     deck.keyword("PART_INERTIA")
     deck.text(f"{club.name}: rigid")
     deck.card([HEAD_PART, HEAD_SECTION, HEAD_PART])
-    deck.card([*hit["cg"], club.mass, 0])
-    inertia = hit["inertia"]
+    deck.card([*touch["cg"], club.mass, 0])
+    inertia = touch["inertia"]
     deck.card([inertia[i][j] for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))])
-    deck.card([*hit["velocity"], *hit["spin"]])
+    deck.card([*touch["velocity"], *touch["spin"]])
     deck.keyword(
         "MAT_RIGID", [HEAD_PART, STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON], [0.0], [None], names="mid ro e pr"
     )
     deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2], [SHELL] * 4, names="secid elform")
     deck.comment("The shells lie half their thickness behind the face, so that contact is on the face itself.")
     places, quads = _face_mesh(club)
-    deck.nodes((places - hit["point"]) @ np.asarray(hit["axes"]).T, nodes + 1)
+    deck.nodes((places - touch["point"]) @ np.asarray(touch["axes"]).T, nodes + 1)
     deck.elements("SHELL", repeat(HEAD_PART, len(quads)), quads + nodes + 1, elements + 1)
 
 
@@ -321,8 +321,8 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
     coarse = replace(case.ball, cube=2, pieces=tuple(replace(piece, layers=1) for piece in case.ball.pieces))
     # The core sets the scene; a run of two steps is the least that tells it.
     least = Settings(duration=1e-6, interval=1e-6, threads=1)
-    hit = strike(club, case.delivery, which=coarse, friction=case.friction, settings=least)
-    axes, attitude = hit.axes, hit.attitude
+    touch = strike(club, case.delivery, ball=coarse, friction=case.friction, settings=least)
+    axes, attitude = touch.axes, touch.attitude
     turn = turn_to_sole(club.loft)
     lever = turn.T @ np.asarray(club.cg)
     delivery = {key: units.parse(case.delivery.get(key, 0.0), DIMENSIONS[key]) for key in OF_DECK}
@@ -334,7 +334,7 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
         "axes": axes,
         "point": point,
         "cg": (-axes @ (lever + point)).tolist(),
-        "velocity": hit.frame_velocity.tolist(),
+        "velocity": touch.frame_velocity.tolist(),
         "spin": (axes @ attitude.T @ world_spin).tolist(),
         "ball_spin": (axes @ attitude.T @ ball_spin).tolist(),
         "inertia": (axes @ turn.T @ np.asarray(club.inertia) @ turn @ axes.T).tolist(),

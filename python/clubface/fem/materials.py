@@ -66,12 +66,12 @@ class Law(NamedTuple):
 @cache
 def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
-    found = {}
+    laws_by_name = {}
     for each in core.fem_laws():
         constants = Frozen(dict(zip(each["constants"], each["dimensions"], strict=True)))
-        told = (each[key] for key in ("needed", "group", "summary"))
-        found[each["name"]] = Law(each["name"], constants, *told)
-    return Frozen(found)
+        rest = (each[key] for key in ("needed", "group", "summary"))
+        laws_by_name[each["name"]] = Law(each["name"], constants, *rest)
+    return Frozen(laws_by_name)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.fem.balls import Ball, ball
+from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.case import PLANE, Case, case
 from clubface.fem.core import Progress
 from clubface.fem.result import Impact
@@ -40,17 +40,17 @@ SHAPES = 201
 """Deformed shapes that are kept, one in 5 us, from which the spin of a section is found."""
 
 
-def paper(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
+def paper(source: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
     """Run the case of Roh and Lee, or a variation of it."""
-    chosen = case(which)
+    chosen = case(source)
     if chosen.head == PLANE:
         raise InputError("case", chosen.name, "a case with a head; for a throw at a plane use clubface fem run")
     return chosen.replace(settings={"frames": max(SHAPES, chosen.settings.frames)}).run(progress)
 
 
-def by_contact(which: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> dict[str, Impact]:
+def by_contact(source: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> dict[str, Impact]:
     """Run the case by every method of contact, that of the case itself first; a run that stops is the last."""
-    chosen = case(which)
+    chosen = case(source)
     methods = sorted(METHODS, key=lambda method: method != chosen.settings.contact)
     runs: dict[str, Impact] = {}
     for method in methods:
@@ -60,7 +60,7 @@ def by_contact(which: str | os.PathLike[str] | Case = "paper", progress: Progres
     return runs
 
 
-def section_spin(found: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
+def section_spin(impact: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return times [s] and the spin that Roh and Lee tell (section 2.3): that of the nodes of one section [rad/s].
 
     The section holds the mass centre and the directions along the normal and up the face. Its spin is the rotation
@@ -68,21 +68,21 @@ def section_spin(found: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
     the deformed shapes next in time, so the run must keep ``frames`` (every 5 us is enough: the spin of all nodes found
     in this way is that of ``motion`` to 0.35 rad/s).
     """
-    if len(found.frames) < 4:
-        raise InputError("frames", len(found.frames), "4 or more; ask for them in the settings of the run")
-    section = abs(found.ball.mesh["nodes"][:, 2]) < 1e-9
+    if len(impact.frames) < 4:
+        raise InputError("frames", len(impact.frames), "4 or more; ask for them in the settings of the run")
+    section = abs(impact.ball.mesh["nodes"][:, 2]) < 1e-9
     if not section.any():
-        raise InputError("cube", found.ball.cube, "even, or no nodes lie in the middle of the ball")
-    return fitted_spin(found, np.where(section, 1.0, 0.0))
+        raise InputError("cube", impact.ball.cube, "even, or no nodes lie in the middle of the ball")
+    return fitted_spin(impact, np.where(section, 1.0, 0.0))
 
 
-def fitted_spin(found: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+def fitted_spin(impact: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return times [s] and the spin about the toe direction that fits the velocities of weighted nodes [rad/s]."""
     chosen = weights > 0.0
     share = weights[chosen] / weights.sum()
     # The shape at the end of a run stands a step or so after the one before it, too near for a difference.
-    times = found.frame_times[:-1]
-    shapes = found.frames[:-1, chosen] @ found.axes[:2].T
+    times = impact.frame_times[:-1]
+    shapes = impact.frames[:-1, chosen] @ impact.axes[:2].T
     shapes = shapes - np.einsum("n,tni->ti", share, shapes)[:, None]
     steps = times[2:] - times[:-2]
     speeds = (shapes[2:] - shapes[:-2]) / steps[:, None, None]
@@ -90,20 +90,20 @@ def fitted_spin(found: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], NDA
     return times[1:-1], ((x * v - y * u) @ share) / ((x * x + y * y) @ share)
 
 
-def table(found: Impact) -> dict[str, float]:
+def table(impact: Impact) -> dict[str, float]:
     """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``, and some beside them.
 
     ``spin_rpm`` is that of the launch, which is angular momentum over inertia; ``ball_spin_rpm`` and
     ``section_spin_rpm`` fit the nodes of ball and section at take-off (the latter is left out of a run without frames),
     and ``rolling_spin_rpm`` has the ball roll off the face.
     """
-    launch = found.outcome()
-    along, when = found.relative_velocity()[:, 1], found.motion["time"]
+    launch = impact.outcome()
+    along, when = impact.relative_velocity()[:, 1], impact.motion["time"]
     least = int(along.argmin())
-    last = float(np.interp(found.last_touch, when, along))
-    ball = float(np.interp(found.last_touch, when, found.motion["spin"][:, 2]))
+    last = float(np.interp(impact.last_touch, when, along))
+    spin = float(np.interp(impact.last_touch, when, impact.motion["spin"][:, 2]))
     try:
-        section = {"section_spin_rpm": units.from_si(float(np.interp(found.last_touch, *section_spin(found))), "rpm")}
+        section = {"section_spin_rpm": units.from_si(float(np.interp(impact.last_touch, *section_spin(impact))), "rpm")}
     except InputError:
         section = {}
     return {
@@ -111,20 +111,20 @@ def table(found: Impact) -> dict[str, float]:
         "launch_deg": units.from_si(launch["launch"], "deg"),
         "club_speed_after_mps": sum(launch[f"club_velocity_{axis}"] ** 2 for axis in "xyz") ** 0.5,
         "spin_rpm": units.from_si(launch["backspin"], "rpm"),
-        "ball_spin_rpm": units.from_si(ball, "rpm"),
+        "ball_spin_rpm": units.from_si(spin, "rpm"),
         **section,
-        "rolling_spin_rpm": units.from_si(2.0 * last / found.ball.diameter, "rpm"),
+        "rolling_spin_rpm": units.from_si(2.0 * last / impact.ball.diameter, "rpm"),
         "tangential_first_mps": float(along[0]),
         "tangential_least_mps": float(along[least]),
         "tangential_least_time_s": float(when[least]),
         "tangential_last_mps": last,
-        "peak_force_n": found.peak_force,
-        "peak_force_time_s": found.peak_force_time,
-        "reversal_time_s": found.reversal_time,
-        "contraction": found.contraction,
-        "contraction_time_s": found.contraction_time,
-        "f_prime": found.f_prime,
-        "f": found.f,
+        "peak_force_n": impact.peak_force,
+        "peak_force_time_s": impact.peak_force_time,
+        "reversal_time_s": impact.reversal_time,
+        "contraction": impact.contraction,
+        "contraction_time_s": impact.contraction_time,
+        "f_prime": impact.f_prime,
+        "f": impact.f,
     }
 
 
@@ -137,26 +137,26 @@ SPIN_FACTOR = _rolling_factor(units.to_si(PUBLISHED["section_spin_rpm"], "rpm"),
 """The factor of Eq. (6) that their spin means."""
 
 
-def spin_factor(found: Impact) -> float:
+def spin_factor(impact: Impact) -> float:
     """Return the compression factor that follows from the backspin by equation 6 of Roh and Lee.
 
     In that equation the ball rolls off the face. Roh and Lee derive their f from the forces instead, by equations 9 and
     11. NaN for a blow without velocity along the face.
     """
-    approach = sum(found.relative_velocity()[:1, 1])
+    approach = sum(impact.relative_velocity()[:1, 1])
     if not approach > 0.0:
         return math.nan
-    return float(_rolling_factor(found.outcome()["backspin"], 0.5 * found.ball.diameter, approach))
+    return float(_rolling_factor(impact.outcome()["backspin"], 0.5 * impact.ball.diameter, approach))
 
 
-def figures(found: Impact) -> dict[str, Any]:
+def figures(impact: Impact) -> dict[str, Any]:
     """Return the table of a run, and what it cost."""
     return {
-        **table(found),
-        "energy_error": found.energy_error,
-        "elements": found.elements,
-        "steps": found.steps,
-        "wall_s": found.wall,
+        **table(impact),
+        "energy_error": impact.energy_error,
+        "elements": impact.elements,
+        "steps": impact.steps,
+        "wall_s": impact.wall,
     }
 
 
@@ -167,7 +167,7 @@ FRICTION = 0.35
 
 def reference(
     *,
-    which: str | os.PathLike[str] | Ball = "reference",
+    ball: str | os.PathLike[str] | Ball = "reference",
     friction: Any = FRICTION,
     refine: int = 1,
     element: str = "one-point",
@@ -178,7 +178,7 @@ def reference(
 
     Parameters
     ----------
-    which
+    ball
         The ball: a name, a TOML file or a :class:`Ball`.
     friction
         Coefficient of Coulomb friction.
@@ -189,11 +189,11 @@ def reference(
     settings, progress
         As for :func:`throw`.
     """
-    made = replace(ball(which).refined(refine), element=element)
+    made = replace(ball_of(ball).refined(refine), element=element)
     return throw(made, speed=REFERENCE_SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)
 
 
 def other_solvers() -> tuple[list[str], dict[str, list[float]]]:
     """Return the names of independent solvers, and what they found [SI; rpm], by the keys of the command line."""
-    told = Document.read(DATA / "published_impacts.toml").data["reference"]
-    return told["solvers"], told["figures"]
+    published = Document.read(DATA / "published_impacts.toml").data["reference"]
+    return published["solvers"], published["figures"]

@@ -54,14 +54,14 @@ class Equivalent(NamedTuple):
     reference_contact_time: float
 
 
-def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
+def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     """Return a simple model that has the ball speed and the peak force of a finite element impact.
 
     These two figures determine stiffness and damping. The course of the force and its duration are then predictions.
 
     Parameters
     ----------
-    found
+    run
         A complete impact with a head.
     model
         One of ``LAWS``.
@@ -73,10 +73,10 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
     """
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
-    if found.equipment is None or found.stopped is not None:
+    if run.equipment is None or run.stopped is not None:
         raise InputError("impact", Told("one with a plane, or one that ended early"), "a complete impact with a head")
-    club, ball = found.equipment
-    wanted = np.log([found.outcome()["ball_speed"], _peak(found)])
+    club, ball = run.equipment
+    wanted = np.log([run.outcome()["ball_speed"], _peak(run)])
     names = LAWS[model]
     set_ = ParameterSet.builtin(model, club.parameters)
     place = np.log([float(set_.values[name]) for name in names])
@@ -85,7 +85,7 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
         """Logarithms of ball speed and peak force at three sets of parameters at once."""
         given = {name: np.exp(values) for name, values in zip(names, np.transpose(at), strict=True)}
         with without_warnings(RangeWarning):  # the parameters are made for this impact
-            launch = impact(club, found.given, model=model, parameters=given, ball=ball)
+            launch = impact(club, run.given, model=model, parameters=given, ball=ball)
         return np.log(np.stack([launch.ball_speed, launch.peak_force], axis=-1))
 
     for _ in range(ROUNDS):
@@ -96,31 +96,31 @@ def equivalent(found: Impact, model: str = "volumetric") -> Equivalent:
         slopes = (values[1:] - values[0]).T / 1e-4
         place = place - np.clip(np.linalg.solve(slopes, values[0] - wanted), -0.5, 0.5)
     else:
-        raise InputError("impact", found, f"one that {model} can reach with positive stiffness and damping")
+        raise InputError("impact", run, f"one that {model} can reach with positive stiffness and damping")
     parameters = {name: float(value) for name, value in zip(names, np.exp(place), strict=True)}
     with without_warnings(RangeWarning):
-        over = history(club, found.given, model=model, parameters=parameters, ball=ball)
-    time, reference = _smooth(found)
+        over = history(club, run.given, model=model, parameters=parameters, ball=ball)
+    time, reference = _smooth(run)
     force = np.interp(time, over.time, over.normal_force, right=0.0)
     error = float(np.sqrt(np.mean((force - reference) ** 2)) / reference.max())
-    return Equivalent(model, parameters, time, force, reference, error, float(over.time[-1]), float(found.contact_time))
+    return Equivalent(model, parameters, time, force, reference, error, float(over.time[-1]), float(run.contact_time))
 
 
-def _smooth(found: Impact) -> tuple[Any, Any]:
+def _smooth(run: Impact) -> tuple[Any, Any]:
     """Return times within the contact and the normal force there, averaged over a tenth of the contact.
 
     A mesh touches node by node, a reduced model all at once: what differs within the time between two rings of nodes is
     not the law of force.
     """
-    time, force = found.contact["time"], found.contact["normal"]
-    width = max(3, int(0.1 * found.contact_time / (time[1] - time[0])) | 1)
-    within = time <= found.contact_time
+    time, force = run.contact["time"], run.contact["normal"]
+    width = max(3, int(0.1 * run.contact_time / (time[1] - time[0])) | 1)
+    within = time <= run.contact_time
     mean = np.convolve(force, np.ones(width) / width, "same")
     return time[within], mean[within]
 
 
-def _peak(found: Impact) -> float:
-    return float(_smooth(found)[1].max())
+def _peak(run: Impact) -> float:
+    return float(_smooth(run)[1].max())
 
 
 SLIDES = 0.1
@@ -165,33 +165,33 @@ class AreaTerm(NamedTuple):
     sinking: NDArray[Any]
 
 
-def area_term(found: Impact) -> AreaTerm:
+def area_term(run: Impact) -> AreaTerm:
     """Return how Arakawa's law, as the model ``area`` has it, describes a finished impact.
 
     Finite elements have Coulomb's friction at every node and no term of the area, so what comes out is what elastic
     grip looks like through this law.
     """
-    if found.stopped is not None or not found.contact_time > 0.0:
-        raise InputError("impact", found, "a complete one")
-    over = found.contact["time"]
-    step, last, motion = over[1] - over[0], found.contact_time, found.motion
+    if run.stopped is not None or not run.contact_time > 0.0:
+        raise InputError("impact", run, "a complete one")
+    over = run.contact["time"]
+    step, last, motion = over[1] - over[0], run.contact_time, run.motion
     # Nodes come and go ring by ring: what happens within the time between two rings is not the law of area.
     width = max(3, int(0.1 * last / step) | 1)
 
     def smooth(values: Any) -> Any:
         return np.convolve(values, np.ones(width) / width, "same")
 
-    area = smooth(found.contact["area"])
+    area = smooth(run.contact["area"])
     within = (over > WITHIN[0] * last) & (over < WITHIN[1] * last)
-    curves = (smooth(found.contact["normal"]), smooth(found.contact["tangential"]), area)
+    curves = (smooth(run.contact["normal"]), smooth(run.contact["tangential"]), area)
     rate = smooth(np.gradient(area, step))
     normal, tangential, area, rate = (each[within] for each in (*curves, rate))
     time = over[within]
-    slip = found.relative_velocity()[:, 1] - motion["spin"][:, 2] * motion["radius"]
+    slip = run.relative_velocity()[:, 1] - motion["spin"][:, 2] * motion["radius"]
     slides = np.interp(time, motion["time"], slip) > SLIDES
-    sinking = 0.5 * found.ball.diameter - np.interp(time, motion["time"], motion["radius"])
+    sinking = 0.5 * run.ball.diameter - np.interp(time, motion["time"], motion["radius"])
 
-    mu = found.friction
+    mu = run.friction
     damping, explained = float("nan"), float("nan")
     if slides.sum() >= LEAST and mu > 0.0:
         (damping,), explained = _fit(mu * rate[slides, None], (tangential - mu * normal)[slides])

@@ -451,21 +451,21 @@ class Displacement(NamedTuple):
     moment: float
 
 
-def displaced_centre(found: Impact) -> Displacement:
+def displaced_centre(impact: Impact) -> Displacement:
     """Return the displacement of the mass centre that the model ``adjusted`` calls dCG, from a finished impact.
 
     The directions are those of first touch, as in the model. With a head, ``up`` and ``toe`` thus include what the head
     turns and the face curves while the ball is on it.
     """
-    if found.stopped is not None:
-        raise InputError("impact", found, "a complete one")
-    patch, motion = found.patch, found.motion
+    if impact.stopped is not None:
+        raise InputError("impact", impact, "a complete one")
+    patch, motion = impact.patch, impact.motion
     times, record = np.unique(patch["time"], return_inverse=True)
     keys = ("normal", "tangential")
     normal, tangential = (np.bincount(record, weights=patch[key]) for key in keys)
     up, toe = (np.bincount(record, weights=patch["normal"] * patch[key]) for key in ("up", "toe"))
     lever = np.interp(times, motion["time"], motion["radius"])
     along, across = np.trapezoid(tangential, times), np.trapezoid(normal, times)
-    nearer = np.trapezoid(tangential * lever, times) / along - 0.5 * found.ball.diameter
+    nearer = np.trapezoid(tangential * lever, times) / along - 0.5 * impact.ball.diameter
     shift_up, shift_toe = (-np.trapezoid(each, times) / across for each in (up, toe))
     return Displacement(float(nearer), float(shift_up), float(shift_toe), float(shift_up + nearer * along / across))

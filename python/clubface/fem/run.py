@@ -20,7 +20,7 @@ from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import Parameter
 from clubface.errors import EdgeWarning, InputError
 from clubface.fem import core
-from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball, friction_value
+from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball as ball_of, friction_value
 from clubface.fem.core import Progress, core_call
 from clubface.fem.heads import head_names
 from clubface.fem.heads.meshed import MeshedHead, mesh_of
@@ -69,7 +69,7 @@ def simulate(
 
 
 def throw(
-    which: AnyBall = None,
+    ball: AnyBall = None,
     *,
     speed: Any,
     angle: Any = 0.0,
@@ -81,7 +81,7 @@ def throw(
 
     Parameters
     ----------
-    which
+    ball
         A built-in ball of pieces, the path of a TOML file, or a :class:`Ball`; ``modern`` unless given.
     speed
         Speed [m/s], or text with a unit.
@@ -94,7 +94,7 @@ def throw(
     progress
         Called with simulated time and duration [s].
     """
-    made, (v, incidence) = ball(which), throw_values(speed, angle)
+    made, (v, incidence) = ball_of(ball), throw_values(speed, angle)
     mu, how = friction_of(friction, made), settings_of(settings)
     record, used = simulate(core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
     return Impact(record, made, {"speed": v, "angle": incidence}, mu, used)
@@ -115,7 +115,7 @@ def strike(
     club: str | os.PathLike[str] | Club | MeshedHead,
     delivery: Delivery | Mapping[str, Any] | None = None,
     *,
-    which: AnyBall = None,
+    ball: AnyBall = None,
     friction: Any = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
@@ -130,19 +130,19 @@ def strike(
         is that head.
     delivery, **values
         The delivery, as for :func:`clubface.impact`, for one shot.
-    which, friction, settings, progress
+    ball, friction, settings, progress
         As for :func:`throw`.
     """
     from clubface.simulation.inputs import as_values
 
-    made, how = ball(which), settings_of(settings)
+    made, how = ball_of(ball), settings_of(settings)
     mu = friction_of(friction, made)
     given = dict(as_values(delivery, values))
     if is_path(club):
         club = club_of(club)  # pyright: ignore[reportArgumentType]
     head = mesh_of(club)
-    hit = one_shot(club.club if isinstance(club, MeshedHead) else club, given, made)
-    record, used = simulate(*struck(head, hit.club, made, inputs_of(hit)), mu, how=how, progress=progress)
+    shot = one_shot(club.club if isinstance(club, MeshedHead) else club, given, made)
+    record, used = simulate(*struck(head, shot.club, made, inputs_of(shot)), mu, how=how, progress=progress)
     if record.over_edge and not record.failed:
         toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))
         warn_once(
@@ -150,7 +150,7 @@ def strike(
             "contact ends, so that its launch is in doubt; strike nearer the face centre",
             EdgeWarning,
         )
-    return Impact(record, made, given, mu, used, hit, head)
+    return Impact(record, made, given, mu, used, shot, head)
 
 
 def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float]) -> tuple[Any, ...]:
@@ -183,9 +183,9 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
     return shots(equipment(club, made.rigid), delivery)
 
 
-def inputs_of(hit: Shots) -> list[float]:
+def inputs_of(shot: Shots) -> list[float]:
     """Return the inputs of one shot in the order of the core."""
-    return [float(value) for value in hit.columns]
+    return [float(value) for value in shot.columns]
 
 
 def friction_of(given: Any, made: Ball) -> float:

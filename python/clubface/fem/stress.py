@@ -130,7 +130,7 @@ def peak_stress(head: str | os.PathLike[str] | MeshedHead | Design, **blow: Any)
 def blow_stress(
     head: str | os.PathLike[str] | MeshedHead | Design,
     *,
-    which: AnyBall = None,
+    ball: AnyBall = None,
     speed: Any = BLOW,
     friction: Any = None,
     safety: float | None = None,
@@ -151,7 +151,7 @@ def blow_stress(
     ----------
     head
         The head, as for :func:`clubface.fem.head`.
-    which
+    ball
         The ball, as for :func:`clubface.fem.ball`.
     speed
         Speed of the club [m/s].
@@ -183,21 +183,21 @@ def blow_stress(
     for each in made:
         before = DURATION * len(runs)
 
-        def told(time: float, _: float, before: float = before) -> None:
+        def report(time: float, _: float, before: float = before) -> None:
             if progress is not None:
                 progress(before + time, total)
 
         settings = Settings(
             duration=DURATION, frames=round(DURATION / INTERVAL) + 1, fields=True, threads=threads, safety=safety
         )
-        found = strike(
-            _elastic(each), which=which, friction=friction, settings=settings, progress=told, speed=speed, **delivery
+        impact = strike(
+            _elastic(each), ball=ball, friction=friction, settings=settings, progress=report, speed=speed, **delivery
         )
-        if found.interrupted:
+        if impact.interrupted:
             raise KeyboardInterrupt
-        if found.stopped or found.head_fields is None:
-            raise RunError(found.stopped or "the run kept no stress")
-        runs.append(_solid(each, found) if isinstance(each, SolidHead) else _shells(each, found))
+        if impact.stopped or impact.head_fields is None:
+            raise RunError(impact.stopped or "the run kept no stress")
+        runs.append(_solid(each, impact) if isinstance(each, SolidHead) else _shells(each, impact))
     parts = (
         replace(part, by_mesh=tuple((each.elements, run.parts[k].stress) for each, run in zip(made, runs, strict=True)))
         for k, part in enumerate(runs[0].parts)

@@ -180,7 +180,7 @@ def grid(text: str, dimension: str, name: str) -> list[float]:
 
 
 def sweep(
-    which: str | os.PathLike[str] | Case,
+    source: str | os.PathLike[str] | Case,
     *,
     speeds: Sequence[float],
     lofts: Sequence[float],
@@ -192,7 +192,7 @@ def sweep(
 
     Parameters
     ----------
-    which
+    source
         A :class:`Case`, the name of a built-in one, or the path of a TOML file.
     speeds, lofts
         Clubhead speeds [m/s] and lofts [rad].
@@ -209,7 +209,7 @@ def sweep(
     list
         One mapping of ``COLUMNS`` for each run, in the order of speeds, then lofts.
     """
-    base = case(which)
+    base = case(source)
     worker_count(workers)
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:
@@ -237,14 +237,14 @@ def sweep_result(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
     )  # fmt: skip
 
 
-def row_of(point: tuple[float, float], found: Impact) -> dict[str, Any]:
+def row_of(point: tuple[float, float], impact: Impact) -> dict[str, Any]:
     """Return one row of the table."""
     values = {
-        **paper.figures(found),
+        **paper.figures(impact),
         "speed_mps": point[0],
         "loft_deg": _degrees(point[1]),
-        "contact_time_s": found.contact_time,
-        "stopped": found.stopped or "",
+        "contact_time_s": impact.contact_time,
+        "stopped": impact.stopped or "",
     }
     return {name: values[name] for name in COLUMNS}
 

@@ -122,7 +122,7 @@ class Engine:
             frames = {"frames": SHAPES, "fields": True} if kind == "blow" else {}
             settings = Settings(until_separation=True, threads=threads, **frames)
             found = strike(
-                head, which=study.ball, settings=settings, progress=going, **blow.at(blow.points[place])
+                head, ball=study.ball, settings=settings, progress=going, **blow.at(blow.points[place])
             )  # fmt: skip
         except RunError:
             return {}

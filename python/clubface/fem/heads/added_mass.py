@@ -36,14 +36,14 @@ class Places(Tables):
     def check(self, value: Any, place: FilePlace) -> dict[str, Place]:
         """Return the same of places by name."""
         kinds = {key: kind for key, kind in self.table.keys().items() if key != "name"}
-        found = {}
+        result = {}
         for name, given in value.items():
             label = f"{self.what} {name}"
             if len(given) != len(kinds):
                 raise InputError(label, given, "x, y, z and a mass")
             pairs = zip(kinds.items(), given, strict=True)
-            found[name] = tuple(kind.read(each, FilePlace(name=key, label=label)) for (key, kind), each in pairs)
-        return found
+            result[name] = tuple(kind.read(each, FilePlace(name=key, label=label)) for (key, kind), each in pairs)
+        return result
 
     def rows(self, value: Any) -> list[dict[str, Any]]:
         """Return the tables."""

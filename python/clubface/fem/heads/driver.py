@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from clubface import units
 from clubface.errors import InputError, TargetWarning
 from clubface.fem import core
-from clubface.fem.core import beside
+from clubface.fem.core import in_thread
 from clubface.fem.heads.added_mass import TRIMS, Place
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
@@ -99,16 +99,16 @@ class DriverHead:
             "above": target.get("cg_above"),
             "inertia": [target.get(key) for key in INERTIA],
         }
-        found = beside(core.fem_driver, values)
-        report = {"scale": found["scale"], **dict(zip(self.trims, found["trims"], strict=True))}
+        meshed = in_thread(core.fem_driver, values)
+        report = {"scale": meshed["scale"], **dict(zip(self.trims, meshed["trims"], strict=True))}
         made = ShellHead(
             name=self.name,
             description=self.description,
-            nodes=found["nodes"].reshape(-1, 3),
-            quads=found["quads"].reshape(-1, 4),
-            thickness=found["thickness"],
-            added=found["added"],
-            parts=tuple(Part(name, count, self.metal, name == "face") for name, count in found["parts"]),
+            nodes=meshed["nodes"].reshape(-1, 3),
+            quads=meshed["quads"].reshape(-1, 4),
+            thickness=meshed["thickness"],
+            added=meshed["added"],
+            parts=tuple(Part(name, count, self.metal, name == "face") for name, count in meshed["parts"]),
             loft=self.shape["loft"],
             bulge=self.shape["bulge"],
             roll=self.shape["roll"],

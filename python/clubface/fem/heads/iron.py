@@ -11,7 +11,7 @@ from clubface import units
 from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
 from clubface.fem.balls import ELEMENTS, element_masses
-from clubface.fem.core import beside
+from clubface.fem.core import in_thread
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.meshed import ROUND, SolidHead
 from clubface.fem.heads.metal import Metal
@@ -86,9 +86,9 @@ class IronHead:
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
-        found = beside(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
-        nodes = found["nodes"].reshape(-1, 3)
-        hexahedra, face = found["elements"].reshape(-1, 8)[:, ROUND], found["face"].reshape(-1, 4)
+        meshed = in_thread(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
+        nodes = meshed["nodes"].reshape(-1, 3)
+        hexahedra, face = meshed["elements"].reshape(-1, 8)[:, ROUND], meshed["face"].reshape(-1, 4)
         metal = np.zeros(len(nodes))
         np.add.at(metal, hexahedra, element_masses(nodes, hexahedra, self.metal.density)[:, None] / 8.0)
         carried = spread(self.masses, nodes, metal, face)

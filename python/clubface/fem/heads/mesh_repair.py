@@ -260,9 +260,9 @@ def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any],
 
 def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
     triangle = corners[:, 3] < 0
-    found = corners[:, [0, 3, 2, 1]]
-    found[triangle] = np.stack([corners[triangle, each] for each in (0, 2, 1, 3)], axis=1)
-    return found
+    turned = corners[:, [0, 3, 2, 1]]
+    turned[triangle] = np.stack([corners[triangle, each] for each in (0, 2, 1, 3)], axis=1)
+    return turned
 
 
 def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.fem import core
-from clubface.fem.core import beside
+from clubface.fem.core import in_thread
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
 
@@ -74,15 +74,15 @@ class MeshedHead(ABC):
     @cached_property
     def club(self) -> Club:
         """The same head as a rigid club, with mass, CG and inertia of the mesh, for any model."""
-        found = beside(core.fem_head_properties, self.values())
+        weighed = in_thread(core.fem_head_properties, self.values())
         places = self.face_places()
         size = places.max(axis=0) - places.min(axis=0)
-        x, y, z = (-float(value) for value in found["centre"])
-        tensor = [[float(value) for value in row] for row in found["inertia"]]
+        x, y, z = (-float(value) for value in weighed["centre"])
+        tensor = [[float(value) for value in row] for row in weighed["inertia"]]
         return Club(
             name=self.name,
             kind="iron" if np.isinf(self.bulge) else "wood",
-            mass=float(found["mass"]),
+            mass=float(weighed["mass"]),
             cg_x=x,
             cg_y=y,
             cg_z=z,

@@ -33,13 +33,13 @@ def head_names() -> tuple[str, ...]:
     return builtin_names(FOLDER)
 
 
-def head(which: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> MeshedHead:
+def head(source: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> MeshedHead:
     """Return a meshed head: by its built-in name, from a TOML file, or from its design."""
-    if isinstance(which, MeshedHead | MeshedClub):
-        return which if isinstance(which, MeshedHead) else which.head
-    if isinstance(which, DriverHead | IronHead | MeshHead):
-        return which.mesh()
-    return _mesh_of(Document.read(path_of("head of finite elements", which, FOLDER)))
+    if isinstance(source, MeshedHead | MeshedClub):
+        return source if isinstance(source, MeshedHead) else source.head
+    if isinstance(source, DriverHead | IronHead | MeshHead):
+        return source.mesh()
+    return _mesh_of(Document.read(path_of("head of finite elements", source, FOLDER)))
 
 
 def design_of(head: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Design | None:

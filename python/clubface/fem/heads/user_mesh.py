@@ -169,10 +169,10 @@ class MeshHead:
         if fits(self.unit):
             return
         least, most = (units.show(each, "mm") for each in SIZES)
-        found = f"with it the size of the head is {units.show(size(self.unit), 'mm')}, {least} to {most} is allowed"
+        shown = f"with it the size of the head is {units.show(size(self.unit), 'mm')}, {least} to {most} is allowed"
         better = " or ".join(f'unit = "{unit}"' for unit in ("mm", "cm", "in", "m") if fits(unit))
         hint = f"try {better}" if better else "no unit makes a head of this mesh"
-        allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {found}; {hint}'
+        allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {shown}; {hint}'
         raise InputError("unit", self.unit, allowed)
 
     def _check_frame(self, nodes: NDArray[Any], shells: Shells, masses: Mapping[str, Place], notes: list[str]) -> None:
@@ -220,9 +220,9 @@ def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]
     a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
     area = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
     density = np.array([metal.density for metal in metals])[shells.group]
-    found = np.zeros(len(nodes))
-    np.add.at(found, shells.corners, (0.25 * area * density * shells.thickness)[:, None])
-    return found
+    shares = np.zeros(len(nodes))
+    np.add.at(shares, shells.corners, (0.25 * area * density * shells.thickness)[:, None])
+    return shares
 
 
 def _weigh(head: ShellHead, shells: Shells) -> None:
@@ -240,7 +240,7 @@ def _weigh(head: ShellHead, shells: Shells) -> None:
         error.parameter = re.sub(r"^element (\d+)( of )", element, error.parameter)
         error.parameter = re.sub(
             r"(?<=elements )(\d+) and (\d+)",
-            lambda found: " and ".join(str(shells.ids[int(each)]) for each in found.groups()),
+            lambda match: " and ".join(str(shells.ids[int(each)]) for each in match.groups()),
             error.parameter,
         )
         if isinstance(error.value, str):

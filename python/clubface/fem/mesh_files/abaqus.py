@@ -268,13 +268,13 @@ class _File:
 
 def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]) -> list[int]:
     """Return the numbers of a set, with those of sets that it names."""
-    found: list[int] = []
+    numbers: list[int] = []
     for member in part.sets[name]:
         if isinstance(member, int):
-            found.append(member)
+            numbers.append(member)
         elif (other := names.get(member.upper())) is not None and other not in seen and other != name:
-            found += _members(other, part, names, seen | {name})
-    return found
+            numbers += _members(other, part, names, seen | {name})
+    return numbers
 
 
 def _turned(place: Sequence[float], start: Sequence[float], end: Sequence[float], angle: float) -> list[float]:

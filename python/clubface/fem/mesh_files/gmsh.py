@@ -72,9 +72,9 @@ class _ByteRows:
         size = struct.calcsize(form)
         if size > len(self._content) - self.at:
             raise self._builder.error(None, "the file ends in the middle of a section")
-        found = struct.unpack_from(form, self._content, self.at)
+        values = struct.unpack_from(form, self._content, self.at)
         self.at += size
-        return found
+        return values
 
     def end_row(self) -> None:
         pass

@@ -23,11 +23,11 @@ class _Row(NamedTuple):
         """Return its fields: of fixed widths, or between commas."""
         if "," in self.text:
             return [*(each.strip() for each in self.text.split(",")), *[""] * len(widths)][: len(widths)]
-        found, at = [], 0
+        cells, at = [], 0
         for width in widths:
-            found.append(self.text[at : at + width].strip())
+            cells.append(self.text[at : at + width].strip())
             at += width
-        return found
+        return cells
 
 
 def read(path: str) -> Mesh:

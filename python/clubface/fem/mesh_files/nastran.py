@@ -114,23 +114,23 @@ class _File:
         if self.unnamed is not None:  # ANSA writes a long name into a line of its own
             self.names.setdefault(self.unnamed, text[1:].strip())
             self.unnamed = None
-        if found := COMPONENT.match(text):
-            own = found["property"]
-            self.components[int(found["number"])] = found["name"].strip(), None if own is None else int(own)
-        if found := MEMBERS.match(text):
-            self.taking = int(found["number"])
+        if matched := COMPONENT.match(text):
+            own = matched["property"]
+            self.components[int(matched["number"])] = matched["name"].strip(), None if own is None else int(own)
+        if matched := MEMBERS.match(text):
+            self.taking = int(matched["number"])
         elif self.taking is not None:
             fields = [text[at : at + 8].strip() for at in range(8, len(text), 8)]
             words = [word for each in fields for word in re.findall(r"\d+|THRU", each)]
             self.members.setdefault(self.taking, []).extend(words)
             self.taking = self.taking if words else None
         for pattern in NAMES:
-            if found := pattern.match(text):
-                name = found["name"].strip()
+            if matched := pattern.match(text):
+                name = matched["name"].strip()
                 if name:
-                    self.names.setdefault(int(found["number"]), name)
+                    self.names.setdefault(int(matched["number"]), name)
                 elif "ANSA" in text:
-                    self.unnamed = int(found["number"])
+                    self.unnamed = int(matched["number"])
 
     def _name_components(self) -> None:
         """Make components sets of their elements, or name the properties that are theirs."""
@@ -179,8 +179,8 @@ class _File:
             self.builder.left_out["properties with a mass spread over the wall (NSM of PSHELL)"] += 1
         metal = int(card[2]) if card[2].isdecimal() and len(card[2]) < 11 else 0
         self.shells[number] = metal, thickness
-        if (found := BEFORE.match(card.comment)) is not None and found["name"].strip():
-            self.names.setdefault(number, found["name"].strip())
+        if (matched := BEFORE.match(card.comment)) is not None and matched["name"].strip():
+            self.names.setdefault(number, matched["name"].strip())
 
     def _metal(self, card: _Card) -> None:
         number = self.builder.number(card.line, card[1], "a material")

@@ -92,10 +92,10 @@ def read_stl(path: str) -> Mesh:
     elif content.lstrip()[:5].lower() == b"solid":
         _text(builder, content)
     else:
-        told = (
+        stated = (
             f"it says that it has {count} triangles, which are {HEADER + FACET * count} bytes, and has {len(content)}"
         )
-        raise FileError(path, None, f"this mesh cannot be read: {told if count >= 0 else 'it is no STL'}")
+        raise FileError(path, None, f"this mesh cannot be read: {stated if count >= 0 else 'it is no STL'}")
     return builder.mesh()
 
 

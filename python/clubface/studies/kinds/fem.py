@@ -169,11 +169,11 @@ def _head_task(study: DescribedStudy) -> OneByOne:
 
         @lru_cache
         def blow() -> list[Any]:
-            return peak_stress(made, which=ball, speed=how.get("blow", BLOW), threads=1, **given, **place)
+            return peak_stress(made, ball=ball, speed=how.get("blow", BLOW), threads=1, **given, **place)
 
         return {
             "restitution": lambda: head_tests.restitution(
-                made, which=ball, speed=how.get("speed", head_tests.COR_SPEED), threads=1, **given, **place
+                made, ball=ball, speed=how.get("speed", head_tests.COR_SPEED), threads=1, **given, **place
             ),
             "characteristic_time": lambda: head_tests.characteristic_time(
                 made, speed=how.get("striker_speed", head_tests.STRIKER_SPEED), threads=1, **safety, **place
