@@ -24,6 +24,7 @@ from clubface.equipment.balls import (
 )
 from clubface.errors import InputError
 from clubface.fem import core
+from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.results.result import Result
 from clubface.schema import (
@@ -323,15 +324,5 @@ def node_masses(mesh: Mapping[str, Any]) -> NDArray[Any]:
     """Return each node's share of the mass of a ball's mesh, from elements taken as parallelepipeds."""
     nodes, elements = mesh["nodes"], mesh["elements"].astype(int)
     mass = element_masses(nodes, elements, np.asarray(mesh["density"])[mesh["piece"]])
-    shares = np.zeros(len(nodes))
-    np.add.at(shares, elements, mass[:, None] / 8.0)
+    shares = sums_at_nodes(elements, mass / 8.0, len(nodes))
     return shares / shares.sum()
-
-
-def element_masses(nodes: NDArray[Any], elements: NDArray[Any], density: Any) -> NDArray[Any]:
-    """Return the mass of each hexahedron, taken as a parallelepiped [kg]."""
-    corner = nodes[elements]
-    edges = [corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
-             corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1),
-             corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1)]  # fmt: skip
-    return abs(np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])) * density

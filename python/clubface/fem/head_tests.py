@@ -65,14 +65,10 @@ def restitution(
         Speed of approach [m/s]; the face normal at the face centre is level.
     toe, high
         Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
-    friction
-        Coefficient of Coulomb friction; that of the ball unless given.
-    safety
+    friction, progress
+        As for :func:`clubface.fem.throw`.
+    safety, threads
         As of :class:`clubface.fem.Settings`.
-    threads
-        Number of threads; 0 for all cores.
-    progress
-        Called with simulated time and duration [s].
 
     Returns
     -------
@@ -139,12 +135,8 @@ def characteristic_time(
         Speed of the sphere [m/s].
     toe, high
         Where it strikes [m].
-    safety
-        As of :class:`clubface.fem.Settings`.
-    threads
-        Number of threads; 0 for all cores.
-    progress
-        Called with simulated time and duration [s].
+    safety, threads, progress
+        As for :func:`restitution`.
 
     Raises
     ------

@@ -1,22 +1,15 @@
-"""A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads: cards, ball and head.
-
-A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads too, to compare with other programs.
-
-Lines of a keyword deck: fields of fixed width, as LS-DYNA and OpenRadioss read them.
-
-The head of a keyword deck: rigid with its face as a mesh, or meshed.
-"""
+"""A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads too, to compare with other programs."""
 
 from __future__ import annotations
 
 import math
 import os
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,54 +33,6 @@ LONGEST = 80
 """Characters of a line."""
 BALL_SET = 1
 """Number of the set of the parts of the ball."""
-
-
-class LawCard(NamedTuple):
-    """How a keyword deck describes a law.
-
-    A row has names of fields between blanks: a constant of the law, ``mu#`` for all constants that are ``mu`` with a
-    number, ``mid`` and ``nv`` for the numbers of the material and of its branches, ``ro pr e bulk shear`` for density,
-    Poisson's ratio, Young's, bulk and shear modulus, ``g0`` for the shear modulus of fast deformation, ``g beta`` for
-    shear modulus and inverse relaxation time of a branch, or a number; ``2*shear`` is a product, ``-`` a blank field.
-
-    Attributes
-    ----------
-    keyword
-        The keyword.
-    fewest, most
-        Numbers of viscoelastic branches that the card can describe.
-    names
-        Names of the fields of the first row, as the manual calls them.
-    rows
-        The rows.
-    branch
-        The row that each branch adds, or empty.
-    """
-
-    keyword: str
-    fewest: int
-    most: int
-    names: str
-    rows: tuple[str, ...]
-    branch: str = ""
-
-
-CARDS = {
-    "mooney-rivlin": (
-        LawCard("MAT_MOONEY-RIVLIN_RUBBER", 0, 0, "mid ro pr a b", ("mid ro pr c10 c01", "-")),
-        LawCard("MAT_HYPERELASTIC_RUBBER", 1, 4, "mid ro pr n nv", ("mid ro pr 0 nv", "c10 c01"), "g beta"),
-    ),
-    "neo-hookean": (
-        LawCard("MAT_HYPERELASTIC_RUBBER", 0, 4, "mid ro pr n nv", ("mid ro pr 0 nv", "0.5*shear 0.0"), "g beta"),
-    ),
-    "linear": (
-        LawCard("MAT_ELASTIC", 0, 0, "mid ro e pr", ("mid ro e pr",)),
-        LawCard("MAT_VISCOELASTIC", 1, 1, "mid ro bulk g0 gi beta", ("mid ro bulk g0 shear beta",)),
-        LawCard("MAT_GENERAL_VISCOELASTIC", 2, 4, "mid ro bulk", ("mid ro bulk", "-", "shear 0.0"), "g beta"),
-    ),
-    "ogden": (LawCard("MAT_OGDEN_RUBBER", 0, 4, "mid ro pr n nv", ("mid ro pr 0 nv", "mu#", "alpha#"), "g beta"),),
-}
-"""The cards of each law: the first that can describe the branches there are."""
 
 
 class Cards:
@@ -130,10 +75,6 @@ class Cards:
             self.lines.append(element(number, part, nodes))
         return first + len(corners) - 1
 
-    def rows(self, lines: Iterable[str]) -> None:
-        """Add lines that are formatted already."""
-        self.lines += lines
-
     def __str__(self) -> str:
         return "\n".join(self.lines) + "\n"
 
@@ -142,13 +83,10 @@ def field(value: float | None, width: int = WIDTH) -> str:
     """Write a number right-aligned in ``width`` characters, a float with as many digits as fit and at most nine."""
     if value is None:
         return " " * width
-    if isinstance(value, int):
-        text = str(value)
-    else:
-        if not math.isfinite(value):
-            raise ValueError(f"{value} cannot stand in a deck")
-        digits = range(9, 0, -1)
-        text = next(t for d in digits for t in (_plain(value, d), _scientific(value, d)) if len(t) <= width)
+    if not math.isfinite(value):
+        raise ValueError(f"{value} cannot stand in a deck")
+    texts = iter([str(value)]) if isinstance(value, int) else _spellings(value)
+    text = next((each for each in texts if len(each) <= width), str(value))
     if len(text) > width:
         raise ValueError(f"{text} does not fit {width} characters")
     return text.rjust(width)
@@ -164,14 +102,13 @@ def element(number: int, part: int, nodes: Sequence[int]) -> str:
     return "".join(f"{each:8d}" for each in (number, part, *nodes))
 
 
-def _plain(value: float, digits: int) -> str:
-    text = f"{value:.{digits}g}"
-    return text if "e" in text or "." in text else text + ".0"
-
-
-def _scientific(value: float, digits: int) -> str:
-    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
-    return f"{mantissa}e{int(exponent)}"
+def _spellings(value: float) -> Iterator[str]:
+    """Yield a float with nine digits and fewer, plain and with an exponent."""
+    for digits in range(9, 0, -1):
+        text = f"{value:.{digits}g}"
+        yield text if "e" in text or "." in text else text + ".0"
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        yield f"{mantissa}e{int(exponent)}"
 
 
 HEAD_PART, HEAD_SECTION = 101, 2
@@ -235,7 +172,7 @@ def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements:
     corners = (head.quads.astype(int) + nodes + 1).tolist()
     walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
     for number, (part, each, thickness) in enumerate(walls, start=elements + 1):
-        deck.rows([element(number, HEAD_PART + part, each), f"{thickness:16.8e}" * 4])
+        deck.lines += [element(number, HEAD_PART + part, each), f"{thickness:16.8e}" * 4]
     faces = [HEAD_PART + number for number, part in enumerate(head.parts) if part.face]
     return faces, elements + len(corners)
 
@@ -287,7 +224,7 @@ def _masses_and_motion(deck: Cards, head: Any, touch: dict[str, Any], nodes: int
     """Write added masses, as elements behind the ``last``, and the velocity of every node."""
     deck.keyword("ELEMENT_MASS")
     added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
-    deck.rows(f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1))
+    deck.lines += [f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1)]
     spin = np.asarray(touch["spin"])
     velocities = np.asarray(touch["velocity"]) + np.cross(spin, _places(head, touch) - np.asarray(touch["cg"]))
     deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
@@ -400,7 +337,8 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     deck.lines.append("*KEYWORD")
     deck.comment(f"clubface: {case.name}. {case.description}", *HEADER)
     deck.keyword("TITLE")
-    deck.text(f"{case.name}: ball {case.ball.name}, {case.head}, {_delivered(case)}")
+    delivered = ", ".join(f"{key} {value}" for key, value in case.delivery.items())
+    deck.text(f"{case.name}: ball {case.ball.name}, {case.head}, {delivered}")
     _control(deck, case.settings, case.head)
     mesh = case.ball.mesh
     _ball(deck, case.ball, mesh)
@@ -410,10 +348,6 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
         write_head(deck, case, len(mesh["nodes"]), len(mesh["elements"]))
     deck.lines.append("*END")
     return write_text(path, str(deck), encoding="ascii")
-
-
-def _delivered(case: Case) -> str:
-    return ", ".join(f"{key} {value}" for key, value in case.delivery.items())
 
 
 def _control(deck: Cards, how: Settings, head: str) -> None:
@@ -446,39 +380,33 @@ def _ball(deck: Cards, ball: Ball, mesh: Mapping[str, Any]) -> None:
 
 
 def _material(deck: Cards, number: int, material: Material, density: float) -> None:
-    """Write a material by the card of its law."""
-    branches, count = material.maxwell, len(material.maxwell)
-    card = next(card for card in CARDS[material.law] if card.fewest <= count <= card.most)
-    known = {
-        **{"mid": number, "nv": count, "ro": density, "pr": material.poisson, "e": material.youngs},
-        **{"bulk": material.bulk, "shear": material.shear, **material.constants},
-        "g0": material.shear * (1.0 + sum(branch.modulus for branch in branches)),
-        **({"beta": 1.0 / branches[0].time} if branches else {}),
-    }
-    rows = [_fields(row, known) for row in card.rows]
-    deck.keyword(card.keyword, *rows, names=card.names)
-    if branches and card.branch:
+    """Write a material by the card of its law that has viscoelastic branches, if there are any."""
+    branches, constants, shear = material.maxwell, material.constants, material.shear
+    prony = [[branch.modulus * shear, 1.0 / branch.time] for branch in branches]
+    start, rubber = [number, density, material.poisson], [number, density, material.poisson, 0, len(branches)]
+    if material.law == "ogden":
+        terms = [[value for name, value in constants.items() if name.startswith(kind)] for kind in ("mu", "alpha")]
+        deck.keyword("MAT_OGDEN_RUBBER", rubber, *terms, names="mid ro pr n nv")
+    elif material.law == "neo-hookean":
+        deck.keyword("MAT_HYPERELASTIC_RUBBER", rubber, [0.5 * constants["shear"], 0.0], names="mid ro pr n nv")
+    elif material.law == "mooney-rivlin" and not branches:
+        deck.keyword("MAT_MOONEY-RIVLIN_RUBBER", [*start, constants["c10"], constants["c01"]], [None],
+                     names="mid ro pr a b")  # fmt: skip
+    elif material.law == "mooney-rivlin":
+        deck.keyword("MAT_HYPERELASTIC_RUBBER", rubber, [constants["c10"], constants["c01"]], names="mid ro pr n nv")
+    elif not branches:
+        deck.keyword("MAT_ELASTIC", [number, density, material.youngs, material.poisson], names="mid ro e pr")
+    elif len(branches) == 1:
+        fast = shear * (1.0 + branches[0].modulus)
+        deck.keyword("MAT_VISCOELASTIC", [number, density, material.bulk, fast, shear, prony.pop()[1]],
+                     names="mid ro bulk g0 gi beta")  # fmt: skip
+    else:
+        deck.keyword("MAT_GENERAL_VISCOELASTIC", [number, density, material.bulk], [None], [shear, 0.0],
+                     names="mid ro bulk")  # fmt: skip
+    if prony:
         deck.comment("      Gi     BETAi: relative moduli of clubface times its shear modulus, 1 / relaxation time")
-        for branch in branches:
-            values = {"g": branch.modulus * material.shear, "beta": 1.0 / branch.time}
-            deck.card(_fields(card.branch, values))
-
-
-def _fields(row: str, known: Mapping[str, float]) -> list[float | None]:
-    """Return the fields of a row: names, "2*name", "name#" for all names with a number, numbers, "-" for a blank."""
-    fields: list[float | None] = []
-    for each in row.split():
-        factor, _, name = each.rpartition("*")
-        scale = float(factor) if factor else 1
-        if name == "-":
-            fields.append(None)
-        elif name.endswith("#"):
-            fields += [value for key, value in known.items() if key.rstrip("0123456789") == name[:-1]]
-        elif name in known:
-            fields.append(scale * known[name])
-        else:
-            fields.append(int(name) if name.isdigit() else float(name))
-    return fields
+        for each in prony:
+            deck.card(each)
 
 
 def _plane(deck: Cards, case: Case) -> None:

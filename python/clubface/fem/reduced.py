@@ -1,9 +1,4 @@
-"""A finite element impact beside the simple models, and beside a law of friction with a term of contact area.
-
-A finite element impact in terms of the simple models: equivalent stiffness and damping, and forces.
-
-Arakawa's law of friction, with its term of the contact area, held against finite elements.
-"""
+"""A finite element impact beside the simple models, and beside Arakawa's friction with its term of contact area."""
 
 from __future__ import annotations
 
@@ -76,7 +71,7 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     if run.equipment is None or run.stopped is not None:
         raise InputError("impact", Told("one with a plane, or one that ended early"), "a complete impact with a head")
     club, ball = run.equipment
-    wanted = np.log([run.outcome()["ball_speed"], _peak(run)])
+    wanted = np.log([run.outcome()["ball_speed"], _normal_force(run)[1].max()])
     names = LAWS[model]
     set_ = ParameterSet.builtin(model, club.parameters)
     place = np.log([float(set_.values[name]) for name in names])
@@ -100,27 +95,27 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     parameters = {name: float(value) for name, value in zip(names, np.exp(place), strict=True)}
     with without_warnings(RangeWarning):
         over = history(club, run.given, model=model, parameters=parameters, ball=ball)
-    time, reference = _smooth(run)
+    time, reference = _normal_force(run)
     force = np.interp(time, over.time, over.normal_force, right=0.0)
     error = float(np.sqrt(np.mean((force - reference) ** 2)) / reference.max())
     return Equivalent(model, parameters, time, force, reference, error, float(over.time[-1]), float(run.contact_time))
 
 
-def _smooth(run: Impact) -> tuple[Any, Any]:
-    """Return times within the contact and the normal force there, averaged over a tenth of the contact.
+def _averaged(run: Impact, values: NDArray[Any]) -> NDArray[Any]:
+    """Return a history of the contact averaged over a tenth of the contact.
 
     A mesh touches node by node, a reduced model all at once: what differs within the time between two rings of nodes is
     not the law of force.
     """
-    time, force = run.contact["time"], run.contact["normal"]
+    time = run.contact["time"]
     width = max(3, int(0.1 * run.contact_time / (time[1] - time[0])) | 1)
-    within = time <= run.contact_time
-    mean = np.convolve(force, np.ones(width) / width, "same")
-    return time[within], mean[within]
+    return np.convolve(values, np.ones(width) / width, "same")
 
 
-def _peak(run: Impact) -> float:
-    return float(_smooth(run)[1].max())
+def _normal_force(run: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return times within the contact and the averaged normal force there."""
+    within = run.contact["time"] <= run.contact_time
+    return run.contact["time"][within], _averaged(run, run.contact["normal"])[within]
 
 
 SLIDES = 0.1
@@ -174,18 +169,12 @@ def area_term(run: Impact) -> AreaTerm:
     if run.stopped is not None or not run.contact_time > 0.0:
         raise InputError("impact", run, "a complete one")
     over = run.contact["time"]
-    step, last, motion = over[1] - over[0], run.contact_time, run.motion
-    # Nodes come and go ring by ring: what happens within the time between two rings is not the law of area.
-    width = max(3, int(0.1 * last / step) | 1)
-
-    def smooth(values: Any) -> Any:
-        return np.convolve(values, np.ones(width) / width, "same")
-
-    area = smooth(run.contact["area"])
+    last, motion = run.contact_time, run.motion
+    area = _averaged(run, run.contact["area"])
     within = (over > WITHIN[0] * last) & (over < WITHIN[1] * last)
-    curves = (smooth(run.contact["normal"]), smooth(run.contact["tangential"]), area)
-    rate = smooth(np.gradient(area, step))
-    normal, tangential, area, rate = (each[within] for each in (*curves, rate))
+    rate = _averaged(run, np.gradient(area, over[1] - over[0]))
+    curves = (_averaged(run, run.contact["normal"]), _averaged(run, run.contact["tangential"]), area, rate)
+    normal, tangential, area, rate = (each[within] for each in curves)
     time = over[within]
     slip = run.relative_velocity()[:, 1] - motion["spin"][:, 2] * motion["radius"]
     slides = np.interp(time, motion["time"], slip) > SLIDES

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
+from clubface.fem.geometry import area_vectors, sums_at_nodes
 from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
 from clubface.fem.heads.read import Design, design_of
 from clubface.fem.result import SurfaceRecovery, von_mises
@@ -155,18 +156,14 @@ def blow_stress(
         The ball, as for :func:`clubface.fem.ball`.
     speed
         Speed of the club [m/s].
-    friction
-        Coefficient of Coulomb friction; that of the ball unless given.
-    safety
+    friction, progress
+        As for :func:`clubface.fem.throw`.
+    safety, threads
         As of :class:`clubface.fem.Settings`.
-    threads
-        Number of threads; 0 for all cores.
     meshes
         On how many meshes the blow is computed, 1 to 3, to see how far its stress depends on the mesh: that of the
         head, then one with 1.25 and one with 1.5 times as many elements along each edge. A head that is not made from
         dimensions has one mesh.
-    progress
-        Called with simulated time and duration [s].
     **delivery
         The rest of the delivery, such as ``toe``, as for :func:`clubface.impact`.
 
@@ -243,13 +240,10 @@ def _solid(head: SolidHead, run: Impact) -> BlowStress:
     part = _peak("head", head.metal, stress, head.nodes[recovery.nodes], run.frame_times)
     frame = int(stress.max(axis=1).argmax())
     surface = SurfaceStress(
-        nodes=head.nodes[recovery.nodes],
-        quads=np.searchsorted(recovery.nodes, recovery.quads),
-        stress=stress[frame],
-        time=float(run.frame_times[frame]),
-        views=("face", "back"),
+        nodes=head.nodes[recovery.nodes], quads=np.searchsorted(recovery.nodes, recovery.quads), stress=stress[frame],
+        time=float(run.frame_times[frame]), views=("face", "back"),
         bending=bool(recovery.extrapolated.mean() > 0.5),
-    )
+    )  # fmt: skip
     return BlowStress((part,), surface)
 
 
@@ -266,17 +260,13 @@ def _shells(head: MeshedHead, run: Impact) -> BlowStress:
         if part.elements:
             parts.append(_peak(part.name, part.metal, stress[:, some], places[some], run.frame_times))
     frame = int(stress.max(axis=1).argmax())
-    sums, counts = np.zeros(len(head.nodes)), np.zeros(len(head.nodes))
-    np.add.at(sums, head.quads, stress[frame][:, None])
-    np.add.at(counts, head.quads, 1.0)
-    surface = SurfaceStress(
-        nodes=head.nodes,
-        quads=head.quads,
-        stress=sums / np.maximum(counts, 1.0),
-        time=float(run.frame_times[frame]),
-        views=("face", "crown", "sole"),
-        bending=True,
+    sums, counts = (
+        sums_at_nodes(head.quads, each, len(head.nodes)) for each in (stress[frame], np.ones(head.elements))
     )
+    surface = SurfaceStress(
+        nodes=head.nodes, quads=head.quads, stress=sums / np.maximum(counts, 1.0), time=float(run.frame_times[frame]),
+        views=("face", "crown", "sole"), bending=True,
+    )  # fmt: skip
     return BlowStress(tuple(parts), surface)
 
 
@@ -310,8 +300,7 @@ def stress_picture(blow: BlowStress, loft: float) -> Picture:
         Elevation of the face normal at the face centre [rad].
     """
     surface, parts = blow.surface, blow.parts
-    corners = surface.nodes[surface.quads]
-    normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normals = area_vectors(surface.nodes, surface.quads)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     out, up = np.array([np.cos(loft), np.sin(loft), 0.0]), np.array([-np.sin(loft), np.cos(loft), 0.0])
     ahead, vertical, _ = np.eye(3)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from clubface import units
 from clubface.errors import InputError, MeshWarning
 from clubface.fem import core
-from clubface.fem.balls import ELEMENTS, element_masses
+from clubface.fem.balls import ELEMENTS
 from clubface.fem.core import in_thread
+from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.meshed import ROUND, SolidHead
 from clubface.fem.heads.metal import Metal
@@ -89,8 +88,8 @@ class IronHead:
         meshed = in_thread(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
         nodes = meshed["nodes"].reshape(-1, 3)
         hexahedra, face = meshed["elements"].reshape(-1, 8)[:, ROUND], meshed["face"].reshape(-1, 4)
-        metal = np.zeros(len(nodes))
-        np.add.at(metal, hexahedra, element_masses(nodes, hexahedra, self.metal.density)[:, None] / 8.0)
+        masses = element_masses(nodes, hexahedra, self.metal.density)
+        metal = sums_at_nodes(hexahedra, masses / 8.0, len(nodes))
         carried = spread(self.masses, nodes, metal, face)
         if (note := note_of(carried, negligible=1e-2)) is not None:
             warn_once(f"{self.name}: {note}", MeshWarning)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
+from clubface.fem.geometry import area_vectors
 
 ANGLE = math.radians(1.0)
 """How far the face normal of a mesh may be from that of the file. A mesh of a curved face with elements of 5 mm leaves
@@ -66,7 +67,7 @@ def measured_face(nodes: NDArray[Any], quads: NDArray[Any]) -> Face:
         Elements of the face.
     """
     corners = nodes[quads]
-    area = 0.5 * np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    area = area_vectors(nodes, quads)
     away = np.linalg.norm(corners.mean(axis=1), axis=1)
     normal = area[away <= max(REACHES[0], np.sort(away)[: min(4, len(away))].max())].sum(axis=0)
     normal /= max(float(np.linalg.norm(normal)), 1e-300)

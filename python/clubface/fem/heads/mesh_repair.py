@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import FileError
+from clubface.fem.geometry import area_vectors
 from clubface.fem.mesh_files import Mesh
 
 MERGED = 1e-4
@@ -292,9 +293,9 @@ def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[ND
 
 
 def _area_vectors(shells: Shells) -> NDArray[Any]:
-    a, b, c = (shells.points[shells.corners[:, place]] for place in range(3))
-    d = np.where((shells.corners[:, 3] >= 0)[:, None], shells.points[shells.corners[:, 3]], a)
-    return 0.5 * np.cross(c - a, d - b)
+    corners = shells.corners.copy()
+    corners[:, 3] = np.where(corners[:, 3] >= 0, corners[:, 3], corners[:, 0])
+    return area_vectors(shells.points, corners)
 
 
 def _centres(shells: Shells) -> NDArray[Any]:

@@ -25,6 +25,7 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.fem import core
 from clubface.fem.core import in_thread
+from clubface.fem.geometry import area_vectors
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
 
@@ -306,7 +307,7 @@ class ShellHead(MeshedHead):
     def places(self) -> NDArray[Any]:
         """Places of its nodes on the outside of the walls [m]."""
         normals, walls = np.zeros((len(self.nodes), 3)), np.zeros(len(self.nodes))
-        np.add.at(normals, self.quads, self._area_vectors[:, None])
+        np.add.at(normals, self.quads, area_vectors(self.nodes, self.quads)[:, None])
         np.maximum.at(walls, self.quads, np.repeat(self.thickness[:, None], 4, axis=1))
         normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
         return self.nodes + 0.5 * walls[:, None] * normals
@@ -317,15 +318,10 @@ class ShellHead(MeshedHead):
         sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
         if (np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)[1] != 2).any():
             return None
-        area = self._area_vectors
+        area = area_vectors(self.nodes, self.quads)
         middle = self.nodes[self.quads].mean(axis=1)
         walls = np.linalg.norm(area, axis=1) @ self.thickness
         return float(np.einsum("ij,ij->", area, middle) / 3.0 + 0.5 * walls)
-
-    @property
-    def _area_vectors(self) -> NDArray[Any]:
-        a, b, c, d = (self.nodes[self.quads[:, corner]] for corner in range(4))
-        return 0.5 * np.cross(c - a, d - b)
 
     def part_of_elements(self) -> NDArray[Any]:
         """Return the number of the part of each element."""

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.described import FLAT
 from clubface.errors import InputError, MeshWarning
+from clubface.fem.geometry import area_vectors, sums_at_nodes
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.mesh_frame import check_frame
 from clubface.fem.heads.mesh_groups import GROUP_TABLE, Group, assign, point_masses, walls
@@ -134,9 +135,7 @@ class MeshHead:
 
         A group of the face may wrap round its edge, as a cup does, and the whole head of a file without sets is one.
         """
-        a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
-        normal = np.cross(c - a, d - b)
-        toward = normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
+        toward = self._facing(nodes, shells)
         away = np.array([group.face for group in self.groups])[shells.group] & (toward < FACE_COSINE)
         order = np.lexsort((away, shells.group))
         shells.keep(order)
@@ -198,13 +197,15 @@ class MeshHead:
         )  # fmt: skip
         self._note_rest_of_face(nodes, shells, face, notes)
 
+    def _facing(self, nodes: NDArray[Any], shells: Shells) -> NDArray[Any]:
+        """Return the cosine of the angle between the normal of each element and that of the face."""
+        normal = area_vectors(nodes, shells.corners)
+        return normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
+
     def _note_rest_of_face(self, nodes: NDArray[Any], shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
         """Note groups that the ball reaches in a strike at the face centre although they are no part of the face."""
-        corners = nodes[shells.corners]
-        normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
-        toward = normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
-        away = np.linalg.norm(corners.mean(axis=1), axis=1)
-        rest = ~face & (toward > FLUSH_COSINE) & (away < REACHED)
+        away = np.linalg.norm(nodes[shells.corners].mean(axis=1), axis=1)
+        rest = ~face & (self._facing(nodes, shells) > FLUSH_COSINE) & (away < REACHED)
         for place in np.unique(shells.group[rest]):
             own = rest & (shells.group == place)
             notes.append(
@@ -217,12 +218,9 @@ class MeshHead:
 
 def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:
     """Return the mass of metal at each node [kg]."""
-    a, b, c, d = (nodes[shells.corners[:, place]] for place in range(4))
-    area = 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
+    area = np.linalg.norm(area_vectors(nodes, shells.corners), axis=1)
     density = np.array([metal.density for metal in metals])[shells.group]
-    shares = np.zeros(len(nodes))
-    np.add.at(shares, shells.corners, (0.25 * area * density * shells.thickness)[:, None])
-    return shares
+    return sums_at_nodes(shells.corners, 0.25 * area * density * shells.thickness, len(nodes))
 
 
 def _weigh(head: ShellHead, shells: Shells) -> None:
