@@ -143,26 +143,23 @@ def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
 
 def test_the_command_writes_a_table_and_a_picture(clubface_, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
-    monkeypatch.setattr(head_tests, "head", lambda _: coarse_head())
+    monkeypatch.setattr(head_tests, "meshed", lambda _: coarse_head())
     monkeypatch.setattr(head_tests, "restitution", lambda _, toe, high, **__: 0.8 - toe - high)
     monkeypatch.setattr(head_tests, "characteristic_time", lambda _, toe, **__: 250e-6 - 1e-3 * toe)
     ran = clubface_("fem", "face", "paper", "--toe", "-10:10:10", "--high", "0,5", "-o", str(tmp_path), "--json")
-    assert [(row["toe_mm"], row["high_mm"]) for row in ran.json] == [
+    assert [(row["toe_mm"], row["high_mm"]) for row in ran.rows()] == [
         (toe, high) for high in (0.0, 5.0) for toe in (-10.0, 0.0, 10.0)
     ]
     with (tmp_path / "face.csv").open() as file:
         assert next(file).startswith("# case ")
         rows = list(csv.DictReader(file))
     # The file has them as they ended.
-    assert sorted(float(row["restitution"]) for row in rows) == sorted(row["restitution"] for row in ran.json)
+    assert sorted(float(row["restitution"]) for row in rows) == sorted(row["restitution"] for row in ran.rows())
     assert (tmp_path / "face.png").stat().st_size > 10_000
     assert clubface_("fem", "face", "paper", "--toe", "90").status == 2
 
 
 def test_the_picture_shows_every_point_in_its_place():
-    pytest.importorskip("matplotlib")
-    from clubface.fem.pictures import face_figure
-
     rows = [
         {
             "toe_mm": toe,
@@ -173,10 +170,11 @@ def test_the_picture_shows_every_point_in_its_place():
         for high in (-5.0, 5.0)
         for toe in (-10.0, 0.0, 10.0)
     ]
-    restitution, time = face_figure(rows).axes
-    assert {tuple(text.get_position()): text.get_text() for text in restitution.texts} == {
+    restitution, time = head_tests.face_picture(rows).panels()
+    texts = [mark for mark in restitution.marks if mark.kind == "text"]
+    shown = {(int(x), int(y)): words for mark in texts for x, y, words in zip(mark.x, mark.y, mark.texts, strict=True)}
+    assert shown == {
         (0, 0): "0.685", (1, 0): "0.695", (2, 0): "0.705", (0, 1): "0.695", (1, 1): "0.705", (2, 1): "0.715",
     }  # fmt: skip
-    assert [label.get_text() for label in restitution.get_xticklabels()] == ["-10", "0", "10"]
-    assert [label.get_text() for label in restitution.get_yticklabels()] == ["-5", "5"]
-    assert {text.get_text() for text in time.texts} == {"-"}
+    assert (restitution.x.names, restitution.y.names) == (["-10", "0", "10"], ["-5", "5"])
+    assert {words for mark in time.marks for words in mark.texts} == {"-"}
