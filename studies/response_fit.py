@@ -35,7 +35,7 @@ from clubface.fem.balls import Ball, ball
 from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
 from clubface.fem.sweep import ResumableTable
-from clubface.plots import legend_above, save
+from clubface.present.style import legend_above, save
 from clubface.simulation import core
 from clubface.simulation.results import inputs, outputs
 from clubface.support.checks import without_warnings

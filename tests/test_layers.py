@@ -12,12 +12,12 @@ ROOT = Path(clubface.__file__).parent
 
 FLOORS = (
     ("errors", "support", "units", "quantities", "schema"),
-    ("jobs", "results"),
-    ("published_data", "equipment", "simulation", "plots"),
+    ("jobs", "results", "present"),
+    ("published_data", "equipment", "simulation"),
     ("shots",),
     ("fem", "validation"),
     ("inference", "capture"),
-    ("present", "design", "studies"),
+    ("design", "studies", "plots"),
     ("cli", "__main__"),
     ("clubface",),
 )
@@ -78,7 +78,8 @@ def test_no_files_import_each_other_in_a_loop():
 def test_the_core_is_imported_in_one_module_a_room():
     users = [name for name, told in imports(sources()).items() if CORE in told]
     assert users == [
-        "clubface.equipment.core", "clubface.fem.core", "clubface.quantities", "clubface.simulation.core",
+        "clubface.equipment.core", "clubface.fem.core", "clubface.present.style", "clubface.quantities",
+        "clubface.simulation.core",
         "clubface.units",
     ]  # fmt: skip
 

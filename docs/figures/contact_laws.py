@@ -13,7 +13,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.fem.case import case
 from clubface.fem.reduced import AreaTerm, area_term
 from clubface.fem.result import Displacement, Impact, displaced_centre
-from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
+from clubface.present.style import COLOURS, DASHES, MARKERS, WIDTH, legend_above, styled
 
 BALL, FRICTION = "paper", 0.3
 END = fem.Settings(until_separation=True)

@@ -10,6 +10,7 @@ pytest.importorskip("matplotlib")
 
 from clubface import plots
 from clubface.present.drawing import draw
+from clubface.present.style import look, marker
 from clubface.simulation.flight import trajectory
 from clubface.validation import tour
 from clubface.validation.tour_result import error_picture, launch_picture
@@ -88,7 +89,7 @@ def test_forces_are_in_kilonewtons_over_microseconds(histories):
 
 def test_models_without_a_history_are_left_out_of_the_forces_and_named(flights, histories):
     figure = plots.shot_figure(flights, histories)
-    texts = [text.get_text() for part in figure.subfigs for text in part.texts]
+    texts = [text.get_text() for text in figure.texts]
     assert any("standard" in text and "volumetric" not in text for text in texts)
     assert len(plots.shot_figure(flights).axes) == 2
 
@@ -103,8 +104,8 @@ def test_right_of_the_target_is_drawn_downwards_from_above(flights):
 def test_a_view_says_its_scale_truly(flights):
     for axes in plots.trajectories(flights).axes:
         stretch = axes.get_aspect()
-        said = "equal scales" if stretch == 1.0 else f"stretched {stretch:g} times"
-        assert said in axes.get_title(loc="left")
+        scale = "equal scales" if stretch == 1.0 else f"stretched {stretch:g} times"
+        assert scale in axes.get_title(loc="left")
 
 
 @pytest.mark.parametrize("height", [0.0, 0.3, 30.0, 300.0])
@@ -119,14 +120,13 @@ def test_each_model_has_its_own_colour_and_dash_whatever_else_is_drawn(histories
     alone = lines(plots.force_histories({"area": histories["area"]}).axes[0])[0]
     beside = lines(plots.force_histories(histories).axes[0])[1]
     assert alone.get_color() == beside.get_color()
-    looks = [str(plots.look(name)) for name in clubface.models()]
+    looks = [str(look(name)) for name in clubface.models()]
     assert len(set(looks)) == len(looks)
 
 
 def test_finite_elements_look_like_no_other_model():
     """A drive by the default model and by finite elements, drawn together, had one colour and one dash."""
     from clubface.equipment.models import models
-    from clubface.plots import look, marker
 
     names = [*models(), "fem"]
     for of in (look, marker):

@@ -24,7 +24,8 @@ def test_the_figures_of_other_solvers_are_those_of_their_runs():
     solvers, results = other_solvers()
     assert solvers == ["one-point", "8-point", "2nd code"]
     assert results == {
-        "normal_velocity_mps": [32.08, 32.06, 32.31], "tangential_velocity_mps": [5.82, 5.82, 5.75], "backspin_rpm": [1216, 1221, 1286],
+        "normal_velocity_mps": [32.08, 32.06, 32.31], "tangential_velocity_mps": [5.82, 5.82, 5.75],
+        "backspin_rpm": [1216, 1221, 1286],
         "spin_max_rpm": [3735, 3749], "peak_force_n": [8637, 8708, 8925], "contact_time_s": [626e-6, 624e-6, 601e-6],
         "peak_force_time_s": [278e-6, 282e-6, 295e-6], "tangential_max_n": [843, 851, 833],
         "tangential_min_n": [-727, -678, -667], "reversal_time_s": [307e-6, 305e-6, 305e-6],

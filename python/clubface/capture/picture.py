@@ -20,7 +20,7 @@ from matplotlib.patches import Circle
 from clubface import units
 from clubface.capture.reduction import QUANTITIES
 from clubface.capture.rotations import Array
-from clubface.plots import COLOURS, WIDTH, legend_above, save, styled
+from clubface.present.style import COLOURS, WIDTH, legend_above, save, styled
 from clubface.support.files import whole_file
 
 if TYPE_CHECKING:

@@ -203,9 +203,9 @@ def _write(result: Result, folder: str | None) -> list[Path]:
     """Write figures, histories and pictures to a folder where one is given."""
     if folder is None:
         return []
-    from clubface.plots import save
     from clubface.present.drawing import draw
     from clubface.present.files import write_json, write_table
+    from clubface.present.style import save
 
     target = prepared_folder(folder)
     result = result.replace(provenance=result.provenance.with_files())

@@ -172,7 +172,7 @@ def report(
     from clubface.present.report import write_report
 
     output.check_target("--output", target, ENDINGS, [*files, texts["mapping"]])
-    import clubface.plots  # noqa: F401  (a missing library is told before any work)
+    import clubface.present.style  # noqa: F401  (a missing library is told before any work)
 
     shots = read_shots(files, texts, where=True)
     if club is not None:

@@ -128,7 +128,7 @@ def check_not_read(target: str | None) -> None:
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:
     """Refuse a picture to write in the same way; a missing library is told as well."""
     if target is not None:
-        from clubface.plots import ENDINGS
+        from clubface.present.style import ENDINGS
 
         check_target("--plot", target, ENDINGS, inputs)
 
@@ -139,7 +139,7 @@ def check_report(target: str | None, inputs: Iterable[str | None] = ()) -> None:
         from clubface.present.document import ENDINGS
 
         check_target("--report", target, ENDINGS, inputs)
-        import clubface.plots  # noqa: F401  (a missing library is told before any work)
+        import clubface.present.style  # noqa: F401  (a missing library is told before any work)
 
 
 def check_resume(resume: bool, target: str | None) -> None:

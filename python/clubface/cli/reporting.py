@@ -51,9 +51,9 @@ def write(
     files
         Texts of descriptions that are not in a file the command reads, by name.
     """
-    from clubface.plots import svg
     from clubface.present.document import Block, Data, Heading, Paragraph, Picture, file_name, write_document
     from clubface.present.report import provenance_blocks
+    from clubface.present.style import svg
     from clubface.simulation.provenance import provenance_of
 
     data = Data(file_name(title), list(columns), list(zip(*columns.values(), strict=True)))

@@ -148,8 +148,8 @@ class Output:
 
 def save_picture(result: Result, path: str | Path, units: Mapping[str, str] | None = None) -> Path:
     """Write the first picture of a result to a file, which is returned."""
-    from clubface.plots import save
     from clubface.present.drawing import draw
+    from clubface.present.style import save
 
     return save(draw(result.pictures()[0], units), path)
 

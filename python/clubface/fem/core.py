@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from clubface._core import (
+    FemImpact as FemImpact,
     fem_ball as fem_ball,
     fem_check_law as fem_check_law,
     fem_deformable as fem_deformable,

@@ -32,7 +32,7 @@ from clubface.support.checks import warn_once
 from clubface.support.files import builtin_names, is_path
 
 if TYPE_CHECKING:
-    from clubface._core import FemImpact
+    from clubface.fem.core import FemImpact
     from clubface.simulation.inputs import Shots
 
 

@@ -17,7 +17,7 @@ from matplotlib.ticker import MaxNLocator
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.plots import COLOURS, DASHES, MARKERS, WIDTH, legend_above, look, marker, styled
+from clubface.present.style import COLOURS, DASHES, MARKERS, WIDTH, legend_above, look, marker, styled
 from clubface.results.pictures import Axis, Mark, Panel, Picture
 from clubface.support.files import whole_file
 
@@ -148,6 +148,8 @@ def _draw_panel(axes: Axes, panel: Panel) -> Any:
         _DRAWERS[mark.kind](axes, panel, mark, floor)
     for axis, setter in ((panel.x, "x"), (panel.y, "y")):
         _set_axis(axes, axis, setter)
+    if panel.aspect is not None:
+        axes.set_aspect(panel.aspect)
     if panel.equal:
         axes.set_aspect("equal", adjustable="datalim" if panel.x.limits == (None, None) else "box")
     axes.set_title(panel.title)

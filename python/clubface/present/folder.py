@@ -40,8 +40,8 @@ def write_folder(
     tables
         Further tables by the name of their file, or what stands there in place of a table of the result.
     """
-    from clubface.plots import save
     from clubface.present.drawing import draw
+    from clubface.present.style import save
 
     target = prepared_folder(folder)
     files = []

@@ -74,8 +74,8 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
     pictures = result.pictures()
     if not pictures:
         return
-    from clubface.plots import svg
     from clubface.present.drawing import draw, picture_data
+    from clubface.present.style import svg
 
     for each in pictures:
         headings, rows = picture_data(each)

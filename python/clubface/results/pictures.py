@@ -115,6 +115,8 @@ class Panel:
     ----------
     equal
         Whether both axes have one scale.
+    aspect
+        Scale of the y axis over that of the x axis; free unless given.
     values
         What contours and cells are coloured by: an axis for the bar of colours; ``diverging`` from zero.
     legend
@@ -128,6 +130,7 @@ class Panel:
     y: Axis = field(default_factory=Axis)
     title: str = ""
     equal: bool = False
+    aspect: float | None = None
     values: Axis | None = None
     diverging: bool = False
     legend: bool = False

@@ -126,14 +126,23 @@ def shot_picture(flights: Mapping[str, Any], histories: Mapping[str, Any] | None
     )  # fmt: skip
 
 
+def force_picture(histories: Mapping[str, Any]) -> Picture:
+    """Return the picture of the forces on the ball over time; ``histories`` as of :func:`shot_picture`."""
+    panels = [_force_panel(name, label, histories, named=True) for name, label in _FORCES.items()]
+    return Picture("forces", "The force on the ball over time", [panels], height=2.5, legend=True)
+
+
 _FORCES = {"normal_force": "normal force", "force_y": "friction along y'", "force_z": "friction along z'"}
 """Columns of a history and their labels; y' points up the face, z' to the toe."""
 _LEAST_FORCE = 20.0
 """N over which an axis of friction extends at least to either side, so that noise does not fill a panel."""
 
 
-def _force_panel(name: str, label: str, histories: Mapping[str, Any]) -> Panel:
-    marks = [Mark("line", _values(each, "time"), _values(each, name), style=model) for model, each in histories.items()]
+def _force_panel(name: str, label: str, histories: Mapping[str, Any], *, named: bool = False) -> Panel:
+    marks = [
+        Mark("line", _values(each, "time"), _values(each, name), style=model, label=model if named else "")
+        for model, each in histories.items()
+    ]
     highest = max((float(np.abs(mark.y).max(initial=0.0)) for mark in marks), default=0.0)
     normal = name == "normal_force"
     low = 0.0 if normal else None if highest > _LEAST_FORCE else -_LEAST_FORCE
@@ -159,15 +168,15 @@ def _views(flights: Mapping[str, Any]) -> tuple[list[Panel], list[float]]:
         marks = [Mark("line", each[:, 0], each[:, place], style=model, label=model) for model, each in flights.items()]
         rule = [Mark("rule", y=0.0, style=-1)] if place == 2 else []
         low, high = across.limits
-        shape = ((high or 0.0) - (low or 0.0)) / length
-        scale = "equal scales" if shape >= _FLATTEST else "stretched"
-        panels.append(
-            Panel(
-                [*marks, *rule], axis("carry", "distance along the target line", limits=(0.0, length)), across,
-                title=f"{name}, {scale}",
-            )
-        )  # fmt: skip
-        heights.append(6.5 * min(max(shape, _FLATTEST), _TALLEST))
+        span, stretch = abs((high or 0.0) - (low or 0.0)), 1.0
+        steps = iter((2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0))
+        while span * stretch < _FLATTEST * length:
+            stretch = next(steps, _FLATTEST * length / span + 1.0)
+        way = "upwards" if place == 1 else "sideways"
+        scale = "equal scales" if stretch == 1.0 else f"stretched {stretch:g} times {way}"
+        along = axis("carry", "distance along the target line", limits=(0.0, length))
+        panels.append(Panel([*marks, *rule], along, across, title=f"{name}, {scale}", aspect=stretch))
+        heights.append(6.5 * min(span * stretch / length, _TALLEST))
     return panels, heights
 
 

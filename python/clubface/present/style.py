@@ -1,0 +1,148 @@
+"""How all pictures look: type, lines, one colour and dash a model, files."""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+from collections.abc import Callable, Iterable
+from functools import cache, wraps
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from clubface import _core
+from clubface.errors import LINES, InputError, legible
+from clubface.support.files import whole_file
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#8C510A", "#7F7F7F")
+"""One a model, in the order of the registry, the last for finite elements; colour-blind readers tell them apart (Okabe
+and Ito, brown and grey)."""
+_FOUR: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.2, 1, 1.2)))
+DASHES: tuple[Any, ...] = (*_FOUR, *_FOUR, (0, (9, 1.2)))
+"""So that a print without colour keeps them apart."""
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
+ENDINGS = (".png", ".svg", ".pdf")
+WIDTH = 7.2
+"""Inches: two columns of a journal."""
+
+_STYLE: dict[Any, Any] = {
+    "font.size": 8.0,
+    "axes.titlesize": 8.0,
+    "axes.labelsize": 8.0,
+    "legend.fontsize": 7.5,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "0.90",
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.3,
+    "lines.markersize": 4.0,
+    "legend.frameon": False,
+    "legend.handlelength": 1.8,
+    "legend.handletextpad": 0.5,
+    "figure.dpi": 100.0,
+    "savefig.dpi": 300.0,
+    "text.parse_math": False,  # a dollar sign in the name of a club or golfer is no formula
+    "svg.fonttype": "path",
+    "svg.hashsalt": "clubface",
+    "pdf.fonttype": 42,
+}
+
+
+def _settings() -> dict[Any, Any]:
+    """Return every setting but the backend: matplotlib's own defaults, and the style over them."""
+    defaults = {key: value for key, value in mpl.rcParamsDefault.items() if key != "backend"}
+    return {**defaults, **_STYLE}
+
+
+def styled(draw: Callable[P, R]) -> Callable[P, R]:
+    """Draw in the common style, leaving the caller's matplotlib settings alone."""
+
+    @wraps(draw)
+    def wrapped(*args: P.args, **kwargs: P.kwargs) -> R:
+        with mpl.rc_context(_settings()):
+            return draw(*args, **kwargs)
+
+    return wrapped
+
+
+def look(model: str) -> dict[str, Any]:
+    """Return colour and dash of a model's lines."""
+    return {"color": COLOURS[_index(model) % len(COLOURS)], "linestyle": DASHES[_index(model) % len(DASHES)]}
+
+
+def marker(model: str) -> dict[str, Any]:
+    """Return colour and shape of a model's points."""
+    index = _index(model)
+    return {"color": COLOURS[index % len(COLOURS)], "marker": MARKERS[index % len(MARKERS)], "linestyle": "none"}
+
+
+def _index(model: str) -> int:
+    known = _models()
+    return known.index(model) if model in known else len(known)
+
+
+@cache
+def _models() -> list[str]:
+    return [each["name"] for each in _core.models()]
+
+
+def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = None) -> None:
+    """Put one legend, with the title of the figure, above all panels, where it covers nothing."""
+    handles = list(lines)
+    width = sum(len(str(each.get_label())) + 6 for each in handles)
+    columns = math.ceil(len(handles) / max(math.ceil(len(handles) / 9), math.ceil(width / 110))) if handles else 1
+    legend = figure.legend(
+        handles=handles, loc="outside upper left", ncols=columns, columnspacing=1.3, title=title, alignment="left"
+    )
+    legend.get_title().set_fontsize(8.5)
+
+
+def check_ending(path: str | os.PathLike[str]) -> Path:
+    """Refuse a picture whose ending is not one of ``ENDINGS``."""
+    target = Path(path)
+    if target.suffix.lower() not in ENDINGS:
+        raise InputError("picture", os.fspath(path), f"a file ending in {', '.join(ENDINGS)}")
+    return target
+
+
+@styled
+def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
+    """Write ``figure`` to ``path``, in the format of its ending; the same figure gives the same bytes."""
+    target = check_ending(path)
+    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
+    kind = target.suffix.lower()
+    _make_legible(figure)
+    with whole_file(target) as file:
+        figure.savefig(file, format=kind[1:], metadata=dates[kind])
+    return target
+
+
+def _make_legible(figure: Figure) -> None:
+    """Write out the characters of names of files, clubs and players that no picture should get."""
+    for each in figure.findobj(Text):
+        if isinstance(each, Text) and (text := legible(each.get_text(), LINES)) != each.get_text():
+            each.set_text(text)
+
+
+@styled
+def svg(figure: Figure) -> str:
+    """Return ``figure`` as the text of an SVG file; the same figure gives the same text."""
+    _make_legible(figure)
+    kept = io.StringIO()
+    figure.savefig(kept, format="svg", metadata={"Date": None})
+    return kept.getvalue()
