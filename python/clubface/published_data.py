@@ -25,20 +25,10 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.schema import (
-    TEXT,
-    Choice,
-    Document,
-    FilePath,
-    Items,
-    Place,
-    Record,
-    Simple,
-    Table,
-    Tables,
-    decode,
-    file_key,
-)
+from clubface.schema.document import Document
+from clubface.schema.place import Place
+from clubface.schema.tables import Table, decode, file_key
+from clubface.schema.values import TEXT, Choice, FilePath, Items, Record, Simple, Tables
 from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.files import DATA, builtin_names
 

@@ -17,24 +17,10 @@ from clubface import units
 from clubface.capture.geometry import GIVEN, GUESSED, Assumed
 from clubface.capture.rotations import FEWEST
 from clubface.errors import InputError, Told
-from clubface.schema import (
-    TEXT,
-    Choice,
-    Document,
-    Either,
-    Items,
-    Place,
-    Quantity,
-    Record,
-    Simple,
-    Table,
-    count,
-    decode,
-    encode,
-    file_key,
-    quoted,
-    written_key,
-)
+from clubface.schema.document import Document, quoted
+from clubface.schema.place import Place
+from clubface.schema.tables import Table, decode, encode, file_key, written_key
+from clubface.schema.values import TEXT, Choice, Either, Items, Quantity, Record, Simple, count
 from clubface.support.checks import check_choice
 
 WAYS = ("positions", "face", "address", "swing")

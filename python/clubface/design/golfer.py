@@ -50,22 +50,10 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Told
-from clubface.schema import (
-    TEXT,
-    Choice,
-    Document,
-    Place,
-    Quantity,
-    Record,
-    Reference,
-    Table,
-    Tables,
-    Value,
-    decode,
-    encode,
-    file_key,
-    quoted,
-)
+from clubface.schema.document import Document, quoted
+from clubface.schema.place import Place
+from clubface.schema.tables import Table, decode, encode, file_key
+from clubface.schema.values import TEXT, Choice, Quantity, Record, Reference, Tables, Value
 from clubface.shots.plausibility import can_be
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery
 from clubface.support.arrays import Floats

@@ -20,21 +20,10 @@ from clubface.equipment.described import Described, set_si, sources_of, template
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterValue
 from clubface.errors import InputError, RuleWarning
-from clubface.schema import (
-    NAME,
-    TEXT,
-    Document,
-    Place,
-    Quantity,
-    Record,
-    Simple,
-    Tables,
-    decode,
-    entries,
-    file_key,
-    quantities,
-    quoted,
-)
+from clubface.schema.document import Document, quoted
+from clubface.schema.place import Place
+from clubface.schema.tables import decode, entries, file_key, quantities
+from clubface.schema.values import NAME, TEXT, Quantity, Record, Simple, Tables
 from clubface.support.checks import Frozen, check_name, warn_once, without_warnings
 from clubface.support.files import builtin_names, builtin_path, is_path
 

@@ -39,24 +39,10 @@ from clubface import units
 from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.models import Model, Parameter, model, model_names
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.schema import (
-    FLAG,
-    TEXT,
-    Choice,
-    Document,
-    Interval,
-    Items,
-    Place,
-    Quantity,
-    Record,
-    Simple,
-    Tables,
-    Value,
-    check_values,
-    decode,
-    encode,
-    file_key,
-)
+from clubface.schema.document import Document
+from clubface.schema.place import Place
+from clubface.schema.tables import check_values, decode, encode, file_key
+from clubface.schema.values import FLAG, TEXT, Choice, Interval, Items, Quantity, Record, Simple, Tables, Value
 from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
 

@@ -27,23 +27,10 @@ from clubface.fem import core
 from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.results.result import Result
-from clubface.schema import (
-    NAME,
-    TEXT,
-    Choice,
-    Document,
-    Place,
-    Quantity,
-    Record,
-    Simple,
-    Table,
-    Tables,
-    Value,
-    check_values,
-    count,
-    entries,
-    file_key,
-)
+from clubface.schema.document import Document
+from clubface.schema.place import Place
+from clubface.schema.tables import Table, check_values, entries, file_key
+from clubface.schema.values import NAME, TEXT, Choice, Quantity, Record, Simple, Tables, Value, count
 from clubface.support.checks import check_count, check_name, is_count, without_warnings
 from clubface.support.files import builtin_path, is_path, path_of
 

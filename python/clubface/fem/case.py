@@ -16,20 +16,10 @@ from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import friction_of, strike, throw, throw_values
 from clubface.fem.settings import Settings
-from clubface.schema import (
-    NAME,
-    TEXT,
-    Choice,
-    Document,
-    Place,
-    Quantity,
-    Record,
-    Reference,
-    Table,
-    Unread,
-    decode,
-    file_key,
-)
+from clubface.schema.document import Document
+from clubface.schema.place import Place
+from clubface.schema.tables import Table, decode, file_key
+from clubface.schema.values import NAME, TEXT, Choice, Quantity, Record, Reference, Unread
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, DIMENSIONS
 from clubface.support.checks import check_choice, check_name, check_names, check_text, without_warnings

@@ -31,6 +31,7 @@ __all__ = [
     "decode",
     "encode",
     "entries",
+    "file_key",
     "json_schema",
     "key_rows",
     "quantities",

@@ -79,17 +79,14 @@ class Simple(Value):
     schema: Mapping[str, Any] = field(default_factory=dict)
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return what is given, if it is allowed."""
         if not self.accepts(given):
             raise place.invalid(given, self.allowed)
         return given
 
     def json(self) -> dict[str, Any]:
-        """Return its schema."""
         return dict(self.schema)
 
     def words(self) -> str:
-        """Return what is allowed."""
         return self.allowed
 
 
@@ -152,7 +149,6 @@ class Quantity(Value):
         return self.lower, self.upper, self.above, self.below
 
     def read(self, given: Any, place: Place) -> float:
-        """Return the number in SI."""
         if isinstance(given, str | float) and self.special:
             given = self.special.get(given, given) if isinstance(given, str) else given
             if given in self.special.values():
@@ -166,25 +162,21 @@ class Quantity(Value):
         return value
 
     def write(self, value: float) -> str:
-        """Return text that reads back as the same bits, or to so many decimals."""
         word = next((word for word, number in self.special.items() if number == value), None)
         if word is None and self.decimals is not None:
             word = f"{round(units.from_si(value, self.unit), self.decimals) + 0.0:.10g} {self.unit}"
         return repr(value) if self.unit == "1" else quoted(word or written(value, self.unit))
 
     def show(self, value: float) -> str:
-        """Return the number to six digits with its unit, or its word."""
         word = next((word for word, number in self.special.items() if number == value), None)
         return word or units.show(value, self.unit)
 
     def json(self) -> dict[str, Any]:
-        """Return text or a number; the limits of a number with a unit are left to words."""
         pairs = zip(("minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum"), self._limits, strict=True)
         limits = {name: each for name, each in pairs if each is not None and self.unit == "1"}
         return {"type": ["string", "number"], **limits}
 
     def words(self) -> str:
-        """Return the limits with the unit."""
         unit = "" if self.unit == "1" else f" {self.unit}"
         if self.lower is not None and self.upper is not None:
             return f"{self.lower:g} to {self.upper:g}{unit}"
@@ -200,16 +192,13 @@ class Unread(Value):
     kind: Value
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return what is given."""
         self.kind.read(given, place)
         return given
 
     def json(self) -> dict[str, Any]:
-        """Return the schema of the kind."""
         return self.kind.json()
 
     def words(self) -> str:
-        """Return what the kind allows."""
         return self.kind.words()
 
 
@@ -235,25 +224,20 @@ class Choice(Value):
         return choices if isinstance(choices, Mapping) else {each: each for each in choices}
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return what the word stands for."""
         check_choice(self.what or place.title, given, self.known)
         return self.known[given]
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return what the word stands for, or that itself."""
         stands_for_itself = not isinstance(value, str) and value in list(self.known.values())
         return value if stands_for_itself else self.read(value, place)
 
     def write(self, value: Any) -> str:
-        """Return the word that stands for a value."""
         return quoted(next(word for word, each in self.known.items() if each == value))
 
     def json(self) -> dict[str, Any]:
-        """Return an enumeration."""
         return {"enum": list(self.known)}
 
     def words(self) -> str:
-        """Return all words."""
         return ", ".join(f"`{each}`" for each in self.known)
 
 
@@ -267,22 +251,18 @@ class Items(Value):
     allowed: str = ""
 
     def read(self, given: Any, place: Place) -> tuple[Any, ...]:
-        """Return the values."""
         if not isinstance(given, list | tuple) or not self.least <= len(given) <= (self.most or len(given)):
             raise place.invalid(given, self.words())
         return tuple(self.item.read(each, place) for each in given)
 
     def write(self, value: Any) -> str:
-        """Return a list."""
         return f"[{', '.join(map(self.item.write, value))}]"
 
     def json(self) -> dict[str, Any]:
-        """Return an array."""
         most = {} if self.most is None else {"maxItems": self.most}
         return {"type": "array", "items": self.item.json(), "minItems": self.least, **most}
 
     def words(self) -> str:
-        """Return what is in the list."""
         return self.allowed or f"a list, each {self.item.words()}"
 
 
@@ -308,7 +288,6 @@ class Interval(Value):
     is_range: bool = True
 
     def read(self, given: Any, place: Place) -> tuple[float, float]:
-        """Return both ends."""
         if not isinstance(given, list | tuple) or len(given) != 2:
             raise place.invalid(given, self.words())
         ends = self.no_limits or (math.nan, math.nan)
@@ -321,16 +300,13 @@ class Interval(Value):
         return low, high
 
     def write(self, value: Any) -> str:
-        """Return a list of two."""
         ends = zip(value, self.no_limits or (math.nan, math.nan), strict=True)
         return f"[{', '.join(quoted(OPEN) if each == end else self.quantity.write(each) for each, end in ends)}]"
 
     def json(self) -> dict[str, Any]:
-        """Return an array of two."""
         return {"type": "array", "items": {"type": ["string", "number"]}, "minItems": 2, "maxItems": 2}
 
     def words(self) -> str:
-        """Return the form with an example."""
         no_limit = f'; "{OPEN}" is no limit' if self.no_limits else ""
         return f"two values, least and greatest, as in {self.example}{no_limit}"
 
@@ -357,7 +333,6 @@ class Record(Value):
     make: Callable[[dict[str, Any], Place], Any] | None = None
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return the values by key, in the order of the kinds, or what is made of them."""
         if not isinstance(given, Mapping):
             example = f", as in {self.example}" if self.example else f": [{place.name}]" if place.document else ""
             raise place.invalid(given, f"a table{example}")
@@ -371,25 +346,21 @@ class Record(Value):
         return values if self.make is None else self.make(values, place)
 
     def write(self, value: Any) -> str:
-        """Return a table in braces."""
         pairs = getattr(value, "_asdict", lambda: value)().items()
         kinds = dict.fromkeys(dict(pairs), self.values) if isinstance(self.values, Value) else self.keys()
         return "{ " + ", ".join(f"{key} = {kinds[key].write(each)}" for key, each in pairs) + " }"
 
     def json(self) -> dict[str, Any]:
-        """Return an object."""
         if isinstance(self.values, Value):
             return {"type": "object", "additionalProperties": self.values.json()}
         keys = {key: each.json() for key, each in self.keys().items()}
         return {"type": "object", "properties": keys, "required": list(self.required), "additionalProperties": False}
 
     def words(self) -> str:
-        """Return what is in the table."""
         words = self.values.words() if isinstance(self.values, Value) else ""
         return f"a table, each {words}" if words else "a table"
 
     def keys(self) -> Mapping[str, Any]:
-        """Return the known keys."""
         return {} if isinstance(self.values, Value) else self.values() if callable(self.values) else self.values
 
 
@@ -413,7 +384,6 @@ class Tables(Value):
     most: int | None = None
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return one value a table, as a tuple."""
         if not (isinstance(given, list | tuple) and all(isinstance(each, Mapping) for each in given)):
             raise place.invalid(given, self.words().format(place.name))
         if not self.least <= len(given) <= (self.most or len(given)):
@@ -431,23 +401,18 @@ class Tables(Value):
         return tuple(tables)
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return what is given: objects check themselves."""
         return value
 
     def rows(self, value: Any) -> Iterable[Any]:
-        """Return the tables of a value, each an object or a dictionary."""
         return value
 
     def json(self) -> dict[str, Any]:
-        """Return an array of objects."""
         return Items(self.table, self.least, self.most).json()
 
     def words(self) -> str:
-        """Return the form."""
         return "tables, each under [[{}]]"
 
     def keys(self) -> Mapping[str, Any]:
-        """Return the keys of each table."""
         return self.table.keys()
 
 
@@ -458,19 +423,15 @@ class Reference(Value):
     load: Callable[[Any], Any]
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return what is named."""
         return self.load(resolve_name(TEXT.read(given, place), place.folder) if place.folder else given)
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return what is named, or is there itself."""
         return self.load(value)
 
     def json(self) -> dict[str, Any]:
-        """Return a string."""
         return TEXT.json()
 
     def words(self) -> str:
-        """Return both ways."""
         return "a name or a file"
 
 
@@ -478,11 +439,9 @@ class FilePath(Simple):
     """The path of a file, from the folder of the file that names it."""
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return the path."""
         return (place.folder or Path()) / TEXT.read(given, place)
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return the path that is given."""
         return value
 
 
@@ -494,14 +453,12 @@ class Either(Value):
     allowed: str
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return what the kind of that type reads."""
         for each, kind in self.kinds.items():
             if isinstance(given, each) and isinstance(given, bool) == (each is bool):
                 return kind.read(given, place)
         raise place.invalid(given, self.allowed)
 
     def write(self, value: Any) -> str:
-        """Return what the kind of that type writes, or the first."""
         first, *_ = self.kinds.values()
         pairs = self.kinds.items()
         return next((kind for each, kind in pairs if isinstance(value, tuple if each is list else each)), first).write(
@@ -509,11 +466,9 @@ class Either(Value):
         )
 
     def json(self) -> dict[str, Any]:
-        """Return all of them."""
         return {"anyOf": [each.json() for each in self.kinds.values()]}
 
     def words(self) -> str:
-        """Return what messages say."""
         return self.allowed
 
 

@@ -65,26 +65,24 @@ from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import FileError, InputError, Told
 from clubface.fem.heads.meshed import mesh_of
-from clubface.schema import (
+from clubface.schema.document import Document
+from clubface.schema.place import Place
+from clubface.schema.tables import Table, decode, file_key
+from clubface.schema.values import (
     FLAG,
     NAME,
     TEXT,
     Choice,
-    Document,
     Either,
     Interval,
     Items,
-    Place,
     Quantity,
     Record,
     Reference,
     Simple,
-    Table,
     Tables,
     Value,
     count,
-    decode,
-    file_key,
 )
 from clubface.simulation.flight import check_conditions
 

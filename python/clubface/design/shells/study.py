@@ -54,24 +54,10 @@ from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.read import FOLDER, from_toml
-from clubface.schema import (
-    FLAG,
-    NAME,
-    TEXT,
-    Choice,
-    Document,
-    Interval,
-    Items,
-    Place,
-    Quantity,
-    Record,
-    Reference,
-    Tables,
-    count,
-    decode,
-    entries,
-    file_key,
-)
+from clubface.schema.document import Document
+from clubface.schema.place import Place
+from clubface.schema.tables import decode, entries, file_key
+from clubface.schema.values import FLAG, NAME, TEXT, Choice, Interval, Items, Quantity, Record, Reference, Tables, count
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES as DELIVERED, DIMENSIONS, Delivery
 from clubface.support.checks import check_choice, check_count, check_names, without_warnings
