@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from clubface.design.best_loft import best_loft, compare_with_chart
-from clubface.design.dispersion import Hitting
+from clubface.design.dispersion import ImpactSetup
 from clubface.design.golfer import golfer
 from clubface.design.variance import by_derivatives
 from clubface.equipment.clubs import club
@@ -58,7 +58,7 @@ def test_the_gradient_of_the_carry_vanishes_at_the_best_loft():
     of = golfer("tour-driver").replace(
         variables=("speed", "loft"), mean=np.array([100.0 * MPH, found.loft[0]]), covariance=np.diag([0.1, 1e-6])
     )
-    derived = by_derivatives(of, Hitting(club("driver"), "response"))
+    derived = by_derivatives(of, ImpactSetup(club("driver"), "response"))
     assert derived.second["carry"][1, 1] < 0.0
     newton = -derived.gradient["carry"][1] / derived.second["carry"][1, 1]
     assert newton / DEG == pytest.approx(0.0, abs=0.02)

@@ -5,7 +5,7 @@ import pytest
 
 import clubface
 from clubface.design import dispersion as module
-from clubface.design.dispersion import FLOWN, LAUNCHED, Hitting, Scale, Tally, dispersion, forward, shots_file
+from clubface.design.dispersion import FLOWN, LAUNCHED, ImpactSetup, Scale, Tally, dispersion, forward, shots_file
 from clubface.design.golfer import golfer
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import club
@@ -51,7 +51,7 @@ def test_chunks_and_threads_change_no_count_and_no_strokes(drives, monkeypatch):
 def test_an_ellipse_and_an_interval_hold_their_share_of_fresh_shots(drives, share):
     """Of 4096 fresh shots; three standard errors of a share among independent ones are 0.023 and 0.014."""
     of = golfer("handicap-10-driver")
-    fresh = Hitting(club("driver"), drives.model)(of.sample(COUNT, seed=99))
+    fresh = ImpactSetup(club("driver"), drives.model)(of.sample(COUNT, seed=99))
     found = np.isfinite(fresh["carry"])
     carry, side = fresh["carry"][found], fresh["side"][found]
     least, most = (drives.quantile("carry", 0.5 + half * share) for half in (-0.5, 0.5))

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from clubface.design.dispersion import Hitting
+from clubface.design.dispersion import ImpactSetup
 from clubface.design.golfer import golfer
 from clubface.design.variance import ByDerivatives, by_derivatives, moments
 from clubface.equipment.clubs import club
 from clubface.errors import InputError
 
-HIT = Hitting(club("driver"), "response")
+HIT = ImpactSetup(club("driver"), "response")
 COUNT = 2**14
 
 
@@ -74,4 +74,4 @@ def test_gradient_and_curvature_are_those_of_differences():
 
 def test_a_model_without_derivatives_is_refused():
     with pytest.raises(InputError, match="derivatives"):
-        by_derivatives(narrowed(1.0), Hitting(club("driver"), "fem"))
+        by_derivatives(narrowed(1.0), ImpactSetup(club("driver"), "fem"))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.special import ndtr
 
-from clubface.design.dispersion import Hitting
+from clubface.design.dispersion import ImpactSetup
 from clubface.design.golfer import golfer
 from clubface.design.variance import ByDerivatives, by_derivatives, indices, indices_by_derivatives, shapley, sobol
 from clubface.equipment.clubs import club
@@ -63,7 +63,7 @@ def test_shapley_effects_of_a_sum_of_two_correlated_variables(rho):
 
 def test_what_spreads_drives_comes_out_alike_by_sampling_and_by_derivatives():
     """1024 shots a set: some 0.02 of the variance; curvature beyond the second order may add as much."""
-    of, hit = golfer("tour-driver"), Hitting(club("driver"), "response")
+    of, hit = golfer("tour-driver"), ImpactSetup(club("driver"), "response")
     sampled, derived = indices(of, hit), indices_by_derivatives(by_derivatives(of, hit))
     assert sampled.kind == derived.kind == "shapley"
     for name in ("carry", "side"):
@@ -77,7 +77,7 @@ def test_independent_variables_have_sobol_indices_and_those_that_do_not_vary_non
     of = golfer("tour-driver")
     spread = of.spread.copy()
     spread[of.variables.index("lie")] = 0.0
-    found = indices(of.replace(covariance=np.diag(spread**2)), Hitting(club("driver"), "response"), count=256)
+    found = indices(of.replace(covariance=np.diag(spread**2)), ImpactSetup(club("driver"), "response"), count=256)
     assert found.kind == "sobol"
     assert "lie" not in found.variables
     assert found.share["side"][found.variables.index("face")] > 0.6
@@ -87,7 +87,7 @@ def test_one_variable_makes_all_of_the_spread():
     """Of a model that is straight in the speed; 1024 shots tell a share to 0.01."""
     of = golfer("tour-driver")
     alone = of.replace(covariance=np.diag(np.where(np.array(of.variables) == "speed", 1.0, 0.0)))
-    found = indices(alone, Hitting(club("driver"), "response"))
+    found = indices(alone, ImpactSetup(club("driver"), "response"))
     assert found.variables == ("speed",)
     assert found.share["carry"] == pytest.approx([1.0], abs=0.02)
     assert found.total["carry"] == pytest.approx([1.0], abs=0.02)
@@ -101,9 +101,9 @@ def test_what_has_no_shares_is_refused(spread, flight, outcomes, told):
     of = golfer("tour-driver")
     of = of.replace(covariance=spread * of.covariance)
     with pytest.raises(InputError, match=told):
-        indices(of, Hitting(club("driver"), "response", flight=flight), outcomes)
+        indices(of, ImpactSetup(club("driver"), "response", flight=flight), outcomes)
 
 
 def test_a_count_that_is_no_power_of_two_is_refused():
     with pytest.raises(InputError, match="power of two"):
-        indices(golfer("tour-driver"), Hitting(club("driver"), "response"), count=1000)
+        indices(golfer("tour-driver"), ImpactSetup(club("driver"), "response"), count=1000)

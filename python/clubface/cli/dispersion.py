@@ -67,7 +67,7 @@ def dispersion(
     **texts: Any,
 ) -> None:
     """Hit many shots of a golfer and sum up where they go."""
-    from clubface.design.dispersion import COUNT, Hitting, dispersion as compute, shots_file
+    from clubface.design.dispersion import COUNT, ImpactSetup, dispersion as compute, shots_file
     from clubface.design.dispersion_result import dispersion_result
     from clubface.design.golfer import club_of, golfer as golfer_named
     from clubface.design.variance import by_derivatives, indices
@@ -94,12 +94,12 @@ def dispersion(
             player, head, count=COUNT if count is None else count, seed=seed, hole=played, each=each, progress=progress,
             **setup,
         )  # fmt: skip
-    hit = Hitting(head, **setup)
-    slopes = by_derivatives(shots.golfer, hit) if shots.model in models() else None
+    impact_setup = ImpactSetup(head, **setup)
+    slopes = by_derivatives(shots.golfer, impact_setup) if shots.model in models() else None
     shares = None
     if not (no_shares or no_flight) and shots.golfer.spread.any():
         with progress_bar("orders of what varies") as progress:
-            shares = indices(shots.golfer, hit, seed=seed, progress=progress)
+            shares = indices(shots.golfer, impact_setup, seed=seed, progress=progress)
     output.show(dispersion_result(shots, slopes, shares), table=None)
 
 
@@ -133,11 +133,11 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
     from clubface.design.strokes import Hole
 
     widths = {"fairway": fairway, "rough": rough}
-    lengths = {name: options.parsed(f"--{name}", text, "length") for name, text in widths.items() if text is not None}
+    given: dict[str, Any] = {
+        name: options.parsed(f"--{name}", text, "length") for name, text in widths.items() if text is not None
+    }
     try:
-        return Hole(
-            length=options.parsed("--hole", length, "length"), **lengths, **({} if lie is None else {"lie": lie})
-        )
+        return Hole(length=options.parsed("--hole", length, "length"), **given, **({} if lie is None else {"lie": lie}))
     except InputError as error:
         error.parameter = "--hole" if error.parameter == "length" else error.parameter
         raise

@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -128,8 +129,8 @@ def best_loft(
     try:
         speeds, attacks = np.broadcast_arrays(*map(np.atleast_1d, given))
     except ValueError:
-        told = Told(f"of shapes {np.shape(given[0])} and {np.shape(given[1])}")
-        raise InputError("speed and attack", told, "of shapes that broadcast") from None
+        shapes = Told(f"of shapes {np.shape(given[0])} and {np.shape(given[1])}")
+        raise InputError("speed and attack", shapes, "of shapes that broadcast") from None
     speeds, attacks = (np.ascontiguousarray(each, dtype=np.float64).reshape(-1) for each in (speeds, attacks))
     if not speeds.size:
         raise InputError("speed and attack", Told("empty"), "at least one of each")
@@ -140,14 +141,13 @@ def best_loft(
     fixed: dict[str, Any] = {"model": model, "parameters": parameters, "ball": ball, "accuracy": accuracy}
     done, shots = 0, len(speeds) * (ROUNDS * POINTS + 1 + 2 * HALVINGS)
 
-    def hit(lofts: Floats) -> tuple[Any, Any]:
+    def strike(lofts: Floats) -> tuple[Any, Any]:
         nonlocal done
-        before = done
+        counted = None if progress is None else partial(_report_sum, progress, done, shots)
         with without_warnings(RangeWarning):
             launch = impact(
                 club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts},
-                on_error="nan",
-                progress=None if progress is None else lambda some: progress(before + some, shots), **fixed,
+                on_error="nan", progress=counted, **fixed,
             )  # fmt: skip
             done += lofts.size
             return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
@@ -162,22 +162,26 @@ def best_loft(
     best = low
     for _ in range(ROUNDS):
         lofts = np.linspace(low, high, POINTS, axis=1)
-        reached = _reached(hit(lofts)[1].carry)
+        reached = _reached(strike(lofts)[1].carry)
         if (lost := np.flatnonzero(np.isneginf(reached).all(axis=1))).size:
             why_not(int(lost[0]))
         place = np.argmax(reached, axis=1)
         step = (high - low) / (POINTS - 1)
         best = lofts[np.arange(len(place)), place]
         low, high = np.maximum(best - step, LEAST), np.minimum(best + step, MOST)
-    launch, flight = hit(best[:, None])
+    launch, flight = strike(best[:, None])
     ball_speed, launched, spin = (
         np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)
     )
     return BestLoft(
         speed=speeds, attack=attacks, loft=best, ball_speed=ball_speed, launch=launched, spin=spin,
         carry=flight.carry[:, 0], total=flight.total[:, 0], flown=launch, air=air, wind=wind,
-        within=_within(lambda lofts: hit(lofts)[1].carry, best, flight.carry[:, 0]),
+        within=_within(lambda lofts: strike(lofts)[1].carry, best, flight.carry[:, 0]),
     )  # fmt: skip
+
+
+def _report_sum(progress: Callable[[int, int], object], before: int, whole: int, done: int) -> None:
+    progress(before + done, whole)
 
 
 def _reached(distance: Floats) -> Floats:

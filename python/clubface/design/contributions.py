@@ -1,12 +1,6 @@
-"""What makes the difference of two shots: contributions along the straight line between them.
+"""What makes the difference of two shots: contributions that add up to it, and what remains.
 
-What makes the difference of two shots: contributions that add up to it, and what remains.
-
-Derivatives of a launch and the flight after it at points of a line between two shots, by any model.
-
-The straight line from one shot to another, through everything a launch can be differentiated by.
-
-What comparisons and maps tell of a shot: quantities of the launch and of the flight after it.
+They are integrals of exact derivatives along the straight line from one shot to the other.
 """
 
 from __future__ import annotations
@@ -355,8 +349,8 @@ def contributions(
         except ClubfaceError as error:
             empty = np.empty((0, len(QUANTITIES)))
             return Contributions((), empty, end - levels[0], count, str(error))
-        told = [name for name in line.names if FACE.get(name) not in line.names]
-        for name in told:
+        named = [name for name in line.names if FACE.get(name) not in line.names]
+        for name in named:
             same = [place for place, each in enumerate(line.names) if FACE.get(each, each) == FACE.get(name, name)]
             changes.append(Change(name, line.start.value(name), line.end.value(name), True))
             parts.append(along[same].sum(axis=0))

@@ -130,7 +130,7 @@ FLOWN = {
 """What is counted of flights: to 2 cm."""
 CELL = 0.5
 """Side of a square of the map of landings [m]."""
-AHEAD, ASIDE = 1000, 800
+AHEAD, ACROSS = 1000, 800
 """Squares of the map, to the target from the tee on, and across, half of them on either side."""
 
 
@@ -154,7 +154,7 @@ class Tally:
         self.lost = 0
         self._bins: dict[str, Counts] = {name: np.zeros(of.bins, dtype=np.int64) for name, of in self.scales.items()}
         self._sums = {name: np.zeros(2) for name in self.scales}
-        self._map: Counts = np.zeros(AHEAD * ASIDE if "carry" in self.scales else 0, dtype=np.int64)
+        self._map: Counts = np.zeros(AHEAD * ACROSS if "carry" in self.scales else 0, dtype=np.int64)
         self._landing = np.zeros(5)
 
     @property
@@ -176,11 +176,11 @@ class Tally:
             # No dot product: its sum may run in an order that threads decide.
             self._sums[name] += away.sum(), (away * away).sum()
         if "carry" in self.scales:
-            ahead, aside = forward(kept["carry"], kept["side"]), kept["side"]
+            ahead, right = forward(kept["carry"], kept["side"]), kept["side"]
             row = np.clip(ahead / CELL, 0, AHEAD - 1).astype(np.int64)
-            column = np.clip(aside / CELL + ASIDE // 2, 0, ASIDE - 1).astype(np.int64)
-            self._map += np.bincount(row * ASIDE + column, minlength=AHEAD * ASIDE)
-            x, y = ahead - self.centre["carry"], aside
+            column = np.clip(right / CELL + ACROSS // 2, 0, ACROSS - 1).astype(np.int64)
+            self._map += np.bincount(row * ACROSS + column, minlength=AHEAD * ACROSS)
+            x, y = ahead - self.centre["carry"], right
             self._landing += x.sum(), y.sum(), (x * x).sum(), (x * y).sum(), (y * y).sum()
 
     def mean(self, name: str) -> float:
@@ -203,14 +203,14 @@ class Tally:
 
     def landing(self) -> tuple[Floats, Floats]:
         """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings: ahead and to the right."""
-        ahead, aside, xx, xy, yy = self._landing / max(self.counted, 1)
-        covariance = np.array([[xx - ahead**2, xy - ahead * aside], [xy - ahead * aside, yy - aside**2]])
-        return np.array([self.centre["carry"] + ahead, aside]), covariance
+        ahead, right, xx, xy, yy = self._landing / max(self.counted, 1)
+        covariance = np.array([[xx - ahead**2, xy - ahead * right], [xy - ahead * right, yy - right**2]])
+        return np.array([self.centre["carry"] + ahead, right]), covariance
 
     def cells(self) -> tuple[Floats, Counts]:
         """Return the middles of the squares with landings [m], shape (n, 2), and how many lie in each, shape (n,)."""
         places = np.flatnonzero(self._map)
-        middles = np.stack([places // ASIDE + 0.5, places % ASIDE - ASIDE // 2 + 0.5], axis=1)
+        middles = np.stack([places // ACROSS + 0.5, places % ACROSS - ACROSS // 2 + 0.5], axis=1)
         return np.multiply(CELL, middles, dtype=np.float64), self._map[places]
 
     def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:
@@ -245,7 +245,7 @@ def _crossing(counts: Counts, share: float) -> float:
     return place + (float((wanted - before) / counts[place]) if counts[place] else 0.5)
 
 
-class Hitting(NamedTuple):
+class ImpactSetup(NamedTuple):
     """How shots are hit; called with deliveries it gives the quantities by name, shape (n,), NaN for a lost shot."""
 
     club: Club
@@ -496,24 +496,24 @@ def dispersion(
         Called with the number of shots done and that of all.
     """
     count, seed = check_count("count", count, 1, MOST), check_count("seed", seed, 0, MOST_SEED)
-    of_golfer = golfer_named(golfer)
-    of_club = club_named(club_of(of_golfer)).replace(hand=of_golfer.hand) if club is None else club_named(club)
-    of_golfer = of_golfer.for_hand(of_club.hand)
+    player = golfer_named(golfer)
+    club_used = club_named(club_of(player)).replace(hand=player.hand) if club is None else club_named(club)
+    player = player.for_hand(club_used.hand)
     if hole is not None and not isinstance(hole, Hole):
         raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')
     for name, value in (("hole", hole), ("air", air), ("wind", wind), ("ground", ground)):
         if not flight and value is not None and not (isinstance(value, Mapping) and not value):
             raise InputError(name, Told("given"), "left out where the balls do not fly")
-    hit = Hitting(of_club, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
-    launch, mean_shot = hit.mean(of_golfer)
+    setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
+    launch, mean_shot = setup.mean(player)
     tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
     strokes, points, reasons = 0.0, [], {}
     lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
     outside = RangeTally()
     for start in range(0, count, CHUNK):
         some = min(CHUNK, count - start)
-        deliveries = of_golfer.sample(some, seed=seed, start=start)
-        values = hit(deliveries, reasons, outside)
+        deliveries = player.sample(some, seed=seed, start=start)
+        values = setup(deliveries, reasons, outside)
         tally.add(values)
         if each is not None:
             each(deliveries, values)
@@ -525,11 +525,11 @@ def dispersion(
         if progress is not None:
             progress(start + some, count)
     if tally.counted == 0:
-        raise InputError("golfer", of_golfer.name, f"one whose shots have a result: {next(iter(reasons.values()))}")
+        raise InputError("golfer", player.name, f"one whose shots have a result: {next(iter(reasons.values()))}")
     if remark := outside.remark():
         warn_once(remark, RangeWarning)
     return Dispersion(
-        golfer=of_golfer, club=of_club, ball=launch.ball, model=model, seed=seed, tally=tally, mean_shot=mean_shot,
+        golfer=player, club=club_used, ball=launch.ball, model=model, seed=seed, tally=tally, mean_shot=mean_shot,
         hole=hole, strokes=strokes / tally.counted if hole is not None else float("nan"),
         lies={name: number / tally.counted for name, number in lies.items()} if hole is not None else {},
         points=np.concatenate(points) if points else np.empty((0, 2)), reasons=reasons, mean_launch=launch,
@@ -545,8 +545,8 @@ def _landings(carry: Floats, side: Floats) -> Floats:
 def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int]) -> float:
     """Return the sum of the strokes expected after the shots with a result, and count their lies."""
     kept = np.isfinite(values["carry"])
-    ahead, aside = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
-    names, counts = np.unique(hole.lies(ahead, aside), return_counts=True)
+    ahead, right = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
+    names, counts = np.unique(hole.lies(ahead, right), return_counts=True)
     for name, number in zip(names, counts, strict=True):
         lies[str(name)] += int(number)
-    return float(hole.after(ahead, aside).sum())
+    return float(hole.after(ahead, right).sum())

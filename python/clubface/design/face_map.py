@@ -267,7 +267,7 @@ class FaceMap(_Mapped):
     def to_xarray(self, name: str | None = None) -> xarray.Dataset:
         """Return a dataset over ``high`` and ``toe`` [SI] with its provenance, or a table of :meth:`to_result`."""
         if name is not None:
-            return super().to_xarray(name)
+            return self.to_result().to_xarray(name)
         import xarray
 
         variables = {

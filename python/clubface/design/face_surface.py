@@ -1,11 +1,4 @@
-"""Launch and flight anywhere on a face: its outline, impacts at points, and interpolation between them.
-
-Quantities anywhere on a face: computed there, or interpolated where a model takes too long for that.
-
-Impacts at points of a face and the flights after them, by any model.
-
-The outline of a face: that of a meshed head, or one assumed from the width and the height of the club.
-"""
+"""Launch and flight anywhere on a face: computed there, or interpolated where a model takes too long for that."""
 
 from __future__ import annotations
 

@@ -1,12 +1,6 @@
-"""Golfers: the distribution of their deliveries, built in, from files or from code.
+"""Golfers: the distribution of the deliveries with which the club arrives at the ball, shot by shot.
 
-A golfer: the distribution of the deliveries with which the club arrives at the ball, shot by shot.
-
-The golfers that come with the package, and any golfer by name or by file.
-
-Golfers as TOML files: means and spreads of the delivery, correlations, mishits, and where each figure comes from.
-
-::
+As a TOML file::
 
     title = "Member of our club, driver"
     club = "driver"
@@ -30,8 +24,6 @@ Golfers as TOML files: means and spreads of the delivery, correlations, mishits,
 
     [sources]
     mean.speed = "measured"
-
-Quasi-random numbers, of which each is a function of its index.
 """
 
 from __future__ import annotations

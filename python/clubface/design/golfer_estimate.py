@@ -1,28 +1,22 @@
 """One's own golfer from the shots of a launch monitor, and what rests on assumed figures.
 
-One's own golfer from the shots of a launch monitor.
-
 What counts is how a golfer's shots differ from each other at the moment of impact. A session also drifts, as the golfer
 tires or works on something, and now and then comes a mishit. Therefore spreads and correlations come from the
-differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a
-:mod:`mixture <clubface.design.golfer_estimate>` with mishits. Rows that do not stand in the order of play have no drift
-to take out: sorted ones would make the spreads far too small. They are put into a random order first.
+differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a mixture
+with mishits. Rows that do not stand in the order of play have no drift to take out: sorted ones would make the spreads
+far too small. They are put into a random order first.
 
-Shots as a mixture of two normal distributions, of which that of the mishits is c times as wide.
-
-A difference of two shots then has the covariance 2 C with the probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and
-2 c^2 C with s^2; share s, scale c and covariance C are those of the greatest likelihood. A mishit counts for little in
-C, as in other robust estimates. How far C could be another with other mishits that go nearly as well with the shots is
-part of its stated error.
+Of the two normal distributions that of the mishits is c times as wide. A difference of two shots then has the
+covariance 2 C with the probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and 2 c^2 C with s^2; share s, scale c and
+covariance C are those of the greatest likelihood. A mishit counts for little in C, as in other robust estimates. How
+far C could be another with other mishits that go nearly as well with the shots is part of its stated error.
 
 Correlations are drawn towards zero by the share that makes their expected square error least (Ledoit and Wolf, 2004):
 few shots and many quantities make strong correlations by chance alone. Spreads stay, and any number of shots gives
 correlations that are possible together.
 
-What rests on assumed figures: how much the landings of a golfer spread if a spread of the delivery is off.
-
-Figures are changed one at a time, and the same quasi-random shots are hit with each, so that a difference is one of the
-figure and not of the sample.
+To see what rests on assumed figures, they are changed one at a time, and the same quasi-random shots are hit with each,
+so that a difference is one of the figure and not of the sample.
 """
 
 from __future__ import annotations

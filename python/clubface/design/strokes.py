@@ -65,7 +65,7 @@ class Hole:
         """Return the strokes expected before the shot."""
         return float(expected(self.lie, np.array([self.length]))[0])
 
-    def after(self, ahead: Floats, aside: Floats) -> Floats:
+    def after(self, ahead: Floats, right: Floats) -> Floats:
         """Return the strokes expected after balls have come to rest.
 
         Parameters
@@ -73,22 +73,22 @@ class Hole:
         ahead, aside
             Where, towards the hole from the tee and to the right of the line [m], shape (n,).
         """
-        ahead, aside = _places(ahead, aside)
-        left = np.hypot(self.length - ahead, aside)
-        lies = self.lies(ahead, aside)
+        ahead, right = _places(ahead, right)
+        left = np.hypot(self.length - ahead, right)
+        lies = self.lies(ahead, right)
         found = np.empty_like(left)
         for name in np.unique(lies):
             where = lies == name
             found[where] = expected(str(name), left[where])
         return found
 
-    def lies(self, ahead: Floats, aside: Floats) -> Any:
+    def lies(self, ahead: Floats, right: Floats) -> Any:
         """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
-        ahead, aside = _places(ahead, aside)
-        off = np.abs(aside)
+        ahead, right = _places(ahead, right)
+        off = np.abs(right)
         lies = np.where(off <= 0.5 * self.fairway, "fairway", "rough")
         lies = np.where(off > 0.5 * self.fairway + self.rough, "recovery", lies)
-        return np.where(np.hypot(self.length - ahead, aside) <= self.green, GREEN, lies)
+        return np.where(np.hypot(self.length - ahead, right) <= self.green, GREEN, lies)
 
 
 def expected(lie: str, distance: Floats) -> Floats:
@@ -108,12 +108,12 @@ def expected(lie: str, distance: Floats) -> Floats:
     return found + np.maximum(distance - places[-1], 0.0) * beyond
 
 
-def _places(ahead: Any, aside: Any) -> tuple[Floats, Floats]:
-    given = {"ahead": ahead, "aside": aside}
+def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:
+    given = {"ahead": ahead, "aside": right}
     found = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
     if found[0].shape != found[1].shape:
-        told = Told(" and ".join(f"of shape {each.shape}" for each in found))
-        raise InputError("ahead and aside", told, "of one shape")
+        shapes = Told(" and ".join(f"of shape {each.shape}" for each in found))
+        raise InputError("ahead and aside", shapes, "of one shape")
     return found[0], found[1]
 
 

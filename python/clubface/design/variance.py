@@ -1,19 +1,16 @@
 """What spreads the shots of a golfer: shares of the variance, by sampling and by derivatives.
 
-Which part of the variance of an outcome comes from which part of the delivery.
-
 Where the variables are independent these are Sobol's indices: the share of the variance that goes with a variable alone
 (first order), and the share that would be left if all others were held (total). Where variables are correlated such
 shares overlap, and do not add up. Then each variable has its Shapley effect instead (Owen, 2014; Song, Nelson and
-Staum, 2016): the variance it adds to what others tell already, averaged over all orders in which they can be told.
-These effects add up to 1.
+Staum, 2016): the variance it adds to that of others, averaged over all orders in which they can be added. These effects
+add up to 1.
 
 All are of shots that are no mishits: a mishit is further off in all variables at once.
 
-The spread of a golfer's shots by derivatives: what the first two terms of Taylor's series make of the distribution.
-
-With the gradient g and the matrix H of second derivatives at the mean delivery, and the covariance C of shots that are
-no mishits, a quantity f of normally distributed deliveries has
+By derivatives, the first two terms of Taylor's series make the spread. With the gradient g and the matrix H of second
+derivatives at the mean delivery, and the covariance C of shots that are no mishits, a quantity f of normally
+distributed deliveries has
 
     mean = f + tr(H C) / 2,    variance = g' C g + tr(H C H C) / 2,
 
@@ -37,7 +34,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.dispersion import FLOWN, LAUNCHED, Hitting
+from clubface.design.dispersion import FLOWN, LAUNCHED, ImpactSetup
 from clubface.design.golfer import Golfer, uniform
 from clubface.errors import InputError, RangeWarning
 from clubface.simulation.flight import SPIN, VELOCITY
@@ -103,7 +100,7 @@ def moments(of: Golfer) -> tuple[float, float]:
     return 1.0 - share + share * scale**2, 1.0 - share + share * scale**4
 
 
-def by_derivatives(of: Golfer, hit: Hitting) -> ByDerivatives:
+def by_derivatives(of: Golfer, setup: ImpactSetup) -> ByDerivatives:
     """Differentiate what a golfer's mean shot gives.
 
     Parameters
@@ -113,34 +110,35 @@ def by_derivatives(of: Golfer, hit: Hitting) -> ByDerivatives:
     hit
         How shots are hit. Its model must be one with derivatives; another is an :class:`InputError`.
     """
-    value, gradient = _gradients(of.mean, of, hit)
+    value, gradient = _gradients(of.mean, of, setup)
     second = {name: np.zeros((len(of.mean),) * 2) for name in gradient}
     for place, spread in enumerate(of.spread):
         if spread == 0.0:
             continue  # what does not vary needs no curvature
         step = np.zeros_like(of.mean)
         step[place] = STEP * spread
-        above, below = (_gradients(of.mean + side * step, of, hit)[1] for side in (1.0, -1.0))
+        above, below = (_gradients(of.mean + side * step, of, setup)[1] for side in (1.0, -1.0))
         for name in gradient:
             second[name][place] = (above[name] - below[name]) / (2.0 * step[place])
     second = {name: 0.5 * (matrix + matrix.T) for name, matrix in second.items()}
     return ByDerivatives(golfer=of, value=value, gradient=gradient, second=second)
 
 
-def _gradients(at: Floats, of: Golfer, hit: Hitting) -> tuple[dict[str, float], dict[str, Floats]]:
+def _gradients(at: Floats, of: Golfer, setup: ImpactSetup) -> tuple[dict[str, float], dict[str, Floats]]:
     """Return quantities at a delivery and their derivatives by the variables."""
     values = dict(zip(of.variables, map(float, at), strict=True))
     launched = (*VELOCITY, *SPIN)
-    with without_warnings(RangeWarning):  # it is told of the shots
+    with without_warnings(RangeWarning):  # the shots themselves warn
         found = sensitivity(
-            hit.club, values, model=hit.model, parameters=hit.parameters, ball=getattr(hit.ball, "rigid", hit.ball),
-            accuracy=hit.accuracy, outputs=(*LAUNCHED, *launched), variables=of.variables,
+            setup.club, values, model=setup.model, parameters=setup.parameters,
+            ball=getattr(setup.ball, "rigid", setup.ball), accuracy=setup.accuracy,
+            outputs=(*LAUNCHED, *launched), variables=of.variables,
         )  # fmt: skip
     rows: dict[str, Floats] = dict(zip(found.outputs, found.si, strict=True))
     value = {name: float(getattr(found.launch, name)) for name in LAUNCHED}
     slope = {name: rows[name] for name in LAUNCHED}
-    if hit.flight:
-        flown = flight_derivatives(found.launch, air=hit.air, wind=hit.wind, ground=hit.ground)
+    if setup.flight:
+        flown = flight_derivatives(found.launch, air=setup.air, wind=setup.wind, ground=setup.ground)
         order = list(flight_outputs())
         columns = [list(flight_inputs()).index(name) for name in launched]
         chain = flown.jacobian[:, columns] @ np.array([rows[name] for name in launched])
@@ -183,7 +181,7 @@ class Indices(NamedTuple):
 
 def indices(
     of: Golfer,
-    hit: Hitting,
+    setup: ImpactSetup,
     outcomes: Sequence[str] = ("carry", "side"),
     *,
     count: int = COUNT,
@@ -207,7 +205,7 @@ def indices(
     progress
         For Shapley effects: called with the number of orders of the variables done and that of all.
     """
-    if not hit.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
+    if not setup.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
         raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
     check_names("outcome", outcomes, (*LAUNCHED, *FLOWN))
     varies = of.spread > 0.0
@@ -217,7 +215,7 @@ def indices(
     held = {name: np.asarray(mean) for name, mean in zip(of.variables, of.mean, strict=True) if name not in names}
 
     def outcome(values: Floats) -> Floats:
-        found = hit({**held, **dict(zip(names, values, strict=True))})
+        found = setup({**held, **dict(zip(names, values, strict=True))})
         # A shot without a result tells nothing: it counts as the mean of the others.
         rows = [found[name] for name in outcomes]
         return np.stack([np.where(np.isfinite(row), row, np.nanmean(row)) for row in rows])
@@ -245,8 +243,8 @@ def indices_by_derivatives(of: ByDerivatives, outcomes: Sequence[str] = ("carry"
     for name in outcomes:
         slope, second = of.gradient[name][varies], of.second[name][np.ix_(varies, varies)]
 
-        def variance(told: int, slope: Floats = slope, second: Floats = second) -> Floats:
-            known = _told(covariance, _members(told, len(varies)))
+        def variance(subset: int, slope: Floats = slope, second: Floats = second) -> Floats:
+            known = _told(covariance, _members(subset, len(varies)))
             curved = second @ known
             return np.array([slope @ known @ slope + 0.5 * np.trace(curved @ curved)])
 
@@ -289,13 +287,13 @@ def shapley(
     total = base.var(axis=1)
     known: dict[int, Floats] = {0: np.zeros(len(base)), 2**size - 1: total}
 
-    def variance(told: int) -> Floats:
-        if told not in known:
-            inside = _members(told, size)
+    def variance(subset: int) -> Floats:
+        if subset not in known:
+            inside = _members(subset, size)
             second = function(mean[:, None] + _redrawn(away, fresh, covariance, inside))
             middle = 0.5 * (base.mean(axis=1) + second.mean(axis=1))
-            known[told] = (base * second).mean(axis=1) - middle**2
-        return known[told]
+            known[subset] = (base * second).mean(axis=1) - middle**2
+        return known[subset]
 
     if factorial(size) <= ORDERS:
         return _effects(variance, size, list(permutations(range(size))), progress)
@@ -310,10 +308,10 @@ def _effects(
     """Return the effects as the mean over orders of what each variable adds; ``variance`` takes a set as bits."""
     found = []
     for number, order in enumerate(orders, start=1):
-        told, before, added = 0, variance(0), np.empty((size, len(variance(0))))
+        subset, before, added = 0, variance(0), np.empty((size, len(variance(0))))
         for place in order:
-            told |= 1 << place
-            after = variance(told)
+            subset |= 1 << place
+            after = variance(subset)
             added[place] = after - before
             before = after
         found.append(added.T)
@@ -324,8 +322,8 @@ def _effects(
 
 def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
     """Return the effects over all orders, from the variance of every set of variables."""
-    every = np.array([variance(told) if told else np.zeros_like(variance(1)) for told in range(2**size)])
-    members = np.array([told.bit_count() for told in range(2**size)])
+    every = np.array([variance(subset) if subset else np.zeros_like(variance(1)) for subset in range(2**size)])
+    members = np.array([subset.bit_count() for subset in range(2**size)])
     weight = np.array([factorial(n) * factorial(size - n - 1) / factorial(size) for n in range(size)])
     found = []
     for place in range(size):
@@ -350,8 +348,8 @@ def _told(covariance: Floats, inside: Places) -> Floats:
     return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
 
 
-def _members(told: int, size: int) -> Places:
-    return np.array([place for place in range(size) if told >> place & 1], dtype=np.intp)
+def _members(subset: int, size: int) -> Places:
+    return np.array([place for place in range(size) if subset >> place & 1], dtype=np.intp)
 
 
 def _check_power(count: int) -> None:

@@ -1,9 +1,4 @@
-"""Fittings: parts and settings to choose from, for whom, what is judged, and the clubs they make.
-
-What a fitting is: parts and settings to choose from, for whom, and what is judged.
-
-One club as it can be put together in a fitting, and how it is told.
-"""
+"""Fittings: parts and settings to choose from, for whom, what is judged, and the clubs they make."""
 
 from __future__ import annotations
 

@@ -1,11 +1,7 @@
 """Where shots land with a club that changes, and the numbers it is judged by, with derivatives.
 
-Where the shots of a golfer land with a club that changes, with exact derivatives by what changes.
-
 Launch and flight are differentiated by dual numbers in the core, all shots at once, and joined by the chain rule. The
 shots are the same for every club, so that a difference between two clubs is one between clubs and not between samples.
-
-What a club is judged by: numbers of the landings of many shots, with their derivatives by every landing.
 """
 
 from __future__ import annotations

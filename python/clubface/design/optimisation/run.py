@@ -1,13 +1,9 @@
-"""An optimisation from start to end, and the front between two objectives.
+"""An optimisation from start to end: many starts on few shots, the best on all, the nominal optimum, fresh shots.
 
-An optimisation from start to end: many starts on few shots, the best on all, the nominal optimum, fresh shots.
-
-Everything finished is kept in a store where there is one, so that an interrupted run goes on where it stopped.
-
-The front between two objectives by the epsilon-constraint method: one is made best while the other must be kept.
-
-Exact gradients and common shots make every point a smooth problem (Haimes, Lasdon and Wismer, 1971), solved from its
-neighbours and from elsewhere.
+Everything finished is kept in a store where there is one, so that an interrupted run goes on where it stopped. The
+Pareto front between two objectives is made by the epsilon-constraint method: one is made best while the other must be
+kept. Exact gradients and common shots make every point a smooth problem (Haimes, Lasdon and Wismer, 1971), solved from
+its neighbours and from elsewhere.
 """
 
 from __future__ import annotations

@@ -1,9 +1,4 @@
-"""Optimisation problems and their solution by sequential quadratic programming from many starts.
-
-The best point of a problem: sequential quadratic programming (Kraft, 1988) from many starts, exact gradients.
-
-The problem an optimiser solves: an objective and limits as functions of its numbers, with exact gradients.
-"""
+"""Optimisation problems, and their solution by sequential quadratic programming (Kraft, 1988) from many starts."""
 
 from __future__ import annotations
 

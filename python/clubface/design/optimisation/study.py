@@ -1,9 +1,5 @@
 """Studies of optima: what may change, what is best, for whom, within which limits; and their TOML files.
 
-A study: what may change, what is best, for whom, and within which limits.
-
-The TOML file of a study or a fitting, read strictly: every error names the file, the line and the key.
-
 A study::
 
     title = "A driver for bogey golf"

@@ -1,17 +1,14 @@
 """What an optimiser turns: numbers of size 1, the club they make, and where to put its masses.
 
-What an optimiser turns, numbers of size 1, and the club that they make, with derivatives.
-
 A field of the club is one number, from 0 at its lower bound to 1 at its upper; of a radius it is the curvature, which a
 launch depends on almost linearly. Where the whole distribution of mass is free, nine numbers place the discretionary
 mass: in coordinates that start at the centre of the volume and end at its surface, its second moments about the centre
 are a product C C', and its first moments and the lower triangle of C fill the nine. So its pseudo-inertia is positive
 semidefinite whatever they are, and that of a body in an ellipsoid if the sum of their squares is at most 1.
 
-Where to put the discretionary mass: a few point masses that have its moments, found by linear programming.
-
-Places lie on a grid, and the best head often needs mass at a place between, exactly on the surface. So the grid is made
-finer again and again about the places that are taken.
+Point masses that have the moments of the discretionary mass are found by linear programming. Places lie on a grid, and
+the best head often needs mass at a place between, exactly on the surface. So the grid is made finer again and again
+about the places that are taken.
 """
 
 from __future__ import annotations

@@ -1,14 +1,9 @@
-"""What is known of a head of shells: quickly, without a run, and by finite elements.
+"""What is known of a head of shells: without a run, by a fast model, and by finite elements.
 
-What finite elements find of a design: characteristic time, ball speed and carry, stress of the face.
-
-What is quickly known of a design: the rigid head of a coarse mesh, and a plate for the face.
-
-The face is a clamped circular plate of the face's area (Timoshenko and Woinowsky-Krieger 1959, section 19). Its
-stiffness under a force in the middle gives the characteristic time, which the model `response` turns into a launch. The
-plate is a poor face by itself: the sphere also moves body and edge. What counts is how it changes with the walls.
-
-What the mesh of a head tells without a run: masses, inertia, volume and size.
+The fast model has the rigid head of a coarse mesh, and a plate for the face: a clamped circular plate of the face's
+area (Timoshenko and Woinowsky-Krieger 1959, section 19). Its stiffness under a force in the middle gives the
+characteristic time, which the model `response` turns into a launch. The plate is a poor face by itself: the sphere also
+moves body and edge. What counts is how it changes with the walls.
 """
 
 from __future__ import annotations

@@ -1,9 +1,5 @@
 """Studies of heads of shells: what may change, what is best, within which limits; and their TOML files.
 
-A study of a head of shells: what may change, what is best, and within which limits.
-
-The TOML file of a study of a head of shells, read strictly: every error names the file, the line and the key.
-
 A study::
 
     title = "A face within the rules"
