@@ -34,6 +34,8 @@ from clubface.schema.values import NAME, TEXT, Choice, Quantity, Record, Simple,
 from clubface.support.checks import check_count, check_name, is_count, without_warnings
 from clubface.support.files import builtin_path, is_path, path_of
 
+__all__ = ["Ball", "Piece", "ball", "ball_names"]
+
 LAYERS = count(1, 48)
 THICKNESS = Quantity("mm", 0.01, 20)
 

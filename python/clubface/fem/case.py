@@ -25,6 +25,8 @@ from clubface.simulation.inputs import DELIVERY_QUANTITIES, DIMENSIONS
 from clubface.support.checks import check_choice, check_name, check_names, check_text, without_warnings
 from clubface.support.files import builtin_names, path_of
 
+__all__ = ["Case", "case", "case_names"]
+
 FOLDER = "fem_cases"
 PLANE, RIGID, MESHED = "plane", "rigid", "meshed"
 HEADS = (PLANE, RIGID, MESHED)

@@ -21,6 +21,8 @@ from clubface.simulation.inputs import Delivery
 from clubface.simulation.results import outputs
 from clubface.support.checks import check_choice, check_names
 
+__all__ = ["Derivatives", "sensitivity", "variables"]
+
 VARIABLES_A_RUN = 4
 
 

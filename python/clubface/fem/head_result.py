@@ -118,8 +118,8 @@ def _summary(
     if others := [part.part for part in blow.parts if part.margin is None]:
         yield note("no-yield-stress", parts=others)
     peak = max(blow.parts, key=lambda part: part.stress)
-    forward, high, toe = peak.place
-    yield note("largest-stress", part=peak.part, stress=peak.stress, forward=forward, high=high, toe=toe)
+    places = dict(zip(("target_position", "up_position", "toe_position"), peak.place, strict=True))
+    yield note("largest-stress", part=peak.part, stress=peak.stress, **places)
     if peak.spread is not None:
         counts = [str(elements) for elements, _ in peak.by_mesh[1:]]
         yield note("mesh-dependence", counts=counts, spread=peak.spread)

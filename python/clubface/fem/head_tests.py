@@ -31,6 +31,8 @@ from clubface.results.table import Table, text
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
 
+__all__ = ["characteristic_time", "face_map", "face_picture", "face_result", "restitution"]
+
 COR_SPEED = "160 ft/s"
 """Speed of the ball in the test of restitution that the rules had before the pendulum."""
 STRIKER_DIAMETER = 0.0365

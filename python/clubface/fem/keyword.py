@@ -27,6 +27,8 @@ from clubface.fem.settings import Settings
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.support.files import write_text
 
+__all__ = ["write"]
+
 WIDTH = 10
 """Characters of a field, but for nodes and elements."""
 LONGEST = 80

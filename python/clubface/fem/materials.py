@@ -13,6 +13,8 @@ from clubface.fem import core
 from clubface.schema import Quantity, check_values, file_key
 from clubface.support.checks import Frozen, check_choice, check_names
 
+__all__ = ["Law", "Material", "Maxwell", "laws"]
+
 
 class Law(NamedTuple):
     """An elastic law of the core.

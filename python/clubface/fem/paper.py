@@ -24,6 +24,18 @@ from clubface.fem.settings import METHODS, Settings
 from clubface.schema import Document
 from clubface.support.files import DATA
 
+__all__ = [
+    "PUBLISHED",
+    "SPIN_FACTOR",
+    "by_contact",
+    "fitted_spin",
+    "paper",
+    "reference",
+    "section_spin",
+    "spin_factor",
+    "table",
+]
+
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
 PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
 """What Roh and Lee computed."""

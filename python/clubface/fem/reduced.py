@@ -14,6 +14,8 @@ from clubface.simulation.history import history
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
 
+__all__ = ["AreaTerm", "Equivalent", "area_term", "equivalent"]
+
 LAWS = {"volumetric": ("stiffness", "damping"), "rings": ("shear_modulus", "damping")}
 """Reduced models whose normal force has a stiffness and a damping, and the names of these."""
 ROUNDS = 12

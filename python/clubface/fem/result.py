@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from clubface.simulation.inputs import Shots
     from clubface.simulation.launch import Launch
 
+__all__ = ["Displacement", "ElementFields", "Impact", "SurfaceRecovery", "displaced_centre", "von_mises"]
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
 """Order of the components of tensors."""

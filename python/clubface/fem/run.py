@@ -1,9 +1,4 @@
-"""Runs of impacts by finite elements: one, or several at a time.
-
-Running an impact: a ball thrown at a rigid plane, or struck by a club.
-
-Several runs at a time, one on each core, which Ctrl-C ends.
-"""
+"""Runs of impacts by finite elements: a ball thrown at a rigid plane, or struck by a club."""
 
 from __future__ import annotations
 
@@ -35,6 +30,7 @@ if TYPE_CHECKING:
     from clubface.fem.core import FemImpact
     from clubface.simulation.inputs import Shots
 
+__all__ = ["strike", "throw"]
 
 AnyBall = str | os.PathLike[str] | Ball | RigidBall | None
 

@@ -9,6 +9,8 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.schema import FLAG, Choice, Quantity, check_values, count, file_key
 
+__all__ = ["Settings"]
+
 METHODS = ("penalty", "augmented-lagrange")
 """How nodes are kept out of the face."""
 

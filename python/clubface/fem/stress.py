@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from clubface.fem.result import Impact
 
+__all__ = ["BlowStress", "PartStress", "SurfaceStress", "blow_stress", "peak_stress", "stress_picture"]
 
 BLOW = "125 mph"
 """Speed of the club where none is given: about the most that professionals on tour reach with a driver."""

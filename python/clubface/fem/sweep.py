@@ -27,6 +27,8 @@ from clubface.results.table import Table
 from clubface.support.files import prepared_folder
 from clubface.support.fingerprint import fingerprint
 
+__all__ = ["grid", "sweep", "sweep_result"]
+
 P = TypeVar("P")
 
 

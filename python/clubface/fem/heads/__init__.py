@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from clubface.fem.heads.driver import DriverHead as DriverHead
-from clubface.fem.heads.iron import IronHead as IronHead
-from clubface.fem.heads.mesh_groups import Group as Group
-from clubface.fem.heads.meshed import (
-    MeshedClub as MeshedClub,
-    MeshedHead as MeshedHead,
-    Part as Part,
-    ShellHead as ShellHead,
-    SolidHead as SolidHead,
-    mesh_of as mesh_of,
-)
-from clubface.fem.heads.metal import Hardening as Hardening, Metal as Metal
-from clubface.fem.heads.read import head as head, head_names as head_names
-from clubface.fem.heads.user_mesh import MeshHead as MeshHead
+from clubface.fem.heads.driver import DriverHead
+from clubface.fem.heads.iron import IronHead
+from clubface.fem.heads.mesh_groups import Group
+from clubface.fem.heads.meshed import MeshedClub, MeshedHead, Part, ShellHead, SolidHead, mesh_of
+from clubface.fem.heads.metal import Hardening, Metal
+from clubface.fem.heads.read import head, head_names
+from clubface.fem.heads.user_mesh import MeshHead
+
+__all__ = [
+    "DriverHead", "Group", "Hardening", "IronHead", "MeshHead", "MeshedClub", "MeshedHead", "Metal", "Part",
+    "ShellHead", "SolidHead", "head", "head_names", "mesh_of",
+]  # fmt: skip

@@ -1,7 +1,4 @@
-"""A parametric hollow driver head: a few dimensions, walls and targets make a mesh of shells.
-
-The TOML file of a parametric driver.
-"""
+"""A parametric hollow driver head: a few dimensions, walls and targets make a mesh of shells; its file."""
 
 from __future__ import annotations
 

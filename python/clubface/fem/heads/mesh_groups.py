@@ -1,9 +1,4 @@
-"""Groups of a mesh: which elements they hold, and their walls and metals.
-
-The groups of a head, and which elements of a mesh file belong to which.
-
-Walls and metals of groups: what the head's file gives, and for the rest what cards of the mesh file say.
-"""
+"""The groups of a head: which elements of a mesh file belong to which, and their walls and metals."""
 
 from __future__ import annotations
 

@@ -1,13 +1,4 @@
-"""Meshed heads, of shells or solid: what they have in common, and how the core takes them.
-
-The common interface of all meshed heads: mass, inertia and a face.
-
-A solid head as the core takes it: hexahedra of one metal.
-
-A head of shells as the core takes it: a mesh with thickness and metal.
-
-Nothing.
-"""
+"""Meshed heads, of shells or solid: what they have in common, and how the core takes them."""
 
 from __future__ import annotations
 

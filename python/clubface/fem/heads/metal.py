@@ -1,7 +1,4 @@
-"""Metals of heads: elastic, or with a yield stress and hardening.
-
-How a metal hardens once it yields.
-"""
+"""Metals of heads: elastic, or with a yield stress and hardening."""
 
 from __future__ import annotations
 

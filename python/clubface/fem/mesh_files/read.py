@@ -1,11 +1,4 @@
-"""Mesh files of any kind: the reader for each, and those for STL and for what meshlane reads.
-
-The reader of each kind of mesh file, by what stands in it and by the ending of its name.
-
-Other formats, such as VTK and PLY, read through meshlane.
-
-STL, text and binary: triangles and nothing else.
-"""
+"""The reader of each kind of mesh file, by what stands in it and by its ending; STL, and others by meshlane."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ SENTENCES = {
     "head-mass": "The head weighs {mass}, with a moment of inertia about the vertical of {iyy}.",
     "inertia-limit": "The rules of golf allow a driver 5900 g cm2.",
     "largest-stress": (
-        "The largest stress, {stress:0}, is that of the {part}, {high:mm 1} up the face from its centre and {toe:mm 1} "
-        "to the toe."
+        "The largest stress, {stress:0}, is that of the {part}, {up_position:mm 1} above the face centre, "
+        "{toe_position:mm 1} towards the toe and {target_position:mm 1} towards the target from it."
     ),
     "launch-of-impact": (
         "The ball {ball} leaves {head} at {ball_speed}, {launch} upwards and {azimuth:sides} of the target, and spins "
