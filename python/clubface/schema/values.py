@@ -110,6 +110,10 @@ def count(least: int, most: int) -> Simple:
     return Simple(f"a whole number from {least} to {most}", lambda value: is_count(value, least, most), schema)
 
 
+ROUNDING = 1e-12
+"""Part by which a value may miss a limit that is a round number in another unit than SI."""
+
+
 @dataclass(frozen=True)
 class Quantity(Value):
     """A number with a unit. Text names its unit, and a bare number is SI.
@@ -155,7 +159,8 @@ class Quantity(Value):
                 return given
         value = units.parse(given, self.dimension, name=place.title)
         low, high, above, below = (None if each is None else units.to_si(each, self.unit) for each in self._limits)
-        if ((low is not None and value < low) or (high is not None and value > high)
+        if ((low is not None and value < low - ROUNDING * abs(low))
+                or (high is not None and value > high + ROUNDING * abs(high))
                 or (above is not None and value <= above) or (below is not None and value >= below)):  # fmt: skip
             shown = value if self.unit == "1" else units.show(value, self.unit)
             raise place.invalid(shown, self.allowed or self.words())
