@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from clubface import units
@@ -50,10 +51,12 @@ def impact_result(impact: Impact, name: str = "", description: str = "") -> Resu
     )
     printed = (*(each for each in out if impact.launch is None or each in PRINTED), *flown, *CONTACT)
     values = [column_of(each, [value], printed=each in printed) for each, value in (out | flown | numbers).items()]
-    values += [
-        text("elements", [impact.elements], printed=False),
-        text("stopped", [impact.stopped or ""], printed=False),
-    ]
+    given = impact.provenance["delivery"] | {"friction": impact.friction, "duration": impact.settings.duration}
+    units_of = {"angle": "rad", "duration": "s"}
+    values += [column(each, [value], units_of.get(each), printed=False) for each, value in given.items()]
+    elements = {"elements": impact.elements, "head_elements": 0 if impact.head is None else impact.head.elements}
+    values += [text(each, [count], printed=False) for each, count in elements.items()]
+    values.append(text("stopped", [impact.stopped or ""], printed=False))
     head = "a rigid plane" if impact.equipment is None else impact.equipment[0].name
     inputs = {
         "case": name, "ball": impact.ball.name, "head": head, "friction": f"{impact.friction:g}",
@@ -216,7 +219,8 @@ def paper_result(runs: Mapping[str, Impact]) -> Result:
         return [*whole.pictures(), paper_picture(runs), models_picture(first)]
 
     return whole.replace(
-        kind="paper", title="The case of Roh and Lee", tables=(figures, *whole.tables), values=(),
+        kind="paper", title=figures.title, tables=(figures, *whole.tables),
+        values=tuple(replace(each, printed=False) for each in whole.values),
         notes=tuple(cost_note(run) for run in runs.values()), draw=whole.draw and draw,
     )  # fmt: skip
 
