@@ -93,6 +93,16 @@ def test_an_interrupted_file_is_resumed_to_the_same_bytes(tmp_path):
     assert {each.name for each in tmp_path.iterdir()} == {"whole.csv", "again.csv"}
 
 
+def test_processes_write_the_bytes_of_this_one(tmp_path, monkeypatch):
+    files.infer_shots(launches(6), tmp_path / "here.csv", **OPTIONS)
+    monkeypatch.setattr(files, "FEWEST_FOR_PROCESSES", 1)
+    monkeypatch.setattr(files, "processors", lambda: 2)
+    monkeypatch.setattr(files, "in_sequence", None)
+    report = files.infer_shots(launches(6), tmp_path / "there.csv", **OPTIONS)
+    assert (report.shots, report.resumed) == (6, 0)
+    assert (tmp_path / "there.csv").read_bytes() == (tmp_path / "here.csv").read_bytes()
+
+
 def test_files_that_cannot_be_written_or_hold_no_launch_are_refused(tmp_path):
     with pytest.raises(InputError, match=r"ending in \.csv"):
         files.infer_shots(launches(), tmp_path / "out.parquet", **OPTIONS)

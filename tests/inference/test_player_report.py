@@ -260,6 +260,18 @@ def test_a_report_on_very_many_players_says_what_it_leaves_out(monkeypatch):
     assert club_statistics(shots(18), "Driver").inferred.shots == 15
 
 
+def test_processes_give_the_statistics_of_this_one_to_the_last_bit(monkeypatch):
+    four = dataclasses.replace(shots(12), players=np.repeat(["Ann", "Bo", "Cy", "Di"], 3).astype(object))
+    monkeypatch.setattr(player_report, "processors", lambda: 2)
+    here = statistics_by_club(four)
+    monkeypatch.setattr(player_report, "FEWEST_FOR_PROCESSES", 1)
+    monkeypatch.setattr(player_report, "in_sequence", None)
+    for one, other in zip(statistics_by_club(four), here, strict=True):
+        assert one.player == other.player
+        for name in ("measured", "inferred", "changes", "start", "closing"):
+            assert getattr(one, name) == getattr(other, name), name
+
+
 def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, write):
     source = write(
         "ball_speed_mph,launch_deg,azimuth_deg,backspin_rpm,sidespin_rpm\n150,13,1,2600,100\n151,13,2,2500,80\n"
