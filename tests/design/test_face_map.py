@@ -251,12 +251,12 @@ def test_few_points_of_a_face_are_enough_where_a_model_takes_long(driver):
 
 def test_outlines_are_those_of_the_face():
     ellipse = outline_of(clubface.club("driver"))
-    assert ellipse.told == "assumed: an ellipse of 105 mm by 55 mm"
+    assert ellipse.origin == "assumed: an ellipse of 105 mm by 55 mm"
     assert ellipse.area() == pytest.approx(math.pi * 0.105 * 0.055 / 4.0, rel=1e-3)
     assert ellipse.holds(0.0, 0.0275)
     assert not ellipse.holds(0.04, 0.025)
     iron = outline_of(clubface.club("7-iron"))
-    assert "assumed" in iron.told
+    assert "assumed" in iron.origin
     assert iron.holds(0.02, 0.02)
     assert not iron.holds(-0.03, 0.02)  # the heel is low
     np.testing.assert_allclose(np.ptp(iron.corners, axis=0), [0.070, 0.054])
@@ -266,7 +266,7 @@ def test_outlines_are_those_of_the_face():
 def test_the_outline_of_a_meshed_head_holds_its_face(name):
     club = club_of(Document.read(builtin_path("head", name, "fem_heads")))
     outline = outline_of(club)
-    assert outline.told == "of its mesh"
+    assert outline.origin == "of its mesh"
     places = club.head.face_places()
     sine, cosine = math.sin(club.loft), math.cos(club.loft)
     up, toe = -sine * places[:, 0] + cosine * places[:, 1], places[:, 2]

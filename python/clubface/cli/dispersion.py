@@ -136,8 +136,10 @@ def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str |
     given: dict[str, Any] = {
         name: options.parsed(f"--{name}", text, "length") for name, text in widths.items() if text is not None
     }
+    if lie is not None:
+        given["lie"] = lie
     try:
-        return Hole(length=options.parsed("--hole", length, "length"), **given, **({} if lie is None else {"lie": lie}))
+        return Hole(length=options.parsed("--hole", length, "length"), **given)
     except InputError as error:
         error.parameter = "--hole" if error.parameter == "length" else error.parameter
         raise

@@ -84,13 +84,13 @@ def forgiveness(surface: Surface, outline: Outline, spread: tuple[Any, Any], toe
     table = surface.at(across, up)
     good = np.isfinite(table).all(axis=0)
     weights = np.where(good, weights, 0.0)
-    hit = float(weights.sum())
+    on_face = float(weights.sum())
     table = np.where(good, table, 0.0)
-    mean = table @ weights / hit
-    deviation = np.sqrt(np.maximum((table - mean[:, None]) ** 2 @ weights / hit, 0.0))
+    mean = table @ weights / on_face
+    deviation = np.sqrt(np.maximum((table - mean[:, None]) ** 2 @ weights / on_face, 0.0))
     middle = surface.at(np.array([about[0]]), np.array([about[1]]))[:, 0]
     named = [dict(zip(QUANTITIES, map(float, each), strict=True)) for each in (mean, deviation, middle - mean)]
-    return Forgiveness(about[0], about[1], deviations[0], deviations[1], max(0.0, 1.0 - hit), *named)
+    return Forgiveness(about[0], about[1], deviations[0], deviations[1], max(0.0, 1.0 - on_face), *named)
 
 
 def _rule(
@@ -274,7 +274,7 @@ class FaceMap(_Mapped):
             name: (("high", "toe"), self.get(name), attributes(each.unit, each.meaning))
             for name, each in quantities().items()
         }
-        attrs = {**flattened(self.centre.provenance), "outline": self.outline.told}
+        attrs = {**flattened(self.centre.provenance), "outline": self.outline.origin}
         return xarray.Dataset(variables, {"toe": self.toe, "high": self.high}, attrs=attrs)
 
     def __repr__(self) -> str:
@@ -353,11 +353,11 @@ def map_face(
         from clubface.simulation.inputs import equipped, shots
 
         described = backend_of(model).balls(ball, accuracy).described
-        with_, found = equipped(model, chosen, described, parameters)
+        equipment, parameters_used = equipped(model, chosen, described, parameters)
         with without_warnings(RangeWarning):
             impact(chosen, given, ball=described)  # refuses a delivery that no model takes
-        hit = shots(with_, given)
-        centre = Launch(np.full((len(outputs()), 1), np.nan), hit, model, found, accuracy)
+        shot = shots(equipment, given)
+        centre = Launch(np.full((len(outputs()), 1), np.nan), shot, model, parameters_used, accuracy)
     else:
         with without_warnings(RangeWarning):
             centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
@@ -375,8 +375,8 @@ def map_face(
             settled, across[inside], up[inside], output=output, workers=workers, progress=progress
         )
     else:
-        told = progress and (lambda done: progress(done, across.size))
-        table = settled.at(across, up, remark=True, progress=told)
+        count = progress and (lambda done: progress(done, across.size))
+        table = settled.at(across, up, remark=True, progress=count)
     surface = surface_of(settled, outline, toe, high, table)
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     if not np.isfinite(table).any():
@@ -434,8 +434,8 @@ class FaceMapDifference(_Mapped):
             if not isinstance(each, FaceMap):
                 raise InputError(name, each, "a map, as of clubface.map_face")
         if not (np.array_equal(first.toe, second.toe) and np.array_equal(first.high, second.high)):
-            told = Told("maps of other points")
-            raise InputError("second", told, "a map of the points of the first: points=(first.toe, first.high)")
+            allowed = "a map of the points of the first: points=(first.toe, first.high)"
+            raise InputError("second", Told("maps of other points"), allowed)
         self.first, self.second = first, second
         self.toe, self.high, self.outline = first.toe, first.high, first.outline
 

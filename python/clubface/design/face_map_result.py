@@ -132,7 +132,7 @@ def _best_table(maps: Sequence[FaceMap]) -> Table:
             for name in ("ball", "parameters")
         ),
         text("model", [each.centre.model for each in maps], printed=False),
-        text("outline", [each.outline.told for each in maps], printed=False),
+        text("outline", [each.outline.origin for each in maps], printed=False),
         text("interpolated", [each.interpolated for each in maps], printed=False),
     ]
     for what, label, points, name in (
@@ -202,7 +202,7 @@ def _notes(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness]) -> Iterator[
         if each.missed >= LEAST_MISSED:
             yield note("map-missed", club=of.centre.club.name, missed=each.missed)
     for each in maps:
-        yield note("map-outline", club=each.centre.club.name, outline=each.outline.told)
+        yield note("map-outline", club=each.centre.club.name, outline=each.outline.origin)
     if maps[0].interpolated:
         yield note("map-interpolated")
 
@@ -223,7 +223,7 @@ def face_map_picture(of: Mapped, names: Sequence[str] = LISTED) -> Picture:
     interpolated = "; interpolated" if first.interpolated else ""
     return Picture(
         "face-map", "Contours on the outline of the face", rows, share_x=True, share_y=True, legend=True,
-        title=f"{title}, ball {first.centre.ball.name}, by {first.centre.model}; outline {first.outline.told}"
+        title=f"{title}, ball {first.centre.ball.name}, by {first.centre.model}; outline {first.outline.origin}"
         f"{interpolated}",
         height=len(rows) * ((7.2 / columns - 0.9) * float(tall / wide) + 0.42) + 1.0,
     )  # fmt: skip

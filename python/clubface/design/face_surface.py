@@ -200,12 +200,12 @@ class Outline(NamedTuple):
     ----------
     corners
         Towards the toe and up the face [m], shape (corners, 2), all the way round.
-    told
+    origin
         Where it comes from, in words.
     """
 
     corners: NDArray[Any]
-    told: str
+    origin: str
 
     @property
     def least(self) -> NDArray[Any]:
@@ -371,8 +371,9 @@ class Interpolated(Surface):
         try:
             self._through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
         except (ValueError, np.linalg.LinAlgError):
-            told = f"{known.sum()} points of the face with a shot are too few to draw a map through them"
-            raise RunError(f"{told}; give a finer grid") from None
+            raise RunError(
+                f"{known.sum()} points of the face with a shot are too few for a map; give a finer grid"
+            ) from None
         self._toe, self._high = _fine(outline)
         fine = [each.reshape(-1) for each in np.meshgrid(self._toe, self._high)]
         self._fine = self.at(*fine).reshape(len(QUANTITIES), FINE, FINE)

@@ -275,11 +275,11 @@ class Envelope:
         found.append(_positive("the discretionary mass", placed, self.scale))
         found += _inside("the discretionary mass", placed, self.volume, self.budget)
         over = float(1.0 - placed[3, 3] / self.budget)
-        told = (
+        reason = (
             f"it would need {units.fixed(placed[3, 3], 'g', 1)} of discretionary mass, and the budget is"
             f" {units.fixed(self.budget, 'g', 1)}"
         )
-        return [*found, Margin("the budget of discretionary mass", over, told)]
+        return [*found, Margin("the budget of discretionary mass", over, reason)]
 
     def _scale(self, mass: float) -> NDArray[Any]:
         return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(mass)
@@ -314,9 +314,9 @@ def _told(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
 
 def _inside(of: str, pseudo: NDArray[Any], volume: Volume, mass: float) -> list[Margin]:
     """Return whether moments are those of mass within a volume, in parts of a ``mass`` [kg]."""
-    name, told = f"{of} fits into the {volume.shape}", f"{of} does not fit into the {volume.shape}"
+    name, reason = f"{of} fits into the {volume.shape}", f"{of} does not fit into the {volume.shape}"
     return [
-        Margin(name, float(np.sum(pseudo * form.matrix) / mass), f"{told}: {form.words}") for form in volume.forms()
+        Margin(name, float(np.sum(pseudo * form.matrix) / mass), f"{reason}: {form.words}") for form in volume.forms()
     ]
 
 

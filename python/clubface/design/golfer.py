@@ -418,9 +418,9 @@ class GolferFile:
     )  # fmt: skip
 
 
-def read(which: str | os.PathLike[str]) -> Golfer:
+def read(source: str | os.PathLike[str]) -> Golfer:
     """Read a golfer: a shipped one by its name, or the TOML file at a path."""
-    path = path_of("golfer", which, "golfers")
+    path = path_of("golfer", source, "golfers")
     return from_document(Document.read(path), Path(path).stem)
 
 
@@ -520,15 +520,15 @@ def golfers() -> tuple[str, ...]:
     return builtin_names("golfers")
 
 
-def club_of(which: Golfer) -> str:
+def club_of(player: Golfer) -> str:
     """Return the club of a golfer: a built-in one, or the path of a file; of any other the name alone is known."""
-    if which.club in CLUB_NAMES or is_path(which.club):
-        return which.club
+    if player.club in CLUB_NAMES or is_path(player.club):
+        return player.club
     raise InputError(
-        "club", None, f"give the file of {which.club!r}, with which the deliveries of {which.name} were made"
+        "club", None, f"give the file of {player.club!r}, with which the deliveries of {player.name} were made"
     )
 
 
-def golfer(which: str | os.PathLike[str] | Golfer) -> Golfer:
+def golfer(name: str | os.PathLike[str] | Golfer) -> Golfer:
     """Return a golfer by the name of a shipped one or the path of a TOML file; a :class:`Golfer` is returned as is."""
-    return which if isinstance(which, Golfer) else read(which)
+    return name if isinstance(name, Golfer) else read(name)

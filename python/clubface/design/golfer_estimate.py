@@ -317,8 +317,8 @@ def estimate_golfer(
         error = error_of(steps, covariance, share, scale)
         shrinks = shrinkage(steps, covariance, share, scale)
     except np.linalg.LinAlgError:
-        told = Told("such that one quantity follows from others or hardly ever changes")
-        raise InputError("shots", told, f"leave out the column of one of {', '.join(names)}") from None
+        problem = Told("such that one quantity follows from others or hardly ever changes")
+        raise InputError("shots", problem, f"leave out the column of one of {', '.join(names)}") from None
     together = _together(base, names, mean, covariance, same, shots)
     looked_for = len(values) >= ENOUGH
     together["sources"]["mishits"] = f"measured: {shots.source}" if looked_for else f"assumed: as of {base.name}"
@@ -424,8 +424,8 @@ def _together(
         elif name in base.variables:
             at = base.variables.index(name)
             centre[place], matrix[place, place] = base.mean[at], base.covariance[at, at]
-        told = f"measured: {shots.source}" if name in names else f"assumed: as of {base.name}"
-        sources |= {f"mean of {name}": told, f"spread of {name}": told}
+        source = f"measured: {shots.source}" if name in names else f"assumed: as of {base.name}"
+        sources |= {f"mean of {name}": source, f"spread of {name}": source}
         if name in same:
             centre[place] = same[name]
             sources[f"mean of {name}"] = f"the same in every shot: {shots.source}"
@@ -538,8 +538,8 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
     figures = []
     for figure in _varying(player):
         less, more = (spreads(changed(player, figure, factor)) for factor in (1.0 - off, 1.0 + off))
-        told = {name: (less[name], more[name]) for name in QUANTITIES}
-        figures.append(Doubt(figure, is_assumed(golfer, figure), told))
+        both = {name: (less[name], more[name]) for name in QUANTITIES}
+        figures.append(Doubt(figure, is_assumed(golfer, figure), both))
     found = Doubts(off, spreads(player), tuple(figures), count)
     order = sorted(figures, key=lambda each: -max(abs(found.changes(each, name)[1]) for name in QUANTITIES))
     return found._replace(figures=tuple(order))

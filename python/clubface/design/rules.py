@@ -122,22 +122,20 @@ def rules() -> Mapping[str, Rule]:
     return Frozen(found)
 
 
-def rules_of(which: str | Club) -> tuple[Rule, ...]:
+def rules_of(club: str | Club) -> tuple[Rule, ...]:
     """Return the limits that hold for a club: size and inertia are limited for woods, and the face up to 35 degrees."""
-    head = club_of(which)
+    head = club_of(club)
     wood = ("moment_of_inertia", "volume", "heel_to_toe", "sole_to_crown") if head.kind != "iron" else ()
     face = ("characteristic_time",) if head.loft <= STEEPEST_PENDULUM_LOFT else ()
     return tuple(rules()[name] for name in (*wood, *face))
 
 
-def check_rules(
-    which: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None
-) -> list[RuleVerdict]:
+def check_rules(club: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None) -> list[RuleVerdict]:
     """Return what a club has of every limit that holds for it.
 
     Parameters
     ----------
-    which
+    club
         The club, by name, file or as a :class:`Club`.
     volume
         Of the head: text with a unit, or m3.
@@ -147,7 +145,7 @@ def check_rules(
     What is left out of these is that of the mesh of a meshed head. A characteristic time of 0 is that of a face which
     nobody has measured: no face is rigid.
     """
-    head = club_of(which)
+    head = club_of(club)
     unknown = {"characteristic_time": UNMEASURED}
     if (mesh := mesh_of(head)) is not None:
         if volume is None and (volume := mesh.volume) is None:

@@ -169,8 +169,10 @@ def _values(of: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float
 
 
 def _impossible(head: Club, setting: str) -> InputError:
-    with_ = f" with the setting {setting}" if setting else ""
-    return InputError("fit", Told(f"without result for {head.name}{with_}"), "one whose shots can all be computed")
+    setting_words = f" with the setting {setting}" if setting else ""
+    return InputError(
+        "fit", Told(f"without result for {head.name}{setting_words}"), "one whose shots can all be computed"
+    )
 
 
 class _Adjusted(Problem):

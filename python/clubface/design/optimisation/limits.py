@@ -65,7 +65,7 @@ class FieldLimit:
         slope = state.slopes[self.fields.index(self.field)]
         return np.array([side * slope / self.scale for side, _ in self._sides()])
 
-    def told(self, state: State) -> tuple[str, str]:
+    def describe(self, state: State) -> tuple[str, str]:
         """Return what a club has of it, and what is allowed, in words."""
         return in_words(state.club[self.field], self.least, self.most, self.unit)
 
@@ -104,7 +104,7 @@ class ShotLimit:
         slope = state.gradients[self.objective.name]
         return np.array([side * slope / max(abs(limit), 1e-9) for side, limit in self._sides()])
 
-    def told(self, state: State) -> tuple[str, str]:
+    def describe(self, state: State) -> tuple[str, str]:
         """Return what a club has of it, and what is allowed, in words."""
         return in_words(state.judged[self.objective.name], self.least, self.most, self.objective.unit)
 
@@ -160,7 +160,7 @@ class Buildable:
             found.append(np.linalg.eigvalsh(placed * scale))
         return np.concatenate(found)
 
-    def told(self, state: State) -> tuple[str, str]:
+    def describe(self, state: State) -> tuple[str, str]:
         """Return that it cannot be built, and what is wrong with it, in words."""
         margins = self.envelope.margins(pseudo_inertia(self.values(state)))
         return "impossible", f"one that can be built: {min(margins, key=lambda each: each.value).reason}"

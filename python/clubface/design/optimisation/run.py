@@ -49,8 +49,8 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
     """
     one, other = (study.objective(name) for name in study.objectives)
     ends = []
-    for end, beside in ((one, other), (other, one)):
-        problem = study.problem(golfers, end.name, others=(beside,))
+    for end, second in ((one, other), (other, one)):
+        problem = study.problem(golfers, end.name, others=(second,))
         tried = [
             solved(f"front {end.name} {place}", "finding the ends of the front", problem, point)
             for place, point in enumerate(starts(problem, STARTS, study.seed))

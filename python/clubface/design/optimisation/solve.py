@@ -54,7 +54,7 @@ class Limit(Protocol):
     @property
     def name(self) -> str: ...  # noqa: D102 - among the attributes
 
-    def told(self, state: State) -> tuple[str, str]:
+    def describe(self, state: State) -> tuple[str, str]:
         """Return what a club has of it, and what is allowed, in words."""
         ...
 
@@ -297,9 +297,12 @@ def refused(problem: Problem, found: Sequence[Solution]) -> InputError:
     nearest = max(known, key=lambda each: each.least_margin)
     state = problem.values(nearest.point)
     worst = min(problem.limits, key=lambda each: float(each.margins(state).min()))
-    value, allowed = worst.told(state)
-    told = f"{allowed}, and no start reached a club that keeps all limits"
-    return InputError(worst.name, Told(f"{value} in the nearest club that was found"), told)
+    value, allowed = worst.describe(state)
+    return InputError(
+        worst.name,
+        Told(f"{value} in the nearest club that was found"),
+        f"{allowed}, and no start reached a club that keeps all limits",
+    )
 
 
 def agreeing(found: Sequence[Solution], chosen: Solution) -> int:

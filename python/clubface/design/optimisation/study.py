@@ -124,8 +124,8 @@ class Head:
             fixed = pseudo_inertia(np.array(self.shell))
         else:
             if not 0.0 < self.discretionary < base.mass:
-                told = units.show(self.discretionary, "g")
-                raise InputError("discretionary_mass", told, f"between 0 and the mass of {base.name}")
+                problem = units.show(self.discretionary, "g")
+                raise InputError("discretionary_mass", problem, f"between 0 and the mass of {base.name}")
             fixed = pseudo_inertia(of_club(base)) * (1.0 - self.discretionary / base.mass)
         mesh = mesh_of(base)
         room = self.volume if mesh is None else room_inside(mesh.places, self.volume)
@@ -189,8 +189,8 @@ class DesignStudy:
         for name in (*self.objectives, *(each for each in self.limits if each not in FREE)):
             self.objective(name)
         if self.moves_mass and self.head is None:
-            told = "give [head] with size, centre and discretionary_mass, since mass properties change"
-            raise InputError("head", None, told)
+            problem = "give [head] with size, centre and discretionary_mass, since mass properties change"
+            raise InputError("head", None, problem)
         for name in self.limits:
             if name in FREE and name not in self.variables.fields:
                 raise InputError(f"limits.{name}", Told("given"), f"leave it out, since {name} does not change")
@@ -293,9 +293,9 @@ class DesignStudy:
         for each in self.rule_values(self.club):
             limit = each.rule.limit if self.tolerance else each.rule.most
             if each.rule.name not in changing and each.value > limit * (1.0 + 1e-9):
-                told = units.show(each.value, each.rule.unit, 4)
+                problem = units.show(each.value, each.rule.unit, 4)
                 allowed = f"at most {units.show(limit, each.rule.unit, 4)} by the rules, and nothing changes it"
-                raise InputError(each.rule.title, told, f"{allowed}; or give conform = false under [rules]")
+                raise InputError(each.rule.title, problem, f"{allowed}; or give conform = false under [rules]")
 
 
 def golfers_of(given: Any) -> tuple[tuple[Golfer, float], ...]:

@@ -141,9 +141,9 @@ def improve(
                 chosen = each
         if not chosen.within:
             lacks = broken(chosen.goal.limits, chosen.best.values)
-            told = "give limits or bounds that some head can keep, or allow more designs"
+            advice = "give limits or bounds that some head can keep, or allow more designs"
             raise RunError(
-                f"no head within all limits was found; the best, of {chosen.metal.name}, has {lacks}; {told}"
+                f"no head within all limits was found; the best, of {chosen.metal.name}, has {lacks}; {advice}"
             )
         judged = design_of(study, chosen.best, chosen.metal)
         head = replace(judged, metal=chosen.metal.metal)

@@ -173,11 +173,11 @@ class ShellStudy:
                 )  # fmt: skip
         made, (least, most) = self.head.target["mass"], self.limits.get("mass", (0.0, math.inf))
         if not least <= made <= most:
-            told = f"a range that holds the {units.show(made, 'g')} that the head is made to have, by its target"
+            allowed = f"a range that holds the {units.show(made, 'g')} that the head is made to have, by its target"
             raise InputError(
                 "limits.mass",
                 ["none" if each in (0.0, math.inf) else units.show(each, "g") for each in (least, most)],
-                told,
+                allowed,
             )
         if not self.metals:
             own = NamedMetal(name="that of the head", metal=self.head.metal)
