@@ -229,25 +229,20 @@ class Impact(Described):
         A density of 0 belongs to a core whose density follows from the mass of the ball; "core_density" is that
         density.
         """
-        met: dict[str, Any] = {"name": "plane"} if self._shots is None else {"name": self._shots.club.name}
-        if self.head is not None:
-            met["elements"] = self.head.elements
+        delivery, head = self.given, {"name": "plane"}
+        if self._shots is not None:
+            named = zip(inputs().values(), self._shots.columns, strict=True)
+            delivery = {each.name: float(value) for each, value in named if each.group == "delivery"}
+            head = {"name": self._shots.club.name} | ({} if self.head is None else {"elements": self.head.elements})
         return {
             "model": {"name": "fem"},
             "ball": {"name": self.ball.name, **self.ball.values(), **self.ball.properties()},
-            "head": met,
+            "head": head,
             "friction": self.friction,
-            "delivery": self._delivery(),
+            "delivery": delivery,
             "settings": self.settings.values(),
             "clubface_version": __version__,
         }
-
-    def _delivery(self) -> dict[str, float]:
-        if self._shots is None:
-            return self.given
-
-        named = zip(inputs().values(), self._shots.columns, strict=True)
-        return {each.name: float(value) for each, value in named if each.group == "delivery"}
 
     @property
     def elements(self) -> int:

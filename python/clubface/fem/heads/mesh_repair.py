@@ -260,10 +260,7 @@ def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any],
 
 
 def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
-    triangle = corners[:, 3] < 0
-    turned = corners[:, [0, 3, 2, 1]]
-    turned[triangle] = np.stack([corners[triangle, each] for each in (0, 2, 1, 3)], axis=1)
-    return turned
+    return np.where(corners[:, 3:] < 0, corners[:, [0, 2, 1, 3]], corners[:, [0, 3, 2, 1]])
 
 
 def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -299,10 +296,8 @@ def _area_vectors(shells: Shells) -> NDArray[Any]:
 
 
 def _centres(shells: Shells) -> NDArray[Any]:
-    a, b, c = (shells.points[shells.corners[:, place]] for place in range(3))
-    quad = (shells.corners[:, 3] >= 0)[:, None]
-    d = np.where(quad, shells.points[shells.corners[:, 3]], 0.0)
-    return (a + b + c + d) / np.where(quad, 4.0, 3.0)
+    there = (shells.corners >= 0)[..., None]
+    return np.where(there, shells.points[shells.corners], 0.0).sum(axis=1) / there.sum(axis=1)
 
 
 def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None:

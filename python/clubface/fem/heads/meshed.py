@@ -69,28 +69,22 @@ class MeshedHead(ABC):
         weighed = in_thread(core.fem_head_properties, self.values())
         places = self.face_places()
         size = places.max(axis=0) - places.min(axis=0)
-        x, y, z = (-float(value) for value in weighed["centre"])
-        tensor = [[float(value) for value in row] for row in weighed["inertia"]]
+        tensor = np.asarray(weighed["inertia"], float)
+        inertia: dict[str, Any] = {f"i{'xyz'[i]}{'xyz'[j]}": float(tensor[i, j]) for i in range(3) for j in range(i, 3)}
+        cg: dict[str, Any] = {f"cg_{axis}": -float(value) for axis, value in zip("xyz", weighed["centre"], strict=True)}
         return Club(
             name=self.name,
+            description=self.description,
             kind="iron" if np.isinf(self.bulge) else "wood",
             mass=float(weighed["mass"]),
-            cg_x=x,
-            cg_y=y,
-            cg_z=z,
-            ixx=tensor[0][0],
-            iyy=tensor[1][1],
-            izz=tensor[2][2],
-            ixy=tensor[0][1],
-            ixz=tensor[0][2],
-            iyz=tensor[1][2],
             loft=self.loft,
             bulge=self.bulge,
             roll=self.roll,
+            **cg,
+            **inertia,
             # The outline about the face centre that holds the whole face.
             face_width=2.0 * float(np.abs(places[:, 2]).max()),
             face_height=float(np.hypot(size[0], size[1])),
-            description=self.description,
         )
 
     @property
@@ -321,17 +315,8 @@ class ShellHead(MeshedHead):
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
         parts = [
-            {
-                "name": part.name,
-                "elements": part.elements,
-                "youngs": part.metal.youngs,
-                "poisson": part.metal.poisson,
-                "density": part.metal.density,
-                "plastic": part.metal.plastic(),
-                "points": part.metal.points,
-                "rule": part.metal.rule,
-                "face": part.face,
-            }
+            {key: getattr(part.metal, key) for key in ("youngs", "poisson", "density", "points", "rule")}
+            | {"name": part.name, "elements": part.elements, "plastic": part.metal.plastic(), "face": part.face}
             for part in self.parts
         ]
         return {
