@@ -27,7 +27,7 @@ def paper_like(tmp_path):
     return path
 
 
-def test_the_reference_case_is_printed_beside_other_solvers_unless_it_is_varied(clubface_, tmp_path):
+def test_the_reference_case_is_a_result(clubface_, tmp_path):
     write_case(tmp_path)
     ran = clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml"), "--json")
     (row,) = ran.rows("reference")
@@ -39,7 +39,7 @@ def test_the_reference_case_is_printed_beside_other_solvers_unless_it_is_varied(
     assert "normal velocity" in clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml")).out
 
 
-def test_paper_stands_beside_the_publication_and_draws(clubface_, paper_like, tmp_path):
+def test_paper_has_the_published_figures_and_draws(clubface_, paper_like, tmp_path):
     pytest.importorskip("matplotlib")
     ran = clubface_("fem", "paper", "--case", str(paper_like), "--json", "-o", str(tmp_path / "out"))
     published, *own = ran.rows("paper")
@@ -88,7 +88,7 @@ def test_a_sweep_is_a_table_and_a_picture(clubface_, paper_like, tmp_path):
 
 
 @pytest.mark.parametrize(("form", "ending"), [("lsdyna", "mine.k"), ("vtu", "mine.pvd")])
-def test_an_export_tells_the_file_to_open(clubface_, tmp_path, form, ending):
+def test_an_export_names_the_file_to_open(clubface_, tmp_path, form, ending):
     pytest.importorskip("meshlane")
     ran = clubface_("fem", "export", str(write_case(tmp_path)), "--format", form, "-o", str(tmp_path / "out"))
     assert ran.status == 0
@@ -200,7 +200,7 @@ def test_a_shot_by_two_models_and_its_picture(clubface_, tmp_path):
     assert (tmp_path / "shot.png").exists()
 
 
-def test_what_finite_elements_lack_is_told():
+def test_what_finite_elements_lack_is_refused():
     shot = {"speed": 48.0}
     with pytest.raises(InputError, match="contact model"):
         clubface.history("driver", shot, model="fem")

@@ -29,7 +29,7 @@ def test_built_in_cases_are_read(name):
     assert case(name).name == name
 
 
-def test_a_case_reads_its_ball_beside_it(tmp_path):
+def test_a_case_reads_its_ball_from_its_own_folder(tmp_path):
     found = case(write_case(tmp_path))
     assert found.ball.name == "soft"
     assert found.ball == replace(fem.Ball.from_toml(tmp_path / "ball.toml"))
@@ -67,7 +67,7 @@ def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
         (OGDEN.replace('mu1 = "8 MPa"\nalpha1 = 2\n', ""), "give mu1, alpha1 as well"),
     ],
 )
-def test_a_mistake_in_ogdens_constants_is_told(tmp_path, new, said):
+def test_a_mistake_in_ogdens_constants_is_named(tmp_path, new, said):
     with pytest.raises(FileError, match=re.escape(said)):
         case(write_case(tmp_path, old=RIVLIN, new=new))
 
@@ -118,7 +118,7 @@ MISTAKES = [
 
 
 @pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
-def test_a_mistake_is_told_with_its_file_line_and_what_is_allowed(tmp_path, old, new, said):
+def test_an_error_names_file_line_and_what_is_allowed(tmp_path, old, new, said):
     path = write_case(tmp_path, old=old, new=new)
     with pytest.raises(FileError, match=re.escape(said)) as told:
         case(path)
@@ -244,7 +244,7 @@ def test_several_values_are_for_a_sweep(speed):
         drive_case().replace(speed=speed).run()
 
 
-def test_what_is_no_settings_and_no_piece_is_told():
+def test_an_object_that_is_no_settings_or_piece_is_refused():
     wrong: Any = {"duration": 1e-3}
     with pytest.raises(InputError, match=r"it must be a clubface\.fem\.Settings"):
         fem.reference(settings=wrong)
@@ -255,7 +255,7 @@ def test_what_is_no_settings_and_no_piece_is_told():
         replace(made, pieces=(made.pieces[0], replace(made.pieces[1], name="core")))
 
 
-def test_lofts_of_a_sweep_are_told_as_they_were_given(tmp_path):
+def test_lofts_of_a_sweep_are_written_as_they_were_given(tmp_path):
     base = drive_case(duration=20e-6)
     (row,) = sweeps.sweep(base, speeds=[40.0], lofts=[math.radians(11.0)], output=tmp_path / "sweep.csv")
     assert row["loft_deg"] == 11.0
@@ -282,7 +282,7 @@ def test_lofts_of_a_sweep_are_told_as_they_were_given(tmp_path):
         ({"frames": 10_001}, "frames is 10001"), ({"threads": 1025}, "threads is 1025"),
     ],
 )  # fmt: skip
-def test_settings_beyond_their_limits_are_told_in_the_unit_of_the_limit(given, said):
+def test_settings_beyond_their_limits_are_shown_in_the_unit_of_the_limit(given, said):
     with pytest.raises(InputError) as told:
         fem.Settings(**given)
     assert str(told.value).startswith(said)

@@ -17,7 +17,7 @@ from fem_runs import coarse, coarse_head
 SPEED = 48.768
 
 
-def test_restitution_off_centre_is_what_momentum_tells():
+def test_restitution_off_centre_follows_from_momentum():
     # A rigid head without friction gives one impulse on the normal: J (1/m + 1/M + (r x n) I^-1 (r x n)) = (1 + e) V.
     club, ball, toe, high = clubface.club("driver"), coarse("modern"), 0.02, 0.005
     found = head_tests.restitution(club, ball=ball, toe=toe, high=high, friction=0.0)
@@ -82,7 +82,7 @@ def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
     assert rows[1]["restitution"] == head_tests.restitution(coarse_head(), ball=coarse("modern"), toe=0.0, high=0.0)
 
 
-def test_a_point_that_fails_is_told_beside_the_others(monkeypatch):
+def test_a_point_that_fails_has_its_reason_in_the_table(monkeypatch):
     def fails_at_the_toe(head, *, toe, **_):
         if toe > 0.0:
             raise RunError("an element turned inside out")

@@ -59,7 +59,7 @@ def test_a_left_handed_mesh_is_the_mirror_image(file):
     assert right.sidespin != 0.0
 
 
-def test_what_a_mesh_says_cannot_be_changed_in_a_shot_of_it_and_makes_a_rigid_club_of_it(file):
+def test_a_shot_cannot_change_the_mass_of_its_mesh_and_replacing_it_makes_a_rigid_club(file):
     with pytest.raises(InputError, match="club_mass"):
         clubface.impact(file, SHOT, model="fem", club_mass="200 g")
     assert np.isfinite(clubface.impact(file, SHOT, model="response", club_mass="200 g").ball_speed)
@@ -68,7 +68,7 @@ def test_what_a_mesh_says_cannot_be_changed_in_a_shot_of_it_and_makes_a_rigid_cl
     assert clubface.impact(lighter, SHOT, model="fem").ball_speed > 0.0
 
 
-def test_a_file_says_of_the_rigid_head_what_a_mesh_does_not(file):
+def test_a_file_gives_the_rigid_head_what_a_mesh_lacks(file):
     text = file.read_text()
     file.write_text('characteristic_time = "250 us"\nhand = "left"\n' + text)
     club = clubface.club(file)
@@ -81,7 +81,7 @@ def test_a_file_says_of_the_rigid_head_what_a_mesh_does_not(file):
         clubface.club(file)
 
 
-def test_shot_predicts_by_every_model_from_one_file_and_says_what_it_does_not_know(clubface_, file):
+def test_shot_predicts_by_every_model_from_one_file_and_notes_the_rigid_face(clubface_, file):
     ran = clubface_("shot", str(file), "--speed", "100 mph", "--model", "response,fem", "--json")
     assert [row["model"] for row in ran.rows()] == ["response", "fem"]
     assert ran.rows()[1]["ball_speed_mps"] == clubface.impact(file, speed="100 mph", model="fem").ball_speed
@@ -91,7 +91,7 @@ def test_shot_predicts_by_every_model_from_one_file_and_says_what_it_does_not_kn
     assert "rigid" not in clubface_("shot", str(file), "--speed", "105 mph").err
 
 
-def test_finite_elements_alone_say_nothing_of_a_rigid_face(clubface_, file):
+def test_finite_elements_alone_have_no_note_on_a_rigid_face(clubface_, file):
     assert "rigid" not in clubface_("shot", str(file), "--speed", "100 mph", "--model", "fem", "--json").err
 
 
@@ -117,7 +117,7 @@ def test_derivatives_by_the_cg_say_that_the_delivery_is_held(clubface_):
     assert "held" not in clubface_(*shot, "--by", "toe").out
 
 
-def test_a_head_with_a_target_for_its_cg_says_that_the_delivery_is_held(clubface_, file):
+def test_a_head_with_a_target_for_its_cg_notes_that_the_delivery_is_held(clubface_, file):
     assert "held" not in clubface_("fem", "head", str(file)).out
     file.write_text(file.read_text().replace("[target]\n", '[target]\ncg_z = "1 mm"\n'))
     assert "dynamic loft, face angle and lie are held" in " ".join(clubface_("fem", "head", str(file)).out.split())

@@ -16,7 +16,7 @@ from clubface.support.files import builtin_path
 from fem_runs import coarse, coarse_head, coarse_shells, shells_case
 
 
-def test_the_head_of_the_paper_is_as_the_paper_says():
+def test_the_head_of_the_paper_has_the_published_properties():
     with warnings.catch_warnings():
         warnings.simplefilter("error", TargetWarning)
         head = from_toml(builtin_path("head", "paper", "fem_heads")).mesh()
@@ -66,7 +66,7 @@ def test_the_height_of_the_mass_centre_above_the_face_normal_is_met_up_and_down(
         assert above == pytest.approx(float(height[:-3]) * 1e-3, abs=1e-4)  # as near as without a warning
 
 
-def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
+def test_targets_that_cannot_be_met_are_shown_with_the_values_reached():
     design = from_toml(builtin_path("head", "paper", "fem_heads"))
     wide = replace(design, name="wide", elements=(14, 8, 10), target={**design.target, "izz": "15260 g cm2"})
     with pytest.warns(TargetWarning, match=r"wide: mass .* g instead of 210 g, .*izz 2\d{3}\S* g cm2 instead of 15260"):
@@ -75,7 +75,7 @@ def test_targets_that_cannot_be_met_stand_beside_what_was_reached():
     assert heavy.reached["izz"] == heavy.club.izz < 0.5 * heavy.asked["izz"]
 
 
-def test_a_ball_that_reaches_round_the_edge_of_the_face_is_told():
+def test_a_ball_that_reaches_round_the_edge_of_the_face_gives_a_warning():
     found = fem.strike(fem.head("paper"), speed="40 m/s", toe="44 mm")
     assert found.stopped is not None
     assert "reached round the edge of the face" in found.stopped
@@ -186,7 +186,7 @@ def test_the_name_of_a_meshed_head_is_not_that_of_a_club():
     assert fem.strike("7-iron", speed=35.0, ball=coarse()).head is None
 
 
-def test_a_case_says_which_kind_of_head_it_has(tmp_path):
+def test_a_case_names_its_kind_of_head(tmp_path):
     path = tmp_path / "case.toml"
     text = """\
 name = "mine"
@@ -230,7 +230,7 @@ def test_limits_of_the_walls_are_a_tenth_to_one_and_one_to_ten(limits):
         replace(design, scales=limits)
 
 
-def test_a_file_tells_limits_of_the_walls_as_two_numbers(tmp_path):
+def test_limits_of_the_walls_are_two_numbers(tmp_path):
     text = builtin_path("head", "paper", "fem_heads").read_text()
     path = tmp_path / "head.toml"
     path.write_text("scales = [0.4, 3]\n" + text)

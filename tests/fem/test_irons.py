@@ -83,7 +83,7 @@ def test_grooves_that_the_ball_cannot_feel_are_refused():
         ({"width": None}, "width"),
     ],
 )
-def test_a_mistake_in_grooves_is_told(changed, said):
+def test_a_mistake_in_grooves_is_named(changed, said):
     with pytest.raises(ClubfaceError, match=said):
         fem.IronHead(name="iron", shape=IRON, grooves={**WIDE, **changed})
 
@@ -112,6 +112,6 @@ def test_a_stiff_iron_is_a_rigid_one():
         ({"lofft": 1}, "did you mean loft?"),
     ],
 )
-def test_a_mistake_in_an_iron_is_told(changed, said):
+def test_a_mistake_in_an_iron_is_named(changed, said):
     with pytest.raises(InputError, match=re.escape(said)):
         fem.IronHead(name="bad", shape={**IRON, **changed})

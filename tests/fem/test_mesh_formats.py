@@ -138,7 +138,7 @@ def test_groups_are_named_in_any_case_by_number_and_as_several_sets(tmp_path):
         read(path, groups[:2])
 
 
-def test_properties_without_names_are_taken_in_order_and_it_is_said(tmp_path):
+def test_properties_without_names_are_taken_in_order_with_a_note(tmp_path):
     text = re.sub(r"\$HMNAME.*\n", "", nastran(coarse_walls()))
     (tmp_path / "head.bdf").write_text(text)
     with pytest.warns(MeshWarning, match="1 as face, 2 as crown"):
@@ -191,7 +191,7 @@ def test_thickness_and_metal_come_from_cards_where_the_file_of_the_head_gives_no
         ("cm", 0.1, (1.14, 0.34, 4.43)),  # Mbar, g/cm3
     ],
 )
-def test_metals_of_cards_tell_the_system_of_units(tmp_path, unit, scale, metal):
+def test_the_metals_of_cards_give_the_system_of_units(tmp_path, unit, scale, metal):
     walls = coarse_walls()
     walls = walls._replace(
         nodes=walls.nodes * scale, cards={each: (scale * wall, *metal) for each, wall in WALLS.items()}
@@ -210,7 +210,7 @@ def test_a_card_of_no_metal_is_refused(tmp_path):
         read(write_walls(tmp_path, walls), tuple(Group(name=each, face=each == "face") for each in PARTS))
 
 
-def test_what_cards_say_otherwise_is_said_and_the_file_of_the_head_counts(tmp_path):
+def test_cards_that_differ_are_noted_and_the_file_of_the_head_counts(tmp_path):
     walls = coarse_walls()._replace(cards=dict.fromkeys(PARTS, (1.0, *TITANIUM)))
     groups = (Group(name="face", thickness="2 mm", face=True, metal={"youngs": "200 GPa"}), *GROUPS[1:])
     with pytest.warns(MeshWarning, match=r"face 1 mm there, 2 mm here.*youngs of face 114 GPa there, 200 GPa here"):
@@ -332,7 +332,7 @@ def test_a_point_mass_in_a_mesh_in_inches_is_in_its_unit_of_mass(tmp_path):
     assert read(tmp_path / "head.bdf", unit="in").added.sum() == pytest.approx(0.025, rel=1e-4)
 
 
-def test_walls_beside_their_nodes_are_said(tmp_path):
+def test_walls_with_an_offset_from_their_nodes_are_noted(tmp_path):
     text = re.sub(r"(?m)^(CQUAD4,1,.*)$", r"\1,,1.4", nastran(coarse_walls()))
     (tmp_path / "head.bdf").write_text(text)
     with pytest.warns(MeshWarning, match="1 elements have an offset from the nodes"):
@@ -506,7 +506,7 @@ def test_parts_of_lsdyna_without_titles_go_by_their_numbers(tmp_path):
         ("abaqus.inp", r"\Z", "*NONSTRUCTURAL MASS, ELSET=sole, UNITS=TOTAL MASS\n 3e-5,\n", "spread over walls"),
     ],
 )
-def test_what_a_card_means_and_the_head_does_not_take_is_said(tmp_path, name, old, new, note):
+def test_cards_that_the_head_does_not_use_are_noted(tmp_path, name, old, new, note):
     path = write_walls(tmp_path, with_cards(), name)
     text, count = re.subn(old, new, path.read_text())
     assert count

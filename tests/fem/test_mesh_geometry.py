@@ -51,7 +51,7 @@ def turned(axis, angle):
         (np.eye(3) / 10, {"unit": "in"}, r'unit is .in.*try unit = "cm"'),
     ],
 )
-def test_a_mesh_that_lies_otherwise_than_its_file_says_is_refused_with_both(tmp_path, matrix, changes, said):
+def test_a_mesh_that_lies_otherwise_than_its_file_is_refused_with_both_values(tmp_path, matrix, changes, said):
     with pytest.raises(ClubfaceError, match=said) as error:
         read(tmp_path, placed(matrix), **changes)
     assert "\n" not in str(error.value)
@@ -91,7 +91,7 @@ def test_a_mesh_of_a_left_handed_head_is_refused_where_names_of_parts_show_it(tm
         read(tmp_path, coarse_walls(), swapped)
 
 
-def test_a_face_centre_at_the_edge_of_the_face_is_said(tmp_path):
+def test_a_face_centre_at_the_edge_of_the_face_is_noted(tmp_path):
     shift = np.array([-0.8, 0.0, 22.0])  # a bulge of 305 mm falls back by 0.8 mm there
     with pytest.raises(ClubfaceError, match="to the toe"):
         read(tmp_path, coarse_walls(), face_centre=tuple(shift))
@@ -102,7 +102,7 @@ def test_a_face_centre_at_the_edge_of_the_face_is_said(tmp_path):
         read(tmp_path, walls._replace(nodes=nodes), loft="11.4 deg")
 
 
-def test_normals_that_point_inward_are_turned_and_it_is_said(tmp_path):
+def test_normals_that_point_inward_are_turned_with_a_note(tmp_path):
     whole = read(tmp_path, coarse_walls())
     walls = coarse_walls()
     with pytest.warns(MeshWarning, match=f"normals of {len(walls.parts['crown'])} of"):
@@ -190,7 +190,7 @@ def test_the_face_of_a_head_of_one_group_is_what_looks_at_the_ball(tmp_path):
     ("place", "exact"),
     [(("-40 mm", "-24 mm", "0 mm"), 2e-2), (("-70 mm", "10 mm", "12 mm"), 3e-2), (("-12 mm", "5 mm", "-38 mm"), 3e-2)],
 )
-def test_mass_and_cg_of_added_masses_are_exact_and_what_the_inertia_misses_is_said(tmp_path, place, exact):
+def test_mass_and_cg_of_added_masses_are_exact_and_errors_of_the_inertia_are_noted(tmp_path, place, exact):
     bare = read(tmp_path, coarse_walls()).club
     with pytest.warns(MeshWarning, match=r"a moment of inertia [\d.]+% off") as said:
         head = read(tmp_path, coarse_walls(), masses={"weight": (*place, "25 g")}).club
@@ -226,14 +226,14 @@ def test_the_sides_of_a_wall_and_loose_parts_are_pieces_that_are_refused(tmp_pat
 
 
 @pytest.mark.filterwarnings("default::clubface.errors.MeshWarning")
-def test_a_hole_in_the_head_is_said(tmp_path):
+def test_a_hole_in_the_head_is_noted(tmp_path):
     walls = coarse_walls()
     with pytest.warns(MeshWarning, match="the surface is open"):
         read(tmp_path, walls._replace(parts={**walls.parts, "crown": walls.parts["crown"][:-30]}))
 
 
 @pytest.mark.filterwarnings("default::clubface.errors.MeshWarning")
-def test_a_face_group_that_ends_in_the_middle_of_the_face_is_said(tmp_path):
+def test_a_face_group_that_ends_in_the_middle_of_the_face_is_noted(tmp_path):
     walls = coarse_walls()
     high = [float(walls.nodes[row].mean(axis=0)[1]) for row in walls.parts["face"]]
     upper = [row for row, at in zip(walls.parts["face"], high, strict=True) if at > -3.0]

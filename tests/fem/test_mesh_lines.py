@@ -70,7 +70,7 @@ PLACES = {"a line": (0.0, 0.004), "a corner": (TOE[7], 0.0), "another corner": (
 
 @pytest.mark.parametrize("kind", ["shells", "hexahedra", "driver", "7-iron"])
 @pytest.mark.parametrize("place", PLACES)
-def test_a_strike_on_a_line_of_the_mesh_is_like_those_a_micrometre_beside_it(kind, place):
+def test_a_strike_on_a_line_of_the_mesh_is_like_those_a_micrometre_away(kind, place):
     toe, high = PLACES[place]
     on = struck(plate(kind), toe, high)
     assert on.stopped is None

@@ -56,7 +56,7 @@ THIN = {'face = "4 mm"': 'face = "1.5 mm"', 'top = "9 mm"': 'top = "1.2 mm"'}
         ("7-iron", 'mass = "64 g"', "mass = 64", ":24: mass of mass hosel is '64000 g'; it must be 0 to 500 g"),
     ],
 )
-def test_a_mistake_in_a_head_is_told_with_its_line_and_key(tmp_path, name, old, new, said):
+def test_an_error_in_a_head_names_line_and_key(tmp_path, name, old, new, said):
     path = head_file(tmp_path, name, old, new)
     with pytest.raises(FileError) as told:
         fem.head(path)
@@ -83,7 +83,7 @@ def test_grooves_deeper_than_the_blade_is_thick_are_refused(tmp_path, wall, said
         ('unit = "m"\n', 1e3, ":4: unit is 'm'; it must be the unit"),
     ],
 )
-def test_a_mesh_in_another_unit_is_told_with_its_size_and_the_unit_to_set(tmp_path, write, unit, scale, said):
+def test_a_mesh_in_another_unit_is_refused_with_its_size_and_the_unit_to_set(tmp_path, write, unit, scale, said):
     write_mesh(tmp_path, scale=1e-3 * scale)
     path = write(HEAD.replace('unit = "mm"\n', unit), "own.toml")
     with pytest.raises(FileError) as told:
@@ -95,7 +95,7 @@ def test_a_mesh_in_another_unit_is_told_with_its_size_and_the_unit_to_set(tmp_pa
     assert str(told.value).endswith(f"try {fitting}")
 
 
-def test_bad_elements_are_told_with_the_mesh_and_the_head_that_names_it(tmp_path):
+def test_bad_elements_are_named_with_their_mesh_and_head(tmp_path):
     mesh = write_mesh(tmp_path, change=lambda quad: [quad[each] for each in (0, 2, 1, 3)])
     (tmp_path / "own.toml").write_text(HEAD)
     text = 'name = "x"\nball = "reference"\n[head]\nkind = "meshed"\nclub = "./own.toml"\n[delivery]\nspeed = 35\n'
@@ -106,7 +106,7 @@ def test_bad_elements_are_told_with_the_mesh_and_the_head_that_names_it(tmp_path
 
 
 @pytest.mark.parametrize("content", ["nonsense", "", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nfoo\n"])
-def test_a_broken_mesh_is_told_in_our_words_alone(tmp_path, capfd, content):
+def test_a_broken_mesh_gives_no_message_of_a_library(tmp_path, capfd, content):
     mesh, path = tmp_path / "head.msh", tmp_path / "own.toml"
     mesh.write_text(content)
     path.write_text(HEAD)

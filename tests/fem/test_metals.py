@@ -121,7 +121,7 @@ def test_metals_read_their_values():
         ('rule = "lobatto"', 'rule = "labotto"', "did you mean lobatto?"),
     ],
 )
-def test_a_mistake_in_a_metal_is_told(write, old, new, said):
+def test_a_mistake_in_a_metal_is_named(write, old, new, said):
     path = write(HEAD.replace(old, new), "mine.toml")
     with pytest.raises(FileError, match=re.escape(said)):
         from_toml(path)

@@ -15,7 +15,7 @@ def lines(panel, label=""):
 
 
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
-def test_the_nodes_of_the_patch_add_up_to_what_the_contact_tells(run):
+def test_the_nodes_of_the_patch_add_up_to_the_contact(run):
     found = run()
     patch, contact = found.patch, found.contact
     # Records tell what the step before them did; the last may fall between steps that touch and that do not.

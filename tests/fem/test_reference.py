@@ -73,7 +73,7 @@ def test_a_hard_impact_is_run_again_with_shorter_steps():
     assert found.normal_velocity == short.normal_velocity
 
 
-def test_an_element_that_fails_is_found_while_it_can_be_told_from_the_others():
+def test_an_element_that_fails_is_named_before_others_fail():
     found = throw_case(until_separation=True, safety=0.9, interval=50e-6).replace(speed=110.0).run()
     failed = re.match(r"element (\d+) of c\w+ (?:kept|was turned)", found.stopped)
     # One by its number, not the first of a mesh that has come apart as a whole.

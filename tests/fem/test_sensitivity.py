@@ -147,7 +147,7 @@ def test_a_solid_head_is_refused():
         fem.variables(fem.head("7-iron"))
 
 
-def test_an_unknown_variable_is_told():
+def test_an_unknown_variable_is_named():
     assert {"speed", "friction", "core.radius"} <= set(fem.variables("driver", ball=BALL))
     known = fem.variables(coarse_head(), ball=BALL)
     assert "head.crown.thickness" in known

@@ -106,13 +106,13 @@ def test_the_stress_of_an_iron_hardly_depends_on_the_layers_of_its_mesh():
     assert found[0].place[0] < -0.003
 
 
-def test_a_wall_of_one_layer_says_that_it_does_not_see_bending():
+def test_a_wall_of_one_layer_has_a_note_on_bending():
     one, two = (stress.blow_stress(iron(layers), **BLOW) for layers in (1, 2))
     assert one.parts[0].stress < two.parts[0].stress
     assert [("one-layer-of-hexahedra" in codes(blow)) for blow in (one, two)] == [True, False]
 
 
-def test_a_head_of_dimensions_tells_how_far_its_stress_depends_on_the_mesh():
+def test_a_head_of_dimensions_has_the_spread_of_its_stress_over_meshes():
     told = []
     design = replace(from_toml(builtin_path("head", "7-iron", "fem_heads")), elements=(12, 8, 2))
     blow = stress.blow_stress(design, **BLOW, meshes=2, progress=lambda time, whole: told.append(time / whole))
@@ -167,7 +167,7 @@ def test_a_report_shows_the_place_of_the_peak_and_the_fingerprint_of_the_mesh(cl
     assert "How far the stress depends on the mesh" in page
 
 
-def test_the_command_shows_stress_beside_yield(clubface_, tmp_path):
+def test_the_command_shows_stress_and_yield(clubface_, tmp_path):
     text = builtin_path("head", "7-iron", "fem_heads").read_text().replace("[32, 20, 2]", "[16, 10, 2]")
     file = tmp_path / "iron.toml"
     file.write_text(text + '\n[metal]\nyoungs = "200 GPa"\npoisson = 0.3\ndensity = "7800 kg/m3"\nyield = "300 MPa"\n')

@@ -77,7 +77,7 @@ MISTAKES = [
 
 
 @pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
-def test_a_mistake_in_a_head_is_told(tmp_path, old, new, said):
+def test_a_mistake_in_a_head_is_named(tmp_path, old, new, said):
     write_mesh(tmp_path)
     path = tmp_path / "own.toml"
     assert old in HEAD
@@ -100,7 +100,7 @@ def test_a_mesh_with_bad_elements_is_refused(tmp_path, change):
         _ = fem.head(MeshHead(name="bad", file=path, groups=GROUPS, **FACE)).club
 
 
-def test_a_section_of_other_length_than_it_says_is_told_with_its_line(tmp_path):
+def test_a_section_of_the_wrong_length_is_named_with_its_line(tmp_path):
     lines = write_mesh(tmp_path).read_text().splitlines()
     (tmp_path / "own.toml").write_text(HEAD)
     for section in ("$Nodes", "$Elements"):

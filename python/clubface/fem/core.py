@@ -86,5 +86,5 @@ def translated_errors() -> Iterator[None]:
 
 
 def core_error(name: str, value: str, allowed: str) -> InputError:
-    """Return the error the core told as name, value and what is allowed, the first two of which may be empty."""
+    """Return the error for an input's name, its value and what is allowed; name and value may be empty."""
     return ShotError(name or THE_RUN, value or None, f"{value}; {allowed}" if value else allowed)

@@ -116,7 +116,7 @@ def _spellings(value: float) -> Iterator[str]:
 HEAD_PART, HEAD_SECTION = 101, 2
 HEAD_HOURGLASS = 2
 USUAL_POINTS = 5
-"""Through the thickness of a shell, unless its metal tells how many."""
+"""Through the thickness of a shell, unless its metal gives the number."""
 STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
 """Of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
 SHELL = 1e-3
@@ -126,7 +126,7 @@ FACE_ELEMENT = 2.5e-3
 OF_DECK = (
     "toe", "high", "closure", "pitch_rate", "lie_rate", "ball_backspin", "ball_sidespin", "ball_riflespin",
 )  # fmt: skip
-"""What of a delivery the motion in a deck is made of, beside the velocity that the core tells."""
+"""Values of a delivery that make the motion in a deck; the velocity is that of the core."""
 
 
 def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
@@ -258,7 +258,7 @@ def _rigid(deck: Cards, club: Club, touch: dict[str, Any], nodes: int, elements:
 def _first_touch(case: Case, club: Club) -> dict[str, Any]:
     """Return the head at first touch, in the axes of the deck, and ``axes`` and ``point`` in those of the face."""
     coarse = replace(case.ball, cube=2, pieces=tuple(replace(piece, layers=1) for piece in case.ball.pieces))
-    # The core sets the scene; a run of two steps is the least that tells it.
+    # The core places ball and head; a run of two steps is the least that gives this.
     least = Settings(duration=1e-6, interval=1e-6, threads=1)
     touch = strike(club, case.delivery, ball=coarse, friction=case.friction, settings=least)
     axes, attitude = touch.axes, touch.attitude

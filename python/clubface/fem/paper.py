@@ -40,7 +40,7 @@ _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
 PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
 """What Roh and Lee computed."""
 LEAST_FACTOR: float = _ROH_LEE["least_factor"]
-"""The least compression factor they tell."""
+"""The least compression factor they give."""
 SPEED, LOFT, RADIUS = (
     units.parse(_ROH_LEE["case"][name], dimension)
     for name, dimension in (("speed", "speed"), ("loft", "angle"), ("ball_radius", "length"))
@@ -73,7 +73,7 @@ def by_contact(source: str | os.PathLike[str] | Case = "paper", progress: Progre
 
 
 def section_spin(impact: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return times [s] and the spin that Roh and Lee tell (section 2.3): that of the nodes of one section [rad/s].
+    """Return times [s] and the spin of Roh and Lee (section 2.3): that of the nodes of one section [rad/s].
 
     The section holds the mass centre and the directions along the normal and up the face. Its spin is the rotation
     about the toe direction that fits the velocities of its nodes best, every node alike. Velocities are differences of
@@ -206,6 +206,6 @@ def reference(
 
 
 def other_solvers() -> tuple[list[str], dict[str, list[float]]]:
-    """Return the names of independent solvers, and what they found [SI; rpm], by the keys of the command line."""
+    """Return the names of independent solvers, and their results, by quantity and unit."""
     published = Document.read(DATA / "published_impacts.toml").data["reference"]
     return published["solvers"], published["figures"]

@@ -35,7 +35,7 @@ TARGETS: Mapping[str, Quantity] = {
     **dict.fromkeys(INERTIA, Quantity("g cm2", decimals=4)),
 }
 CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
-"""The unit in which a target is told, and how near [SI] it counts as met."""
+"""The unit in which a target is shown, and how near [SI] it counts as met."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,7 +132,7 @@ class DriverHead:
 def text(head: DriverHead, *, characteristic_time: float | None = None) -> str:
     """Return a file of a driver, which :func:`.read.from_toml` reads; lengths to 0.1 um.
 
-    A ``characteristic_time`` [s] tells the models that take the head as rigid how its face gives.
+    A ``characteristic_time`` [s] is for the models that take the head as rigid.
     """
     lines = ['kind = "driver"\n']
     if characteristic_time is not None:

@@ -217,7 +217,7 @@ SYSTEMS = {
     "in": (_System("psi, lbf s2/in4, lbf s2/in", 6894.757, 1.0686897e7, 175.12684),),
     "m": (),
 }
-"""Systems that go with a unit of length; a file names none, and metals tell which it is."""
+"""Systems that go with a unit of length; a file names none, and its metals decide."""
 YOUNGS, DENSITY = (5e9, 6e11), (1e3, 25e3)
 """What a metal of a head may have [Pa, kg/m3]; a wrong system is off by a thousand."""
 MASSES = (2e-4, 0.3)

@@ -73,7 +73,7 @@ def club_of(document: Document) -> MeshedClub:
 
 
 def _mesh_of(document: Document) -> MeshedHead:
-    """Mesh the head of a file; what is wrong with the mesh is told with the file too."""
+    """Mesh the head of a file; errors of the mesh name the file of the head too."""
     design = _design(document)
     with Place(document).errors():
         try:
