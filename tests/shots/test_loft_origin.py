@@ -109,8 +109,9 @@ def test_monitor_read_says_once_that_lofts_were_computed_and_warns_of_no_ball(tm
     path = str(tmp_path / "radar.csv")
     session("7-iron", 12, ratio=1.137, step=0.1).write(path)
     found = clubface_("monitor", "read", path, "--json").json
-    assert found["loft_origins"][0]["origin"] == COMPUTED
-    assert [note for note in found["notes"] if "--at-launch" in note] == found["notes"][:1]
+    assert found["tables"]["loft_origins"]["rows"][0]["origin"] == COMPUTED
+    notes = [note["text"] for note in found["notes"]]
+    assert [note for note in notes if "--at-launch" in note] == notes[:1]
     shown = clubface_("monitor", "read", path)
     assert shown.out.count("computed from the ball") == 1
     assert "diameter" not in shown.err

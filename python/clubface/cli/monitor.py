@@ -29,6 +29,9 @@ SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
 """What is printed of a shot."""
 Port = Annotated[int, typer.Option("--port", metavar="NUMBER", help="Port on this machine.")]
 HAND = options.text_option("--hand", None, "right|left", "Hand of the player.")
+_CLUBS = options.option(
+    "--club", metavar="CLUB|NAME=CLUB", text="Refer club data to this club, or NAME=CLUB for each name in the file."
+)
 TABLES = (".csv", ".tsv", ".parquet", ".pq")
 
 app = typer.Typer(
@@ -37,30 +40,25 @@ app = typer.Typer(
 
 
 @app.command()
+@options.takes(
+    {
+        "hand": options.text_option("--hand", None, "right|left", "Hand of the player, which the monitor is told."),
+        "timeout": options.text_option("--timeout", None, '"60 s"', "End when nothing has come for so long."),
+    },
+    show.table_option("Write the shots to a new table, CSV or Parquet, kept up to date."),
+)
 def listen(
     port: Port = 921,
-    target: Annotated[
-        str | None, options.output("FILE", "Write the shots to a new table, CSV or Parquet, kept up to date.")
-    ] = None,
-    hand: Annotated[
-        str | None,
-        options.option("--hand", metavar="right|left", text="Hand of the player, which the monitor is told."),
-    ] = None,
-    club: Annotated[
-        str, typer.Option("--club", metavar="NAME", help="Club that the monitor is told, such as DR.")
-    ] = "",
-    count: Annotated[
-        int | None, options.option("--shots", metavar="NUMBER", text="End after this number of shots.")
-    ] = None,
-    timeout: Annotated[
-        str | None, typer.Option("--timeout", metavar='"60 s"', help="End when nothing has come for so long.")
-    ] = None,
+    club: Annotated[str, options.option("--club", metavar="NAME", text="Club that the monitor is told: DR.")] = "",
+    count: Annotated[int | None, options.option("--shots", metavar="NUMBER", text="End after so many shots.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document for each shot.")] = False,
+    **texts: Any,
 ) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.shots.open_connect import Listener
     from clubface.shots.open_connect_messages import recorded
 
+    target, hand, timeout = (texts[name] for name in ("target", "hand", "timeout"))
     output.check_target("--output", target, TABLES)
     if target is not None and Path(target).exists():
         raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
@@ -99,13 +97,14 @@ def listen(
 def send(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
     port: Port = 921,
-    which: Annotated[
-        str | None,
-        typer.Option("--shot", metavar="FIRST:LAST", help="Send only these, counted from 1; all unless given."),
+    places: Annotated[
+        str | None, options.option("--shot", metavar="FIRST:LAST", text="Only these, from 1; all unless given.")
     ] = None,
-    pause: Annotated[str, typer.Option("--pause", metavar='"2 s"', help="Pause between two shots.")] = "0 s",
+    pause: Annotated[
+        str, options.option("--pause", metavar='"2 s"', text="Pause between two shots, none unless given.")
+    ] = "0 s",
     timeout: Annotated[
-        str, typer.Option("--timeout", metavar='"5 s"', help="How long to wait for each answer.")
+        str, options.option("--timeout", metavar='"5 s"', text="Wait for each answer, 5 s unless given.")
     ] = "5 s",
     **texts: Any,
 ) -> None:
@@ -113,7 +112,7 @@ def send(
     from clubface.shots.open_connect import Sender
 
     shots = read_shots(file, texts | {"hand": None}, where=True)
-    first, last = _range(which, len(shots))
+    first, last = _range(places, len(shots))
     seconds = _seconds("--pause", pause)
     refused = sent = 0
     with Sender(port, timeout=_seconds("--timeout", timeout, above=0.0)) as sender:
@@ -143,7 +142,13 @@ def send(
 
 
 @app.command()
-@options.takes(READING, {"hand": HAND}, show.plot_option("where each club lands and the gaps between clubs"), show.JSON)
+@options.takes(
+    READING,
+    {"hand": HAND},
+    show.plot_option("where each club lands and the gaps between clubs"),
+    show.REPORT,
+    show.JSON,
+)
 def summary(files: Files, **texts: Any) -> None:
     """Sum up the shots of each club: counts, means, spreads, and the gaps in carry."""
     shown = show.Output.check(texts | {"unit": None}, [*files, texts["mapping"]])
@@ -183,20 +188,14 @@ def report(
 
 
 @app.command()
-@options.takes(READING, {"hand": HAND}, show.table_option("Write one table, CSV or Parquet by its ending."), show.JSON)
+@options.takes(
+    READING, {"hand": HAND}, show.table_option("Write one table, CSV or Parquet by its ending."), show.REPORT, show.JSON
+)
 def read(
     files: Files,
-    club: Annotated[
-        list[str] | None,
-        options.option(
-            "--club",
-            metavar="CLUB|NAME=CLUB",
-            text="Refer club data to this club, or NAME=CLUB for each name in the file.",
-        ),
-    ] = None,
+    club: Annotated[list[str] | None, _CLUBS] = None,
     rejects: Annotated[
-        str | None,
-        options.option("--rejects", metavar="FILE", text="Write the rows without a shot, with line and reason."),
+        str | None, options.option("--rejects", metavar="FILE", text="Write the rows without a shot, with reasons.")
     ] = None,
     **texts: Any,
 ) -> None:

@@ -96,8 +96,8 @@ def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
     """Return the values that are stated for what was not measured; one without a unit is told."""
     from clubface.simulation.inputs import DIMENSIONS
 
-    found = options.pairs(texts["assume"] or (), "--assume")
-    for name, text in found.items():
+    values = options.pairs(texts["assume"] or (), "--assume")
+    for name, text in values.items():
         if name in DIMENSIONS:
             options.parsed(f"--assume {name}", text, DIMENSIONS[name])
-    return found
+    return values

@@ -69,30 +69,32 @@ def counted(shots: int) -> str:
     return f"{shots} shot{'s' * (shots != 1)}"
 
 
-def measured(of: ClubStatistics) -> Iterator[str]:
+def measured(club: ClubStatistics) -> Iterator[str]:
     """Yield what was measured and the typical shot."""
-    there = [NAMES[name] for name in NAMES if name in of.measured and not (of.computed and name in ("carry", "side"))]
-    yield f"We measured {counted(len(of.shots))}: {_listed(there)}."
-    lacking = [NAMES[name] for name in ("speed", "path", "face", "toe") if name not in of.measured]
+    there = [
+        NAMES[name] for name in NAMES if name in club.measured and not (club.computed and name in ("carry", "side"))
+    ]
+    yield f"We measured {counted(len(club.shots))}: {_listed(there)}."
+    lacking = [NAMES[name] for name in ("speed", "path", "face", "toe") if name not in club.measured]
     if lacking:
         yield f"Your monitor did not give us: {_listed(lacking)}."
     typical = [
-        f"{NAMES[name]} {amount(of.measured[name].mean, name)}"
+        f"{NAMES[name]} {amount(club.measured[name].mean, name)}"
         for name in ("speed", "ball_speed", "launch", "total_spin")
-        if name in of.measured
+        if name in club.measured
     ]
     if typical:
         yield f"Your typical shot: {_listed(typical)}."
-    if carry := of.measured.get("carry"):
-        how = " (computed from the start of its flight, in still air)" if of.computed else ""
+    if carry := club.measured.get("carry"):
+        how = " (computed from the start of its flight, in still air)" if club.computed else ""
         yield f"It carries {amount(carry.mean, 'carry')}{how}{_spread(carry, 'carry', '; ')}."
-    if side := of.measured.get("side"):
+    if side := club.measured.get("side"):
         yield f"On average it finishes {sided(side.mean, 'side')}{_spread(side, 'side', '; ')}."
 
 
-def line(of: ClubStatistics) -> Iterator[str]:
+def line(club: ClubStatistics) -> Iterator[str]:
     """Yield where the ball starts and how it bends, beside face and path."""
-    start, axis = of.measured.get("azimuth"), of.measured.get("spin_axis")
+    start, axis = club.measured.get("azimuth"), club.measured.get("spin_axis")
     if start is None:
         return
     bends = ""
@@ -102,15 +104,15 @@ def line(of: ClubStatistics) -> Iterator[str]:
     yield f"Your ball starts {sided(start.mean, 'azimuth')}{bends}."
     angles, guessed = {}, []
     for name in ("face", "path"):
-        if name in of.measured:
-            angles[name] = of.measured[name].mean
-        elif of.inferred is not None:
-            angles[name] = of.inferred.mean[name]
-            guessed.append(f"the {NAMES[name]} to about {amount(2.0 * of.inferred.doubt[name], name)} either way")
+        if name in club.measured:
+            angles[name] = club.measured[name].mean
+        elif club.inferred is not None:
+            angles[name] = club.inferred.mean[name]
+            guessed.append(f"the {NAMES[name]} to about {amount(2.0 * club.inferred.doubt[name], name)} either way")
     if len(angles) < 2:
         return
     face, path = angles["face"], angles["path"]
-    where = " at the point of contact" if "face" in of.measured and of.shots.face_at == CONTACT else ""
+    where = " at the point of contact" if "face" in club.measured and club.shots.face_at == CONTACT else ""
     known = "As far as the flight of the ball tells" if guessed else "As measured"
     yield (
         f"{known}, your club face points {sided(face, 'face')}{where} at impact, and your club moves"
@@ -118,8 +120,8 @@ def line(of: ClubStatistics) -> Iterator[str]:
     )
     if guessed:
         yield f"This is an estimate: it gives {_listed(guessed)} (19 times out of 20)."
-    if of.start:
-        turned, swung = (of.start[name] for name in ("face", "path"))
+    if club.start:
+        turned, swung = (club.start[name] for name in ("face", "path"))
         yield (
             f"With this club, one degree of face turns the start of the ball by {turned:.1f}°, one degree of path by"
             f" {swung:.1f}°: where it starts is mostly your face."
@@ -128,39 +130,39 @@ def line(of: ClubStatistics) -> Iterator[str]:
             f" by {swung:.1f}°."
         )
     apart = face - path
-    known_to = 0.0 if not guessed or of.inferred is None else 2.0 * max(of.inferred.doubt[name] for name in angles)
+    known_to = 0.0 if not guessed or club.inferred is None else 2.0 * max(club.inferred.doubt[name] for name in angles)
     if abs(apart) > known_to and abs(math.degrees(apart)) >= SMALL["deg"]:
         side = "right" if apart > 0.0 else "left"
         yield (
             f"The face looks {amount(abs(apart), 'face')} further {side} than the club moves, which by itself"
             f" bends a ball struck in the middle to the {side}."
         )
-    if of.closing and abs(math.degrees(of.closing["azimuth"])) >= SMALL["deg"]:
-        yield _closing(of)
+    if club.closing and abs(math.degrees(club.closing["azimuth"])) >= SMALL["deg"]:
+        yield _closing(club)
 
 
-def _closing(of: ClubStatistics) -> str:
+def _closing(club: ClubStatistics) -> str:
     """Say what the closing of the face does to start and bend."""
-    start, spin = of.closing["azimuth"], of.closing["sidespin"]
+    start, spin = club.closing["azimuth"], club.closing["sidespin"]
     side, bend = ("right" if each > 0.0 else "left" for each in (start, spin))
-    typical = "" if "closure" in of.measured else " at the rate that is usual for golfers of your speed"
+    typical = "" if "closure" in club.measured else " at the rate that is usual for golfers of your speed"
     return (
         f"The face also closes while it meets the ball{typical}, and so moves to the {side}: that alone starts the ball"
         f" {amount(abs(start), 'azimuth')} further {side} and bends it to the {bend}."
     )
 
 
-def strike(of: ClubStatistics) -> Iterator[str]:
+def strike(club: ClubStatistics) -> Iterator[str]:
     """Yield where the ball meets the face."""
-    seen = [name for name in ("toe", "high") if name in of.measured]
+    seen = [name for name in ("toe", "high") if name in club.measured]
     if seen:
-        told = [sided(of.measured[name].mean, name) for name in seen]
-        yield f"On average the ball meets the face {_listed(told)}."
-        many = [name for name in seen if of.measured[name].count > 1]
-        yield from (f"{NAMES[name].capitalize()}: {_spread(of.measured[name], name)}." for name in many)
-    elif of.inferred is not None:
+        parts = [sided(club.measured[name].mean, name) for name in seen]
+        yield f"On average the ball meets the face {_listed(parts)}."
+        many = [name for name in seen if club.measured[name].count > 1]
+        yield from (f"{NAMES[name].capitalize()}: {_spread(club.measured[name], name)}." for name in many)
+    elif club.inferred is not None:
         for name in ("toe", "high"):
-            value, doubt = of.inferred.mean[name], 2.0 * of.inferred.doubt[name]
+            value, doubt = club.inferred.mean[name], 2.0 * club.inferred.doubt[name]
             ends = " to ".join(sided(each, name) for each in (value - doubt, value + doubt))
             what = "sideways" if name == "toe" else "up and down"
             yield (
@@ -172,28 +174,28 @@ def strike(of: ClubStatistics) -> Iterator[str]:
         yield "Spray or impact tape on the face would tell this far better than any computation."
 
 
-def what_if(of: ClubStatistics) -> Iterator[str]:
+def what_if(club: ClubStatistics) -> Iterator[str]:
     """Yield what a change does to the average shot, all else the same."""
-    for each in of.changes:
-        told = [
-            f"{NAMES[name]} {told}"
+    for each in club.changes:
+        parts = [
+            f"{NAMES[name]} {change}"
             for name in ("ball_speed", "launch")
-            if (told := amount(each.launch[name], name, signed=True, digits=1)).strip("+-0. °mph")
+            if (change := amount(each.launch[name], name, signed=True, digits=1)).strip("+-0. °mph")
         ]
         spin = amount(each.launch["backspin"], "backspin", signed=True)
-        told.append(f"backspin {spin}")
+        parts.append(f"backspin {spin}")
         carry = amount(each.carry, "carry", signed=True)
-        told.append(f"carry {carry}" if carry.strip("+-0. yards") else "carry as before")
+        parts.append(f"carry {carry}" if carry.strip("+-0. yards") else "carry as before")
         side = amount(abs(each.side), "side")
-        told.append(f"finishing {side} more to the {'right' if each.side > 0.0 else 'left'}")
-        shown = told[:-1] if abs(units.from_si(each.side, "yd")) < 0.5 else told
+        parts.append(f"finishing {side} more to the {'right' if each.side > 0.0 else 'left'}")
+        shown = parts[:-1] if abs(units.from_si(each.side, "yd")) < 0.5 else parts
         yield f"If you {STEPS[each.name]}: {', '.join(shown)}."
 
 
-def doubt(of: ClubStatistics) -> Iterator[str]:
+def doubt(club: ClubStatistics) -> Iterator[str]:
     """Yield how sure all this is."""
-    count = len(of.shots)
-    carry = of.measured.get("carry")
+    count = len(club.shots)
+    carry = club.measured.get("carry")
     if carry is not None and carry.count >= 2:
         error = amount(carry.error, "carry")
         yield (
@@ -205,38 +207,38 @@ def doubt(of: ClubStatistics) -> Iterator[str]:
     elif count < ENOUGH:
         # An average of four times as many shots is twice as sure.
         yield f"With {3 * count} shots more we would know the averages about twice as well."
-    found = of.inferred
-    if found is not None and of.club is not None:
-        if found.shots + found.refused < min(count, of.measured["launch"].count):
-            yield f"How the club was delivered was computed for {found.shots} of the shots, spread evenly over all."
+    inferred = club.inferred
+    if inferred is not None and club.club is not None:
+        if inferred.shots + inferred.refused < min(count, club.measured["launch"].count):
+            yield f"How the club was delivered was computed for {inferred.shots} of the shots, spread evenly over all."
         yield (
             f"The what-if and what is said of face, path and strike where they were not measured come from a model of"
-            f" impact with a standard {of.club.name} and average golfers, not from your own club: trust the direction"
+            f" impact with a standard {club.club.name} and average golfers, not from your own club: trust the direction"
             " and the rough size, not the last digit."
         )
-        if found.remarked:
-            rows = ", ".join(str(row) for row in found.remarked[:10])
-            more = f" and {len(found.remarked) - 10} more" * (len(found.remarked) > 10)
+        if inferred.remarked:
+            rows = ", ".join(str(row) for row in inferred.remarked[:10])
+            more = f" and {len(inferred.remarked) - 10} more" * (len(inferred.remarked) > 10)
             yield (
                 "The figures in these lines of the file hardly go together, so that one of them may be wrong:"
                 f" {rows}{more}."
             )
-        if found.refused:
-            yield f"{found.refused} of the shots cannot be of this club as measured, and are left out there."
-    elif of.club is None:
+        if inferred.refused:
+            yield f"{inferred.refused} of the shots cannot be of this club as measured, and are left out there."
+    elif club.club is None:
         yield (
-            f"We have no model of {of.name}: nothing is said of face, path and strike beyond what"
+            f"We have no model of {club.name}: nothing is said of face, path and strike beyond what"
             " was measured, and no what-if is given."
         )
 
 
-def _spread(of: Statistic, name: str, before: str = "") -> str:
+def _spread(club: Statistic, name: str, before: str = "") -> str:
     """Return how much shots differ, with what stands ``before`` it; nothing for a single shot."""
-    if of.count < 2:
+    if club.count < 2:
         return ""
-    if of.count < ENOUGH:
-        return f"{before}the shots differ by {amount(of.spread, name)} on average"
-    low, high = (sided(each, name) if name in SIDES else amount(each, name) for each in (of.low, of.high))
+    if club.count < ENOUGH:
+        return f"{before}the shots differ by {amount(club.spread, name)} on average"
+    low, high = (sided(each, name) if name in SIDES else amount(each, name) for each in (club.low, club.high))
     return f"{before}two out of three shots lie between {low} and {high}"
 
 

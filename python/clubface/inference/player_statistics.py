@@ -150,16 +150,16 @@ def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStat
     computed = "carry" not in columns and all(each in columns for each in LAUNCHED)
     if computed:
         columns |= _flown({each: columns[each] for each in LAUNCHED})
-    measured = {each: found for each, values in columns.items() if (found := statistic(values)) is not None}
+    measured = {each: result for each, values in columns.items() if (result := statistic(values)) is not None}
     plain = ClubStatistics(name=name, club=head, shots=shots, measured=measured, computed=computed)
     if head is None or "ball_speed" not in measured or "launch" not in measured:
         return plain
-    found = _inferred(shots, head, min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs)))
-    if found is None:
+    result = _inferred(shots, head, min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs)))
+    if result is None:
         return plain
-    launch, changes, start, closing = _changes(head, found.mean)
+    launch, changes, start, closing = _changes(head, result.mean)
     return ClubStatistics(
-        name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=found, changes=changes,
+        name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=result, changes=changes,
         start=start, closing=closing, launch=launch,
     )  # fmt: skip
 
@@ -185,13 +185,13 @@ def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
         if not {"ball_speed", "launch"} <= set(launch):
             continue
         try:
-            found = prepared.of(launch, _at(shots.deliveries, OF_CLUB, place))
+            result = prepared.of(launch, _at(shots.deliveries, OF_CLUB, place))
         except UnreachableLaunchError:
             refused += 1
             continue
-        means.append({**found.mean, **found.known})
-        doubts.append(found.deviation)
-        if found.warnings:
+        means.append({**result.mean, **result.known})
+        doubts.append(result.deviation)
+        if result.warnings:
             remarked.append(int(shots.rows[place]))
     if not means:
         return None
@@ -205,8 +205,8 @@ def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
 
 
 def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
-    found = {name: float(columns[name][place]) for name in names if name in columns}
-    return {name: value for name, value in found.items() if math.isfinite(value)}
+    result = {name: float(columns[name][place]) for name in names if name in columns}
+    return {name: value for name, value in result.items() if math.isfinite(value)}
 
 
 def _changes(
@@ -219,27 +219,27 @@ def _changes(
         )
     base = {name: float(getattr(table.launch, name)) for name in LAUNCHED}
     before = _flown({name: np.array([value]) for name, value in base.items()})
-    found = []
+    result = []
     for name, text in CHANGES.items():
         step = units.parse(text, OF_CLUB[name])
         moved = {each: table.value(each, name) * step for each in LAUNCHED}
         after = _flown({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
         carry, side = (float(after[each][0] - before[each][0]) for each in ("carry", "side"))
-        found.append(Change(name=name, step=step, launch=moved, carry=carry, side=side))
+        result.append(Change(name=name, step=step, launch=moved, carry=carry, side=side))
     start = {name: table.value("azimuth", name) for name in ("face", "path")}
     closing = {name: table.value(name, "closure") * delivery["closure"] for name in ("azimuth", "sidespin")}
-    return table.launch, tuple(found), start, closing
+    return table.launch, tuple(result), start, closing
 
 
 def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:
     """Return carry and side of launches in still air at sea level; NaN where a value lacks."""
     known = np.all([np.isfinite(values) for values in launch.values()], axis=0)
-    found = {name: np.full(known.shape, np.nan) for name in ("carry", "side")}
+    result = {name: np.full(known.shape, np.nan) for name in ("carry", "side")}
     if known.any():
         flight = fly({name: values[known] for name, values in launch.items()}, on_error="nan")
-        for name in found:
-            found[name][known] = getattr(flight, name)
-    return found
+        for name in result:
+            result[name][known] = getattr(flight, name)
+    return result
 
 
 def difference_error(one: Statistic, other: Statistic) -> float:

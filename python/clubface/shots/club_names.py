@@ -56,7 +56,7 @@ def club_kind(name: str) -> str | None:
         letter = words[0]
     if letter is not None:
         return _WEDGE_LETTERS[letter]
-    lofts = [found[1] for each in words if (found := _LOFT.fullmatch(each))]
+    lofts = [match[1] for each in words if (match := _LOFT.fullmatch(each))]
     short = len(words) <= 2 and len(words) - len(lofts) == sum(len(each) == 1 for each in words)
     if len(lofts) == 1 and (short or WEDGE in words or "vokey" in words):
         return f"{lofts[0]}-{WEDGE}"
@@ -109,7 +109,7 @@ def _words(name: str) -> list[str]:
     A number behind letters that name no club, as in ``ZX5``, is left out with them.
     """
     text = unicodedata.normalize("NFKC", name.replace("º", "°")).translate(_NUMERALS)
-    text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", _EASTERN_WORDS.sub(lambda found: f" {_EASTERN[found[0]]} ", text))
+    text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", _EASTERN_WORDS.sub(lambda match: f" {_EASTERN[match[0]]} ", text))
     letters = "".join(each for each in unicodedata.normalize("NFKD", text) if not unicodedata.combining(each)).lower()
     letters = re.sub(r"(?<=\d):an?\b", " ", letters.replace("æ", "ae"))  # Swedish: 7:an
     words: list[str] = []

@@ -101,19 +101,19 @@ def match_shots(shots: RecordedShots, condition: str) -> Match:
         raise InputError("where", condition[:40] + "...", f"a condition of at most {LONGEST} characters")
     given: dict[str, _Number] = {}
     text = "".join(
-        part if place % 2 else _WITH_UNIT.sub(lambda found: _named(found, given), part)
+        part if place % 2 else _WITH_UNIT.sub(lambda result: _named(result, given), part)
         for place, part in enumerate(_QUOTED.split(condition))
     )
     reader = _Reader(shots, condition, given)
     try:
-        found = reader.value(ast.parse(text.strip(), mode="eval").body)
+        result = reader.value(ast.parse(text.strip(), mode="eval").body)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("where", condition, f"a condition on the shots, {EXAMPLE}") from None
-    if not isinstance(found, _Truth):
+    if not isinstance(result, _Truth):
         raise InputError("where", condition, f"a condition that is true or false, {EXAMPLE}")
-    true, false = (np.broadcast_to(each, len(shots)) for each in found)
+    true, false = (np.broadcast_to(each, len(shots)) for each in result)
     return Match(true, int((~(true | false)).sum()))
 
 
@@ -122,22 +122,22 @@ def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots,
     mask, undecided = match_shots(shots, condition)
     lacking = f"{undecided} lack something on which it turns"
     if not mask.any():
-        told = f"; {lacking}" if undecided else ""
-        raise InputError("where", condition, f"a condition that some of the {len(shots)} shots fulfil{told}")
+        remark = f"; {lacking}" if undecided else ""
+        raise InputError("where", condition, f"a condition that some of the {len(shots)} shots fulfil{remark}")
     note = f"{int(mask.sum())} of {len(shots)} shots fulfil {condition}{f'; {lacking}' if undecided else ''}"
-    found = shots.select(mask)
-    return replace(found, notes=(*found.notes, note)), np.flatnonzero(mask)
+    result = shots.select(mask)
+    return replace(result, notes=(*result.notes, note)), np.flatnonzero(mask)
 
 
-def _named(found: re.Match[str], given: dict[str, _Number]) -> str:
+def _named(result: re.Match[str], given: dict[str, _Number]) -> str:
     """Put a name in the place of a number with a unit, and the value under that name."""
-    symbol = unit_symbol(found["unit"])
+    symbol = unit_symbol(result["unit"])
     if symbol is None:
-        return found[0]
+        return result[0]
     name = _UNIT_NAME.format(len(given))
     dimension = unit(symbol).dimension
     given[name] = _Number(
-        to_si(float(found["number"]), symbol), None if dimension == DIMENSIONLESS else dimension, found[0]
+        to_si(float(result["number"]), symbol), None if dimension == DIMENSIONLESS else dimension, result[0]
     )
     return name
 
@@ -185,16 +185,16 @@ class _Reader:
         return InputError("where", self._condition, f"a condition on the shots, {EXAMPLE} ({what})")
 
     def _number(self, node: ast.expr) -> _Number:
-        found = self.value(node)
-        if not isinstance(found, _Number):
+        result = self.value(node)
+        if not isinstance(result, _Number):
             raise self._error(f"{ast.unparse(node)} is no number")
-        return found
+        return result
 
     def _truth(self, node: ast.expr) -> _Truth:
-        found = self.value(node)
-        if not isinstance(found, _Truth):
+        result = self.value(node)
+        if not isinstance(result, _Truth):
             raise self._error(f"{ast.unparse(node)} is neither true nor false; compare it with something")
-        return found
+        return result
 
     @staticmethod
     def _joined(how: ast.boolop, parts: list[_Truth]) -> _Truth:
@@ -227,9 +227,9 @@ class _Reader:
             return right.dimension
         if None in (left.dimension, right.dimension):
             needs, bare = (left, right) if right.dimension is None else (right, left)
-            told = f"{bare.shown} needs a unit" if np.ndim(bare.values) == 0 else f"{bare.shown} is a pure number"
+            remark = f"{bare.shown} needs a unit" if np.ndim(bare.values) == 0 else f"{bare.shown} is a pure number"
             units = " or ".join(symbols(needs.dimension)[:3])
-            raise self._error(f"{told}: {needs.shown} is in {units}")
+            raise self._error(f"{remark}: {needs.shown} is in {units}")
         raise self._error(f"{left.shown} and {right.shown} are of different kinds: {left.dimension}, {right.dimension}")
 
     def _compared(self, node: ast.Compare) -> _Truth:

@@ -117,13 +117,13 @@ COMMON_FIELD = Field()
 @cache
 def common_names() -> Mapping[str, tuple[str, int]]:
     """Return the quantity that each heading of the vocabulary of all tables gives, and its rank."""
-    found: dict[str, tuple[str, int]] = {}
+    result: dict[str, tuple[str, int]] = {}
     counts: Counter[str] = Counter()
     for name, quantity in (*shot_words().names.items(), *dict.fromkeys(TO_PATH, FACE_TO_PATH).items()):
         if quantity in MEASURED:
-            found[plain(name.replace("_", " "))] = quantity, counts[quantity] + COMMON * (name in SECOND_CHOICE)
+            result[plain(name.replace("_", " "))] = quantity, counts[quantity] + COMMON * (name in SECOND_CHOICE)
             counts[quantity] += 1
-    return found
+    return result
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -229,10 +229,10 @@ class Format:
 
     def heading(self, text: str) -> Heading:
         """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
-        if (found := self._headings.get(text)) is None:
+        if (result := self._headings.get(text)) is None:
             parts = self._parts(text)
-            found = self._headings[text] = self.by_unit(parts, parts.unit)
-        return found
+            result = self._headings[text] = self.by_unit(parts, parts.unit)
+        return result
 
     def by_unit(self, head: Heading, written: str | None) -> Heading:
         """Return the heading that a short one such as "side" stands for, which its unit, as written, tells."""

@@ -101,12 +101,12 @@ def loft_origins(shots: RecordedShots) -> tuple[LoftOrigin, ...]:
         return ()
     clubs = np.full(len(shots), "", dtype=object) if shots.clubs is None else shots.clubs
     files = np.full(len(shots), "", dtype=object) if shots.files is None else shots.files
-    found = []
+    origins = []
     for club, file in dict.fromkeys(zip(clubs, files, strict=True)):
         origin = _origin(shots, (clubs == club) & (files == file))
         if origin is not None:
-            found.append(origin._replace(club=str(club), file=str(file)))
-    return tuple(found)
+            origins.append(origin._replace(club=str(club), file=str(file)))
+    return tuple(origins)
 
 
 def computed(origins: Iterable[LoftOrigin]) -> list[LoftOrigin]:
@@ -116,13 +116,13 @@ def computed(origins: Iterable[LoftOrigin]) -> list[LoftOrigin]:
 
 def origin_notes(origins: Iterable[LoftOrigin], instead: str) -> list[str]:
     """Return a note of lofts that were computed from the ball, with what to do ``instead``; none without such."""
-    found = computed(origins)
-    if not found:
+    origins = computed(origins)
+    if not origins:
         return []
-    faces = all(each.with_face for each in found)
+    faces = all(each.with_face for each in origins)
     what = "dynamic loft and face angle were" if faces else "dynamic loft was"
     ratios = ", ".join(
-        f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_label(each)}{each.shots} shots)" for each in found
+        f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_label(each)}{each.shots} shots)" for each in origins
     )
     return [
         f"{what} computed from the ball, not measured: I w / (m R v_t) is one number from shot to shot, {ratios}."
@@ -139,8 +139,8 @@ def _label(origin: LoftOrigin) -> str:
 def _origin(shots: RecordedShots, chosen: NDArray[np.bool_]) -> LoftOrigin | None:
     """Return the origin of the lofts of some shots: with the face angle if that explains more, else without."""
     in_space, upright = _angles(shots, chosen, with_face=True), _angles(shots, chosen, with_face=False)
-    found = [each for each in (in_space, upright) if each is not None]
-    return min(found, key=lambda each: (ORIGINS.index(each.origin), not each.with_face), default=None)
+    origins = [each for each in (in_space, upright) if each is not None]
+    return min(origins, key=lambda each: (ORIGINS.index(each.origin), not each.with_face), default=None)
 
 
 def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool) -> LoftOrigin | None:

@@ -58,13 +58,13 @@ def check_club(
         "refuse" or "note".
     """
     check_choice("mismatch", mismatch, MISMATCH)
-    found = _other_name(club, names) or _other_loft(club, lofts)
-    if found is None:
+    result = _other_name(club, names) or _other_loft(club, lofts)
+    if result is None:
         return []
     if mismatch == REFUSE:
         advice = 'the club of these shots: {} (mismatch="note" or --mismatch note takes them all the same)'
-        raise InputError("club", club.name, advice.format(found))
-    return [f"{found}: is this the right club?"]
+        raise InputError("club", club.name, advice.format(result))
+    return [f"{result}: is this the right club?"]
 
 
 def _other_name(club: Club, names: Iterable[object] | None) -> str | None:
@@ -108,9 +108,9 @@ class ReadyShots(RecordedShots):
     places: NDArray[np.int64] = field(default_factory=lambda: np.arange(0))
     loft_origins: tuple[LoftOrigin, ...] = ()
 
-    def select(self, which: Any) -> Self:
+    def select(self, chosen: Any) -> Self:
         """Return some of the shots, as :meth:`RecordedShots.select` does."""
-        return replace(super().select(which), places=np.atleast_1d(self.places[which]))
+        return replace(super().select(chosen), places=np.atleast_1d(self.places[chosen]))
 
 
 def ready_shots(
@@ -163,12 +163,12 @@ def ready_shots(
         head = head.replace(hand=hand)
     lofts = recorded.deliveries.get("loft", np.empty(0))
     notes = check_club(head, recorded.clubs if only is None else None, lofts[np.isfinite(lofts)], mismatch)
-    found = refer(assume_values(recorded, assume or {}), head)
-    told = {each.name: getattr(found, each.name) for each in fields(RecordedShots)}
+    result = refer(assume_values(recorded, assume or {}), head)
+    stated = {each.name: getattr(result, each.name) for each in fields(RecordedShots)}
     clubs, files = (None if each is None else set(map(str, each)) for each in (recorded.clubs, recorded.files))
     of_these = (clubs or {""}, files or {""})
     return ReadyShots(
-        **{**told, "notes": tuple(dict.fromkeys((*found.notes, *notes)))}, club=head, places=places,
+        **{**stated, "notes": tuple(dict.fromkeys((*result.notes, *notes)))}, club=head, places=places,
         loft_origins=tuple(each for each in origins if each.club in of_these[0] and each.file in of_these[1]),
     )  # fmt: skip
 
@@ -202,8 +202,8 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
     named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
     kind = _built_in(club_kind(named))
     if kind is None:
-        told = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
-        raise InputError("club", None, f"{told}; clubface clubs lists the built-in clubs")
+        stated = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
+        raise InputError("club", None, f"{stated}; clubface clubs lists the built-in clubs")
     return club_named(kind)
 
 
@@ -265,15 +265,15 @@ class MeasuredShots:
     def __len__(self) -> int:
         return len(self.rows)
 
-    def select(self, which: NDArray[Any]) -> Self:
+    def select(self, chosen: NDArray[Any]) -> Self:
         """Return some of the shots, by a mask or indices."""
         return replace(
             self,
-            delivery={name: values[which] for name, values in self.delivery.items()},
-            launch={name: values[which] for name, values in self.launch.items()},
-            start={name: values[which] for name, values in self.start.items()},
-            rows=self.rows[which],
-            places=self.places[which],
+            delivery={name: values[chosen] for name, values in self.delivery.items()},
+            launch={name: values[chosen] for name, values in self.launch.items()},
+            start={name: values[chosen] for name, values in self.start.items()},
+            rows=self.rows[chosen],
+            places=self.places[chosen],
         )
 
 
@@ -340,8 +340,10 @@ def measured_shots(
     kept = np.array([row not in reasons for row in range(len(recorded))], dtype=bool)
     dropped = [RejectedRow(int(recorded.rows[row]), reason) for row, reason in sorted(reasons.items())]
     if not kept.any():
-        told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
-        raise InputError("shots", recorded.source, f"at least one shot with a complete delivery and a launch ({told})")
+        stated = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
+        raise InputError(
+            "shots", recorded.source, f"at least one shot with a complete delivery and a launch ({stated})"
+        )
     delivery = {name: values[kept] for name, values in delivery.items()}
     origins = recorded.loft_origins
     of_lofts = _notes_at_launch(start, origins) if start else origin_notes(origins, AT_LAUNCH)
@@ -362,17 +364,17 @@ def measured_shots(
 
 def _start(recorded: RecordedShots) -> dict[str, NDArray[np.float64]]:
     """Return launch angles and, if they were measured, azimuths [rad]."""
-    found = {
+    result = {
         name: recorded.launches[name]
         for name in SOLVED
         if name in recorded.launches and np.isfinite(recorded.launches[name]).any()
     }
-    if "launch" not in found:
+    if "launch" not in result:
         measured = ", ".join(recorded.launches) or "nothing"
         raise InputError(
             "compared_at", LAUNCH, f"shots with a measured launch angle; measured of the launch: {measured}"
         )
-    return found
+    return result
 
 
 def _notes_at_launch(start: Mapping[str, Any], origins: Iterable[LoftOrigin]) -> list[str]:
@@ -383,14 +385,14 @@ def _notes_at_launch(start: Mapping[str, Any], origins: Iterable[LoftOrigin]) ->
 
 def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[str]:
     """Return what was not measured and how it is taken."""
-    found = []
+    result = []
     missing = [name for name in OF_CLUB if name not in delivery]
     zero = [name for name in missing if name != "loft"]
     if zero:
-        found.append(f"not measured and taken as zero: {', '.join(zero)}")
+        result.append(f"not measured and taken as zero: {', '.join(zero)}")
     if "loft" in missing:
         loft = units.show(head.loft, "deg", 3)
-        found.append(
+        result.append(
             f"dynamic loft was not measured; the static loft of {head.name}, {loft}, stands for it in every shot"
         )
-    return found
+    return result

@@ -153,14 +153,14 @@ def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0
         return Reading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
     if is_missing(cell):
         return None
-    found, side, unit = _parts(cell, quantity)
+    match, side, unit = _parts(cell, quantity)
     try:
-        value = number(found["number"], decimal_comma)
+        value = number(match["number"], decimal_comma)
     except ValueError:
         raise CellError("not a number") from None
     if side is None:
         return Reading(value, None, unit)
-    written = found["number"][0]
+    written = match["number"][0]
     if value and written in "-+" and (positive if written == "+" else -positive) != side.sign:
         raise CellError("a number whose sign and side contradict each other")
     return Reading(abs(value) * side.sign, side, unit)
@@ -177,16 +177,16 @@ def unit_in(cell: str, quantity: str = "") -> str | None:
 def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | None]:
     """Return the number of a cell, its side and its unit, each of which may stand before the number or after it."""
     text = narrow(cell.replace("−", "-")).strip()
-    found = NUMBER.fullmatch("-" + text[1:] if text[:1] == "–" else text)
-    if not found or not any(map(str.isdigit, found["number"])):
+    match = NUMBER.fullmatch("-" + text[1:] if text[:1] == "–" else text)
+    if not match or not any(map(str.isdigit, match["number"])):
         raise CellError("not a number")
     sides = SIDES.get(quantity, {})
-    before, after = (_side_and_unit(found[each], quantity) for each in ("before", "rest"))
+    before, after = (_side_and_unit(match[each], quantity) for each in ("before", "rest"))
     if before is None or after is None or any(map(all, zip(before, after, strict=True))):
-        if not found["number"].strip("+-0.,") and plain(found["before"] + found["rest"]) in _NO_SIDE:
-            return found, None, None
+        if not match["number"].strip("+-0.,") and plain(match["before"] + match["rest"]) in _NO_SIDE:
+            return match, None, None
         raise CellError(_no_number(sides))
-    return found, before[0] or after[0], before[1] or after[1]
+    return match, before[0] or after[0], before[1] or after[1]
 
 
 @lru_cache(maxsize=4096)

@@ -600,11 +600,11 @@ def _is_array(cells: Any) -> bool:
 
 def _is_measurement(cell: str) -> bool:
     """Tell whether a cell is a number, perhaps with a unit or a side, and no date, club or name."""
-    found = NUMBER.fullmatch(cell.strip())
-    if found is None or len(found["before"]) > 2 or len(found["rest"]) > 6:
+    match = NUMBER.fullmatch(cell.strip())
+    if match is None or len(match["before"]) > 2 or len(match["rest"]) > 6:
         return False
-    words = found["before"] + found["rest"]
-    return any(map(str.isdigit, found["number"])) and not (words and club_kind(cell))
+    words = match["before"] + match["rest"]
+    return any(map(str.isdigit, match["number"])) and not (words and club_kind(cell))
 
 
 def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:
@@ -612,8 +612,8 @@ def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:
     if _is_array(cells):
         return np.zeros(len(cells))
     point = "," if decimal_comma else "."
-    found = [re.search(rf"\d+(?:{re.escape(point)}(\d*))?", cell.replace("'", "")) for cell in cells]
-    places = np.array([len(each[1] or "") if each else 0 for each in found])
+    match = [re.search(rf"\d+(?:{re.escape(point)}(\d*))?", cell.replace("'", "")) for cell in cells]
+    places = np.array([len(each[1] or "") if each else 0 for each in match])
     return 10.0**-places * size(column.unit)
 
 

@@ -199,13 +199,13 @@ class Listener:
             self._leave(client, "left in the middle of a message" if client.stream.is_partial else "left")
             return
         client.heard = time.monotonic()
-        for found in client.stream.feed(data):
-            if not isinstance(found, Broken):
+        for received in client.stream.feed(data):
+            if not isinstance(received, Broken):
                 client.spoke, client.has_spoken = client.heard, True
             try:
-                if isinstance(found, Broken):
-                    raise MessageError(found.reason)
-                message = from_json(found)
+                if isinstance(received, Broken):
+                    raise MessageError(received.reason)
+                message = from_json(received)
             except MessageError as error:
                 self._tell(f"{client.name}: {error}")
                 self._answer(client, reply(FAILED, str(error)))
@@ -362,7 +362,7 @@ class Sender:
             raise self._problem("was lost", error) from None
         if not data:
             raise LinkError(self._address, "closed the connection")
-        found = []
+        received = []
         for answer in self._stream.feed(data):
             if isinstance(answer, Broken):
                 raise LinkError(self._address, f"answered what is no answer: {answer.reason}")
@@ -371,8 +371,8 @@ class Sender:
                 raise LinkError(self._address, "answered without a code")
             if isinstance(answer.get("Player"), Mapping):
                 self.player = answer["Player"]
-            found.append(Reply(code, str(answer.get("Message", ""))))
-        return found
+            received.append(Reply(code, str(answer.get("Message", ""))))
+        return received
 
     def _problem(self, what: str, error: OSError) -> LinkError:
         return LinkError(self._address, f"{what}: {error.strerror or error}")

@@ -194,8 +194,8 @@ def _options(data: Mapping[str, Any]) -> Mapping[str, Any]:
 
 def _part(data: Mapping[str, Any], name: str, notes: list[str]) -> Mapping[str, Any] | None:
     """Return the data of ball or club; None, with a note, where the message says it holds them and does not."""
-    found = data.get(name)
-    if found is None:
+    result = data.get(name)
+    if result is None:
         notes.append(f"{name} is missing")
         return None
     return _object(data, name)
@@ -233,68 +233,68 @@ def _delivery(club: Mapping[str, Any], notes: list[str]) -> dict[str, float]:
         notes.append(f"ClubData.Speed is {given.pop('Speed'):g}, which is below 0: taken as not measured")
     if not any(given.values()):
         return {}
-    found = {name: value for name, value in _si(given, CLUB).items() if value or name not in NEVER_ZERO}
-    if not found.get("toe") and not found.get("high"):
-        found = {name: value for name, value in found.items() if name not in ("toe", "high")}
-    return found
+    result = {name: value for name, value in _si(given, CLUB).items() if value or name not in NEVER_ZERO}
+    if not result.get("toe") and not result.get("high"):
+        result = {name: value for name, value in result.items() if name not in ("toe", "high")}
+    return result
 
 
 def _numbers(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[str]) -> dict[str, float]:
     """Return the fields that hold a number; a note says which hold something else. Null is not measured."""
-    found = {}
+    result = {}
     for name in names:
         if data.get(name) is None:
             continue
         try:
-            found[name] = _number(data, name, where, LARGEST_VALUE)
+            result[name] = _number(data, name, where, LARGEST_VALUE)
         except MessageError:
             text = shortened(repr(data[name]), 40)
             notes.append(f"{where}{name} is {text}, which is no number: taken as not measured")
-    return found
+    return result
 
 
 def _si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
-    found = {}
+    result = {}
     for name, value in given.items():
         quantity, symbol = fields[name]
-        found[quantity] = to_si(value, symbol)
-    return found
+        result[quantity] = to_si(value, symbol)
+    return result
 
 
 def _object(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
-    found = data.get(name)
-    if not isinstance(found, Mapping):
-        raise MessageError(f"{name} is missing" if found is None else f"{name} must be an object")
-    return found
+    result = data.get(name)
+    if not isinstance(result, Mapping):
+        raise MessageError(f"{name} is missing" if result is None else f"{name} must be an object")
+    return result
 
 
 def _flag(options: Mapping[str, Any], name: str) -> bool | None:
-    found = options.get(name)
-    if found is not None and not isinstance(found, bool):
+    result = options.get(name)
+    if result is not None and not isinstance(result, bool):
         raise MessageError(f"ShotDataOptions.{name} must be true or false")
-    return found
+    return result
 
 
 def _number(data: Mapping[str, Any], name: str, where: str, largest: float = LARGEST_NUMBER) -> float:
-    found = data.get(name)
+    result = data.get(name)
     try:
-        is_none = isinstance(found, bool) or found is None or (isinstance(found, str) and "_" in found)
-        number = math.nan if is_none else float(found)  # pyright: ignore[reportArgumentType]
+        is_none = isinstance(result, bool) or result is None or (isinstance(result, str) and "_" in result)
+        number = math.nan if is_none else float(result)  # pyright: ignore[reportArgumentType]
     except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not abs(number) < largest:
-        raise MessageError(f"{where}{name} must be a number" if found is not None else f"{where}{name} is missing")
+        raise MessageError(f"{where}{name} must be a number" if result is not None else f"{where}{name} is missing")
     return number
 
 
 def _carry_unit(data: Mapping[str, Any], notes: list[str]) -> str | None:
     """Return the unit of the carry; None, with a note, where the message names one that the protocol does not have."""
     units = data.get("Units")
-    found = CARRY_UNITS.get(str("yards" if units is None else units).strip().lower())
-    if found is None:
+    result = CARRY_UNITS.get(str("yards" if units is None else units).strip().lower())
+    if result is None:
         text = shortened(repr(units), 40)
         notes.append(f"Units is {text} and must be Yards or Meters: the carry is taken as not measured")
-    return found
+    return result
 
 
 def recorded(messages: Iterable[Message], *, hand: str | None = None) -> RecordedShots:
@@ -306,9 +306,9 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None) -> Recorde
 
     shots = [each for each in messages if each.kind == "shot"]
 
-    def columns(of: Sequence[Mapping[str, float]]) -> dict[str, Any]:
-        names = dict.fromkeys(name for each in of for name in each)
-        return {name: np.array([each.get(name, math.nan) for each in of]) for name in names}
+    def columns(parts_of_shots: Sequence[Mapping[str, float]]) -> dict[str, Any]:
+        names = dict.fromkeys(name for each in parts_of_shots for name in each)
+        return {name: np.array([each.get(name, math.nan) for each in parts_of_shots]) for name in names}
 
     wrong: dict[str, list[float]] = {}
     for each in shots:
@@ -370,12 +370,12 @@ class ObjectStream:
     def feed(self, data: bytes) -> list[dict[str, Any] | Broken]:
         """Return the messages that ``data`` completes, and a :class:`Broken` for bytes that are not a message."""
         self._held += data
-        found: list[dict[str, Any] | Broken] = []
+        result: list[dict[str, Any] | Broken] = []
         while self._seen < len(self._held):
             byte = self._held[self._seen]
             self._seen += 1
             if self._depth == 0:
-                self._between(byte, found)
+                self._between(byte, result)
             elif self._in_text:
                 self._text(byte)
             elif byte == _QUOTE:
@@ -385,17 +385,17 @@ class ObjectStream:
             elif byte in _CLOSE:
                 self._depth -= 1
                 if self._depth == 0:
-                    found.append(_parsed(bytes(self._held[: self._seen])))
+                    result.append(_parsed(bytes(self._held[: self._seen])))
                     self._cut()
             if self._seen > LARGEST or self._depth > DEEPEST:
-                found.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
+                result.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
                 rest = bytes(self._held[self._seen :])
                 self.drop()
                 self._in_garbage = True
                 self._held += rest
-        return found
+        return result
 
-    def _between(self, byte: int, found: list[dict[str, Any] | Broken]) -> None:
+    def _between(self, byte: int, result: list[dict[str, Any] | Broken]) -> None:
         if byte == _OPEN[0]:
             self._depth = 1
             self._in_garbage = False
@@ -404,7 +404,7 @@ class ObjectStream:
             return
         if byte not in _SPACE and not self._in_garbage:
             self._in_garbage = True
-            found.append(Broken(f"no JSON object begins with {chr(byte)!r}"))
+            result.append(Broken(f"no JSON object begins with {chr(byte)!r}"))
         self._cut()
 
     def _text(self, byte: int) -> None:
@@ -422,12 +422,12 @@ class ObjectStream:
 
 def _parsed(text: bytes) -> dict[str, Any] | Broken:
     try:
-        found = json.loads(text.decode("utf-8"))
+        result = json.loads(text.decode("utf-8"))
     except UnicodeDecodeError:
         return Broken("not UTF-8 text")
     except (ValueError, RecursionError) as error:
         return Broken(f"not JSON: {error}")
-    return found if isinstance(found, dict) else Broken("no JSON object")
+    return result if isinstance(result, dict) else Broken("no JSON object")
 
 
 def to_json(
@@ -520,12 +520,12 @@ def _si_number(value: Any, name: str, dimension: str) -> float:
 def _written(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
     """Return the fields of a message, each in its unit; what is not a number is left out."""
     names = {quantity: name for name, (quantity, _) in fields.items()}
-    found = {}
+    result = {}
     for quantity, value in values.items():
         if quantity not in names or value is None:
             continue
         symbol = fields[names[quantity]][1]
         number = _si_number(value, quantity, unit(symbol).dimension)
         if number == number:
-            found[names[quantity]] = float(from_si(number, symbol))
-    return found
+            result[names[quantity]] = float(from_si(number, symbol))
+    return result

@@ -139,7 +139,7 @@ def note_of(every: Iterable[str]) -> str:
 
 def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     """Return columns of shots [SI] without values that no golf shot can have, which count as not measured."""
-    kept, found = {}, []
+    kept, removed = {}, []
     columns = {name: within_turn(name, values) for name, values in columns.items()}
     wrong = {name: ~can_be(name, values) for name, values in columns.items()}
     if "backspin" in columns and "sidespin" in columns:
@@ -148,9 +148,11 @@ def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     for name, values in columns.items():
         kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
         if wrong[name].any():
-            found.append(describe_impossible(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
-    had, has = (np.any([~np.isnan(each) for each in of.values()], axis=0) for of in (columns, kept))
-    return Cleaned(kept, had & ~has, (note_of(found),) if found else ())
+            removed.append(
+                describe_impossible(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0]))
+            )
+    had, has = (np.any([~np.isnan(each) for each in column.values()], axis=0) for column in (columns, kept))
+    return Cleaned(kept, had & ~has, (note_of(removed),) if removed else ())
 
 
 def without_contradictions(
@@ -258,23 +260,24 @@ def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> str 
 
 
 def _wrong(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> Iterator[str]:
-    for name, of in units.items():
+    for name, column in units.items():
         values = columns[name][~np.isnan(columns[name])] if name in columns else np.empty(0)
-        if of.is_assumed and name in ("speed", "ball_speed") and values.size:
+        if column.is_assumed and name in ("speed", "ball_speed") and values.size:
             median = float(np.median(values))
-            others = [each for each in _others(of) if _is_usual(name, np.array([median * each[1]]))[0]]
+            others = [each for each in _others(column) if _is_usual(name, np.array([median * each[1]]))[0]]
             if not _is_usual(name, np.array([median]))[0] and median > USUAL[name][1] and others:
-                what = (
-                    f"{name.replace('_', ' ')} is {shown(name, median, of.symbol)} in the median of {values.size} shots"
-                )
-                yield _message(what, [(name, of, others)])
+                typical = shown(name, median, column.symbol)
+                what = f"{name.replace('_', ' ')} is {typical} in the median of {values.size} shots"
+                yield _message(what, [(name, column, others)])
         impossible = values[~can_be(name, values)]
         if name not in USUAL or 2 * impossible.size <= values.size:
             continue
-        if others := [each for each in _others(of) if 2 * np.sum(_is_usual(name, values * each[1])) > values.size]:
-            said = f"{name.replace('_', ' ')} is {shown(name, float(impossible[0]), of.symbol)} or another such value"
-            what = f"{said} in {impossible.size} of {values.size} shots, which no shot can have"
-            yield _message(what, [(name, of, others)])
+        if others := [each for each in _others(column) if 2 * np.sum(_is_usual(name, values * each[1])) > values.size]:
+            value_text = (
+                f"{name.replace('_', ' ')} is {shown(name, float(impossible[0]), column.symbol)} or another such value"
+            )
+            what = f"{value_text} in {impossible.size} of {values.size} shots, which no shot can have"
+            yield _message(what, [(name, column, others)])
     if {"speed", "ball_speed"} <= set(columns):
         speed, ball = columns["speed"], columns["ball_speed"]
         ratio = np.full(len(speed), math.nan)
@@ -342,8 +345,8 @@ def _is_usual(name: str, values: Floats) -> NDArray[np.bool_]:
 
 def _message(what: str, columns: list[tuple[str, Unit, list[tuple[str, float]]]]) -> str:
     likely = []
-    for name, of, others in columns:
+    for name, column, others in columns:
         symbols = " or ".join(each for each, _ in others)
-        remedy = "correct its heading" if of.is_named else f"give --unit {name}={others[0][0]}"
-        likely.append(f"the column {of.heading!r} is most likely in {symbols} and not in {of.symbol}: {remedy}")
+        remedy = "correct its heading" if column.is_named else f"give --unit {name}={others[0][0]}"
+        likely.append(f"the column {column.heading!r} is most likely in {symbols} and not in {column.symbol}: {remedy}")
     return f"{what}: {'; or '.join(likely)}"

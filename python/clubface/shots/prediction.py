@@ -65,12 +65,12 @@ SHOWN = 20
 
 def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
     """Return the columns to write: quantity and unit by heading."""
-    found = dict(LAUNCH_COLUMNS)
+    result = dict(LAUNCH_COLUMNS)
     if carry:
-        found |= FLIGHT_COLUMNS
+        result |= FLIGHT_COLUMNS
     if model_named(model).kind == "contact":
-        found |= CONTACT_COLUMNS
-    return found
+        result |= CONTACT_COLUMNS
+    return result
 
 
 class Task:
@@ -190,10 +190,10 @@ def run(
     resume: bool,
 ) -> Outcome:
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
-    source, target, aside = paths
+    source, target, rejects_path = paths
     form = _form(target, opened, task)
     rejects_form = RejectsForm(task.columns.headings, opened.delimiter, opened.counts)
-    folder = unfinished_folder(target, [source, aside])
+    folder = unfinished_folder(target, [source, rejects_path])
     with Store(folder, task.content_of(source), output=target, resume=resume) as store:
         names = _kept(store, target.suffix)
         resumed = done = sum(store[each]["rows"] for each in names)
@@ -212,8 +212,8 @@ def run(
                             sums.append(store.keep_part(name + REJECTS, file.getvalue()))
                     counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
                     shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
-                    told = {"first": done, **counts, "shown": shown, "outside": tally.counts(), "sums": sums}
-                    store.keep(name, told)
+                    record = {"first": done, **counts, "shown": shown, "outside": tally.counts(), "sums": sums}
+                    store.keep(name, record)
                 done += read
                 if progress is not None:
                     progress(opened.progress(), done)
@@ -225,11 +225,11 @@ def run(
         outcome = _outcome([store[name] for name in names], resumed)
         if outcome.counts["rejected"]:
             store.write_result(
-                aside, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
+                rejects_path, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
             )
         else:
             # Rejects of an earlier run do not stay beside a file they do not belong to.
-            aside.unlink(missing_ok=True)
+            rejects_path.unlink(missing_ok=True)
         store.write_result(target, lambda file: form.whole(file, _whole_pieces(store, names, target.suffix, 0)))
         store.remove()
     return outcome
@@ -250,18 +250,18 @@ def _pieces(store: Store, name: str, ending: str) -> list[Path] | None:
     if name not in store:
         return None
     sums = zip((name + ending, name + REJECTS), store[name]["sums"], strict=False)
-    found = [store.part(*each) for each in sums]
-    return None if None in found else [each for each in found if each is not None]
+    result = [store.part(*each) for each in sums]
+    return None if None in result else [each for each in result if each is not None]
 
 
 def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -> Iterator[Path]:
     """Yield the files of the chunks that have one, each when it is found to be what was written."""
     for name in names:
         if place < len(store[name]["sums"]):
-            found = _pieces(store, name, ending)
-            if found is None:
+            result = _pieces(store, name, ending)
+            if result is None:
                 raise FileError(str(store.folder), None, PARTS_MISSING)
-            yield found[place]
+            yield result[place]
 
 
 def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> Outcome:
@@ -467,23 +467,23 @@ def predict(
     """
     path = Path(source)
     target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")
-    aside = Path(rejects) if rejects is not None else target.with_name(f"{target.stem}.rejects.csv")
-    _check_paths(path, target, aside)
+    rejects_path = Path(rejects) if rejects is not None else target.with_name(f"{target.stem}.rejects.csv")
+    _check_paths(path, target, rejects_path)
     chunk_rows = check_count("chunk_rows", chunk_rows, 1, MOST_ROWS)
     threads, accuracy = thread_count(threads) or None, tolerance(accuracy)
     own, ball = backend_of(model).balls(ball, accuracy)
-    with_, chosen = equipped(model, club, ball, parameters)
+    equipment, chosen = equipped(model, club, ball, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
     if arrays:
         raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")
-    side = float(with_.club.hand) if hand is None else hand_value(hand)
+    side = float(equipment.club.hand) if hand is None else hand_value(hand)
     if side not in (1.0, -1.0):
         raise InputError("hand", hand, "right or left")
-    provenance = computed_with(model, chosen, with_.club, with_.ball, accuracy)
+    provenance = computed_with(model, chosen, equipment.club, equipment.ball, accuracy)
     shot = {
-        "club": with_.club,
+        "club": equipment.club,
         "model": model,
-        "ball": own or with_.ball,
+        "ball": own or equipment.ball,
         "parameters": chosen,
         "accuracy": accuracy,
         "threads": threads,
@@ -492,7 +492,7 @@ def predict(
         check_conditions(air, wind)
     flight = {"air": air, "wind": wind, "threads": threads} if carry else None
     opened = open_source(
-        path, with_.club, hand=None if hand is None else SIDES[side],
+        path, equipment.club, hand=None if hand is None else SIDES[side],
         reading={"format": format, "mapping": mapping, "units": units},
         choice={"only": only, "where": where, "assume": assume, "mismatch": mismatch},
     )  # fmt: skip
@@ -500,14 +500,14 @@ def predict(
     try:
         used = columns._replace(used=opened.used)
         task = Task(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
-        outcome = run(opened, task, (path, target, aside), chunk_rows, progress, resume)
+        outcome = run(opened, task, (path, target, rejects_path), chunk_rows, progress, resume)
     finally:
         opened.close()
     rows, written, rejected = outcome.counts["rows"], outcome.counts["written"], outcome.counts["rejected"]
     return PredictReport(
         source=str(path),
         output=str(target),
-        rejects=str(aside) if rejected else None,
+        rejects=str(rejects_path) if rejected else None,
         rows=rows,
         written=written,
         rejected=rejected,
@@ -530,14 +530,14 @@ def _by_quantity(columns: Iterable[Column]) -> dict[str, Column]:
     return {each.quantity: each for each in columns}
 
 
-def _check_paths(source: Path, target: Path, aside: Path) -> None:
+def _check_paths(source: Path, target: Path, rejects_path: Path) -> None:
     is_parquet(target)
-    for path, what in ((target, "output"), (aside, "rejects")):
+    for path, what in ((target, "output"), (rejects_path, "rejects")):
         if same_file(path, source):
             raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
         if not path.parent.is_dir():
             raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
         if path.is_dir():
             raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
-    if same_file(aside, target):
-        raise FileError(str(aside), None, "the rejects must go to another file than the output")
+    if same_file(rejects_path, target):
+        raise FileError(str(rejects_path), None, "the rejects must go to another file than the output")

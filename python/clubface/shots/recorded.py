@@ -180,12 +180,12 @@ class RecordedShots:
         object.__setattr__(noted, "notes", tuple(dict.fromkeys((*self.notes, *notes))))
         return noted
 
-    def select(self, which: Any) -> Self:
+    def select(self, chosen: Any) -> Self:
         """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""
         try:
-            index = np.arange(len(self))[which]
+            index = np.arange(len(self))[chosen]
         except IndexError as error:
-            raise InputError("which", which, f"a mask or indices of {len(self)} shots ({error})") from None
+            raise InputError("chosen", chosen, f"a mask or indices of {len(self)} shots ({error})") from None
         index = np.atleast_1d(index)
         return replace(
             self,
@@ -389,7 +389,7 @@ def _first_of_each(sessions: Sequence[RecordedShots]) -> list[NDArray[np.bool_]]
         enough = (~np.isnan(table)).sum(axis=1) >= FEWEST_SAME
         texts = [getattr(each, name) for name in ("clubs", "players", "dates")]
         keys = [
-            (row.tobytes(), *("" if of is None else str(of[place]) for of in texts))
+            (row.tobytes(), *("" if part is None else str(part[place]) for part in texts))
             for place, row in enumerate(np.nan_to_num(table, nan=1e300))
         ]
         kept.append(np.array([not (many and key in seen) for key, many in zip(keys, enough, strict=True)], dtype=bool))
@@ -400,7 +400,9 @@ def _first_of_each(sessions: Sequence[RecordedShots]) -> list[NDArray[np.bool_]]
 def _columns(every: Sequence[dict[str, Any]], parts: Sequence[RecordedShots]) -> dict[str, Any]:
     names = dict.fromkeys(name for each in every for name in each)
     return {
-        name: np.concatenate([each.get(name, np.full(len(of), np.nan)) for each, of in zip(every, parts, strict=True)])
+        name: np.concatenate(
+            [each.get(name, np.full(len(part), np.nan)) for each, part in zip(every, parts, strict=True)]
+        )
         for name in names
     }
 
@@ -408,7 +410,7 @@ def _columns(every: Sequence[dict[str, Any]], parts: Sequence[RecordedShots]) ->
 def _joined_texts(every: Sequence[Any], parts: Sequence[RecordedShots]) -> Any:
     if all(each is None for each in every):
         return None
-    empty = [np.array([""] * len(of), dtype=object) for of in parts]
+    empty = [np.array([""] * len(part), dtype=object) for part in parts]
     return np.concatenate([none if each is None else each for each, none in zip(every, empty, strict=True)])
 
 
@@ -482,16 +484,16 @@ def date_among(cells: Iterable[str]) -> str | None:
 
 def _order(texts: Iterable[str]) -> tuple[bool, bool]:
     """Return whether the day comes before the month, and whether that is certain."""
-    found = [match for text in texts if not _YEAR_FIRST.search(text) and (match := _YEAR_LAST.search(text))]
-    if any(int(match[1]) > 12 for match in found):
+    result = [match for text in texts if not _YEAR_FIRST.search(text) and (match := _YEAR_LAST.search(text))]
+    if any(int(match[1]) > 12 for match in result):
         return True, True
-    if any(int(match[3]) > 12 for match in found):
+    if any(int(match[3]) > 12 for match in result):
         return False, True
-    if not found:
+    if not result:
         return False, True
-    if any("m" in (clock[4] or "").lower() for match in found if (clock := _CLOCK.search(match.string))):
+    if any("m" in (clock[4] or "").lower() for match in result if (clock := _CLOCK.search(match.string))):
         return False, True
-    return found[0][2] == ".", found[0][2] == "." or all(match[1] == match[3] for match in found)
+    return result[0][2] == ".", result[0][2] == "." or all(match[1] == match[3] for match in result)
 
 
 def _iso(text: str, day_first: bool) -> str | None:

@@ -1,13 +1,9 @@
-"""Club data between the points that monitors look at and those of clubface.
-
-Conversion of club data to the points of clubface: velocities to the CG, face angles to the face centre.
+"""Club data between the points that monitors look at and those of clubface: the CG and the face centre.
 
 A clubhead turns as it moves, so its parts move differently: at a closure rate of 2500 deg/s the face centre of a
 driver, 40 mm in front of the centre of gravity, moves 2 degrees more to the left. The face of a wood is curved: 10 mm
 towards the toe it points 1.9 degrees more to the right than at its centre. Monitors measure at different points;
 TrackMan's article "Club Data Definitions" says where TrackMan and cameras do.
-
-What a monitor shows of a known delivery where it looks at other points of the head: the reverse of ``refer``.
 """
 
 from __future__ import annotations
@@ -57,21 +53,21 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
     notes = list(shots.notes)
     at_face, at_cg = (np.zeros(len(shots), dtype=bool) for _ in range(2))
-    for which, rows in _groups(shots, club):
-        hand = _hands(shots, which)[rows]
+    for head, rows in _groups(shots, club):
+        hand = _hands(shots, head)[rows]
         some = {name: values[rows] for name, values in deliveries.items()}
         if shots.face_at == CONTACT and _measured(some, "loft", "face"):
-            found = _at_face_centre(some, which, hand)
-            _put(deliveries, rows, found)
-            some |= found
+            referred = _at_face_centre(some, head, hand)
+            _put(deliveries, rows, referred)
+            some |= referred
             at_face[rows] = known = _known(some, "toe", "high")
             notes.append(
-                _told("dynamic loft and face angle referred to the face centre", which, known, "point of contact")
+                _note("dynamic loft and face angle referred to the face centre", head, known, "point of contact")
             )
         if shots.speed_at == FACE and _measured(some, "speed"):
-            _put(deliveries, rows, _at_cg(some, which, hand))
+            _put(deliveries, rows, _at_cg(some, head, hand))
             at_cg[rows] = known = _known(some, "closure")
-            notes.append(_told("the club's motion referred to its centre of gravity", which, known, "closure rate"))
+            notes.append(_note("the club's motion referred to its centre of gravity", head, known, "closure rate"))
     return replace(
         shots,
         deliveries=deliveries,
@@ -98,18 +94,18 @@ def _groups(shots: RecordedShots, club: Any) -> list[tuple[Club, NDArray[np.intp
     return [(_club(each), np.flatnonzero(names == name)) for name, each in club.items()]
 
 
-def _club(which: Any) -> Club:
-    return which if isinstance(which, Club) else club_named(which)
+def _club(head: Any) -> Club:
+    return head if isinstance(head, Club) else club_named(head)
 
 
-def _hands(shots: RecordedShots, which: Club) -> Floats:
+def _hands(shots: RecordedShots, head: Club) -> Floats:
     if shots.hand is None:
-        return np.full(len(shots), float(which.hand))
+        return np.full(len(shots), float(head.hand))
     return np.array([float(HANDS[each]) for each in shots.hand])
 
 
-def _put(deliveries: dict[str, Floats], rows: NDArray[np.intp], found: Mapping[str, Any]) -> None:
-    for name, values in found.items():
+def _put(deliveries: dict[str, Floats], rows: NDArray[np.intp], referred: Mapping[str, Any]) -> None:
+    for name, values in referred.items():
         deliveries[name][rows] = values
 
 
@@ -124,75 +120,79 @@ def _known(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
     return ~np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
 
 
-def _told(what: str, which: Club, known: NDArray[np.bool_], needed: str) -> str:
+def _note(what: str, head: Club, known: NDArray[np.bool_], needed: str) -> str:
     lacking = int((~known).sum())
     more = f"; {lacking} of {known.size} shots lack the {needed} and stay as measured" if lacking else ""
-    return f"{what} of {which.name}{more}"
+    return f"{what} of {head.name}{more}"
 
 
-def _at_face_centre(some: Mapping[str, Any], which: Club, hand: Floats) -> dict[str, Any]:
+def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[str, Any]:
     """Return loft and face angle at the face centre where those at the point of contact are given."""
     count = len(hand)
     toe, high = (some.get(name, np.full(count, np.nan)) for name in ("toe", "high"))
     lacking = np.isnan(toe) | np.isnan(high)
     toe, high = (np.where(lacking, 0.0, each) for each in (toe, high))
-    measured_loft = _filled(some, "loft", count, which.loft)
+    measured_loft = _filled(some, "loft", count, head.loft)
     measured_face = hand * _filled(some, "face", count, 0.0)
     lie = _filled(some, "lie", count, 0.0)
-    normal = _normal(toe, high, which)
+    normal = _normal(toe, high, head)
     loft, face = measured_loft.copy(), measured_face.copy()
     for _ in range(MOST_STEPS):
-        x, y, z = np.einsum("nij,nj->ni", _turned(loft, face, lie, which.loft) @ _tilted(which.loft, lie), normal).T
+        x, y, z = np.einsum("nij,nj->ni", _turned(loft, face, lie, head.loft) @ _tilted(head.loft, lie), normal).T
         step_loft = measured_loft - np.arcsin(np.clip(y, -1.0, 1.0))
         step_face = measured_face - np.arctan2(z, x)
         loft, face = loft + step_loft, face + step_face
         if max(np.abs(step_loft).max(initial=0.0), np.abs(step_face).max(initial=0.0)) < CLOSE:
             break
-    found = {"loft": loft, "face": hand * face}
+    referred = {"loft": loft, "face": hand * face}
     return {
         name: np.where(lacking | np.isnan(some[name]), some[name], values)
-        for name, values in found.items()
+        for name, values in referred.items()
         if name in some
     }
 
 
-def _normal(toe: Floats, high: Floats, which: Club) -> Floats:
+def _normal(toe: Floats, high: Floats, head: Club) -> Floats:
     """Return the outward normal at points of the face in face axes: outward, up the face, to the toe; shape (n, 3).
 
     The roll arc is revolved about the axis parallel to the face's vertical that lies the bulge behind the face centre.
     """
-    sin_up = np.clip(high / which.roll, -1.0, 1.0)
+    sin_up = np.clip(high / head.roll, -1.0, 1.0)
     cos_up = np.sqrt(1.0 - sin_up**2)
-    if math.isinf(which.bulge):
+    if math.isinf(head.bulge):
         return np.stack([cos_up, sin_up, np.zeros_like(toe)], axis=1)
-    behind = 0.0 if math.isinf(which.roll) else which.roll * (1.0 - cos_up)
-    sin_out = np.clip(toe / (which.bulge - behind), -1.0, 1.0)
+    behind = 0.0 if math.isinf(head.roll) else head.roll * (1.0 - cos_up)
+    sin_out = np.clip(toe / (head.bulge - behind), -1.0, 1.0)
     cos_out = np.sqrt(1.0 - sin_out**2)
     return np.stack([cos_up * cos_out, sin_up, cos_up * sin_out], axis=1)
 
 
-def _at_cg(some: Mapping[str, Any], which: Club, hand: Floats) -> dict[str, Any]:
+def _at_cg(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[str, Any]:
     """Return speed, attack angle and path of the centre of gravity where those of the face centre are given."""
-    count = len(hand)
-    closure = some.get("closure", np.full(count, np.nan))
-    attack, path = _filled(some, "attack", count, 0.0), hand * _filled(some, "path", count, 0.0)
+    known = _known(some, "closure")
+    return {
+        name: np.where(known & ~np.isnan(some[name]), values, some[name])
+        for name, values in _moved(some, head, hand, -1.0).items()
+        if name in some
+    }
+
+
+def _moved(some: Mapping[str, Any], head: Club, hand: Floats | float, sign: float) -> dict[str, Any]:
+    """Return speed, attack angle and path of the face centre from those of the CG (``sign`` 1), or back (-1)."""
+    count = len(some["speed"])
+    attack, path, lie, face = (_filled(some, name, count, 0.0) for name in ("attack", "path", "lie", "face"))
+    path, face = hand * path, hand * face
     direction = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)], axis=1)
-    rates = (-_filled(some, "lie_rate", count, 0.0), closure, _filled(some, "pitch_rate", count, 0.0))
-    loft, face = _filled(some, "loft", count, which.loft), hand * _filled(some, "face", count, 0.0)
-    turned = _turned(loft, face, _filled(some, "lie", count, 0.0), which.loft)
-    arm = turned @ _about_x(_filled(some, "lie", count, 0.0)) @ np.array([which.cg_x, which.cg_y, which.cg_z])
-    velocity = some["speed"][:, None] * direction - np.cross(np.stack(rates, axis=1), arm)
+    lie_rate, closure, pitch_rate = (_filled(some, each, count, 0.0) for each in ("lie_rate", "closure", "pitch_rate"))
+    turned = _turned(_filled(some, "loft", count, head.loft), face, lie, head.loft)
+    arm = turned @ _rotation("zy", lie) @ np.array([head.cg_x, head.cg_y, head.cg_z])
+    omega = np.stack([-lie_rate, closure, pitch_rate], axis=1)
+    velocity = some["speed"][:, None] * direction + sign * np.cross(omega, arm)
     speed = np.linalg.norm(velocity, axis=1)
-    found = {
+    return {
         "speed": speed,
         "attack": np.arcsin(np.clip(velocity[:, 1] / speed, -1.0, 1.0)),
         "path": hand * np.arctan2(velocity[:, 2], velocity[:, 0]),
-    }
-    known = ~np.isnan(closure)
-    return {
-        name: np.where(known & ~np.isnan(some[name]), values, some[name])
-        for name, values in found.items()
-        if name in some
     }
 
 
@@ -201,30 +201,19 @@ def _filled(some: Mapping[str, Any], name: str, count: int, default: float) -> F
     return np.where(np.isnan(values), default, values)
 
 
-def _about_x(lie: Floats) -> Floats:
-    """Return the rotation of the reference pose by the lie, toe up; shape (n, 3, 3)."""
-    zero, one = np.zeros_like(lie), np.ones_like(lie)
-    rows = [[one, zero, zero], [zero, np.cos(lie), np.sin(lie)], [zero, -np.sin(lie), np.cos(lie)]]
-    return np.moveaxis(np.array(rows), -1, 0)
-
-
-def _about_y(angle: Floats) -> Floats:
-    """Return the rotation that turns x towards z, to the right; shape (n, 3, 3)."""
-    zero, one = np.zeros_like(angle), np.ones_like(angle)
-    rows = [[np.cos(angle), zero, -np.sin(angle)], [zero, one, zero], [np.sin(angle), zero, np.cos(angle)]]
-    return np.moveaxis(np.array(rows), -1, 0)
-
-
-def _about_z(angle: Floats) -> Floats:
-    """Return the rotation that turns x towards y, up; shape (n, 3, 3)."""
-    zero, one = np.zeros_like(angle), np.ones_like(angle)
-    rows = [[np.cos(angle), -np.sin(angle), zero], [np.sin(angle), np.cos(angle), zero], [zero, zero, one]]
-    return np.moveaxis(np.array(rows), -1, 0)
+def _rotation(axes: str, angle: Floats) -> Floats:
+    """Return the rotation that turns the first of two axes, such as "xz", towards the second; shape (n, 3, 3)."""
+    first, second = map("xyz".index, axes)
+    turned = np.broadcast_to(np.eye(3), (len(angle), 3, 3)).copy()
+    turned[:, first, first] = turned[:, second, second] = np.cos(angle)
+    turned[:, second, first] = np.sin(angle)
+    turned[:, first, second] = -np.sin(angle)
+    return turned
 
 
 def _tilted(static_loft: float, lie: Floats) -> Floats:
     """Return the rotation from face axes to the reference pose tilted by the lie; shape (n, 3, 3)."""
-    return _about_x(lie) @ _about_z(np.full_like(lie, static_loft))
+    return _rotation("zy", lie) @ _rotation("xy", np.full_like(lie, static_loft))
 
 
 def _turned(loft: Floats, face: Floats, lie: Floats, static_loft: float) -> Floats:
@@ -233,14 +222,15 @@ def _turned(loft: Floats, face: Floats, lie: Floats, static_loft: float) -> Floa
     The face normal is turned back to azimuth 0, about z until its elevation is the loft, and right by the face angle.
     """
     x, y, z = _tilted(static_loft, lie)[:, :, 0].T
-    return _about_y(face) @ _about_z(loft - np.arctan2(y, np.hypot(x, z))) @ _about_y(-np.arctan2(z, x))
+    upright = _rotation("xy", loft - np.arctan2(y, np.hypot(x, z)))
+    return _rotation("xz", face) @ upright @ _rotation("xz", -np.arctan2(z, x))
 
 
 MOTION = ("speed", "attack", "path")
 ATTITUDE = ("loft", "face")
 
 
-def as_seen(deliveries: Mapping[str, Floats], which: Club, *, speed_at: str, face_at: str) -> dict[str, Floats]:
+def as_seen(deliveries: Mapping[str, Floats], head: Club, *, speed_at: str, face_at: str) -> dict[str, Floats]:
     """Return the deliveries as a monitor shows them that measures at other points of the head.
 
     Parameters
@@ -248,34 +238,21 @@ def as_seen(deliveries: Mapping[str, Floats], which: Club, *, speed_at: str, fac
     deliveries
         Deliveries by quantity, SI, of which ``speed`` is one: motion of the centre of gravity, attitude at the face
         centre. What is left out is zero, and the loft that of the club.
-    which
+    head
         The club.
     speed_at
         Where speed, attack and path are measured: "face" for the face centre; elsewhere they stay.
     face_at
         Where loft and face angle are measured: "contact" for the point of contact; elsewhere they stay.
     """
-    found = dict(deliveries)
-    count, hand = len(found["speed"]), float(which.hand)
-    loft, face = _filled(found, "loft", count, which.loft), hand * _filled(found, "face", count, 0.0)
-    lie = _filled(found, "lie", count, 0.0)
-    if speed_at != FACE and face_at != CONTACT:
-        return found
-    turned = _turned(loft, face, lie, which.loft)
+    seen, hand = dict(deliveries), float(head.hand)
     if speed_at == FACE:
-        attack, path = _filled(found, "attack", count, 0.0), hand * _filled(found, "path", count, 0.0)
-        direction = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)], axis=1)
-        rates = [_filled(found, name, count, 0.0) for name in ("lie_rate", "closure", "pitch_rate")]
-        omega = np.stack([-rates[0], rates[1], rates[2]], axis=1)
-        arm = turned @ _about_x(lie) @ np.array([which.cg_x, which.cg_y, which.cg_z])
-        velocity = found["speed"][:, None] * direction + np.cross(omega, arm)
-        speed = np.linalg.norm(velocity, axis=1)
-        found["speed"] = speed
-        found["attack"] = np.arcsin(np.clip(velocity[:, 1] / speed, -1.0, 1.0))
-        found["path"] = hand * np.arctan2(velocity[:, 2], velocity[:, 0])
+        seen |= _moved(deliveries, head, hand, 1.0)
     if face_at == CONTACT:
-        normal = _normal(_filled(found, "toe", count, 0.0), _filled(found, "high", count, 0.0), which)
-        x, y, z = np.einsum("nij,nj->ni", turned @ _tilted(which.loft, lie), normal).T
-        found["loft"] = np.arcsin(np.clip(y, -1.0, 1.0))
-        found["face"] = hand * np.arctan2(z, x)
-    return found
+        count = len(seen["speed"])
+        toe, high, lie, face = (_filled(deliveries, name, count, 0.0) for name in ("toe", "high", "lie", "face"))
+        turned = _turned(_filled(deliveries, "loft", count, head.loft), hand * face, lie, head.loft)
+        x, y, z = np.einsum("nij,nj->ni", turned @ _tilted(head.loft, lie), _normal(toe, high, head)).T
+        seen["loft"] = np.arcsin(np.clip(y, -1.0, 1.0))
+        seen["face"] = hand * np.arctan2(z, x)
+    return seen

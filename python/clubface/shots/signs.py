@@ -61,16 +61,16 @@ between club path and face, and a hit towards the toe makes the ball curve towar
 def suspected_signs(shots: RecordedShots) -> tuple[str, ...]:
     """Return a note for each column whose sign disagrees with the others."""
     clubs = np.array([club_kind(str(each)) or str(each) for each in shots.clubs]) if shots.clubs is not None else None
-    found: dict[str, list[str]] = {}
+    suspects: dict[str, list[str]] = {}
     for rule in RULES:
         for name, other in _disagreeing(shots, clubs, rule).items():
-            found.setdefault(name, []).extend(other)
+            suspects.setdefault(name, []).extend(other)
     notes = []
-    for name, others in found.items():
+    for name, others in suspects.items():
         turned = "it" if len(others) > 1 else "one of them"
         message = f"the sign of {name} disagrees with {' and '.join(others)} from shot to shot"
         notes.append(f"{message}: is {turned} turned in this file?")
-    if "attack" not in found:
+    if "attack" not in suspects:
         notes += _upward_irons(shots, clubs)
     return tuple(notes)
 

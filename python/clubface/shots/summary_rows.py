@@ -162,8 +162,8 @@ def _label(text: str) -> _Label | None:
                 break
         else:
             word = words[place]
-            if found := next((each for start, each in _BEGINNINGS.items() if word.startswith(start)), ""):
-                kind, is_clear = kind or found, True
+            if stem := next((each for start, each in _BEGINNINGS.items() if word.startswith(start)), ""):
+                kind, is_clear = kind or stem, True
             elif word not in _PASSED_OVER and not (kind and word.isdigit()):
                 rest.append(word)
             place += 1

@@ -85,8 +85,8 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
     for cell, quantity in cells:
         if "." not in cell and "," not in cell:
             continue
-        found = NUMBER.fullmatch(cell.strip())
-        text = "".join(found["number"].split()) if found else ""
+        result = NUMBER.fullmatch(cell.strip())
+        text = "".join(result["number"].split()) if result else ""
         marks = {mark: text.count(mark) for mark in ",." if mark in text}
         if not marks or not any(map(str.isdigit, text)):
             continue
@@ -122,15 +122,15 @@ def may_be_thousands(columns: Iterable[Sequence[str]], decimal_comma: bool) -> s
     decimals: one program writes all of them.
     """
     mark = "," if decimal_comma else "."
-    found = set()
+    result = set()
     for cell in (cell for column in columns for cell in column if mark in cell):
         match = NUMBER.fullmatch(cell.strip())
         text = "".join(match["number"].split()) if match else ""
         if THOUSANDS[mark].fullmatch(text):
-            found.add(cell)
+            result.add(cell)
         elif text.count(mark) == 1 and not text.startswith(mark):
             return set()
-    return found
+    return result
 
 
 def doubt(cell: str) -> str:
@@ -195,20 +195,20 @@ def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[N
             if not math.isfinite(values[row]):
                 reasons[row] = f"{column.heading}: {quoted_cell(text)} is not a finite number"
         except ValueError:
-            told = f"{quoted_cell(text)} is not {'right or left' if is_hand else 'a number'}"
-            reasons[row] = f"{column.heading}: {told if text else 'the cell is empty'}"
+            what = f"{quoted_cell(text)} is not {'right or left' if is_hand else 'a number'}"
+            reasons[row] = f"{column.heading}: {what if text else 'the cell is empty'}"
     return values, reasons
 
 
 def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
     """Return the number of a cell, which may name a unit of its own, in the unit of its column; else ValueError."""
-    found = NUMBER.fullmatch(text)
-    if found is None or found["before"] or not found["rest"]:
+    result = NUMBER.fullmatch(text)
+    if result is None or result["before"] or not result["rest"]:
         return number(text, decimal_comma)
-    named = unit_symbol(found["rest"])
+    named = unit_symbol(result["rest"])
     if named is None or unit(named).dimension != unit(symbol).dimension:
         raise ValueError
-    value = number(found["number"], decimal_comma)
+    value = number(result["number"], decimal_comma)
     return value if named == symbol else from_si(to_si(value, named), symbol)
 
 

@@ -101,16 +101,16 @@ class Chunk:
 
     def texts(self, rows: Sequence[int] | None = None) -> list[list[str]]:
         """Return the cells of some rows (None: all) as text."""
-        columns = map(_texts, self.select(rows).columns)
-        return [list(cells) for cells in zip(*columns, strict=True)]
+        columns = self.columns if rows is None else [_taken(each, rows) for each in self.columns]
+        return [list(cells) for cells in zip(*map(_texts, columns), strict=True)]
 
     def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
         """Return some rows (None: all) as they stand, or would stand, in a CSV file."""
-        chosen = self.select(rows)
-        if chosen.as_written is not None:
-            return [text.rstrip("\r\n") for text in chosen.as_written]
+        if self.as_written is not None:
+            texts = self.as_written if rows is None else [self.as_written[row] for row in rows]
+            return [text.rstrip("\r\n") for text in texts]
         lines = []
-        for cells in chosen.texts():
+        for cells in self.texts(rows):
             line = io.StringIO()
             csv.writer(line, delimiter=delimiter, lineterminator="").writerow(cells)
             lines.append(line.getvalue())

@@ -57,8 +57,8 @@ def narrow(text: str) -> str:
 def bracketed(text: str) -> tuple[str, str | None]:
     """Return what stands before the brackets at the end of a heading, and what in them; None where there are none."""
     text = narrow(text)
-    found = _BRACKETS.search(text)
-    return (text, None) if found is None else (text[: found.start()], found[1].strip())
+    result = _BRACKETS.search(text)
+    return (text, None) if result is None else (text[: result.start()], result[1].strip())
 
 
 @lru_cache(maxsize=4096)
@@ -138,9 +138,9 @@ def delivery_words() -> Vocabulary:
 def shot_words() -> Vocabulary:
     """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
     names, dimensions = delivery_words()
-    found = {**flight_outputs(), **outputs()}
+    result = {**flight_outputs(), **outputs()}
     own = {name: name for name in LAUNCH_QUANTITIES}
-    launches = {name: found[name].dimension for name in LAUNCH_QUANTITIES}
+    launches = {name: result[name].dimension for name in LAUNCH_QUANTITIES}
     foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in launches}
     words = {**_reversed(foreign), **names, **own, **_synonyms(LAUNCH_QUANTITIES)}
     return Vocabulary(words, {**dimensions, **launches})
@@ -304,10 +304,10 @@ def _as_options(units: Mapping[str, str]) -> str:
     return f"{given} (in Python units={units!r} of launch_monitor.read or predict)"
 
 
-def require_speed(found: Layout, path: str, line: int | None) -> None:
+def require_speed(result: Layout, path: str, line: int | None) -> None:
     """Refuse a table without the clubhead speed, the one input without a default."""
-    if all(each.quantity != "speed" for each in found.used):
-        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(found.headings)}'
+    if all(each.quantity != "speed" for each in result.used):
+        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(result.headings)}'
         raise FileError(path, line, message, "speed")
 
 

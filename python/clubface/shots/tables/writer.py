@@ -49,11 +49,11 @@ class CsvForm:
         """Write some rows of a chunk (None: all), each followed by its results."""
         cell = f'"%.{DIGITS}g"' if self._comma and self._delimiter == "," else f"%.{DIGITS}g"
         form = self._delimiter.join([cell] * len(results)) + "\n"
-        found = [form % row for row in zip(*(each.tolist() for each in results), strict=True)]
+        results_written = [form % row for row in zip(*(each.tolist() for each in results), strict=True)]
         if self._comma:
-            found = [text.replace(".", ",") for text in found]
+            results_written = [text.replace(".", ",") for text in results_written]
         rows_written = chunk.written(rows, self._delimiter)
-        lines = (f"{text}{self._delimiter}{more}" for text, more in zip(rows_written, found, strict=True))
+        lines = (f"{text}{self._delimiter}{more}" for text, more in zip(rows_written, results_written, strict=True))
         file.write(legible("".join(lines), LINES).encode())
 
     def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
