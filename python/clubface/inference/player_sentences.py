@@ -12,6 +12,8 @@ from clubface.shots.formats import CONTACT
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import outputs
 
+__all__ = ["NAMES", "SIDES", "STEPS", "amount", "counted", "doubt", "line", "measured", "sided", "strike", "what_if"]
+
 NAMES = {
     "speed": "club speed", "attack": "attack angle", "path": "club path", "loft": "dynamic loft", "face": "face angle",
     "toe": "strike sideways", "high": "strike up and down", "ball_speed": "ball speed", "launch": "launch angle",

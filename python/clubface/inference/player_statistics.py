@@ -25,6 +25,8 @@ from clubface.simulation.sensitivity import sensitivity
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
+__all__ = ["MOST_INFERRED", "ClubStatistics", "Statistic", "club_statistics", "difference_error", "statistic"]
+
 MOST_INFERRED, SAMPLES = 60, 200
 """Shots of a club whose deliveries are inferred, spread evenly over all of them, and draws for each."""
 IN_ALL, FEWEST_INFERRED = 1200, 4

@@ -24,6 +24,8 @@ from clubface.shots.tables.headings import (
 from clubface.shots.tables.vocabulary import vocabulary
 from clubface.units import DIMENSIONLESS
 
+__all__ = ["Columns", "Used", "columns_of", "is_units_row"]
+
 _COLUMNS = vocabulary()["columns"]
 NOT_MEASURED = frozenset({*_COLUMNS["numbering"], *_COLUMNS["not_measured"]})
 """Headings of columns of numbers that are no measurements."""

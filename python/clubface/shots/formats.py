@@ -62,6 +62,12 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_si, unit
 
+__all__ = [
+    "CG", "COMMON", "CONTACT", "FACE", "MEASURED", "PLAYER", "POINTS", "UNKNOWN", "Field", "Format", "Mapped",
+    "MappingFile", "common_names", "mapping_of", "side_of", "with_face_and_path", "without_any_sentinels",
+    "without_sentinels",
+]  # fmt: skip
+
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
 POINTS = {
     CG: "the centre of gravity",

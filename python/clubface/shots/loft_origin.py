@@ -30,6 +30,10 @@ from clubface.shots.recorded import RecordedShots
 from clubface.simulation.spin import rolling_speed
 from clubface.support.arrays import Floats
 
+__all__ = [
+    "AT_LAUNCH", "COMPUTED", "FROM_MEASUREMENT", "UNDECIDED", "LoftOrigin", "computed", "loft_origins", "origin_notes",
+]  # fmt: skip
+
 FEWEST = 5
 """Shots of a club below which nothing is said."""
 MEASURED = units.to_si(0.3, "deg")

@@ -11,6 +11,11 @@ from typing import NamedTuple
 from clubface.shots.tables.cells import NUMBER, is_missing, number
 from clubface.shots.tables.headings import bracketed, narrow, plain, unit_symbol
 
+__all__ = [
+    "FACE_TO_PATH", "MIRRORED", "PLAIN", "SIDES", "WORLD", "CellError", "Heading", "Side", "heading", "reading",
+    "unit_in",
+]  # fmt: skip
+
 WORLD, CLUB = "world", "club"
 """Whose left and right a side is told in: that of the course, or that of the club, which a left-hander mirrors."""
 

@@ -36,6 +36,11 @@ from clubface.shots.open_connect_messages import (
 )
 from clubface.shots.plausibility import shown
 
+__all__ = [
+    "MOST_CLIENTS", "Listener", "Message", "MessageError", "Reply", "Sender", "from_json", "heartbeat", "recorded",
+    "to_json",
+]  # fmt: skip
+
 LOOPBACK = "127.0.0.1"
 PORT = 921
 """The port of GSPro; ports below 1024 need rights on some systems."""

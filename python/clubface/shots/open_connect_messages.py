@@ -38,6 +38,11 @@ from clubface.units import from_si, parse, to_si, unit
 if TYPE_CHECKING:
     from clubface.shots.recorded import RecordedShots
 
+__all__ = [
+    "FAILED", "LARGEST", "OK", "PLAYER", "Broken", "Message", "MessageError", "ObjectStream", "from_json", "heartbeat",
+    "player", "recorded", "reply", "to_json",
+]  # fmt: skip
+
 
 VERSION = "1"
 BALL = {

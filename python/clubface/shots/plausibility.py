@@ -27,6 +27,11 @@ from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
 
+__all__ = [
+    "RANGES", "Unit", "can_be", "describe_impossible", "impossible", "note_of", "shown", "within_turn",
+    "without_contradictions", "without_impossible", "wrong_unit",
+]  # fmt: skip
+
 _SPEED = to_si(200.0, "mph")
 """The fastest clubs of long drive contests reach about 160 mph."""
 _BALL_SPEED = 2.0 * _SPEED

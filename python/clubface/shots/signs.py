@@ -18,6 +18,8 @@ from clubface.shots.club_names import club_kind
 from clubface.shots.recorded import RecordedShots
 from clubface.units import show, to_si
 
+__all__ = ["FEWEST", "suspected_signs"]
+
 CLEARLY = 4.0
 """Standard errors by which a slope must have the wrong sign: chance does so for one column in 30,000."""
 FEWEST = 8

@@ -17,6 +17,13 @@ from clubface.simulation.results import flight_outputs, input_dimensions, inputs
 from clubface.support.checks import check_choice
 from clubface.units import unit
 
+__all__ = [
+    "DELIVERY_QUANTITIES", "FOREIGN_HEADINGS", "HAND", "LAUNCH_QUANTITIES", "POINTS", "SECOND_CHOICE", "Column",
+    "Layout", "Vocabulary", "bracketed", "check_units", "delivery_words", "given_unit", "heading_of", "layout",
+    "listed", "missing_units", "narrow", "plain", "plain_name", "require_speed", "shot_words", "split_heading",
+    "squeezed", "unit_of_column", "unit_symbol", "units_behind",
+]  # fmt: skip
+
 _UNITS = by_word(vocabulary()["units"])
 _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 """The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""

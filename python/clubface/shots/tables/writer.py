@@ -18,6 +18,11 @@ from clubface.support.files import whole_file
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+__all__ = [
+    "KINDS", "CsvForm", "Form", "RejectsForm", "csv_lines", "delimiter_of", "is_parquet", "number_cells",
+    "write_columns",
+]  # fmt: skip
+
 
 KINDS = (".csv", ".tsv", *PARQUET)
 """How the name of a table may end."""
