@@ -42,14 +42,14 @@ app = typer.Typer(
 @app.command()
 @options.takes(
     {
-        "hand": options.text_option("--hand", None, "right|left", "Hand of the player, which the monitor is told."),
+        "hand": options.text_option("--hand", None, "right|left", "Hand of the player, sent to the monitor."),
         "timeout": options.text_option("--timeout", None, '"60 s"', "End when nothing has come for so long."),
     },
     show.table_option("Write the shots to a new table, CSV or Parquet, kept up to date."),
 )
 def listen(
     port: Port = 921,
-    club: Annotated[str, options.option("--club", metavar="NAME", text="Club that the monitor is told: DR.")] = "",
+    club: Annotated[str, options.option("--club", metavar="NAME", text="Club that is sent to the monitor: DR.")] = "",
     count: Annotated[int | None, options.option("--shots", metavar="NUMBER", text="End after so many shots.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document for each shot.")] = False,
     **texts: Any,
@@ -177,7 +177,7 @@ def report(
     from clubface.present.report import write_report
 
     output.check_target("--output", target, ENDINGS, [*files, texts["mapping"]])
-    import clubface.present.style  # noqa: F401  (a missing library is told before any work)
+    import clubface.present.style  # noqa: F401  (a missing library is an error before any work)
 
     shots = read_shots(files, texts, where=True)
     if club is not None:

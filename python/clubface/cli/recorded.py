@@ -93,7 +93,7 @@ def choice(texts: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
-    """Return the values that are stated for what was not measured; one without a unit is told."""
+    """Return the values that are stated for what was not measured; one without a unit is an error."""
     from clubface.simulation.inputs import DIMENSIONS
 
     values = options.pairs(texts["assume"] or (), "--assume")

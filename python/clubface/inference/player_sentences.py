@@ -28,7 +28,7 @@ SIDES = {"azimuth": "right left", "side": "right left", "face": "right left", "p
 SMALL = {"deg": 0.3, "yd": 1.0, "mm": 1.5}
 """Sizes below which a value is called none."""
 FEW, ENOUGH = 5, 10
-"""Shots below which a mean says little, and from which two of three are told."""
+"""Shots below which a mean says little, and from which the range of two in three is given."""
 BEND = 0.5
 """Degrees of spin axis below which a ball flies straight."""
 STEPS = {
@@ -95,7 +95,7 @@ def measured(club: ClubStatistics) -> Iterator[str]:
 
 
 def line(club: ClubStatistics) -> Iterator[str]:
-    """Yield where the ball starts and how it bends, beside face and path."""
+    """Yield where the ball starts and how it bends, with face and path."""
     start, axis = club.measured.get("azimuth"), club.measured.get("spin_axis")
     if start is None:
         return

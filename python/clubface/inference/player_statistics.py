@@ -119,7 +119,7 @@ class ClubStatistics:
         What the closing of the face adds to start line [rad] and sidespin [rad/s], to the first order; empty without
         changes.
     launch
-        The mean shot by the model, from which changes are told; None without them.
+        The mean shot by the model, from which changes are counted; None without them.
     """
 
     name: str

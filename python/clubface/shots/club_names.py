@@ -72,14 +72,14 @@ def club_kind(name: str) -> str | None:
 
 
 def is_club_name(text: str) -> bool:
-    """Tell whether a text is the name of a club and nothing else, in words and not in a lone letter or number."""
+    """Return whether a text is the name of a club and nothing else, in words and not in a lone letter or number."""
     if len(text.strip()) < 2 or not any(map(str.isalpha, text)) or club_kind(text) is None:
         return False
     return all(each in _KNOWN or each.replace(".", "").isdigit() for each in _words(text))
 
 
 def same_club(one: str, other: str) -> bool:
-    """Tell whether two names mean the same club, as ``7i`` and ``7 Iron``; names that tell nothing must be one text."""
+    """Return whether two names mean the same club, as ``7i`` and ``7 Iron``; unknown names must be equal."""
     kinds = club_kind(one), club_kind(other)
     if kinds[0] is None or kinds[1] is None:
         return one.strip().casefold() == other.strip().casefold()
@@ -87,7 +87,7 @@ def same_club(one: str, other: str) -> bool:
 
 
 def may_be(one: str, other: str) -> bool:
-    """Tell whether two kinds can be the same club: a wedge by its loft and one by its name, a hybrid without number."""
+    """Return whether two kinds can be the same club: wedges by loft and by name, a hybrid without number."""
     if one == other:
         return True
     families = one.rpartition("-")[2], other.rpartition("-")[2]

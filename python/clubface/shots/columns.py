@@ -95,7 +95,7 @@ class Columns(NamedTuple):
     unused
         Headings that would give a quantity but for what is in their brackets, which is no unit.
     remarks
-        What else a reader should know of the columns.
+        Further remarks on the columns.
     """
 
     width: int
@@ -224,7 +224,7 @@ def columns_of(
 
 
 def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
-    """Tell whether a heading means what it is called in clubface, as everything that is written as clubface does.
+    """Return whether a heading means what it is called in clubface, as everything that is written as clubface does.
 
     In the tables of others "Speed" may be that of club or ball, and "Roll" is what the ball does on the ground.
     """

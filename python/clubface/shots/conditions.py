@@ -145,7 +145,7 @@ def _named(result: re.Match[str], given: dict[str, _Number]) -> str:
 
 
 class _Reader:
-    """Goes through the tree of a condition."""
+    """Evaluates the tree of a condition."""
 
     def __init__(self, shots: RecordedShots, condition: str, given: Mapping[str, _Number]) -> None:
         self._shots = shots

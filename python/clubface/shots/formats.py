@@ -7,8 +7,8 @@ Mapping files: a TOML file that describes the columns of any CSV, so that it is 
 .. code-block:: toml
 
     name = "my-monitor"     # optional; the name of the format
-    delimiter = ";"         # optional; found out if left out
-    decimal = ","           # optional; found out if left out
+    delimiter = ";"         # optional; detected if left out
+    decimal = ","           # optional; detected if left out
     club = "Schläger"       # optional: the heading of the column that names the club
     player = "Spieler"      # optional: the heading of the column that names the player
     hand = "Hand"           # optional: the heading of the column that says right or left

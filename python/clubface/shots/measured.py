@@ -1,4 +1,4 @@
-"""Measured shots made ready to stand beside models: of one club, complete, and of the club that was given.
+"""Measured shots made ready for comparison with models: of one club, complete, and of the club that was given.
 
 Recorded shots prepared for comparison with models: one club, complete rows, and notes on what was assumed.
 

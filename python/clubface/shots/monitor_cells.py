@@ -17,7 +17,7 @@ __all__ = [
 ]  # fmt: skip
 
 WORLD, CLUB = "world", "club"
-"""Whose left and right a side is told in: that of the course, or that of the club, which a left-hander mirrors."""
+"""The frame of left and right: that of the course, or that of the club, which a left-hander mirrors."""
 
 
 class Side(NamedTuple):

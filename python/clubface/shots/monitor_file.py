@@ -101,7 +101,7 @@ class Session:
     unused
         Headings that would give a quantity but for what is in their brackets.
     remarks
-        What else a reader should know of the columns.
+        Further remarks on the columns.
     unread
         Headings of columns of numbers that give no quantity.
     unreadable
@@ -172,7 +172,7 @@ class _Faults:
 
 
 class SessionReader:
-    """Goes through the rows of a file of a known layout.
+    """Reads the rows of a file of a known layout.
 
     Parameters
     ----------
@@ -367,14 +367,14 @@ class SessionReader:
         return True
 
     def _is_header(self, cells: Sequence[str]) -> bool:
-        """Tell whether a row names the columns of a table; below the first, one word is none, such as "Total"."""
+        """Return whether a row names the columns of a table; below the first, one word is none, such as "Total"."""
         if self._layout.is_header(cells) and (not self._header or sum(bool(each.strip()) for each in cells) > 1):
             return True
         known = self._layout.known({self._layout.heading(each).name for each in cells})
         return bool(self._header) and known >= HEADINGS and not self._is_foreign(cells)
 
     def _has_numbers(self, cells: Sequence[str]) -> bool:
-        """Tell whether a cell of a column that is used holds a number, so that the row is no header."""
+        """Return whether a cell of a column that is used holds a number, so that the row is no header."""
         if self._columns is None:
             return False
         places = (each.place for used in self._columns.used.values() for each in used)
@@ -601,7 +601,7 @@ def _is_array(cells: Any) -> bool:
 
 
 def _is_measurement(cell: str) -> bool:
-    """Tell whether a cell is a number, perhaps with a unit or a side, and no date, club or name."""
+    """Return whether a cell is a number, perhaps with a unit or a side, and no date, club or name."""
     match = NUMBER.fullmatch(cell.strip())
     if match is None or len(match["before"]) > 2 or len(match["rest"]) > 6:
         return False

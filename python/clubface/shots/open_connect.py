@@ -70,8 +70,8 @@ class _Client:
         self.stream = ObjectStream()
         self.heard = self.spoke = time.monotonic()
         self.has_spoken = False
-        self.told: set[tuple[str, float] | str] = set()
-        """Values that were not taken and are told: a monitor without spin sends its zero with every shot."""
+        self.reported: set[tuple[str, float] | str] = set()
+        """Values that were not taken, each reported once: a monitor without spin sends its zero with every shot."""
 
     def is_idle(self, now: float) -> bool:
         """Whether it has been silent for too long."""
@@ -93,7 +93,7 @@ class Listener:
     host
         The address to listen on. Other machines can reach the listener only if this is not the default.
     hand, club
-        What every monitor that connects is told, with code 201: "right" or "left", and the club's short name, such as
+        What every monitor that connects receives, with code 201: "right" or "left", and the club's short name, such as
         "DR".
     keep
         Called with every shot before it is acknowledged. If it raises, the shot is answered with code 501, and the
@@ -215,14 +215,14 @@ class Listener:
                 self._tell(f"{client.name}: {error}")
                 self._answer(client, reply(FAILED, str(error)))
                 continue
-            new = {each: shown(*each) for each in message.impossible.items() if each not in client.told}
-            client.told |= set(new)
+            new = {each: shown(*each) for each in message.impossible.items() if each not in client.reported}
+            client.reported |= set(new)
             if new:
                 values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
                 self._tell(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
             for note in message.notes:
-                if note not in client.told:
-                    client.told.add(note)
+                if note not in client.reported:
+                    client.reported.add(note)
                     self._tell(f"shot {message.shot_number}: {note}")
             if message.kind == "shot":
                 try:

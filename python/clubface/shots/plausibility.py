@@ -86,7 +86,7 @@ PUTTED = 12.0
 
 
 def can_be(name: str, values: Any) -> Any:
-    """Tell which values [SI] of a quantity a golf shot can have; NaN, nothing measured, counts as one."""
+    """Return which values [SI] of a quantity a golf shot can have; NaN, nothing measured, counts as one."""
     low, high = RANGES.get(name, (-math.inf, math.inf))
     return (
         ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)

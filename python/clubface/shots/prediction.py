@@ -230,7 +230,7 @@ def run(
                 rejects_path, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
             )
         else:
-            # Rejects of an earlier run do not stay beside a file they do not belong to.
+            # Rejects of an earlier run are removed: they belong to another file.
             rejects_path.unlink(missing_ok=True)
         store.write_result(target, lambda file: form.whole(file, _whole_pieces(store, names, target.suffix, 0)))
         store.remove()
@@ -311,7 +311,7 @@ class PredictReport(Described):
     added
         Headings of the columns written after them.
     notes
-        What a reader of the result should know.
+        Remarks on the result.
     first_rejects
         Line and reason of the first rejects.
     resumed
@@ -436,9 +436,9 @@ def predict(
     air, wind
         As for :func:`fly`.
     output
-        The file to write, CSV or Parquet by its ending; ``<source>-launches.csv`` beside the source if left out.
+        The file to write, CSV or Parquet by its ending; ``<source>-launches.csv`` next to the source if left out.
     rejects
-        The CSV file for rows that cannot be used; ``<output>.rejects.csv`` beside the output if left out. It is
+        The CSV file for rows that cannot be used; ``<output>.rejects.csv`` next to the output if left out. It is
         written only if there are such rows.
     format, mapping, units
         How a launch monitor's file is laid out, as for :func:`clubface.shots.read`.

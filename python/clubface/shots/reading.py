@@ -116,7 +116,7 @@ def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
 
 
 def is_foreign(layout: Format, cells: Sequence[str]) -> bool:
-    """Tell whether a row is the header of a table that a layout cannot read."""
+    """Return whether a row is the header of a table that a layout cannot read."""
     names = {layout.heading(each).name for each in cells}
     if any(each.is_marked(names) for each in FORMATS.values() if each.name != layout.name):
         return not layout.is_marked(names)
@@ -130,7 +130,7 @@ def _quantities(layout: Format, cells: Sequence[str]) -> set[str]:
 
 
 def _marked(layout: Format, rows: Sequence[Sequence[str]]) -> bool:
-    """Tell whether one of the rows is the header of a layout."""
+    """Return whether one of the rows is the header of a layout."""
     return any(layout.is_marked({heading(each).name for each in cells}) for cells in rows)
 
 
@@ -267,7 +267,7 @@ def _parquet_session(path: Path, hand: str | None, units: Mapping[str, str]) -> 
 
 
 def is_plain_table(path: str | os.PathLike[str]) -> bool:
-    """Tell whether a file is a table of no launch monitor, which begins with its header and names units there."""
+    """Return whether a file is a table of no launch monitor, which begins with its header and names units there."""
     source = Path(path)
     _refuse_no_table(source)
     if source.suffix.lower() in PARQUET:

@@ -49,7 +49,7 @@ __all__ = [
 
 
 TEXTS = {"clubs": "club", "players": "player", "hand": HAND, "dates": "date", "files": "file"}
-"""What is known of shots in words, with the headings of the columns."""
+"""The attributes of shots that are texts, with the headings of their columns."""
 SIDES = {1.0: "right", -1.0: "left"}
 """The hand by the sign the core takes."""
 
@@ -106,7 +106,7 @@ class RecordedShots:
     rejected
         The rows that gave no shot.
     notes
-        What a reader of the shots should know.
+        Remarks on the shots.
     speed_at
         Where speed, attack angle and path were taken: "cg", as models want it, "face" (its centre) or "unknown".
     face_at

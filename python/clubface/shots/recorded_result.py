@@ -14,7 +14,7 @@ from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, RejectedRow
 
-__all__ = ["recorded_result", "rejected_table"]
+__all__ = ["recorded_result", "rejected_table", "session_table"]
 
 SHOWN = 10
 """Rejected rows that are printed; files have all."""
@@ -31,9 +31,7 @@ def recorded_result(shots: RecordedShots) -> Result:
         f"{shots.source} ({shots.format}): {listed or f'{len(shots)} shots'}",
         tables=(
             _quantities_table(shots),
-            table("session", text("source", [shots.source]), text("format", [shots.format]),
-                  text("shots", [len(shots)]), text("speed_at", [shots.speed_at]), text("face_at", [shots.face_at]),
-                  printed=False),
+            session_table(shots),
             table("clubs", text("club", list(clubs)), text("shots", list(clubs.values())), printed=False),
             table("loft_origins", *(text(name, [getattr(each, name) for each in origins])
                   for name in ("club", "file", "shots", "origin", "with_face")),
@@ -44,6 +42,17 @@ def recorded_result(shots: RecordedShots) -> Result:
         notes=tuple(free_text([*origin_notes(origins, AT_LAUNCH), *shots.notes])),
         provenance=Provenance(inputs={"file": shots.source, "read as": shots.format}),
     )  # fmt: skip
+
+
+def session_table(shots: RecordedShots) -> Table:
+    """Return the source of shots, how it is written, how many there are, and where club data was taken."""
+    values = {name: getattr(shots, name) for name in ("source", "format", "speed_at", "face_at")}
+    return table(
+        "session",
+        text("shots", [len(shots)]),
+        *(text(name, [value]) for name, value in values.items()),
+        printed=False,
+    )
 
 
 def _quantities_table(shots: RecordedShots) -> Table:

@@ -112,7 +112,7 @@ def _put(deliveries: dict[str, Floats], rows: NDArray[np.intp], referred: Mappin
 
 
 def _measured(some: Mapping[str, Any], *names: str) -> bool:
-    """Tell whether one of the quantities was measured in any shot."""
+    """Return whether one of the quantities was measured in any shot."""
     return any(np.isfinite(some[name]).any() for name in names if name in some)
 
 

@@ -19,7 +19,7 @@ from clubface.results.result import Result
 from clubface.results.table import Table, column, table, text
 from clubface.shots.club_names import same_club
 from clubface.shots.recorded import RecordedShots
-from clubface.shots.recorded_result import rejected_table
+from clubface.shots.recorded_result import rejected_table, session_table
 from clubface.support.arrays import Floats
 from clubface.units import from_si
 
@@ -146,7 +146,11 @@ def session_result(shots: RecordedShots) -> Result:
     return Result(
         "session-summary",
         f"{shots.source} ({shots.format})",
-        tables=(_clubs_table(clubs), rejected_table(shots.rejected, shots.row_word)),
+        tables=(
+            _clubs_table(clubs),
+            session_table(shots),
+            rejected_table(shots.rejected, shots.row_word),
+        ),
         notes=(*free_text(shots.notes), *_remarks(clubs)),
         provenance=Provenance(inputs={"file": shots.source, "read as": shots.format}),
         draw=lambda: [session_picture(shots, clubs)],

@@ -2,7 +2,8 @@
 
 From shot to shot a launch follows the delivery in directions that no model disputes: more loft launches higher, a face
 to the right sends the ball to the right, a path to the right makes it curve to the left. A column that runs the other
-way, clearly and beside the other columns, most likely has its sign turned. It is told and never changed.
+way, clearly and in disagreement with the other columns, most likely has its sign turned. A note says so; the values
+stay as they are.
 """
 
 from __future__ import annotations

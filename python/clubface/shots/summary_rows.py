@@ -133,7 +133,7 @@ def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
 
 
 def summaries_in(chunk: Chunk, columns: Layout) -> dict[int, str]:
-    """Return the rows of a plain table of deliveries that sum up others, and what is to be said of each."""
+    """Return the rows of a plain table of deliveries that sum up others, each with the note on it."""
     used = {each.place for each in columns.used}
     cells = [np.empty(0) if place in used else chunk.cells(place) for place in range(len(columns.headings))]
     texts = {place: each for place, each in enumerate(cells) if not isinstance(each, np.ndarray)}
@@ -192,7 +192,7 @@ def _uncounted(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
 
 
 def _sums_up(row: int, kind: str, is_shot: Any, values: Mapping[str, Floats], closely: bool = False) -> bool:
-    """Tell whether the numbers of a row sum up those of shots: the ones next to it, on one side, or all of them."""
+    """Return whether the numbers of a row sum up those of shots: the ones next to it, on one side, or all of them."""
     shots = np.flatnonzero(is_shot)
     groups = [shots]
     for side, last in ((shots[shots < row], True), (shots[shots > row], False)):

@@ -49,12 +49,12 @@ _HANDS = {**HANDS, "r": 1, "l": -1, "rh": 1, "lh": -1, "right handed": 1, "left 
 
 
 def is_missing(text: str) -> bool:
-    """Tell whether a cell says that nothing was measured."""
+    """Return whether a cell says that nothing was measured."""
     return text.strip().lower() in MISSING or not text.strip(_DASHES)
 
 
 def is_number(text: str) -> bool:
-    """Tell whether a text is a finite number with a decimal point."""
+    """Return whether a text is a finite number with a decimal point."""
     try:
         return math.isfinite(float(text))
     except ValueError:

@@ -50,7 +50,7 @@ _SPREADSHEETS = {".xls": _WORKBOOK, ".ods": _WORKBOOK, ".numbers": "export it as
 
 
 def is_workbook(path: Path) -> bool:
-    """Tell whether a file is an Excel workbook (.xlsx), by what is in it and not by its name."""
+    """Return whether a file is an Excel workbook (.xlsx), by what is in it and not by its name."""
     try:
         with open_input(path) as file:
             return file.read(4) == b"PK\x03\x04" and "xl/workbook.xml" in _archived(path)

@@ -186,7 +186,7 @@ class Layout(NamedTuple):
     passed
         Headings of the columns that are only passed through.
     notes
-        What a reader of the result should know.
+        Remarks on the result.
     """
 
     headings: tuple[str, ...]

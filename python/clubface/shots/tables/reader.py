@@ -50,7 +50,7 @@ class CsvReader:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader of the rows should know of the file, as far as it is read."""
+        """Remarks on the file, as far as it is read."""
         return (*self._rows.notes, *([doubt(self._doubtful)] if self._doubtful else []))
 
     def _read_header(self) -> None:

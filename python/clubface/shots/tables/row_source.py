@@ -175,7 +175,7 @@ class CsvRows:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader of the rows should know, as far as they are read."""
+        """Remarks on the rows, as far as they are read."""
         return (f"the file is not UTF-8: read as {self.encoding}",) if self.encoding else ()
 
     def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
@@ -379,7 +379,7 @@ class WorkbookRows:
         self._file.close()
 
     def _has_table(self, sheet: Any) -> bool:
-        """Tell whether a sheet begins with a row of two names or more and a number below it."""
+        """Return whether a sheet begins with a row of two names or more and a number below it."""
         named = False
         for cells in islice(self._cells(sheet), SEARCHED):
             words = sum(any(map(str.isalpha, each)) for each in cells)
