@@ -5,6 +5,7 @@ import pytest
 
 from clubface import present, read_shots, shots as launch_monitor
 from clubface.errors import FileError
+from clubface.inference.player_report import player_result
 from clubface.shots.recorded import iso_dates, session_labels
 
 MPH, DEG = 0.44704, np.pi / 180
@@ -140,9 +141,14 @@ def test_a_report_says_what_changed_from_session_to_session_and_how_sure_that_is
     old = day("2026-01-01", [98, 99, 100, 97, 99, 98])
     new = day("2026-02-01", [104, 105, 103, 104, 106, 104])
     shots = launch_monitor.read(write(HEAD + new + old))
-    text = present.write_report(shots, tmp_path / "report.md").read_text()
-    assert text.index("| 2026-01-01 | 6 | 98 mph") < text.index("| 2026-02-01 | 6 | 104 mph")
+    result = player_result(shots)
+    (sessions,) = (part for club in result.parts for part in club.parts if part.kind == "sessions")
+    rows = sessions.tables[0].records()
+    assert [(row["session"], row["shots"]) for row in rows] == [("2026-01-01", 6), ("2026-02-01", 6)]
+    assert [row["speed_mps"] / 0.44704 for row in rows] == pytest.approx([98.5, 626 / 6])
+    text = present.write_report(result, tmp_path / "report.md").read_text()
+    assert text.index("| 2026-01-01 | 6 | 98.5") < text.index("| 2026-02-01 | 6 | 104.3")
     assert "club speed: 5.8 mph more, give or take 1.3 mph" in text
     assert "launch angle: the same" in text
-    present.write_report(launch_monitor.read(write(HEAD + new)), tmp_path / "one.md")
-    assert "session to session" not in (tmp_path / "one.md").read_text()
+    one = present.write_report(player_result(launch_monitor.read(write(HEAD + new))), tmp_path / "one.md")
+    assert "session to session" not in one.read_text()
