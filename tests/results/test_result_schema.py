@@ -16,6 +16,10 @@ import pytest
 import typer
 
 from clubface.cli.app import app
+from clubface.present.document import as_markdown
+from clubface.present.report import report_blocks
+from clubface.results.result import Result
+from clubface.results.table import column, table
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "scripts"))
 from golden_outputs import write_inputs
@@ -150,3 +154,13 @@ def test_a_document_that_breaks_the_schema_is_noticed(run):
     document["values"]["carry_m"] = {"value": 1.0}
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate(document, SCHEMA)
+
+
+def test_the_parts_of_a_result_are_in_every_rendering():
+    part = Result("part", "The part", tables=(table("numbers", column("carry", [200.0])),))
+    whole = Result("whole", "The whole", parts=(part,))
+    document = whole.to_dict()
+    jsonschema.validate(document, SCHEMA)
+    assert document["parts"][0]["tables"]["numbers"]["rows"] == [{"carry_m": 200.0}]
+    for shown in (str(whole), whole._repr_html_(), as_markdown(list(report_blocks(whole)))):
+        assert shown.index("The whole") < shown.index("The part") < shown.index("218.7")

@@ -29,7 +29,7 @@ def as_fragment(result: Result) -> str:
     sentences = dict.fromkeys(each.sentence for each in (*result.summary, *result.notes))
     if sentences:
         parts.append("<ul>" + "".join(f"<li>{html.escape(each)}</li>" for each in sentences) + "</ul>")
-    return "\n".join(parts)
+    return "\n".join([*parts, *map(as_fragment, result.parts)])
 
 
 def _table(heads: list[str], rows: list[list[str]]) -> str:

@@ -64,6 +64,7 @@ def as_text(
         parts.append(notes)
     if result.hints:
         parts.append([line for each in result.hints for line in _wrapped(each.sentence, width)])
+    parts += [as_text(each, units, width, emphasis=emphasis).split("\n") for each in result.parts]
     return "\n\n".join("\n".join(each) for each in parts)
 
 
