@@ -15,7 +15,7 @@ from clubface.schema.document import Document
 __all__ = ["Place"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(repr=False, eq=False)
 class Place:
     """The place of a value in a file, or in a mapping or an object without one.
 

@@ -139,7 +139,7 @@ def quantities(schema: type) -> dict[str, Entry]:
     return {name: each for name, each in entries(schema).items() if isinstance(each.value, Quantity)}
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Table(Value):
     """A table that is read as an object of a dataclass.
 

@@ -60,7 +60,7 @@ class Value:
         return {}
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Simple(Value):
     """A value that stays as it is.
 
@@ -114,7 +114,7 @@ ROUNDING = 1e-12
 """Part by which a value may miss a limit that is a round number in another unit than SI."""
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Quantity(Value):
     """A number with a unit. Text names its unit, and a bare number is SI.
 
@@ -190,7 +190,7 @@ class Quantity(Value):
         return " and ".join(limits) or (f"in {self.unit}" if unit else "a number")
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Unread(Value):
     """A value that is checked and stays as it is given, for what reads it later."""
 
@@ -207,7 +207,7 @@ class Unread(Value):
         return self.kind.words()
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Choice(Value):
     """One of several words.
 
@@ -246,7 +246,7 @@ class Choice(Value):
         return ", ".join(f"`{each}`" for each in self.known)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Items(Value):
     """A list of values of one kind, read as a tuple; ``allowed`` is what an error says of a wrong length."""
 
@@ -271,7 +271,7 @@ class Items(Value):
         return self.allowed or f"a list, each {self.item.words()}"
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Interval(Value):
     """The least and the greatest value of a quantity.
 
@@ -316,7 +316,7 @@ class Interval(Value):
         return f"two values, least and greatest, as in {self.example}{no_limit}"
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Record(Value):
     """A table that is read as a dictionary.
 
@@ -369,7 +369,7 @@ class Record(Value):
         return {} if isinstance(self.values, Value) else self.values() if callable(self.values) else self.values
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Tables(Value):
     """A list of tables, each under a heading in two brackets; names among them are used once.
 
@@ -421,7 +421,7 @@ class Tables(Value):
         return self.table.keys()
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Reference(Value):
     """The name of something built in, or the path of its file from the folder of the file that names it."""
 
@@ -450,7 +450,7 @@ class FilePath(Simple):
         return value
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Either(Value):
     """A value of one of several kinds, told apart by their type in the file; ``allowed`` names them in messages."""
 
