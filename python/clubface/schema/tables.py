@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
-from clubface.schema.values import Quantity, Record, Tables, Value
+from clubface.schema.values import Choice, Quantity, Record, Tables, Value
 
 __all__ = [
     "Entry",
@@ -294,7 +294,9 @@ def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> lis
             is_text = isinstance(each.value, Quantity) and each.value.unit != "1"
             entry = f"{written_key(each.key)} = {quoted(example) if is_text else example}"
             entry = entry if each.is_required or each.key in values else f"# {entry}"
-            lines.append(f"{entry:<{width}} # {each.meaning}")
+            words = each.value.known if isinstance(each.value, Choice) else {}
+            choices = f": {', '.join(words)}" if not all(word in each.meaning for word in words) else ""
+            lines.append(f"{entry:<{width}} # {each.meaning}{choices}")
     return lines
 
 
