@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from clubface import plots, units
-from clubface.capture.picture import study_figure
-from clubface.capture.study import UNITS, Study, study
+from clubface.capture.study import UNITS, Study, study, study_picture
 from clubface.capture.synthetic.laboratory import Cameras
+from clubface.present.drawing import draw
 
 COUNT = 200
 LAUNCHES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
@@ -48,7 +48,7 @@ def main() -> None:
     for club in ("driver", "7-iron"):
         launch_table(club)
     target = Path(__file__).with_name("capture-study.svg")
-    print("wrote", plots.save(study_figure({"no noise": exact, "0.3 mm\nnoise": noisy}), target))
+    print("wrote", plots.save(draw(study_picture({"no noise": exact, "0.3 mm\nnoise": noisy})), target))
 
 
 if __name__ == "__main__":

@@ -88,7 +88,7 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
     names = tuple(mapping.cluster)
     shape = np.array([mapping.cluster[name] for name in names], dtype=np.float64) + np.array(club.cg)
     covariance = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
-    told = Known.of("markers from the face centre", "given", "mm", deviations=[mapping.position_deviation])
+    told = Known("markers from the face centre", "given", "toe", deviations=[mapping.position_deviation])
     return Registration(names, shape, covariance * mapping.position_deviation**2, float("nan"), geometry=(told,))
 
 
@@ -155,8 +155,8 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     about_cg[:3, 3:] = skew(np.array(club.cg))
     notes = (f"{', '.join(absent)} not seen in the calibration: left out",) if absent else ()
     told = (
-        Known.of("markers from the face", "measured", "mm", deviations=[misfit]),
-        Known.of("points of the face", "given", "mm", deviations=[mapping.position_deviation]),
+        Known("markers from the face", "measured", "toe", deviations=[misfit]),
+        Known("points of the face", "given", "toe", deviations=[mapping.position_deviation]),
     )
     return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes, told)
 
@@ -253,12 +253,12 @@ def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, h
     told = []
     if known:
         words = f"{len(known)} marker{'s' * (len(known) > 1)} from the face centre"
-        told.append(Known.of(words, "given", "mm", deviations=[mapping.position_deviation]))
+        told.append(Known(words, "given", "toe", deviations=[mapping.position_deviation]))
     else:
-        told.append(Known.of("mean of the markers from the face centre", "assumed", "mm", mean, spread))
+        told.append(Known("mean of the markers from the face centre", "assumed", "toe", mean, spread))
     if height is not None:
         told.append(
-            Known.of("height of the face centre over the ground", "assumed", "mm", [nominal], [mapping.assumed.sole])
+            Known("height of the face centre over the ground", "assumed", "toe", [nominal], [mapping.assumed.sole])
         )
     shape = moved(x)
     notes = _disagreement(
@@ -326,9 +326,9 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
     attitude = Attitude(np.array([club.loft, 0.0, 0.0]), np.diag([assumed.loft, assumed.face, assumed.lie]) ** 2)
     found = placed(markers, attitude, mapping, club, mapping.ground)
     told = (
-        Known.of("loft at address", "assumed", "deg", [club.loft], [assumed.loft]),
-        Known.of("face angle at address", "assumed", "deg", [0.0], [assumed.face]),
-        Known.of("lie at address", "assumed", "deg", [0.0], [assumed.lie]),
+        Known("loft at address", "assumed", "face", [club.loft], [assumed.loft]),
+        Known("face angle at address", "assumed", "face", [0.0], [assumed.face]),
+        Known("lie at address", "assumed", "face", [0.0], [assumed.lie]),
     )
     frames = f"address taken from frames {first + recording.first_frame} to {last + recording.first_frame}"
     where = f" of {recording.path}" if mapping.calibration is not None else ""
@@ -433,9 +433,9 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     found = placed(markers, attitude, mapping, club, None)
     deviations = np.sqrt(np.diag(attitude.covariance))
     told = (
-        Known.of("loft and face angle at impact, from the blow and what is usual", "assumed", "deg",
+        Known("loft and face angle at impact, from the blow and what is usual", "assumed", "face",
                  attitude.values[:2], deviations[:2]),
-        Known.of("lie at impact", "assumed", "deg", [0.0], deviations[2:]),
+        Known("lie at impact", "assumed", "face", [0.0], deviations[2:]),
     )  # fmt: skip
     return found._replace(geometry=(*told, *found.geometry))
 

@@ -18,13 +18,14 @@ import numpy as np
 from clubface import units
 from clubface.capture.ball_flight import Launched
 from clubface.capture.calibration import Registration
+from clubface.capture.captured_result import captured_result
 from clubface.capture.geometry import Known
 from clubface.capture.reduction import QUANTITIES
 from clubface.capture.rotations import Array
 from clubface.capture.tracking import Track
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, InputError
-from clubface.quantities import display_unit
+from clubface.results.result import Described, Result
 from clubface.simulation.inputs import OF_CLUB, Delivery
 from clubface.support.checks import MOST_SEED, check_choice, check_count, without_warnings
 from clubface.support.processes import check_request
@@ -60,7 +61,7 @@ class Trace(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CapturedDelivery:
+class CapturedDelivery(Described):
     """A delivery from motion capture with its uncertainty, in SI units and radians.
 
     Attributes
@@ -149,36 +150,12 @@ class CapturedDelivery:
         drawn = np.random.default_rng(seed).multivariate_normal(values, self.covariance, size=count, method="eigh")
         return dict(zip(QUANTITIES, drawn.T, strict=True))
 
-    def document(self) -> dict[str, Any]:
-        """Return the whole result as plain values, in SI units."""
-        return {
-            "source": self.source,
-            "club": self.club.name,
-            "hand": "left" if self.club.hand < 0 else "right",
-            "estimator": self.estimator,
-            "delivery": {name: getattr(self.delivery, name) for name in QUANTITIES},
-            "uncertainty": self.uncertainty,
-            "covariance": self.covariance.tolist(),
-            "launch": self.launch,
-            "launch_uncertainty": self.launch_uncertainty,
-            "time_s": self.time,
-            "frames": list(self.frames),
-            "frames_used": self.used,
-            "marker_noise_m": self.marker_noise,
-            "marker_noise_freedom": self.marker_noise_freedom,
-            "misfit": None if math.isnan(self.misfit) else self.misfit,
-            "geometry": [each.document() for each in self.geometry],
-            "plausible": self.plausible,
-            "notes": list(self.notes),
-        }
+    def to_result(self) -> Result:
+        """Return it as a result."""
+        return captured_result([self])
 
     def __repr__(self) -> str:
-        lines = [f"{self.source}: {self.club.name}, {self.estimator}, first touch {units.fixed(self.time, 'ms', 3)}"]
-        for name in QUANTITIES:
-            unit = display_unit(name, units.SI_UNITS[OF_CLUB[name]])
-            value, deviation = self.get(name, unit)
-            lines.append(f"  {name:<10} {value:10.3f} ± {deviation:.3f} {unit}")
-        return "\n".join([*lines, *(f"  {known}" for known in self.geometry), *(f"  * {note}" for note in self.notes)])
+        return str(self.to_result())
 
 
 FASTEST = 70.0

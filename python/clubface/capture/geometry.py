@@ -7,9 +7,10 @@ what it was.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from itertools import zip_longest
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,8 +19,6 @@ from clubface.capture.rotations import Array
 from clubface.schema import Quantity, check_values, file_key, quantities
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
-FINE = 0.095
-"""In the units shown: smaller deviations are written with two digits after the point."""
 GIVEN = 1.0 * _MM
 """Of a given position whose accuracy is not told: what a calliper on a rounded head gives."""
 GUESSED = 10.0 * _MM
@@ -31,40 +30,25 @@ class Known(NamedTuple):
 
     Attributes
     ----------
-    what
+    name
         In words, such as "face angle at address".
     how
         "measured", "given" or "assumed".
+    quantity
+        The quantity of its values, by name; "" where there are none.
     values, deviations
-        Its values and their standard deviations, in ``unit``; empty where there is nothing to tell.
-    unit
-        "deg", "mm" or "ms".
+        Its values and their standard deviations [SI]; empty where there is nothing to state.
     """
 
-    what: str
+    name: str
     how: str
-    values: tuple[float, ...] = ()
-    deviations: tuple[float, ...] = ()
-    unit: str = ""
+    quantity: str = ""
+    values: Sequence[float] = ()
+    deviations: Sequence[float] = ()
 
-    @classmethod
-    def of(cls, what: str, how: str, unit: str, values: Any = (), deviations: Any = ()) -> Known:
-        """Make one of values in SI."""
-        shown = [tuple(float(units.from_si(each, unit)) for each in some) for some in (values, deviations)]
-        return cls(what, how, shown[0], shown[1], unit)
-
-    def document(self) -> dict[str, Any]:
-        """Return it as plain values."""
-        return self._asdict() | {"values": list(self.values), "deviations": list(self.deviations)}
-
-    def __str__(self) -> str:
-        if self.deviations and not any(self.deviations):
-            return f"{self.what}: {self.how}, exact"
-        digits = 1 if min(self.deviations, default=1.0) >= FINE else 2
-        values = [f"{each:.{digits}f}" for each in self.values] or [""] * len(self.deviations)
-        deviations = [f"± {each:.{digits}f}" for each in self.deviations] or [""] * len(values)
-        cells = [" ".join(filter(None, pair)) for pair in zip(values, deviations, strict=True)]
-        return f"{self.what}: {self.how}" + (f", {', '.join(cells)} {self.unit}" if cells else "")
+    def pairs(self) -> list[tuple[float | None, float | None]]:
+        """Return each value with its standard deviation, None for one that is not stated."""
+        return list(zip_longest(self.values, self.deviations)) or [(None, None)]
 
 
 ANGLE, LENGTH = Quantity("deg", above=0), Quantity("mm", above=0)

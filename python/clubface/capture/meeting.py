@@ -122,10 +122,10 @@ def _by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -
     if mapping.ball is not None:
         measured = ball.noise if mapping.noise is None else mapping.noise
         deviation = max(measured, FLOOR) / np.sqrt(max(ball.frames, 1))
-        told = Known.of("centre of the ball", "measured", "mm", deviations=[deviation])
+        told = Known("centre of the ball", "measured", "toe", deviations=[deviation])
     else:
         deviation = max(mapping.ball_deviation, FLOOR)
-        told = Known.of("centre of the ball", "given", "mm", deviations=[deviation])
+        told = Known("centre of the ball", "given", "toe", deviations=[deviation])
     return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (told,))
 
 
@@ -139,11 +139,11 @@ def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup
     )
     if mapping.ball_position is None:
         centre, deviation = _in_front(approach, setup), ANYWHERE
-        told = [Known.of("ball", "assumed: where the clubhead loses speed", "")]
+        told = [Known("ball", "assumed: where the clubhead loses speed")]
     else:
         centre, deviation = turn @ np.array(mapping.ball_position), mapping.ball_deviation
-        told = [Known.of("centre of the ball", "given", "mm", deviations=[deviation])]
-    told.append(Known.of("instant of first touch, from the blow", "measured", "ms", deviations=[blow.deviation]))
+        told = [Known("centre of the ball", "given", "toe", deviations=[deviation])]
+    told.append(Known("instant of first touch, from the blow", "measured", "contact_time", deviations=[blow.deviation]))
     return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _told(blow), told)
 
 
@@ -157,8 +157,13 @@ def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Me
         times, kept, end.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
     )
     told = [
-        Known.of("ball", "assumed: where the recording ends", ""),
-        Known.of("instant of first touch, from the end of the recording", "assumed", "ms", deviations=[end.deviation]),
+        Known("ball", "assumed: where the recording ends"),
+        Known(
+            "instant of first touch, from the end of the recording",
+            "assumed",
+            "contact_time",
+            deviations=[end.deviation],
+        ),
     ]
     when = f"{end.later} frames after" if end.later else "with"
     remark = (
@@ -176,8 +181,8 @@ def _met(
     """Return a meeting at an instant [s] known to ``instant``, with a ball known to ``deviation`` [m]."""
     assumed = setup.mapping.assumed
     told.append(
-        Known.of(
-            "impact point from the face centre, towards the toe and high", "assumed", "mm", [0.0, 0.0],
+        Known(
+            "impact point from the face centre, towards the toe and high", "assumed", "toe", [0.0, 0.0],
             [assumed.toe, assumed.high],
         )
     )  # fmt: skip

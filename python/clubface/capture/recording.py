@@ -1,12 +1,8 @@
-"""Marker positions over time, from and to C3D files, which are checked before a library reads them.
+"""Marker positions over time, read from and written to C3D files by ezc3d.
 
-Marker positions over time: read from and written to C3D files by ezc3d.
-
-The bones of a C3D file, looked at before a library reads it.
-
-A file cut short is otherwise read as a shorter recording, and a damaged one can take the whole process with it. The
-layout is that of "The C3D File Format User Guide" (Motion Lab Systems): a header of 512 bytes, a section of groups of
-parameters, and frames of points and analogue samples.
+The layout of a file is checked before the library reads it: a file cut short would be read as a shorter recording, and
+a damaged one can take the whole process with it. The layout is that of "The C3D File Format User Guide" (Motion Lab
+Systems): a header of 512 bytes, a section of groups of parameters, and frames of points and analogue samples.
 """
 
 from __future__ import annotations
@@ -24,6 +20,8 @@ import numpy as np
 from clubface import units
 from clubface.capture.rotations import Array, visible
 from clubface.errors import FileError, InputError, Told, UnknownNameError
+from clubface.results.result import Described, Result
+from clubface.results.table import Table, column, text
 from clubface.support.files import as_local_file, input_file, read_input, whole_file
 from clubface.support.processes import IsolatedError, IsolatedProcess
 from clubface.units import numbers
@@ -212,7 +210,7 @@ SPEED = 1e6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Recording:
+class Recording(Described):
     """The markers of one trial.
 
     Attributes
@@ -247,6 +245,26 @@ class Recording:
     def times(self) -> Array:
         """Times of the frames [s], counted from the first one."""
         return np.arange(len(self.positions)) / self.rate
+
+    def to_result(self) -> Result:
+        """Return its markers as a result: in how many frames each is seen, where first, and its greatest speed."""
+        known = visible(self.positions)
+        speeds = np.linalg.norm(np.diff(self.positions, axis=0), axis=-1) * self.rate
+        fastest = np.where(np.isfinite(speeds), speeds, -1.0).max(0, initial=-1.0)
+        first = np.where(known.any(0), known.argmax(0), 0)
+        places = self.positions[first, np.arange(len(self.labels))]
+        markers = Table(
+            "markers",
+            (
+                text("marker", self.labels), text("frames", known.sum(0), label="frames seen"),
+                *(column(f"first_{name}", place, "m", unit="mm", digits=1, label=f"first {name}")
+                  for name, place in zip("xyz", places.T, strict=True)),
+                column("fastest_speed", np.where(fastest < 0.0, np.nan, fastest), "m/s", unit="m/s", label="fastest"),
+            ),
+        )  # fmt: skip
+        title = f"{self.path}: {len(self.positions)} frames at {self.rate:g} Hz"
+        counts = text("rate_hz", [self.rate], printed=False), text("frames", [len(self.positions)], printed=False)
+        return Result("markers", title, (markers,), counts)
 
     def marker(self, label: str) -> Array:
         """Return the positions of one marker [m], shape (frames, 3)."""

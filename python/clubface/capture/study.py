@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -32,7 +32,10 @@ from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import FileError
 from clubface.jobs import Finished, Job, Store, run
-from clubface.quantities import display_unit
+from clubface.quantities import Quantity, Reading, display_unit, quantity
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.checks import without_warnings
@@ -42,11 +45,12 @@ UNITS = {
     for name, dimension in OF_CLUB.items()
 }
 """In which errors are told: m/s, deg, mm, deg/s."""
+DRAWN = ("speed", "attack", "path", "loft", "face", "toe", "high", "closure")
 REMEDY = "finish that study, or name another folder"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Study:
+class Study(Described):
     """Errors of the estimators on the same swings, in SI units.
 
     Attributes
@@ -75,21 +79,29 @@ class Study:
     def __len__(self) -> int:
         return len(next(iter(self.errors.values())))
 
+    def figures(self, name: str) -> dict[str, Array]:
+        """Return what the errors of an estimator come to by quantity [SI]: the keys are those of the methods below."""
+        errors = self.errors[name]
+        return {
+            "bias": errors.mean(0), "spread": errors.std(0, ddof=1), "worst": np.abs(errors).max(0),
+            "stated": np.sqrt((self.deviations[name] ** 2).mean(0)),
+        }  # fmt: skip
+
     def bias(self, name: str) -> dict[str, float]:
         """Return the mean errors of an estimator by quantity [UNITS]."""
-        return _told(self.errors[name].mean(0))
+        return _in_units(self.figures(name)["bias"])
 
     def spread(self, name: str) -> dict[str, float]:
         """Return the standard deviations of the errors of an estimator [UNITS]."""
-        return _told(self.errors[name].std(0, ddof=1))
+        return _in_units(self.figures(name)["spread"])
 
     def worst(self, name: str) -> dict[str, float]:
         """Return the largest errors of an estimator [UNITS]."""
-        return _told(np.abs(self.errors[name]).max(0))
+        return _in_units(self.figures(name)["worst"])
 
     def stated(self, name: str) -> dict[str, float]:
         """Return the root mean square of the standard deviations that an estimator states [UNITS]."""
-        return _told(np.sqrt((self.deviations[name] ** 2).mean(0)))
+        return _in_units(self.figures(name)["stated"])
 
     def coverage(self, name: str, level: float = 0.95) -> dict[str, float]:
         """Return how often intervals of an estimator hold the truth, by quantity; refused swings do not count."""
@@ -119,18 +131,61 @@ class Study:
         )
         return {each: getattr(seen, each) - getattr(true, each) for each in LAUNCH}
 
-    def document(self) -> dict[str, Any]:
-        """Return all of it as plain values, in ``UNITS``."""
-        figures = ("bias", "spread", "worst", "stated", "coverage")
-        return {
-            "club": self.club.name,
-            "swings": len(self),
-            "rate_hz": self.cameras.rate,
-            "noise_mm": units.from_si(self.cameras.noise, "mm"),
-            "gaps": self.cameras.gaps,
-            "units": UNITS,
-            "estimators": {name: {key: getattr(self, key)(name) for key in figures} for name in self.errors},
-        }
+    def to_result(self) -> Result:
+        """Return the errors of the estimators as a result, a row a quantity and estimator."""
+        noise, names = self.cameras.noise, list(self.errors)
+        rows = [(place, name) for place in range(len(QUANTITIES)) for name in names]
+        kinds = [quantity(QUANTITIES[place]) for place, _ in rows]
+        figures = {name: self.figures(name) for name in names}
+        covered = [self.coverage(name)[QUANTITIES[place]] for place, name in rows]
+        share = Quantity("coverage", metric=Reading("%", 1), golf=Reading("%", 1), label="covers")
+        errors = Table(
+            "errors",
+            (
+                text("quantity", [each.label for each in kinds]), text("estimator", [name for _, name in rows]),
+                *(
+                    Column(figure, [figures[name][figure][place] for place, name in rows], kinds, digits=3,
+                           difference=figure == "bias")
+                    for figure in figures[names[0]]
+                ),
+                Column("coverage", covered, share),
+            ),
+        )  # fmt: skip
+        title = f"{len(self)} swings, {self.club.name}, markers' noise {units.show(noise, 'mm', 3)}: captured less true"
+        settings = (
+            text("swings", [len(self)], printed=False), text("rate_hz", [self.cameras.rate], printed=False),
+            column("marker_noise", [noise], "radius", printed=False), text("gaps", [self.cameras.gaps], printed=False),
+        )  # fmt: skip
+        label = "no noise" if noise == 0.0 else f"{units.show(noise, 'mm', 3)} noise"
+        return Result("capture-study", title, (errors,), settings, draw=lambda: [study_picture({label: self})])
+
+
+def study_picture(studies: Mapping[str, Study]) -> Picture:
+    """Return bias and spread of every estimator: one panel a quantity, one group of lines a study.
+
+    Parameters
+    ----------
+    studies
+        The studies by the text written beside each group, such as "no noise".
+    """
+    groups = Axis(names=list(studies), reversed=True, limits=(-0.6, len(studies) - 0.4))
+    panels = [Panel(list(_error_marks(studies, name)), axis(name, unit=UNITS[name]), groups) for name in DRAWN]
+    return Picture(
+        "capture-study", "Bias and spread of every estimator", [panels[:4], panels[4:]],
+        "captured less true: mean, middle half and 95% of the swings", height=4.0, share_y=True, legend=True,
+    )  # fmt: skip
+
+
+def _error_marks(studies: Mapping[str, Study], name: str) -> Iterator[Mark]:
+    yield Mark("rule", x=0.0, style=-1)
+    for group, each in enumerate(studies.values()):
+        for place, (estimator_name, errors) in enumerate(each.errors.items()):
+            error = errors[:, QUANTITIES.index(name)]
+            low, first, last, high = np.quantile(error, [0.025, 0.25, 0.75, 0.975])
+            y = group + 0.8 * ((place + 0.5) / len(each.errors) - 0.5)
+            yield Mark("line", [first, last], [y, y], label=estimator_name, style=place, dash=0, size=3.6)
+            yield Mark("line", [low, high], [y, y], style=place, dash=0, size=1.0)
+            yield Mark("points", [error.mean()], [y], style=place, hollow=True, size=3.6)
 
 
 def study(
@@ -284,7 +339,7 @@ def bare_study(
     )
 
 
-def _told(values: Array) -> dict[str, float]:
+def _in_units(values: Array) -> dict[str, float]:
     return {
         name: float(units.from_si(value, UNITS[name])) for name, value in zip(QUANTITIES, values.tolist(), strict=True)
     }

@@ -29,6 +29,7 @@ from clubface import units
 from clubface.capture import captured
 from clubface.capture.ball_flight import Launched, flight
 from clubface.capture.captured import NOT_PLAUSIBLE, CapturedDelivery, Trace
+from clubface.capture.captured_result import LAUNCHES, captured_result
 from clubface.capture.filled import without_filled
 from clubface.capture.markers import AXES, MarkerMap
 from clubface.capture.meeting import meet
@@ -39,6 +40,7 @@ from clubface.capture.setup import Options, Setup, prepare
 from clubface.capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 from clubface.equipment.clubs import Club
 from clubface.errors import CaptureWarning, FileError, InputError
+from clubface.results.result import Described, Result
 from clubface.shots.recorded import RecordedShots, RejectedRow
 from clubface.simulation.inputs import Delivery
 from clubface.support.arrays import Floats
@@ -207,11 +209,8 @@ def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[s
     )
 
 
-LAUNCHES = ("ball_speed", "launch", "azimuth")
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CapturedSwings:
+class CapturedSwings(Described):
     """The deliveries of many recordings.
 
     Attributes
@@ -233,6 +232,10 @@ class CapturedSwings:
 
     def __len__(self) -> int:
         return len(self.captured)
+
+    def to_result(self) -> Result:
+        """Return the deliveries, and the files that gave none, as a result."""
+        return captured_result(self.captured, self.rejected)
 
     @property
     def shots(self) -> RecordedShots:
