@@ -255,7 +255,7 @@ def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, h
         words = f"{len(known)} marker{'s' * (len(known) > 1)} from the face centre"
         told.append(Known(words, "given", "toe", deviations=[mapping.position_deviation]))
     else:
-        told.append(Known("mean of the markers from the face centre", "assumed", "toe", mean, spread))
+        told.append(Known("mean of the markers from the face centre", "assumed", "toe", mean.tolist(), spread.tolist()))
     if height is not None:
         told.append(
             Known("height of the face centre over the ground", "assumed", "toe", [nominal], [mapping.assumed.sole])
@@ -434,8 +434,8 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     deviations = np.sqrt(np.diag(attitude.covariance))
     told = (
         Known("loft and face angle at impact, from the blow and what is usual", "assumed", "face",
-                 attitude.values[:2], deviations[:2]),
-        Known("lie at impact", "assumed", "face", [0.0], deviations[2:]),
+                 attitude.values[:2].tolist(), deviations[:2].tolist()),
+        Known("lie at impact", "assumed", "face", [0.0], deviations[2:].tolist()),
     )  # fmt: skip
     return found._replace(geometry=(*told, *found.geometry))
 

@@ -214,7 +214,7 @@ def save_swings(swings: Iterable[CapturedDelivery], path: str | os.PathLike[str]
     """Write one picture, or several swings as the pages of a PDF; return the file."""
     from matplotlib.backends.backend_pdf import PdfPages
 
-    from clubface.plots import save
+    from clubface.present.style import save
     from clubface.present.drawing import draw
 
     target, pictures = Path(path), [swing_picture(each) for each in swings]
