@@ -25,6 +25,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "scripts"))
 from golden_outputs import write_inputs
 
 SCHEMA = json.loads(importlib.resources.files("clubface").joinpath("data/schemas/result-1.json").read_text())
+MONITOR = str(Path(__file__).parents[1] / "data" / "launch_monitors" / "trackman.csv")
 COMMANDS = {
     "best-loft": "best-loft --speed '100 mph' --attack '0 deg' --model standard",
     "capture join": "capture join shots.csv launches.csv -o joined.csv",

@@ -90,6 +90,11 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
     for cell, quantity in cells:
         if "." not in cell and "," not in cell:
             continue
+        whole, _, decimals = cell.partition(".")
+        if whole.removeprefix("-").isdecimal() and decimals.isdecimal() and len(decimals) != 3 and cell.isascii():
+            votes["."] += 1  # as below, but for most cells of most files at a tenth of the cost
+            shown["."] |= quantity in LARGE
+            continue
         result = NUMBER.fullmatch(cell.strip())
         text = "".join(result["number"].split()) if result else ""
         marks = {mark: text.count(mark) for mark in ",." if mark in text}
