@@ -88,7 +88,7 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("capture", "errors", "fem", "plots", "published_data", "shots", "studies", "units")
+_MODULES = ("capture", "design", "errors", "fem", "plots", "published_data", "shots", "studies", "units")
 
 _MOVED = {
     "benchmark_data": "validation.benchmark_data",

@@ -2,3 +2,85 @@
 
 What stands here drives any model of impact, finite elements among them, and the flight after it.
 """
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from clubface.design.best_loft import (
+        BestLoft as BestLoft,
+        ChartComparison as ChartComparison,
+        compare_with_chart as compare_with_chart,
+    )
+    from clubface.design.best_loft_result import best_loft_picture as best_loft_picture
+    from clubface.design.comparison import comparison_picture as comparison_picture, read_deliveries as read_deliveries
+    from clubface.design.contributions import Change as Change, Contributions as Contributions
+    from clubface.design.dispersion import Ellipse as Ellipse, ImpactSetup as ImpactSetup, shots_file as shots_file
+    from clubface.design.dispersion_result import dispersion_picture as dispersion_picture
+    from clubface.design.face_map import Best as Best, Forgiveness as Forgiveness
+    from clubface.design.face_map_result import face_map_picture as face_map_picture
+    from clubface.design.face_surface import Outline as Outline
+    from clubface.design.golfer import to_toml as to_toml, uniform as uniform
+    from clubface.design.golfer_estimate import Doubts as Doubts, Estimate as Estimate, doubts as doubts
+    from clubface.design.golfer_result import doubts_picture as doubts_picture
+    from clubface.design.optimisation.fitting import Combination as Combination, Fitting as Fitting
+    from clubface.design.optimisation.fitting_result import fitting_picture as fitting_picture
+    from clubface.design.optimisation.optimum_result import optimum_picture as optimum_picture
+    from clubface.design.optimisation.result import (
+        Fresh as Fresh,
+        FrontPoint as FrontPoint,
+        Optimum as Optimum,
+        Verdict as Verdict,
+    )
+    from clubface.design.optimisation.study import DesignStudy as DesignStudy, Head as Head
+    from clubface.design.optimisation.variables import PointMass as PointMass
+    from clubface.design.rules import Rule as Rule, check_rules as check_rules
+    from clubface.design.shells.result import search_picture as search_picture
+    from clubface.design.shells.run import Improved as Improved, Search as Search
+    from clubface.design.strokes import expected as expected
+    from clubface.design.variance import (
+        ByDerivatives as ByDerivatives,
+        Indices as Indices,
+        by_derivatives as by_derivatives,
+        indices as indices,
+        indices_by_derivatives as indices_by_derivatives,
+        shapley as shapley,
+        sobol as sobol,
+    )
+
+_NAMES = {
+    "best_loft": "BestLoft ChartComparison compare_with_chart",
+    "best_loft_result": "best_loft_picture",
+    "comparison": "comparison_picture read_deliveries",
+    "contributions": "Change Contributions",
+    "dispersion": "Ellipse ImpactSetup shots_file",
+    "dispersion_result": "dispersion_picture",
+    "face_map": "Best Forgiveness",
+    "face_map_result": "face_map_picture",
+    "face_surface": "Outline",
+    "golfer": "to_toml uniform",
+    "golfer_estimate": "Doubts Estimate doubts",
+    "golfer_result": "doubts_picture",
+    "optimisation.fitting": "Combination Fitting",
+    "optimisation.fitting_result": "fitting_picture",
+    "optimisation.optimum_result": "optimum_picture",
+    "optimisation.result": "Fresh FrontPoint Optimum Verdict",
+    "optimisation.study": "DesignStudy Head",
+    "optimisation.variables": "PointMass",
+    "rules": "Rule check_rules",
+    "shells.result": "search_picture",
+    "shells.run": "Improved Search",
+    "strokes": "expected",
+    "variance": "ByDerivatives Indices by_derivatives indices indices_by_derivatives shapley sobol",
+}
+_HOME = {name: module for module, names in _NAMES.items() for name in names.split()}
+
+__all__ = [*_HOME]  # pyright: ignore[reportUnsupportedDunderAll]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module 'clubface.design' has no attribute {name!r}")
+    return getattr(import_module(f"clubface.design.{_HOME[name]}"), name)

@@ -2,5 +2,7 @@
 
 from __future__ import annotations
 
-from clubface.design.shells.run import improve as improve
-from clubface.design.shells.study import Blow as Blow, NamedMetal as NamedMetal, ShellStudy as ShellStudy, read as read
+from clubface.design.shells.run import improve
+from clubface.design.shells.study import Blow, NamedMetal, ShellStudy, read
+
+__all__ = ["Blow", "NamedMetal", "ShellStudy", "improve", "read"]
