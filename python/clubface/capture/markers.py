@@ -281,7 +281,7 @@ class MarkerFile:
     assumed: Any = file_key(Table(Assumed), "standard deviations of what is not measured", default_factory=Assumed)
 
     @classmethod
-    def of(cls, markers: Markers) -> Self:
+    def from_markers(cls, markers: Markers) -> Self:
         """Return the file of a mapping."""
         ball = None
         if markers.ball is not None or markers.ball_position is not None:
@@ -302,15 +302,15 @@ class MarkerFile:
     def values(self) -> dict[str, Any]:
         """Return the arguments of :class:`Markers`."""
         calibration, ball, laboratory = self.calibration, self.ball, self.laboratory
-        found = {
+        arguments = {
             "club": self.club, "cluster": self.cluster, "face": self.face, "by": calibration.by,
             "calibration": calibration.file, "frames": calibration.frames, "ground": calibration.ground,
             "accuracy": calibration.accuracy, "target": laboratory.target, "up": laboratory.up,
             "unit": laboratory.unit, "noise": self.noise.get("marker"), "assumed": self.assumed,
         }  # fmt: skip
         if ball is None:
-            return found
-        return found | {"ball": ball.marker, "ball_offset": ball.offset, "ball_position": ball.position,
+            return arguments
+        return arguments | {"ball": ball.marker, "ball_offset": ball.offset, "ball_position": ball.position,
                         "ball_accuracy": ball.accuracy}  # fmt: skip
 
 
@@ -335,7 +335,7 @@ class MarkerMap(Markers):
 
     def to_toml(self) -> str:
         """Return the text of a mapping file that reads back as this mapping, lengths to 1 nm."""
-        return encode(MarkerFile.of(self))
+        return encode(MarkerFile.from_markers(self))
 
 
 def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:

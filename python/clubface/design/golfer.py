@@ -449,11 +449,11 @@ def from_document(document: Document, name: str) -> Golfer:
 
 def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[str, ...], spread: Floats) -> Floats:
     """Return the matrix of the correlations of a file."""
-    found = np.eye(len(variables))
+    matrix = np.eye(len(variables))
     seen: set[frozenset[str]] = set()
     for index, each in enumerate(given):
         with (at := place.item(index).key("of")).errors():
-            pair = each.of
+            pair = each.pair
             if pair[0] == pair[1] or not set(pair) <= set(variables):
                 raise at.invalid(list(pair), f"two variables of this golfer: {', '.join(variables)}")
             one, other = (variables.index(name) for name in pair)
@@ -463,8 +463,8 @@ def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[s
             if frozenset(pair) in seen:
                 raise at.invalid(list(pair), "given once: these two have a correlation already")
         seen.add(frozenset(pair))
-        found[one, other] = found[other, one] = each.value
-    return found
+        matrix[one, other] = matrix[other, one] = each.value
+    return matrix
 
 
 def to_toml(golfer: Golfer) -> str:
@@ -484,7 +484,7 @@ def to_toml(golfer: Golfer) -> str:
         mean=dict(zip(golfer.variables, map(float, golfer.mean), strict=True)),
         spread=dict(zip(golfer.variables, map(float, golfer.spread), strict=True)),
         correlation=tuple(
-            Correlation(of=(golfer.variables[one], golfer.variables[other]), value=float(f"{value:.12g}"))
+            Correlation(pair=(golfer.variables[one], golfer.variables[other]), value=float(f"{value:.12g}"))
             for one, other in pairs
             if (value := float(golfer.correlation[one, other]))
         ),

@@ -150,7 +150,7 @@ class Prior:
                 name=file.title,
                 mean={name: each[0] for name, each in file.spread.items()},
                 deviation={name: each[1] for name, each in file.spread.items()},
-                correlations={each.of: each.value for each in file.correlation},
+                correlations={each.pair: each.value for each in file.correlation},
             )
 
 

@@ -111,7 +111,7 @@ class Document:
 def _check_depth(text: str, path: str) -> None:
     """Refuse keys of many parts and deep nesting, on which a parser would spend gigabytes, before it reads them."""
     # What stands in texts and comments does not count; their ends of lines do.
-    bare = re.sub(TEXTS, lambda found: "\n" * found[0].count("\n"), text, flags=re.DOTALL)
+    bare = re.sub(TEXTS, lambda match: "\n" * match[0].count("\n"), text, flags=re.DOTALL)
     if len(bare) <= MOST_PARTS:
         return
     depth = 0
@@ -139,9 +139,9 @@ def quoted(text: str) -> str:
 
 def _line_in(message: str) -> int | None:
     """Find the line number in tomllib's "... (at line 3, column 5)"."""
-    _, found, rest = message.partition("at line ")
+    _, marker, rest = message.partition("at line ")
     digits = rest.split(",")[0]
-    return int(digits) if found and digits.isdigit() else None
+    return int(digits) if marker and digits.isdigit() else None
 
 
 @dataclass

@@ -36,6 +36,6 @@ FILES = {
 def file_schema(name: str) -> Value:
     """Return the kind of table that a file of the given kind is."""
     check_choice("kind of file", name, FILES)
-    module, _, schema = FILES[name].rpartition(".")
-    found: Any = getattr(import_module(f"clubface.{module}"), schema)
-    return found if isinstance(found, Value) else Table(found)
+    module, _, attribute = FILES[name].rpartition(".")
+    schema: Any = getattr(import_module(f"clubface.{module}"), attribute)
+    return schema if isinstance(schema, Value) else Table(schema)

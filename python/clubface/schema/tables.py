@@ -123,15 +123,15 @@ def file_key(
 @cache
 def entries(schema: type) -> Mapping[str, Entry]:
     """Return the keys of a dataclass, in their order."""
-    found = {}
+    keys = {}
     for each in fields(schema):
         if "key" in each.metadata:
             value, meaning, name, example, multiples, required = each.metadata["key"]
             default = each.default_factory() if each.default_factory is not MISSING else each.default
             is_required = default is MISSING if required is None else required
             name = name or each.name
-            found[name] = Entry(name, each.name, value, meaning, example, is_required, default, multiples)
-    return found
+            keys[name] = Entry(name, each.name, value, meaning, example, is_required, default, multiples)
+    return keys
 
 
 def quantities(schema: type) -> dict[str, Entry]:

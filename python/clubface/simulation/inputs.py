@@ -118,8 +118,10 @@ DELIVERY_QUANTITIES = {name: Quantity(UNITS[dimension]) for name, dimension in D
 class Correlation:
     """A correlation between two values of a delivery."""
 
-    of: tuple[str, str] = file_key(
-        Items(Choice(tuple(OF_CLUB)), 2, 2, 'two values of a delivery, as in ["loft", "attack"]'), "the two values"
+    pair: tuple[str, str] = file_key(
+        Items(Choice(tuple(OF_CLUB)), 2, 2, 'two values of a delivery, as in ["loft", "attack"]'),
+        "the two values",
+        name="of",
     )
     value: float = file_key(Quantity("1", above=-1, below=1, allowed="a number between -1 and 1"), "the correlation")
 
