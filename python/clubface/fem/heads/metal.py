@@ -2,75 +2,48 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, Told
 from clubface.fem import core
-from clubface.schema import Choice, Place, Quantity, Value, check_values, count, file_key
-from clubface.support.checks import check_count, check_names
+from clubface.schema import Choice, Place, Quantity, Table, Value, check_values, count, file_key
+from clubface.support.checks import check_count
 
 MAX_HARDENING_POINTS = 8
+
+
+HARDENS = "zero or above: a metal that softens fails where it yields first"
+STRESS = Quantity("MPa", lower=0, allowed=HARDENS, decimals=4)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Hardening:
     """Increase of the yield stress with the plastic strain p: ``modulus p + gain (1 - exp(-rate p))``; or a table.
 
-    Attributes
-    ----------
-    modulus
-        Modulus of linear hardening [Pa].
-    gain
-        Final gain of Voce's saturating hardening [Pa].
-    rate
-        Rate of saturation: 63% of the gain is reached at a plastic strain of 1 / rate.
-    table
-        Points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant after the
-        last; or none.
+    ``table`` holds points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant
+    after the last; or none.
     """
 
-    modulus: float = 0.0
-    gain: float = 0.0
-    rate: float = 0.0
+    modulus: float = file_key(STRESS, "modulus of linear hardening", default=0.0)
+    gain: float = file_key(STRESS, "final gain of Voce's saturating hardening", default=0.0)
+    rate: float = file_key(
+        Quantity("1", lower=0, allowed=HARDENS),
+        "rate of saturation: 63% of the gain is reached at a plastic strain of 1 / rate", default=0.0,
+    )  # fmt: skip
     table: tuple[tuple[float, float], ...] = ()
 
     def __post_init__(self) -> None:
-        for name, dimension in (("modulus", "pressure"), ("gain", "pressure"), ("rate", units.DIMENSIONLESS)):
-            value = units.parse(getattr(self, name), dimension, name=f"hardening.{name}")
-            object.__setattr__(self, name, value)
-            if not 0.0 <= value < math.inf:
-                shown = value if dimension == units.DIMENSIONLESS else units.show(value, "MPa")
-                raise InputError(
-                    f"hardening.{name}", shown, "zero or above: a metal that softens fails where it yields first"
-                )
+        check_values(self)
         if (self.gain > 0.0) != (self.rate > 0.0):
             name, other = ("gain", "rate") if self.gain > 0.0 else ("rate", "gain")
             raise InputError(f"hardening.{name}", getattr(self, name), f"give {other} as well")
         object.__setattr__(self, "table", tuple(_point(each) for each in self.table))
         if self.table:
             _check_table(self.table)
-
-    @classmethod
-    def of(cls, given: Any) -> Hardening:
-        """Return the hardening given by a modulus, by names and values, or by the points of a table."""
-        if isinstance(given, Hardening):
-            return given
-        if isinstance(given, Mapping):
-            known = [each.name for each in fields(cls) if each.name != "table"]
-            check_names("key of hardening", given, known)
-            return cls(**given)
-        if isinstance(given, Sequence) and not isinstance(given, str):
-            if not given:
-                raise InputError(
-                    "hardening", given, f"1 to {MAX_HARDENING_POINTS} points of plastic strain and yield stress"
-                )
-            return cls(table=tuple(given))
-        return cls(modulus=units.parse(given, "pressure", name="hardening"))
 
 
 def _point(given: Any) -> tuple[float, float]:
@@ -96,11 +69,20 @@ class HardeningValue(Value):
 
     def read(self, given: Any, place: Place) -> Hardening:
         """Return the hardening."""
-        return Hardening.of(given)
+        if isinstance(given, Hardening):
+            return given
+        if isinstance(given, Mapping):
+            return Table(Hardening).read(given, place)
+        if isinstance(given, Sequence) and not isinstance(given, str):
+            if not given:
+                allowed = f"1 to {MAX_HARDENING_POINTS} points of plastic strain and yield stress"
+                raise InputError("hardening", given, allowed)
+            return Hardening(table=tuple(given))
+        return Hardening(modulus=STRESS.read(given, place))
 
     def write(self, value: Hardening) -> str:
         """Return the points of a table, or names and values."""
-        stress = Quantity("MPa", decimals=4).write
+        stress = STRESS.write
         if value.table:
             return f"[{', '.join(f'[{strain!r}, {stress(each)}]' for strain, each in value.table)}]"
         return f"{{ modulus = {stress(value.modulus)}, gain = {stress(value.gain)}, rate = {value.rate!r} }}"
