@@ -26,7 +26,7 @@ from clubface.results.table import Table
 from clubface.schema import file_schema, key_rows
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour, tour as tour_averages
-from clubface.validation.tour_result import mean_table
+from clubface.validation.tour import mean_table
 
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:

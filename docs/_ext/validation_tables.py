@@ -14,7 +14,7 @@ from sphinx.application import Sphinx
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.validation import Validation, chart, off_centre, own_monitor, validate
 from clubface.validation.check import CERTAINTIES
-from clubface.validation.validation_result import figure_table, mean_text, tolerance_text
+from clubface.validation.run import figure_table, mean_text, tolerance_text
 
 STORED = Path(__file__).parent.parent / "validation-fem.json"
 SHOWN = tuple(dict.fromkeys((DEFAULT_MODEL, "fem", "standard", "slip", "rings")))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from clubface.present.terminal import headings_and_rows
 from clubface.validation import tour
-from clubface.validation.tour_result import mean_table
+from clubface.validation.tour import mean_table
 
 README = Path(__file__).parents[2] / "README.md"
 ROWS = re.compile(

@@ -16,7 +16,7 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.present.drawing import draw
 from clubface.validation import Figure, validate
 from clubface.validation.catalogue import CHECKS
-from clubface.validation.validation_result import validation_picture
+from clubface.validation.run import validation_picture
 
 HERE = Path(__file__).parent
 STORED = HERE.parent / "validation-fem.json"

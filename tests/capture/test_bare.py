@@ -313,7 +313,7 @@ def test_the_template_names_the_markers_of_a_file_in_quotes_where_they_need_them
 
 def test_the_picture_shows_the_frames_and_the_delivery():
     pytest.importorskip("matplotlib")
-    from clubface.capture.captured_result import swing_picture
+    from clubface.capture.captured import swing_picture
     from clubface.present.drawing import draw
 
     swing = random_swing(5, hand="left", face=0.08)

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from captures import captured, deviations, errors
-from clubface.capture.captured import implausible
 from clubface.capture.filled import filled
 from clubface.capture.recording import read_c3d
 from clubface.capture.reduction import QUANTITIES
+from clubface.capture.remarks import implausible
 from clubface.capture.setup import prepare
 from clubface.capture.swing import capture
 from clubface.capture.synthetic.laboratory import Cameras, bare_map, positions_map, record_bare

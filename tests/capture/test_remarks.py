@@ -7,8 +7,8 @@ import pytest
 
 import clubface
 from clubface import units
-from clubface.capture import captured
 from clubface.capture.ball_flight import Launched
+from clubface.capture.remarks import delivery_remarks, fit_remarks, launch_remarks
 
 DEG = math.pi / 180
 DRIVER = clubface.club("driver")
@@ -28,7 +28,7 @@ def si(values):
 
 def remarks(deviations=None, assumed=0.0, **changed):
     known = dict.fromkeys(USUAL, 0.0) | si(deviations or {})
-    return captured.of_delivery(si(USUAL | changed), known, DRIVER, assumed=assumed)
+    return delivery_remarks(si(USUAL | changed), known, DRIVER, assumed=assumed)
 
 
 def test_nothing_is_remarked_of_a_usual_delivery():
@@ -87,7 +87,7 @@ def test_a_loft_that_is_not_known_to_two_degrees_is_told_unless_it_was_assumed()
     ],
 )  # fmt: skip
 def test_a_path_is_doubted_where_it_misses_frames_noise_or_freedom(given, said):
-    found = captured.of_fit(*given)
+    found = fit_remarks(*given)
     assert len(found) == len(said)
     assert all(words in note for words, note in zip(said, found, strict=True))
 
@@ -117,10 +117,10 @@ def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
 )  # fmt: skip
 @pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
 def test_a_flight_that_the_delivery_cannot_give_is_told(change, said):
-    found = captured.of_launch(si(USUAL), DRIVER, None, launched(**change), 1.0)
+    found = launch_remarks(si(USUAL), DRIVER, None, launched(**change), 1.0)
     assert len(found) == len(said)
     assert all(words in note for words, note in zip(said, found, strict=True))
 
 
 def test_without_a_flight_nothing_is_said_of_it():
-    assert captured.of_launch(si(USUAL), DRIVER, None, None, 1.0) == []
+    assert launch_remarks(si(USUAL), DRIVER, None, None, 1.0) == []

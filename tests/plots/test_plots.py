@@ -13,7 +13,7 @@ from clubface.present.drawing import draw
 from clubface.present.style import look, marker
 from clubface.simulation.flight import trajectory
 from clubface.validation import tour
-from clubface.validation.tour_result import error_picture, launch_picture
+from clubface.validation.tour import error_picture, launch_picture
 from synthetic_shots import recorded
 
 SHOT = {"speed": "113 mph", "attack": "-1.3 deg", "loft": "12.8 deg", "toe": "8 mm"}

@@ -21,9 +21,8 @@ from clubface.inference.evaluation.result import error_picture
 from clubface.present.drawing import draw
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import tour, validate
-from clubface.validation.tour import TABLES, published_lofts
-from clubface.validation.tour_result import launch_picture
-from clubface.validation.validation_result import validation_picture
+from clubface.validation.run import validation_picture
+from clubface.validation.tour import TABLES, launch_picture, published_lofts
 
 DOCS = Path(__file__).parents[2] / "docs"
 

@@ -14,8 +14,7 @@ from clubface.errors import InputError, UnknownNameError
 from clubface.present.folder import write_folder
 from clubface.simulation import launch_conditioned
 from clubface.validation import tour, tour as job
-from clubface.validation.tour import averages, loft_of_ratio, spin_ratio, spin_ratio_of
-from clubface.validation.tour_result import first_model, mean_table
+from clubface.validation.tour import averages, first_model, loft_of_ratio, mean_table, spin_ratio, spin_ratio_of
 
 
 @pytest.fixture(scope="module")

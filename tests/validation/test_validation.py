@@ -15,9 +15,8 @@ from clubface.present.terminal import headings_and_rows
 from clubface.validation import Figure, Validation, launches, strikes, validate
 from clubface.validation.catalogue import CHECKS
 from clubface.validation.check import A_MODEL, CERTAINTIES, Judged, figure
-from clubface.validation.run import summary
+from clubface.validation.run import figure_table, summary
 from clubface.validation.tour import averages
-from clubface.validation.validation_result import figure_table
 
 DOCS = Path(__file__).parents[2] / "docs"
 STORED = json.loads((DOCS / "validation-fem.json").read_text(encoding="utf-8"))

@@ -1,37 +1,36 @@
-"""Captured deliveries with their uncertainty, and remarks on what is doubtful about them.
-
-A captured delivery: its values, their uncertainty, and what was noticed while reading it.
-
-Checks of a captured delivery: remarks on what is doubtful about it.
-"""
+"""Captured deliveries with their uncertainty, and as a result: values, how they are known, and pictures."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+import os
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from statistics import NormalDist
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from clubface import units
-from clubface.capture.ball_flight import Launched
-from clubface.capture.calibration import Registration
-from clubface.capture.captured_result import captured_result
 from clubface.capture.geometry import Known
 from clubface.capture.reduction import QUANTITIES
+from clubface.capture.remarks import NOT_PLAUSIBLE
 from clubface.capture.rotations import Array
-from clubface.capture.tracking import Track
 from clubface.equipment.clubs import Club
-from clubface.errors import ClubfaceError, InputError
+from clubface.errors import InputError
+from clubface.quantities import format_value, quantity
+from clubface.results.notes import free_text
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
 from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, table, text
+from clubface.shots.recorded import RejectedRow
+from clubface.shots.recorded_result import rejected_table
 from clubface.simulation.inputs import OF_CLUB, Delivery
-from clubface.support.checks import MOST_SEED, check_choice, check_count, without_warnings
+from clubface.support.checks import MOST_SEED, check_choice, check_count
+from clubface.support.files import whole_file
 from clubface.support.processes import check_request
-
-NOT_PLAUSIBLE = "not plausible"
-"""How the first note begins of a delivery that no shot has."""
+from clubface.units import to_si
 
 
 class Trace(NamedTuple):
@@ -158,179 +157,202 @@ class CapturedDelivery(Described):
         return str(self.to_result())
 
 
-FASTEST = 70.0
-"""m/s; long drivers' clubheads reach 67 m/s (150 mph)."""
-SLOWEST = 0.3
-"""m/s; of the shortest putt."""
-STARTS = (-0.3e-3, 0.75e-3)
-"""Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
-DIRECTION_OFF = units.to_si(6.0, "deg")
-"""By which launch and azimuth may differ from those of the default model; published models: 1.2 degrees."""
-SPEED_OFF = 0.15
-ROUGH = 1.5
-ASKEW = units.to_si(30.0, "deg")
-"""Path beyond which the target line is doubted: golfers swing within some 15 degrees of it."""
-VAGUE = 0.1
-"""Part of the speed by which it is uncertain at most; three markers and assumed places give 0.02."""
-TOO_MUCH_LOFT, TOO_MUCH_LIE = units.to_si(25.0, "deg"), units.to_si(45.0, "deg")
-"""By how much dynamic loft differs from the club's, and the lie from its own, at most."""
-OPENING = units.to_si(500.0, "deg/s")
-"""Full swings close the face with 1000 to 4000 deg/s; short ones with hardly any."""
-MOVED = 2e-3
-"""Metres."""
-FEW_FREEDOMS = 30
+LAUNCHES = ("ball_speed", "launch", "azimuth")
+SHOWN = ("speed", "attack", "path", "loft", "face", "toe", "high", "closure")
+"""The quantities that are printed of many swings."""
+BEFORE, AFTER = 0.06, 0.02
+"""Seconds about impact that are drawn of path and face."""
+ALONG = (-0.48, 0.24)
+"""Metres along the target line that are drawn of the path: three frames of 360 Hz before impact."""
 
 
-def implausible(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[str]:
-    """Return the values of a delivery that no shot has, or that are as good as unknown, with their names."""
-    off = {
-        "speed": not SLOWEST < values["speed"] < FASTEST or deviations["speed"] > VAGUE * values["speed"],
-        "path": abs(values["path"]) > ASKEW,
-        "loft": abs(values["loft"] - club.loft) > TOO_MUCH_LOFT,
-        "lie": abs(values["lie"]) > TOO_MUCH_LIE,
-    }
-    shown = {"speed": ("m/s", 1), "path": ("deg", 0), "loft": ("deg", 0), "lie": ("deg", 0)}
+def captured_result(captured: Sequence[CapturedDelivery], rejected: Iterable[RejectedRow] = ()) -> Result:
+    """Return the deliveries of one or several swings, and the files that gave none, as a result."""
+    alone, refused = len(captured) == 1, list(rejected)
+    title = f"{captured[0].club.name}, {captured[0].estimator}" if captured else "no swing"
+    tables = [_deliveries(captured), _swings(captured), _geometry(captured), _covariances(captured)]
+    return Result(
+        kind="captured-swings", title=f"{captured[0].source}: {title}" if alone else title,
+        tables=(*(each for each in tables if captured), *([rejected_table(refused, "file")] if refused else [])),
+        notes=tuple(free_text([f"{'' if alone else f'{Path(one.source).name}: '}{each}"
+                               for one in captured for each in one.notes])),
+        provenance=Provenance(inputs={"club": captured[0].club.name} if captured else {}),
+        draw=lambda: [swing_picture(each) for each in captured],
+    )  # fmt: skip
+
+
+def _deliveries(captured: Sequence[CapturedDelivery]) -> Table:
+    """Return the values and their standard deviations, two rows a swing."""
+    alone, launches = len(captured) == 1, any(each.launch for each in captured)
+
+    def values(name: str) -> list[float]:
+        if name in LAUNCHES:
+            return [of.get(name, np.nan) for each in captured for of in (each.launch, each.launch_uncertainty)]
+        return [of for each in captured for of in (getattr(each.delivery, name), each.uncertainty[name])]
+
+    return table(
+        "deliveries", text("swing", [each.source for each in captured for _ in (0, 1)], printed=not alone),
+        text("figure", ["delivery", "standard deviation"] * len(captured)),
+        *(
+            column(name, values(name), digits=0 if quantity(name).golf.unit == "deg/s" else 2,
+                   printed=alone or name in SHOWN)
+            for name in (*QUANTITIES, *(LAUNCHES if launches else ()))
+        ),
+        layout="transposed" if alone else "rows",
+    )  # fmt: skip
+
+
+def _swings(captured: Sequence[CapturedDelivery]) -> Table:
+    """Return how each swing was read."""
+    alone = len(captured) == 1
+
+    def texts(name: str, get: Callable[[CapturedDelivery], Any], **options: Any) -> Column:
+        return text(name, [get(each) for each in captured], **options)
+
+    return table(
+        "swings", texts("swing", lambda each: each.source, printed=not alone),
+        texts("club", lambda each: each.club.name, printed=False),
+        texts("hand", lambda each: "left" if each.club.hand < 0 else "right", printed=False),
+        texts("estimator", lambda each: each.estimator, printed=False),
+        column("first_touch_time", [each.time for each in captured], "time", label="first touch", digits=6),
+        texts("frame_before", lambda each: each.frames[0], label="after frame"),
+        texts("frame_after", lambda each: each.frames[1], printed=False),
+        texts("frames_used", lambda each: each.used),
+        column("marker_noise", [each.marker_noise for each in captured], "radius", label="marker noise", digits=3),
+        texts("marker_noise_freedom", lambda each: each.marker_noise_freedom, printed=False),
+        column("misfit", [each.misfit for each in captured], "1", printed=False),
+        texts("plausible", lambda each: each.plausible, printed=False),
+        title="How it was read", layout="list" if alone else "rows", printed=alone,
+    )  # fmt: skip
+
+
+def _geometry(captured: Sequence[CapturedDelivery]) -> Table:
+    """Return how markers, club and ball are known, a row a number; people see what several swings share once."""
+    rows = [
+        (each.source, part.name, part.how, part.quantity, value, deviation)
+        for each in captured
+        for part in each.geometry
+        for value, deviation in part.pairs()
+    ]
+    swings, names, ways, quantities, values, deviations = zip(*rows, strict=True)
+    known: dict[Any, int] = {}
+    for place, row in enumerate(rows):
+        known.setdefault(row[1:], place)
+    own = [quantity(each) if each else None for each in quantities]
+    return table(
+        "geometry", text("swing", swings, printed=False), text("quantity", names), text("known", ways),
+        Column("value", values, own, digits=-3), Column("deviation", deviations, own, digits=-3, label="±"),
+        title="How the geometry is known", shown_rows=list(known.values()),
+    )  # fmt: skip
+
+
+def _covariances(captured: Sequence[CapturedDelivery]) -> Table:
+    """Return the covariances of the deliveries [SI], a row a quantity."""
+    every = np.concatenate([each.covariance for each in captured])
+    return table(
+        "covariances", text("swing", [each.source for each in captured for _ in QUANTITIES]),
+        text("quantity", [*QUANTITIES] * len(captured)),
+        *(text(name, each) for name, each in zip(QUANTITIES, every.T, strict=True)), printed=False,
+    )  # fmt: skip
+
+
+def swing_picture(swing: CapturedDelivery) -> Picture:
+    """Return path, face and residuals of one swing, by which a reader sees whether to trust the delivery.
+
+    Two panels show the face centre and the ball from the side and from above, frames before impact filled and later
+    ones open; a line has the direction of the head at first touch. Two show dynamic loft and face angle frame by frame,
+    with the delivery and twice its standard deviation. The last shows what is left between the markers and the rigid
+    head in every frame.
+    """
+    trace = swing.trace
+    time = trace.times - swing.time
+    residual = Panel(
+        [
+            Mark("line", time, trace.residual), Mark("rule", y=swing.marker_noise, style=1, dash=1),
+            Mark("rule", x=0.0, style=-1),
+        ],
+        axis("time", "time from first touch", unit="s"), axis("residual", "", like="m", unit="mm", limits=(0.0, None)),
+        "residual of the markers in each frame; dashed: the noise that the deviations are made of",
+    )  # fmt: skip
+    return Picture(
+        "swing", "Path of the face centre, dynamic loft, face angle, and residuals of the markers",
+        [
+            [_view(swing, time, 1, "up", "attack", "from the side")],
+            [_view(swing, time, 2, "to the right", "path", "from above")],
+            [_angle(swing, time, "loft", trace.loft), _angle(swing, time, "face", trace.face)], [residual],
+        ],
+        f"{Path(swing.source).name}: {swing.club.name}, {swing.estimator}", heights=(1.0, 1.0, 1.2, 0.8), height=7.2,
+    )  # fmt: skip
+
+
+def _view(swing: CapturedDelivery, time: Array, row: int, up: str, angle: str, title: str) -> Panel:
+    """Return the path of the face centre to the ball, from one side."""
+    trace = swing.trace
+    centre = trace.face_centre - trace.ball
+    near = (time > -BEFORE) & (time < AFTER)
+    inside = near & (centre[:, 0] > ALONG[0]) & (centre[:, 0] < ALONG[1])
+    limits = _limits(np.array([*centre[inside, row], -2.0 * trace.radius, 2.0 * trace.radius]), 1e-3)
+    turn = np.linspace(0.0, 2.0 * np.pi, 60)
+    marks = [
+        *_frames(centre[:, 0], centre[:, row], time),
+        Mark("outline", trace.radius * np.cos(turn), trace.radius * np.sin(turn), style=1, dash=0, label="ball"),
+        Mark("slope", 0.0, 0.0, values=float(np.tan(getattr(swing.delivery, angle))), style=1, dash=1),
+    ]
+    return Panel(
+        marks, axis("along", "to the target", like="m", unit="mm", limits=ALONG),
+        axis("across", up, like="m", unit="mm", limits=limits),
+        f"{title}; dashed: {quantity(angle).label} of {_with_deviation(swing, angle)}", equal=True, legend=row == 1,
+    )  # fmt: skip
+
+
+def _angle(swing: CapturedDelivery, time: Array, name: str, values: Array) -> Panel:
+    """Return dynamic loft or face angle frame by frame, with the delivery and twice its standard deviation."""
+    value, deviation = getattr(swing.delivery, name), swing.uncertainty[name]
+    low, high = value - 2.0 * deviation, value + 2.0 * deviation
+    recent = values[(time > -0.5 * BEFORE) & (time <= 0.0)]
+    marks = [
+        *_frames(time, values, time),
+        Mark("intervals", np.zeros(1), np.array([value]), y0=np.array([low]), y1=np.array([high]), style=1, symbol="s"),
+    ]
+    limits = _limits(np.array([*recent, low, high]), to_si(1.0, "deg"))
+    title = f"{quantity(name).label}: {_with_deviation(swing, name)}"
+    return Panel(marks, axis("time", "time from first touch", unit="ms"), axis(name, limits=limits), title)
+
+
+def _frames(x: Array, y: Array, time: Array) -> list[Mark]:
+    """Return the frames about impact as points, those before it filled and later ones open."""
+    before, after = (time > -BEFORE) & (time <= 0.0), (time > 0.0) & (time < AFTER)
     return [
-        f"{name} {units.fixed(values[name], *shown[name])} ± {units.fixed(deviations[name], *shown[name])}"
-        for name, bad in off.items()
-        if bad
+        Mark("points", x[before], y[before], label="face centre before impact"),
+        Mark("points", x[after], y[after], label="after", hollow=True),
     ]
 
 
-def of_delivery(
-    values: Mapping[str, float], deviations: Mapping[str, float], club: Club, *, assumed: float = 0.0
-) -> list[str]:
-    """Return remarks on implausible values of a delivery; ``assumed`` is by how much the loft is assumed."""
-    notes = []
-    toe, high = values["toe"], values["high"]
-    if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
-        size = " x ".join(f"{units.from_si(each, 'mm'):.0f}" for each in (club.face_width, club.face_height)) + " mm"
-        notes.append(
-            f"the impact lies {units.fixed(toe, 'mm', 1)} towards the toe and {units.fixed(high, 'mm', 1)} high,"
-            f" outside the face of {club.name} ({size}): a wrong club, mapping or calibration"
-        )
-    if not SLOWEST < values["speed"] < FASTEST:
-        notes.append(f"a clubhead of {values['speed']:.3g} m/s: the unit of length or the frame rate may be wrong")
-    if deviations["speed"] > VAGUE * values["speed"]:
-        notes.append(
-            f"the speed is hardly known, {values['speed']:.3g} ± {deviations['speed']:.2g} m/s: too few frames before"
-            " impact show the clubhead, or markers stray there; take out of [cluster] what strays, or cut the recording"
-        )
-    if abs(values["loft"] - club.loft) > TOO_MUCH_LOFT:
-        notes.append(
-            f"the dynamic loft of {units.fixed(values['loft'], 'deg', 1)} is far from the"
-            f" {units.fixed(club.loft, 'deg', 1)} of {club.name}: a wrong club, mapping or calibration"
-        )
-    if abs(values["lie"]) > TOO_MUCH_LIE:
-        notes.append(
-            f"the lie of {units.fixed(values['lie'], 'deg', 0)} is no club's: the axis that points up may be wrong"
-        )
-    if abs(values["path"]) > ASKEW:
-        notes.append(
-            f"the club goes {units.fixed(values['path'], 'deg', 0)} to the right of the target: the axis that points to"
-            " the target may be wrong (target under [laboratory], or --target)"
-        )
-    if values["closure"] < -OPENING - 3.0 * deviations["closure"]:
-        notes.append(
-            f"the face opens through impact, with {units.fixed(-values['closure'], 'deg/s', 0)}: the hand of the club"
-            " may be wrong (--hand)"
-        )
-    if math.sqrt(max(deviations["loft"] ** 2 - assumed**2, 0.0)) > units.to_si(2.0, "deg"):
-        notes.append(
-            "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
-        )
-    return notes
+def _with_deviation(swing: CapturedDelivery, name: str) -> str:
+    values = getattr(swing.delivery, name), swing.uncertainty[name]
+    value, deviation = (format_value(each, quantity(name)) for each in values)
+    return f"{value.split(' ')[0]} ± {deviation}"
 
 
-def of_launch(values: Mapping[str, float], club: Club, ball: Any, seen: Launched | None, touch: float) -> list[str]:
-    """Return how the flight of the ball contradicts the delivery; then club, mapping or calibration are in doubt."""
-    if seen is None:
-        return []
-    notes = []
-    late = seen.start - touch
-    if not STARTS[0] < late < STARTS[1]:
-        notes.append(
-            f"the ball starts {units.fixed(late, 'ms', 2)} after the face touches it, not the 0.2 ms of a real impact:"
-            " a wrong club, mapping or calibration"
-        )
-    from clubface.simulation.impact import impact
-
-    try:
-        with without_warnings():
-            expected = impact(club, dict(values), ball=ball)
-    except ClubfaceError:
-        return notes
-    speed, launch, azimuth = directions(seen.velocity)
-    spread = math.sqrt(float(np.max(np.diag(seen.covariance)))) / max(speed, 1e-9)
-    off = max(abs(launch - float(expected.launch)), abs(azimuth - float(expected.azimuth)))
-    if off > DIRECTION_OFF + 3.0 * spread or abs(speed / float(expected.ball_speed) - 1.0) > SPEED_OFF + 3.0 * spread:
-        notes.append(
-            f"the ball flies off with {_flight(speed, launch, azimuth)}, where this delivery of {club.name} gives"
-            f" {_flight(*(float(getattr(expected, name)) for name in ('ball_speed', 'launch', 'azimuth')))}: a wrong"
-            " club, mapping or calibration"
-        )
-    return notes
+def _limits(values: Array, least: float) -> tuple[float, float]:
+    """Return limits about values with some room, at least ``least``."""
+    known = values[np.isfinite(values)]
+    low, high = float(known.min()), float(known.max())
+    room = max(0.08 * (high - low), least)
+    return low - room, high + room
 
 
-def of_track(followed: Track, cluster: Registration, first_frame: int) -> list[str]:
-    """Return what had to be corrected in the markers of the clubhead."""
-    notes = [
-        f"{words} in {frames_in_words(frames, first_frame)}: put right" for words, frames in followed.exchanged.items()
-    ]
-    notes += [
-        f"{name} strays in {frames_in_words(frames, first_frame)}: left out there"
-        for name, frames in followed.stray.items()
-    ]
-    if followed.lost:
-        notes.append(
-            f"the markers of the clubhead do not fit in {frames_in_words(followed.lost, first_frame)}: left out"
-        )
-    for place, name in enumerate(cluster.names):
-        if not followed.seen[:, place].any():
-            notes.append(f"{name} is never seen")
-    moved = np.linalg.norm(followed.shape - cluster.shape, axis=-1)
-    if moved.max() > MOVED:
-        name = cluster.names[int(moved.argmax())]
-        notes.append(
-            f"{name} sits {units.fixed(moved.max(), 'mm', 1)} from its place by the mapping or calibration: has it"
-            " moved?"
-        )
-    return notes
+def save_swings(swings: Iterable[CapturedDelivery], path: str | os.PathLike[str]) -> Path:
+    """Write one picture, or several swings as the pages of a PDF; return the file."""
+    from matplotlib.backends.backend_pdf import PdfPages
 
+    from clubface.present.drawing import draw
+    from clubface.present.style import save
 
-def of_fit(misfit: float, missing: int, freedom: int) -> list[str]:
-    """Return what is doubtful about the path and its noise."""
-    notes = []
-    if missing > 1:
-        notes.append(f"the last {missing} frames before impact do not show the clubhead's pose: extended across them")
-    if misfit > ROUGH:
-        notes.append(
-            f"the path departs from the estimator's by {misfit:.1f} times the variance expected: its uncertainty is too"
-            " small (a larger roughness, or the given marker noise, may be needed)"
-        )
-    if 0 < freedom < FEW_FREEDOMS:
-        notes.append(f"the noise of the markers is estimated from {freedom} degrees of freedom only")
-    return notes
-
-
-def directions(velocity: Any) -> tuple[float, float, float]:
-    """Return speed [m/s], launch angle and azimuth [rad] of a velocity in world axes."""
-    x, y, z = (float(each) for each in velocity)
-    return math.sqrt(x * x + y * y + z * z), math.atan2(y, math.hypot(x, z)), math.atan2(z, x)
-
-
-def _flight(speed: float, launch: float, azimuth: float) -> str:
-    return f"{speed:.1f} m/s, {units.fixed(launch, 'deg', 1)} up and {units.fixed(azimuth, 'deg', 1)} right"
-
-
-def frames_in_words(frames: list[int], first_frame: int) -> str:
-    """Write frames as ranges, the first few of them."""
-    runs: list[list[int]] = []
-    for frame in (each + first_frame for each in frames):
-        if runs and frame == runs[-1][1] + 1:
-            runs[-1][1] = frame
-        else:
-            runs.append([frame, frame])
-    written = [str(a) if a == b else f"{a}-{b}" for a, b in runs[:4]]
-    more = f" and {len(runs) - 4} more" if len(runs) > 4 else ""
-    return f"{'frame' if len(frames) == 1 else 'frames'} {', '.join(written)}{more}"
+    target, pictures = Path(path), [swing_picture(each) for each in swings]
+    if len(pictures) == 1:
+        return save(draw(pictures[0]), target)
+    with whole_file(target) as file, PdfPages(file, metadata={"CreationDate": None}) as pages:
+        for each in pictures:
+            pages.savefig(draw(each))
+    return target

@@ -14,8 +14,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.capture.captured import frames_in_words
 from clubface.capture.recording import Recording
+from clubface.capture.remarks import frames_in_words
 from clubface.capture.rotations import Array
 
 LAST_DIGIT = 6e-8

@@ -26,10 +26,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.capture import captured
+from clubface.capture import remarks
 from clubface.capture.ball_flight import Launched, flight
-from clubface.capture.captured import NOT_PLAUSIBLE, CapturedDelivery, Trace
-from clubface.capture.captured_result import LAUNCHES, captured_result
+from clubface.capture.captured import LAUNCHES, CapturedDelivery, Trace, captured_result
 from clubface.capture.filled import without_filled
 from clubface.capture.markers import AXES, MarkerMap
 from clubface.capture.meeting import meet
@@ -122,15 +121,15 @@ def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
         raise FileError(where, None, "the path of the clubhead does not lead to the ball")
     deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     before = math.floor(touch * recording.rate)
-    bad = captured.implausible(values, deviations, head)
+    bad = remarks.implausible(values, deviations, head)
     flown = flight(met.seen_ball, recording.times, met.ball, touch)
     notes = [
-        *([f"{NOT_PLAUSIBLE}: {', '.join(bad)}. {ADVICE}"] if bad else []),
+        *([f"{remarks.NOT_PLAUSIBLE}: {', '.join(bad)}. {ADVICE}"] if bad else []),
         *left_out,
-        *captured.of_track(followed, cluster, recording.first_frame),
-        *captured.of_delivery(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
-        *captured.of_launch(values, head.replace(hand="right"), setup.ball, flown, touch),
-        *captured.of_fit(approach.path.misfit, before - int(approach.frames[-1]), freedom),
+        *remarks.track_remarks(followed, cluster, recording.first_frame),
+        *remarks.delivery_remarks(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
+        *remarks.launch_remarks(values, head.replace(hand="right"), setup.ball, flown, touch),
+        *remarks.fit_remarks(approach.path.misfit, before - int(approach.frames[-1]), freedom),
         *met.notes(reduced.surprise),
         *cluster.notes,
         *(
@@ -201,7 +200,7 @@ def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[s
     """Return speed, launch angle and azimuth of the ball, and their standard deviations."""
     if flown is None:
         return {}, {}
-    speed, launch, azimuth = captured.directions(flown.velocity)
+    speed, launch, azimuth = remarks.directions(flown.velocity)
     deviation = math.sqrt(float(flown.covariance[0, 0]))
     return (
         {"ball_speed": speed, "launch": launch, "azimuth": azimuth * hand},

@@ -126,7 +126,7 @@ def read(
         )  # fmt: skip
     written = swings.write(target_file) if target_file is not None and len(swings) else []
     if pictures is not None and len(swings):
-        from clubface.capture.captured_result import save_swings
+        from clubface.capture.captured import save_swings
 
         written.append(save_swings(swings.captured, pictures))
     for each in swings.captured:

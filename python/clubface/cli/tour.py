@@ -26,8 +26,7 @@ def tour(
     """Compute the published tour averages, club by club, by the default model, then by every model."""
     from clubface.simulation.impact import Tally
     from clubface.support.checks import without_warnings
-    from clubface.validation.tour import DEFAULT_TABLE, TABLES, published_table, tour as run
-    from clubface.validation.tour_result import tour_result
+    from clubface.validation.tour import DEFAULT_TABLE, TABLES, published_table, tour as run, tour_result
 
     models = options.model_names(model)
     wanted = options.names([averages or DEFAULT_TABLE])

@@ -20,7 +20,7 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.results.table import Column, Table, table, text
 from clubface.simulation.launch import Launch
 from clubface.validation.check import Judged, reading
-from clubface.validation.validation_result import published_columns
+from clubface.validation.run import published_columns
 
 CLOSURE = units.parse("2500 deg/s", "angular rate")
 """Between the 1800 and 3600 deg/s of drives (S. MacKenzie, golf.com)."""

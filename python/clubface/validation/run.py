@@ -1,23 +1,28 @@
-"""Running checks on models."""
+"""Running checks on models, and the validation as a result: every figure, what each check comes to, and a picture."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from statistics import median
 from typing import NamedTuple
 
+import numpy as np
+
 from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import InputError
+from clubface.quantities import format_number, format_value
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture
 from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.simulation.impact import Tally
 from clubface.validation.catalogue import CHECKS, check_named
-from clubface.validation.check import Check, Figure, Judged
-from clubface.validation.validation_result import validation_result
+from clubface.validation.check import Check, Figure, Judged, reading
 
 
 class Summary(NamedTuple):
@@ -172,3 +177,170 @@ def validate(
             progress(done, len(figures) * len(chosen))
     tally.warn()
     return Validation(chosen, figures, ball_named(ball).name)
+
+
+EDGE = 4.0
+"""Errors beyond so many tolerances are drawn at the edge."""
+
+
+def validation_result(validation: Validation, *, detailed: bool = True) -> Result:
+    """Return a validation as a result; unless ``detailed``, people see the summary alone."""
+    reasons = (each for check in validation.checks for each in check_notes(check)) if detailed else ()
+    verdicts = (
+        note("validation-verdict", model=model, met=verdict.met, quantities=verdict.of, every=verdict.every)
+        for model in validation.models
+        for verdict in [validation.verdict(model)]
+    )
+    return Result(
+        kind="validation", title=f"Published figures, ball {validation.ball}",
+        tables=(figure_table(validation, printed=detailed), summary_table(validation), check_table(validation)),
+        notes=(*reasons, *verdicts),
+        draw=lambda: [validation_picture(validation)],
+    )  # fmt: skip
+
+
+def check_notes(check: Check) -> list[Note]:
+    """Return why the tolerances of a check are as they are, and its sources."""
+    sources = (note("published-table", title=each.title, source=each.source) for each in check.tables)
+    return [note("check-reason", check=check.name, reason=check.reason), *sources]
+
+
+def figure_table(validation: Validation, *, printed: bool = True) -> Table:
+    """Return the table of every figure by every model."""
+    rows = [
+        (check.name, model, each)
+        for check in validation.checks
+        for model in validation.models
+        for each in validation.figures[model][check.name]
+    ]
+    figures = [each for _, _, each in rows]
+    own, errors = [reading(each.unit) for each in figures], [reading(each.error_unit) for each in figures]
+    return Table(
+        "figures",
+        (
+            text("case", [each.case for each in figures], label="shot"),
+            text("check", [name for name, _, _ in rows], printed=len(validation.checks) > 1),
+            text("model", [model for _, model, _ in rows], printed=len(validation.models) > 1),
+            text("quantity", [each.quantity for each in figures]),
+            *published_columns(figures),
+            Column("computed", [each.computed for each in figures], own),
+            Column("error", [each.error for each in figures], errors, difference=True),
+            Column("tolerance", [each.tolerance for each in figures], errors),
+            text("certainty", [each.certainty for each in figures]),
+            text("inside", [each.inside for each in figures]),
+            text("within", [each.within for each in figures]),
+        ),
+        f"{validation.checks[0].title}, by {', '.join(validation.models)}" if len(validation.checks) == 1 else "",
+        printed=printed,
+    )  # fmt: skip
+
+
+def published_columns(figures: list[Figure]) -> tuple[Column, Column]:
+    """Return the least and the largest published value; a bound has no largest."""
+    quantities = [reading(each.unit) for each in figures]
+    least, most = zip(*(each.published for each in figures), strict=True)
+    return (
+        Column("published_least", least, quantities, label="published"),
+        Column("published_most", [None if math.isinf(each) else each for each in most], quantities, label="to"),
+    )
+
+
+def summary_table(validation: Validation) -> Table:
+    """Return a row a check, quantity and model: how many figures are inside and within, and how large errors are."""
+    rows = [
+        (check, model, validation.summary(model, check.name)[place])
+        for check in validation.checks
+        for place in range(len(validation.summary(validation.models[0], check.name)))
+        for model in validation.models
+    ]
+    each_summary = [each for _, _, each in rows]
+    quantities = [reading(each.unit) for each in each_summary]
+    signed = ("mean_error", "bias"), ("worst", "worst")
+    return Table(
+        "summary",
+        (
+            text("check", [check.name for check, _, _ in rows]),
+            text("quantity", [each.quantity for each in each_summary]),
+            text("certainty", [check.certainty for check, _, _ in rows]),
+            Column("least_tolerance", [each.tolerances[0] for each in each_summary], quantities, printed=False),
+            Column("tolerance", [each.tolerances[1] for each in each_summary], quantities),
+            text("model", [model for _, model, _ in rows]),
+            text("inside", [each.inside if each.intervals else None for each in each_summary]),
+            text("intervals", [each.intervals or None for each in each_summary], label="of intervals"),
+            text("within", [each.within if each.known else None for each in each_summary]),
+            text("figures", [each.figures for each in each_summary], label="of figures"),
+            Column("median_magnitude", [each.median for each in each_summary], quantities, label="median |error|"),
+            Column("mean_magnitude", [each.mean for each in each_summary], quantities, label="mean |error|"),
+            *(
+                Column(name, [getattr(each, key) for each in each_summary], quantities, difference=True)
+                for name, key in signed
+            ),
+            column("scaled_error", [each.scaled for each in each_summary], "1", printed=False),
+        ),
+        "Errors by check, quantity and model",
+    )  # fmt: skip
+
+
+def check_table(validation: Validation) -> Table:
+    """Return the table of the checks: what they compare, how sure that is, and why the tolerances are as they are."""
+    checks = validation.checks
+    return Table(
+        "checks",
+        (
+            text("check", [each.name for each in checks]), text("title", [each.title for each in checks]),
+            text("certainty", [each.certainty for each in checks]), text("reason", [each.reason for each in checks]),
+            text("sources", [", ".join(each.sources) for each in checks]),
+        ),
+        "What is compared", printed=False,
+    )  # fmt: skip
+
+
+def tolerance_text(summary: Summary) -> str:
+    """Write the tolerance, or the range of tolerances, of a quantity."""
+    quantity = reading(summary.unit)
+    least, most = (format_value(each, quantity) for each in summary.tolerances)
+    return most if least == most else f"{least.split(' ')[0]} to {most}"
+
+
+def validation_picture(validation: Validation) -> Picture:
+    """Return a picture with a row for each quantity of each check: every error over its tolerance, by model."""
+    rows = [
+        (check, each) for check in validation.checks for each in validation.summary(validation.models[0], check.name)
+    ]
+    borders = [place - 0.5 for place in range(1, len(rows)) if rows[place][0] is not rows[place - 1][0]]
+    names = [f"{check.name}: {each.quantity}, ± {tolerance_text(each)}" for check, each in rows]
+    marks = [
+        Mark("shade", x0=-1.0, x1=1.0, label="within the tolerance", style=-1),
+        Mark("rule", x=0.0, style=-1),
+        Mark("rule", y=borders, style=-1, size=0.4),
+        *_error_marks(validation, rows),
+    ]
+    panel = Panel(
+        marks, Axis(label="computed less published, over the tolerance", limits=(-EDGE, EDGE)),
+        Axis(names=names, limits=(len(rows) - 0.5, -0.5)),
+    )  # fmt: skip
+    return Picture(
+        "validation", "Every error over its tolerance, by quantity and model", [[panel]],
+        height=0.8 + 0.235 * len(rows), legend=True,
+    )  # fmt: skip
+
+
+def _error_marks(validation: Validation, rows: list[tuple[Check, Summary]]) -> Iterator[Mark]:
+    """Yield the points of each model, those of one quantity a little apart from those of the next model."""
+    models = validation.models
+    for index, model in enumerate(models):
+        offset = (index - 0.5 * (len(models) - 1)) * 0.56 / max(len(models), 2)
+        points = [
+            (each.error / each.tolerance, place + offset)
+            for place, (check, summary) in enumerate(rows)
+            for each in validation.figures[model][check.name]
+            if each.quantity == summary.quantity and each.within is not None
+        ]
+        x, y = np.array(points).reshape(-1, 2).T
+        yield Mark("points", np.clip(x, -EDGE, EDGE), y, style=model, label=model, size=2.6, faint=True)
+
+
+def mean_text(summary: Summary) -> str:
+    """Write the mean magnitude of the errors of a quantity with its unit; nothing where the model says nothing."""
+    quantity = reading(summary.unit)
+    return format_value(summary.mean, quantity) if format_number(summary.mean, 1) else ""
