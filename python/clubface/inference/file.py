@@ -1,9 +1,4 @@
-"""Inference for a file of launches, one row a shot.
-
-Inference for a whole file of launches: one row a shot, written as it is found, and resumable.
-
-One row a shot: what was measured, the delivery that was found, and what is to be remarked of it.
-"""
+"""Inference for a file of launches, one row a shot, resumable."""
 
 from __future__ import annotations
 
@@ -71,15 +66,15 @@ class Rows:
         self._prepared: dict[int, Inference] = {}
         self.names = self.options["prior"].names
         """The quantities that are inferred."""
-        self._for(head.hand)  # whose options are wrong is told before any work
+        self._for(head.hand)  # wrong options are reported before any work
 
     @property
     def headings(self) -> list[str]:
         """The headings: measured quantities of the launch, four of each inferred quantity, and what is to be said."""
-        found = ["row", *(_heading(name, QUANTITIES[name]) for name in self.launch)]
+        headings = ["row", *(_heading(name, QUANTITIES[name]) for name in self.launch)]
         for name in self.names:
-            found += [_heading(name, unit_of(name), end) for end in ("", "_std", "_from", "_to")]
-        return [*found, "effective", REMARK]
+            headings += [_heading(name, unit_of(name), end) for end in ("", "_std", "_from", "_to")]
+        return [*headings, "effective", REMARK]
 
     def of(self, place: int) -> list[Any]:
         """Return the cells of one shot; one that cannot be inferred says why in its last."""
@@ -95,14 +90,14 @@ class Rows:
         hand = self._head.hand if shots.hand is None else HANDS[shots.hand[place]]
         try:
             with without_warnings(RangeWarning):
-                found = self._for(hand).of(measured, club_data)
+                posterior = self._for(hand).of(measured, club_data)
         except UnreachableLaunchError as error:
             return [*cells, *nothing, str(error)]
         for name in self.names:
-            values = (found.mean[name], found.deviation[name], *found.interval(name))
+            values = (posterior.mean[name], posterior.deviation[name], *posterior.interval(name))
             cells += [_cell(value, unit_of(name)) for value in values]
-        remarks = [*(each.sentence for each in found.warnings), *([found.outside] if found.outside else [])]
-        return [*cells, round(found.effective), "; ".join(remarks)]
+        remarks = [*(each.sentence for each in posterior.warnings), *([posterior.outside] if posterior.outside else [])]
+        return [*cells, round(posterior.effective), "; ".join(remarks)]
 
     def _for(self, hand: int) -> Inference:
         """Return what infers the shots of a hand."""
@@ -134,7 +129,7 @@ class InferReport(Described):
     shots
         Number of rows in it.
     resumed
-        Number of rows that an earlier run found.
+        Number of rows that an earlier run finished.
     without
         Number of rows without a delivery; their remark says why.
     warned

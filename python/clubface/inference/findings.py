@@ -1,27 +1,18 @@
 """Findings on the benchmark shots and on the published averages of the tours: the study and its parts.
 
-The whole study: every model identified on the benchmark shots of both clubs, and what follows from it.
+Every model is identified on the benchmark shots of both clubs. The truth of the benchmark is known, so that each source
+of error can be left alone: the model on true deliveries against true launches; the same model on measured and on true
+deliveries; true deliveries extrapolated without any noise. Each part is kept when it is finished.
 
-Each part is kept when it is finished, so that an interrupted study goes on where it was.
+A published mean absolute error together with a standard deviation implies a bias. For a normal error of bias b and
+deviation s the mean magnitude is s sqrt(2/pi) exp(-b^2/(2 s^2)) + b erf(b/(s sqrt 2)). Without a bias it is 0.8 of the
+deviation; where it is more, the rest is bias. If the published deviation is one of magnitudes, its square and that of
+their mean add up to b^2 + s^2 instead.
 
-How large what no fitted model has is in the launches of the benchmark shots: each effect left out alone.
-
-Where the errors of a model on the benchmark shots come from: the model, motion capture, the monitor.
-
-The truth of the benchmark is known, so that each source can be left alone: the model on true deliveries against true
-launches; the same model on measured and on true deliveries; true deliveries extrapolated without any noise.
-
-What published errors say of themselves: a mean absolute error beside a standard deviation implies a bias.
-
-For a normal error of bias b and deviation s the mean magnitude is s sqrt(2/pi) exp(-b^2/(2 s^2)) + b erf(b/(s sqrt 2)).
-Without a bias it is 0.8 of the deviation; where it is more, the rest is bias. If the published deviation is one of
-magnitudes, its square and that of their mean add up to b^2 + s^2 instead.
-
-One parameter set for all twelve clubs of the published tour averages, and how well it does on clubs left out.
-
-The averages are those of 2019, with which the dynamic loft of two clubs is published. For the others it is, for every
-candidate set anew, the loft with which the model gives the published launch angle: their launch angle is then no
-prediction, but ball speed and spin are, and the loft carries no other model's errors.
+One parameter set is fitted to all twelve clubs of the published tour averages. They are those of 2019, with which the
+dynamic loft of two clubs is published. For the others it is, for every candidate set anew, the loft with which the
+model gives the published launch angle: their launch angle is then no prediction, but ball speed and spin are, and the
+loft carries no other model's errors.
 
 ``python -m clubface.inference.findings FOLDER [RESULTS]``: run the study, resumed in FOLDER; write RESULTS.
 """
@@ -46,7 +37,6 @@ from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import ClubfaceError
 from clubface.inference.evaluation.evaluation import evaluate
-from clubface.inference.evaluation.result import Evaluation
 from clubface.inference.evaluation.statistics import Resamples, interval
 from clubface.inference.identification.result import Identification
 from clubface.inference.identification.run import identify
@@ -59,7 +49,7 @@ from clubface.simulation.results import input_dimensions, outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import plain
 from clubface.support.files import prepared_folder, write_text
-from clubface.validation.benchmark_data import CLUBS, BenchmarkShots, Recipe, load, recipe
+from clubface.validation.benchmark_data import CLUBS, BenchmarkShots, load, recipe
 from clubface.validation.benchmark_recipe import LAUNCH, captured, launches, restitution_offsets, true_parameters
 from clubface.validation.tour import Average, averages, published_lofts
 
@@ -72,31 +62,25 @@ def effect_sizes(shots: BenchmarkShots) -> dict[str, dict[str, float]]:
 
     Each is left out of the model that made the shot, with the true delivery and all else as it was.
     """
-    of = recipe(shots.club)
+    made_by = recipe(shots.club)
     delivery = shots.truth.deliveries
-    off_centre = restitution_offsets(of, delivery, 0.0)
+    off_centre = restitution_offsets(made_by, delivery, 0.0)
     without = {
-        "ball": (of, off_centre),
-        "face": (of, shots.restitution_offset - off_centre),
-        "shaft": (of._replace(shaft_mass=0.0), shots.restitution_offset),
-        "all": (of._replace(shaft_mass=0.0), np.zeros(len(shots))),
+        "ball": (made_by, off_centre),
+        "face": (made_by, shots.restitution_offset - off_centre),
+        "shaft": (made_by._replace(shaft_mass=0.0), shots.restitution_offset),
+        "all": (made_by._replace(shaft_mass=0.0), np.zeros(len(shots))),
     }
-    found = {}
+    sizes = {}
     for effect, (part, offsets) in without.items():
-        launch = _launches(part, shots, offsets)
-        found[effect] = {name: float(np.abs(launch[name] - shots.truth.launches[name]).mean()) for name in LAUNCH}
-    return found
-
-
-def _launches(of: Recipe, shots: BenchmarkShots, offsets: Floats) -> dict[str, Floats]:
-    """Return the launch of every shot by the model that made it."""
-    launch = {name: np.empty(len(shots)) for name in LAUNCH}
-    for model in of.mixture:
-        own = shots.model == model
-        delivery = {name: values[own] for name, values in shots.truth.deliveries.items()}
-        for name, values in launches(of, model, delivery, offsets[own]).items():
-            launch[name][own] = values
-    return launch
+        launch = {name: np.empty(len(shots)) for name in LAUNCH}
+        for model in part.mixture:
+            own = shots.model == model
+            those = {name: values[own] for name, values in delivery.items()}
+            for name, values in launches(part, model, those, offsets[own]).items():
+                launch[name][own] = values
+        sizes[effect] = {name: float(np.abs(launch[name] - shots.truth.launches[name]).mean()) for name in LAUNCH}
+    return sizes
 
 
 SOURCES = {
@@ -113,10 +97,10 @@ def error_budget(shots: BenchmarkShots, parameters: ParameterSet) -> dict[str, d
     """Return the mean absolute error that each of ``SOURCES`` makes alone, by source and launch quantity, SI."""
 
     def launch(delivery: Mapping[str, Floats]) -> dict[str, Floats]:
-        found = impact(
+        launches_of_model = impact(
             shots.head, delivery, model=parameters.model, parameters=parameters, ball=published_ball(), on_error="nan"
         )
-        return {name: np.asarray(getattr(found, name)) for name in QUANTITIES}
+        return {name: np.asarray(getattr(launches_of_model, name)) for name in QUANTITIES}
 
     truth, measured = shots.truth, shots.measured
     from_truth, from_measured = launch(truth.deliveries), launch(measured.deliveries)
@@ -166,11 +150,11 @@ def bias_of_magnitudes(mae: float, deviation: float) -> float:
     return 0.0 if short(0.0) >= 0.0 else _root(short, 0.0, total)
 
 
-def _root(of: Callable[[float], float], low: float, high: float) -> float:
+def _root(function: Callable[[float], float], low: float, high: float) -> float:
     """Return where ``of``, which rises, is zero."""
     for _ in range(80):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if of(middle) < 0.0 else (low, middle)
+        low, high = (middle, high) if function(middle) < 0.0 else (low, middle)
     return 0.5 * (low + high)
 
 
@@ -230,6 +214,10 @@ class TourFit(NamedTuple):
     left_out: dict[str, Floats]
     carry: Floats
 
+    def to_dict(self) -> dict[str, Any]:
+        """Return all numbers by name."""
+        return {**self._asdict(), "parameters": dict(self.parameters.values)}
+
     def mean_absolute_error(self, quantity: str, *, left_out: bool = False) -> float:
         """Return the mean over the clubs of the absolute error, SI."""
         return float(np.nanmean(np.abs((self.left_out if left_out else self.errors)[quantity])))
@@ -257,14 +245,14 @@ class Bag:
         solved = np.isnan(self.loft)
         loft = np.where(solved, self.launch, self.loft)
         for _ in range(STEPS):
-            found = self.hit(loft, parameters)
-            loft = np.where(solved, loft + (self.launch - found.launch) / SLOPE, loft)
-        found = self.hit(loft, parameters)
+            launch = self.hit(loft, parameters)
+            loft = np.where(solved, loft + (self.launch - launch.launch) / SLOPE, loft)
+        launch = self.hit(loft, parameters)
         published = {name: np.array([getattr(each, name) for each in self.rows]) for name in ("ball_speed", "spin")}
         return {
-            "ball_speed": found.ball_speed - published["ball_speed"],
-            "spin": found.total_spin - published["spin"],
-            "launch": np.where(solved, np.nan, found.launch - self.launch),
+            "ball_speed": launch.ball_speed - published["ball_speed"],
+            "spin": launch.total_spin - published["spin"],
+            "launch": np.where(solved, np.nan, launch.launch - self.launch),
         }, loft
 
     def residuals(self, parameters: ParameterSet) -> Floats:
@@ -292,23 +280,21 @@ def fit(model: str) -> TourFit:
     """Solve for the parameters of ``FREE`` that all clubs agree with best, and again without each club."""
     rows, names = averages(SEASON), FREE[model]
     every = Bag(rows)
-    best = min((_solved(every, _start(model, family), names) for family in FAMILIES), key=every.misfit)
+    starts = [
+        ParameterSet(model=model, club="any", name="tour-averages", values=ParameterSet.builtin(model, family).values)
+        for family in FAMILIES
+    ]
+    best = min((_solved(every, start, names) for start in starts), key=every.misfit)
     errors, lofts = every.errors(best)
     left_out = {name: np.full(len(rows), np.nan) for name in errors}
     for place in range(len(rows)):
         others = [each for index, each in enumerate(rows) if index != place]
         without = _solved(Bag(others), best, names)
-        found, _ = Bag([rows[place]]).errors(without)
-        for name, values in found.items():
+        errors_without, _ = Bag([rows[place]]).errors(without)
+        for name, values in errors_without.items():
             left_out[name][place] = values[0]
     carry = fly(every.hit(lofts, best)).carry - np.array([each.carry for each in rows])
     return TourFit(best, names, tuple(each.club for each in rows), lofts, errors, left_out, carry)
-
-
-def _start(model: str, family: str) -> ParameterSet:
-    """Return the set published for a family of clubs, for every club."""
-    of = ParameterSet.builtin(model, family)
-    return ParameterSet(model=model, club="any", name="tour-averages", values=of.values)
 
 
 def _solved(bag: Bag, start: ParameterSet, names: Sequence[str]) -> ParameterSet:
@@ -327,8 +313,8 @@ def _solved(bag: Bag, start: ParameterSet, names: Sequence[str]) -> ParameterSet
         return bag.residuals(at(point))
 
     first = np.clip(np.array([float(start.values[name]) for name in names]) / sizes, lower + 1e-6, upper - 1e-6)
-    found = least_squares(residuals, first, bounds=(lower, upper), diff_step=1e-4, xtol=1e-8, ftol=1e-8)
-    return at(found.x)
+    solution = least_squares(residuals, first, bounds=(lower, upper), diff_step=1e-4, xtol=1e-8, ftol=1e-8)
+    return at(solution.x)
 
 
 MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
@@ -348,16 +334,16 @@ Progress = Callable[[str, float], object]
 def run(folder: Path, *, threads: int | None = None, progress: Progress | None = None) -> dict[str, Any]:
     """Run what is not in ``folder`` yet, and return all findings, made of what JSON has."""
     prepared_folder(folder.parent)
-    of = {club: load(club) for club in CLUBS}
+    by_club = {club: load(club) for club in CLUBS}
     content = {
-        "set of shots": of, "every": EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES,
+        "set of shots": by_club, "every": EVERY, "bootstrap": BOOTSTRAP, "resamples": RESAMPLES,
     }  # fmt: skip
     with Store(folder, content, remedy="give a new folder") as store:
-        tour = {model: store.once(f"tour-{model}", lambda model=model: plain(_tour(model))) for model in FREE}
+        tour = {model: store.once(f"tour-{model}", lambda model=model: plain(fit(model).to_dict())) for model in FREE}
         # The quick models of both clubs before the slow ones of either.
         fits = {club: {} for club in CLUBS}
         for model in MODELS:
-            for club, shots in of.items():
+            for club, shots in by_club.items():
                 fits[club][model] = fitted(shots, model, store, threads=threads, progress=progress)
         own = {
             club: {
@@ -365,14 +351,16 @@ def run(folder: Path, *, threads: int | None = None, progress: Progress | None =
                 for model in MODELS
                 if model in OWN
             }
-            for club, shots in of.items()
+            for club, shots in by_club.items()
         }
-        clubs = {club: _of_club(shots, fits[club], store, threads) | {"own": own[club]} for club, shots in of.items()}
+        clubs = {
+            club: _of_club(shots, fits[club], store, threads) | {"own": own[club]} for club, shots in by_club.items()
+        }
     return rounded(plain({"models": list(MODELS), "clubs": clubs, "tour": tour}))
 
 
 def _of_club(shots: BenchmarkShots, fits: dict[str, Any], store: Store, threads: int | None) -> dict[str, Any]:
-    """Return what is found with one club."""
+    """Return the findings with one club."""
     sets = {model: _parameters(shots.club, model, each) for model, each in fits.items()}
     return {
         "fits": {model: {key: each[key] for key in each if key != "held_out"} for model, each in fits.items()},
@@ -387,10 +375,11 @@ def fitted(
     shots: BenchmarkShots, model: str, store: Store, *, threads: int | None = None, progress: Progress | None = None
 ) -> dict[str, Any]:
     """Return one model as identified on the shots of one club, from ``store`` if it is there."""
-    which = np.arange(0, len(shots), EVERY.get(f"{shots.club}-{model}", 1))
+    chosen = np.arange(0, len(shots), EVERY.get(f"{shots.club}-{model}", 1))
     part = f"{shots.club}-{model}"
     return store.once(
-        part, lambda: plain(_told(_identified(shots, model, which, store.file(part), threads, progress), shots, which))
+        part,
+        lambda: plain(_summary(_identified(shots, model, chosen, store.file(part), threads, progress), shots, chosen)),
     )
 
 
@@ -398,16 +387,16 @@ def _own(
     shots: BenchmarkShots, model: str, store: Store, threads: int | None, progress: Progress | None
 ) -> dict[str, Any]:
     """Return one model as identified on the shots that it made, and the parameters it made them with, on average."""
-    which = np.flatnonzero(shots.model == model)
-    found = _identified(shots, model, which, store.file(f"{shots.club}-{model}-own"), threads, progress)
-    delivery = {name: values[which] for name, values in shots.truth.deliveries.items()}
-    true = true_parameters(recipe(shots.club), model, delivery, shots.restitution_offset[which]).values
-    kept = {name: each for name, each in _told(found, shots, which).items() if name != "held_out"}
+    chosen = np.flatnonzero(shots.model == model)
+    identification = _identified(shots, model, chosen, store.file(f"{shots.club}-{model}-own"), threads, progress)
+    delivery = {name: values[chosen] for name, values in shots.truth.deliveries.items()}
+    true = true_parameters(recipe(shots.club), model, delivery, shots.restitution_offset[chosen]).values
+    kept = {name: each for name, each in _summary(identification, shots, chosen).items() if name != "held_out"}
     return plain(kept | {"true": {name: float(np.mean(true[name])) for name in kept["free"]}})
 
 
 def _identified(
-    shots: BenchmarkShots, model: str, which: NDArray[np.int64], part: Path, threads: int | None,
+    shots: BenchmarkShots, model: str, chosen: NDArray[np.int64], part: Path, threads: int | None,
     progress: Progress | None,
 ) -> Identification:  # fmt: skip
     """Identify one model on some of the shots of one club."""
@@ -417,30 +406,34 @@ def _identified(
             progress(f"{part.name}: {stage}, cost {best:.4f}", done / of)
 
     return identify(
-        shots.measured.select(which), club=shots.head, model=model, groups=shots.player[which], ball=published_ball(),
+        shots.measured.select(chosen), club=shots.head, model=model, groups=shots.player[chosen], ball=published_ball(),
         bootstrap=BOOTSTRAP.get(model, 200), threads=threads, checkpoint=part.with_suffix(".checkpoint"),
         resume=True, progress=tell,
     )  # fmt: skip
 
 
-def _told(of: Identification, shots: BenchmarkShots, which: NDArray[np.int64]) -> dict[str, Any]:
+def _summary(identification: Identification, shots: BenchmarkShots, chosen: NDArray[np.int64]) -> dict[str, Any]:
     """Return what is kept of an identification, and what each shot adds to the cost when it is held out."""
-    assert of.held_out is not None
-    measured = np.array([shots.measured.launches[name][which] for name in QUANTITIES])
-    losses = np.abs(of.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)
+    assert identification.held_out is not None
+    measured = np.array([shots.measured.launches[name][chosen] for name in QUANTITIES])
+    losses = np.abs(identification.held_out - measured) / np.abs(measured).mean(axis=1, keepdims=True)
     return {
-        "parameters": dict(of.parameters.values),
-        "intervals": {name: list(pair) for name, pair in of.intervals.items()},
-        **{name: getattr(of, name) for name in ("cost", "cost_holdout", "evaluations", "impacts", "wall_s")},
-        "free": list(of.free),
-        "shots": of.shots,
-        "deviations": {name: {"unit": outputs()[name].unit, **vars(each)} for name, each in of.deviations.items()},
-        "identified": {name: of.identified(name) for name in of.free},
-        "warnings": [each.sentence for each in of.warnings],
-        "settings": dict(of.settings),
-        "weak": [each.words for each in of.identifiability.weak],
-        "profile_intervals": {name: list(each.interval) for name, each in of.profiles.items()},
-        "held_out": {"places": which, "losses": losses.sum(axis=0)},
+        "parameters": dict(identification.parameters.values),
+        "intervals": {name: list(pair) for name, pair in identification.intervals.items()},
+        **{
+            name: getattr(identification, name) for name in ("cost", "cost_holdout", "evaluations", "impacts", "wall_s")
+        },
+        "free": list(identification.free),
+        "shots": identification.shots,
+        "deviations": {
+            name: {"unit": outputs()[name].unit, **vars(each)} for name, each in identification.deviations.items()
+        },
+        "identified": {name: identification.identified(name) for name in identification.free},
+        "warnings": [each.sentence for each in identification.warnings],
+        "settings": dict(identification.settings),
+        "weak": [each.words for each in identification.identifiability.directions if each.strength != "known"],
+        "profile_intervals": {name: list(each.interval) for name, each in identification.profiles.items()},
+        "held_out": {"places": chosen, "losses": losses.sum(axis=0)},
     }
 
 
@@ -449,7 +442,7 @@ def _leads(shots: BenchmarkShots, fits: dict[str, Any]) -> dict[str, Any]:
 
     Models identified on a part of the shots are compared on that part.
     """
-    found = {}
+    leads = {}
     whole = {name: each for name, each in fits.items() if len(each["held_out"]["places"]) == len(shots)}
     best = min(whole, key=lambda name: whole[name]["cost_holdout"])
     for name, each in fits.items():
@@ -457,48 +450,31 @@ def _leads(shots: BenchmarkShots, fits: dict[str, Any]) -> dict[str, Any]:
         lead = np.array(each["held_out"]["losses"]) - np.array(fits[best]["held_out"]["losses"])[places]
         resamples = Resamples(RESAMPLES, len(places), 0, shots.player[places])
         means = resamples.means(lead[None])[:, 0]
-        found[name] = {"than": best, "more": lead.mean(), "interval": interval(means, resamples.groups)}
-    return found
+        leads[name] = {"than": best, "more": lead.mean(), "interval": interval(means, resamples.groups)}
+    return leads
 
 
-def _parameters(club: str, model: str, told: dict[str, Any]) -> ParameterSet:
-    values = told["parameters"]
+def _parameters(club: str, model: str, fit: dict[str, Any]) -> ParameterSet:
+    values = fit["parameters"]
     return ParameterSet(model=model, club=club, name="identified on the benchmark shots", values=values)
 
 
 def _errors(shots: BenchmarkShots, sets: dict[str, ParameterSet], threads: int | None) -> dict[str, Any]:
     """Return errors of all models on all shots of a club, with players drawn together, and the best ones."""
-    found = evaluate(
+    evaluation = evaluate(
         shots.measured, club=shots.head, models=list(MODELS), parameters=sets, groups=shots.player,
         resamples=RESAMPLES, threads=threads, ball=published_ball(),
     )  # fmt: skip
-    return _evaluated(found)
-
-
-def _evaluated(of: Evaluation) -> dict[str, Any]:
     return {
-        "mean": of.mean,
-        "sizes": {name: {m: size._asdict() for m, size in each.items()} for name, each in of.sizes.items()},
+        "mean": evaluation.mean,
+        "sizes": {name: {m: size._asdict() for m, size in each.items()} for name, each in evaluation.sizes.items()},
         "best": {
             name: {"model": each.model, "rivals": [rival._asdict() for rival in each.rivals]}
-            for name, each in of.best.items()
+            for name, each in evaluation.best.items()
         },
-        "cost": {model: of.cost(model) for model in of.models},
-        "seconds": of.seconds,
-        "floor": of.floor,
-    }
-
-
-def _tour(model: str) -> dict[str, Any]:
-    of = fit(model)
-    return {
-        "parameters": dict(of.parameters.values),
-        "free": list(of.free),
-        "clubs": list(of.clubs),
-        "lofts": of.lofts,
-        "errors": of.errors,
-        "left_out": of.left_out,
-        "carry": of.carry,
+        "cost": {model: evaluation.cost(model) for model in evaluation.models},
+        "seconds": evaluation.seconds,
+        "floor": evaluation.floor,
     }
 
 
@@ -518,20 +494,20 @@ def main(arguments: list[str]) -> int:
         return 2
     folder = Path(arguments[0])
     target = Path(arguments[1]) if len(arguments) == 2 else folder / "findings.json"
-    told = ""
+    announced = ""
 
     def tell(what: str, part: float) -> None:
-        nonlocal told
+        nonlocal announced
         line = f"{what}: {part:.0%}"
         if sys.stderr.isatty():
             print(f"\r{line:<79}", end="", file=sys.stderr, flush=True)
-        elif what.partition(",")[0] != told:
-            told = what.partition(",")[0]
+        elif what.partition(",")[0] != announced:
+            announced = what.partition(",")[0]
             print(line, file=sys.stderr, flush=True)
 
     try:
-        found = run(folder, progress=tell)
-        write_text(target, json.dumps(found, indent=1, allow_nan=False) + "\n")
+        findings = run(folder, progress=tell)
+        write_text(target, json.dumps(findings, indent=1, allow_nan=False) + "\n")
     except KeyboardInterrupt:
         print(f"\ninterrupted; what is finished is in {folder}, and the next run goes on after it", file=sys.stderr)
         return 130

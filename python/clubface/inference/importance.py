@@ -343,8 +343,8 @@ def peak(residuals: Residuals, slopes: Slopes, start: Floats) -> Peak | None:
 
 
 def _misfit(residuals: Residuals, point: Floats) -> float:
-    found = float(point @ point + np.sum(residuals(point[None, :]) ** 2))
-    return found if np.isfinite(found) else np.inf
+    misfit = float(point @ point + np.sum(residuals(point[None, :]) ** 2))
+    return misfit if np.isfinite(misfit) else np.inf
 
 
 class Sheet:
@@ -427,19 +427,19 @@ def _cholesky(matrix: list[list[Floats]]) -> list[list[Floats]]:
 
 def _solved(root: list[list[Floats]], right: Floats) -> Floats:
     """Return x with root x = right, shape (k, n)."""
-    found: list[Floats] = []
+    solution: list[Floats] = []
     for i, row in enumerate(root):
-        found.append((right[i] - sum(row[k] * found[k] for k in range(i))) / row[i])
-    return np.array(found)
+        solution.append((right[i] - sum(row[k] * solution[k] for k in range(i))) / row[i])
+    return np.array(solution)
 
 
 def _solved_transposed(root: list[list[Floats]], right: Floats) -> Floats:
     """Return x with root' x = right, shape (k, n)."""
-    found = np.empty_like(right)
+    solution = np.empty_like(right)
     for i in reversed(range(len(root))):
-        later = sum(root[k][i] * found[k] for k in range(i + 1, len(root)))
-        found[i] = (right[i] - later) / root[i][i]
-    return found
+        later = sum(root[k][i] * solution[k] for k in range(i + 1, len(root)))
+        solution[i] = (right[i] - later) / root[i][i]
+    return solution
 
 
 MOST_CENTRES = 4
@@ -488,20 +488,20 @@ def drawn(
     tried: list[tuple[Sample, Sheet]] = []
     while centre is not None and len(tried) < MOST_CENTRES:
         sheet = Sheet(centre, residuals)
-        found = attempt(bent(sheet), after, size=size, seed=seed)
-        found = found._replace(points=sheet.points(found.points)[0])
-        if found.effective >= 2 * size:
-            return found, top.misfit
-        tried.append((found, sheet))
-        centre = _bulk(found, slopes)
+        draws = attempt(bent(sheet), after, size=size, seed=seed)
+        draws = draws._replace(points=sheet.points(draws.points)[0])
+        if draws.effective >= 2 * size:
+            return draws, top.misfit
+        tried.append((draws, sheet))
+        centre = _bulk(draws, slopes)
     sheet = max(tried, key=lambda each: each[0].effective)[1]
-    found = sample(bent(sheet), after, size=size, seed=seed, progress=progress)
-    return found._replace(points=sheet.points(found.points)[0]), top.misfit
+    draws = sample(bent(sheet), after, size=size, seed=seed, progress=progress)
+    return draws._replace(points=sheet.points(draws.points)[0]), top.misfit
 
 
-def _bulk(of: Sample, slopes: Slopes) -> Peak | None:
+def _bulk(draws: Sample, slopes: Slopes) -> Peak | None:
     """Return the mean of a sample as the place from which coordinates begin; None if nothing can be computed there."""
-    middle = of.points.mean(axis=0)
+    middle = draws.points.mean(axis=0)
     off, table = slopes(middle)
     possible = np.isfinite(off).all() and np.isfinite(table).all()
     return Peak(middle, table, math.nan) if possible else None

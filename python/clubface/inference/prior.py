@@ -113,8 +113,8 @@ class Prior:
         try:
             np.linalg.cholesky(self._matrix())
         except np.linalg.LinAlgError:
-            told = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
-            raise InputError("correlations", told, "correlations that are possible together") from None
+            given = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
+            raise InputError("correlations", given, "correlations that are possible together") from None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -123,10 +123,10 @@ class Prior:
 
     def _matrix(self) -> Floats:
         places = {name: place for place, name in enumerate(self.mean)}
-        found = np.eye(len(places))
+        matrix = np.eye(len(places))
         for (one, other), value in self.correlations.items():
-            found[places[one], places[other]] = found[places[other], places[one]] = value
-        return found
+            matrix[places[one], places[other]] = matrix[places[other], places[one]] = value
+        return matrix
 
     def deliveries(self, standard: Floats) -> dict[str, Floats]:
         """Return the deliveries that belong to standard normal deviates, shape (n, quantities)."""
@@ -161,10 +161,8 @@ def prior_of(given: Prior | str | os.PathLike[str] | None, head: Club) -> Prior:
     """
     if isinstance(given, Prior):
         return given
-    return _named(given, head).for_hand(head.hand) if given is None or given in NAMED else _from_file(given)
-
-
-def _from_file(given: str | os.PathLike[str]) -> Prior:
+    if given is None or given in NAMED:
+        return _named(given, head).for_hand(head.hand)
     if is_path(given):
         return Prior.from_toml(given)
     raise UnknownNameError("prior", given, (*NAMED, "the path of a TOML file"))
@@ -187,12 +185,12 @@ def elite(club_name: str) -> Prior:
     """Return the deliveries of the benchmark shots: elite golfers, driver or 7-iron."""
     from clubface.validation.benchmark_data import recipe
 
-    of = recipe(club_name)
+    golfers = recipe(club_name)
     return Prior(
         name=f"elite golfers, {club_name}",
-        mean={name: each.mean for name, each in of.delivery.items()},
-        deviation={name: float(np.hypot(each.between, each.within)) for name, each in of.delivery.items()},
-        correlations={(name, leader): value for name, (leader, value) in of.follows.items()},
+        mean={name: each.mean for name, each in golfers.delivery.items()},
+        deviation={name: float(np.hypot(each.between, each.within)) for name, each in golfers.delivery.items()},
+        correlations={(name, leader): value for name, (leader, value) in golfers.follows.items()},
     )
 
 
@@ -217,7 +215,7 @@ def _delivered_as(name: str, head: Club) -> Prior:
     from clubface.validation.tour import averages, published_lofts, solve_loft
 
     (average,) = (each for each in averages(TOUR) if each.club == name)
-    of = elite("driver" if head.parameters == "driver" else "7-iron")
+    base = elite("driver" if head.parameters == "driver" else "7-iron")
     loft = published_lofts(TOUR).get(name)
     if loft is None:
         loft = solve_loft(name, average.club_speed, average.attack, average.launch, model=DEFAULT_MODEL)
@@ -225,9 +223,9 @@ def _delivered_as(name: str, head: Club) -> Prior:
     published = {"speed": average.club_speed, "attack": average.attack, "loft": loft}
     return Prior(
         name=f"tour averages, {name}",
-        mean={**of.mean, **published},
-        deviation=of.deviation,
-        correlations=of.correlations,
+        mean={**base.mean, **published},
+        deviation=base.deviation,
+        correlations=base.correlations,
     )
 
 
@@ -240,8 +238,8 @@ def _tour_club(name: str) -> str | None:
     """Return the club of the tour averages that a club of this name is, or is delivered as; None if that is unknown."""
     kind = name if name in TOUR_CLUBS else club_kind(name)
     family = (kind or "").rpartition("-")[2]
-    found = WEDGE if family == "wedge" else "hybrid" if family == "hybrid" else kind
-    return found if found in TOUR_CLUBS else None
+    club = WEDGE if family == "wedge" else "hybrid" if family == "hybrid" else kind
+    return club if club in TOUR_CLUBS else None
 
 
 def _is_without_averages(name: str) -> bool:

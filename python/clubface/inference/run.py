@@ -1,9 +1,4 @@
-"""From a launch back to the deliveries that can have made it: the run, and what a monitor would show.
-
-From a launch back to the deliveries that can have made it.
-
-What a monitor would show of deliveries: the launch that a model computes and club data, with exact derivatives.
-"""
+"""From a launch back to the deliveries that can have made it."""
 
 from __future__ import annotations
 
@@ -17,7 +12,6 @@ from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, Told
 from clubface.inference.evaluation.noise import MONITOR, standard_deviations
 from clubface.inference.importance import drawn
@@ -46,110 +40,6 @@ from clubface.support.checks import MOST_SEED, check_count, check_names, without
 
 STEP = 1e-4
 """Step of the derivatives of what other points of the head do, in standard deviations of the prior; they are smooth."""
-
-
-class Observer:
-    """Computes what a monitor shows of deliveries.
-
-    Deliveries are given as standard normal deviates of a prior, shape (n, uncertain quantities).
-
-    Parameters
-    ----------
-    club, ball, model, parameters, accuracy, threads
-        As for :func:`clubface.impact`.
-    prior
-        What is believed of the deliveries.
-    speed_at, face_at
-        Where the monitor takes club data, see :class:`clubface.RecordedShots`.
-    """
-
-    def __init__(
-        self,
-        club: Club,
-        *,
-        ball: str | os.PathLike[str] | Ball | None,
-        model: str,
-        parameters: ParameterSet,
-        prior: Prior,
-        accuracy: float | None,
-        threads: int | None,
-        speed_at: str = CG,
-        face_at: str = FACE,
-    ) -> None:
-        self.impacts = 0
-        """Impacts computed so far."""
-        self.prior = prior
-        self.club = club
-        self.places = (speed_at, face_at)
-        self._model = model
-        self._equipment, chosen = equipped(model, club, ball, parameters)
-        self._parameters = chosen.columns()
-        self._accuracy, self._threads = tolerance(accuracy), thread_count(threads)
-        self._output = {name: place for place, name in enumerate(outputs())}
-        self._variables = [input_columns()[name] for name in prior.names]
-        unit = prior.deliveries(np.eye(len(prior.names)))
-        self._scale = np.array([unit[name] - prior.mean[name] for name in prior.names])
-        self._mean = np.array([prior.mean[name] for name in prior.names])
-
-    def seen(self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]) -> Floats:
-        """Return what is shown of deliveries, shape (n, quantities); NaN for those that cannot be computed.
-
-        Parameters
-        ----------
-        standard
-            The deliveries.
-        launch
-            The quantities of the launch wanted.
-        club
-            The quantities of the delivery wanted, after them.
-        known
-            Values of the delivery that are no part of the prior.
-        """
-        self.impacts += len(standard)
-        found, _ = core.impact(
-            self._model, self._columns(standard, known), self._parameters, len(standard), self._accuracy, self._threads
-        )
-        values = found[[self._output[name] for name in launch]].T
-        return np.hstack([values, self._club_data(standard, club, known)]) if club else values
-
-    def derivatives(
-        self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]
-    ) -> tuple[Floats, Floats]:
-        """Return what is shown of one delivery, shape (quantities,), and its derivatives by ``standard``, one a row."""
-        places = [self._output[name] for name in launch]
-        point = standard[None, :]
-        values, slopes = np.empty((0,)), np.empty((0, standard.size))
-        if places:
-            found, _ = core.sensitivities(
-                self._model, self._columns(point, known), self._parameters, 1, places, self._variables,
-                self._accuracy, self._threads,
-            )  # fmt: skip
-            table = found.reshape(len(places), 1 + len(self._variables))
-            values, slopes = table[:, 0], table[:, 1:] @ self._scale
-        if club:
-            steps = np.vstack([point, point + STEP * np.eye(standard.size), point - STEP * np.eye(standard.size)])
-            data = self._club_data(steps, club, known)
-            _, ahead, behind = np.split(data, [1, 1 + standard.size])
-            values = np.concatenate([values, data[0]])
-            slopes = np.vstack([slopes, (ahead - behind).T / (2.0 * STEP)])
-        return values, slopes
-
-    def _delivery(self, standard: Floats, known: Mapping[str, float]) -> dict[str, Floats]:
-        values = self._mean + standard @ self._scale.T
-        found = {name: np.ascontiguousarray(values[:, place]) for place, name in enumerate(self.prior.names)}
-        return {**{name: np.full(len(standard), value) for name, value in known.items()}, **found}
-
-    def _columns(self, standard: Floats, known: Mapping[str, float]) -> list[float | Floats]:
-        return shots(self._equipment, self._delivery(standard, known)).columns
-
-    def _club_data(self, standard: Floats, names: Sequence[str], known: Mapping[str, float]) -> Floats:
-        given = self._delivery(standard, known)
-        speed_at, face_at = self.places
-        speed_at = speed_at if set(MOTION) & set(names) else CG
-        face_at = face_at if set(ATTITUDE) & set(names) else FACE
-        if speed_at == FACE or face_at == CONTACT:
-            given = as_seen(given, self.club, speed_at=speed_at, face_at=face_at)
-        return np.stack([given[name] for name in names], axis=1)
 
 
 NOISE = {"ball_speed": 0.25, **MONITOR}
@@ -232,9 +122,9 @@ def infer(
         club=club, model=model, parameters=parameters, ball=ball, prior=prior, noise=noise,
         delivery_noise=delivery_noise, samples=samples, seed=seed, accuracy=accuracy, threads=threads,
     )  # fmt: skip
-    found = prepared.of(launch, delivery, progress=progress)
-    warn_if_outside((found.struck,))
-    return found
+    posterior = prepared.of(launch, delivery, progress=progress)
+    warn_if_outside((posterior.struck,))
+    return posterior
 
 
 class Inference:
@@ -266,13 +156,20 @@ class Inference:
         self._club_noise = {**CLUB_NOISE, **standard_deviations(delivery_noise, OF_CLUB, "delivery_noise")}
         self.club = club_named(club)
         reduced_model(model, "one that computes thousands of deliveries a second")
-        self.model, self._ball, self._accuracy, self._threads = model, ball, accuracy, threads
+        self.model, self._ball, self._given_threads = model, ball, threads
         self.parameters = parameter_set(model, self.club, parameters)
         self.prior = prior_of(prior, self.club)
-        self._observer = Observer(
-            self.club, ball=ball, model=model, parameters=self.parameters, prior=self.prior, accuracy=accuracy,
-            threads=threads, speed_at=speed_at, face_at=face_at,
-        )  # fmt: skip
+        self.places = (speed_at, face_at)
+        self.impacts = 0
+        """Impacts computed so far."""
+        self._equipment, chosen = equipped(model, self.club, ball, self.parameters)
+        self._columns_of_parameters = chosen.columns()
+        self._accuracy, self._threads = tolerance(accuracy), thread_count(threads)
+        self._output = {name: place for place, name in enumerate(outputs())}
+        self._variables = [input_columns()[name] for name in self.prior.names]
+        unit = self.prior.deliveries(np.eye(len(self.prior.names)))
+        self._scales = np.array([unit[name] - self.prior.mean[name] for name in self.prior.names])
+        self._mean = np.array([self.prior.mean[name] for name in self.prior.names])
         self._expected: dict[tuple[Any, ...], Expectation] = {}
 
     def of(
@@ -291,57 +188,47 @@ class Inference:
         target = np.array([*measured.values(), *club_data.values()])
 
         def seen(standard: Floats) -> Floats:
-            return self._observer.seen(standard, names, club_names, known)
+            return self.seen(standard, names, club_names, known)
 
         def residuals(standard: Floats) -> Floats:
             return (seen(standard) - target) / scale
 
         def slopes(standard: Floats) -> tuple[Floats, Floats]:
-            values, table = self._observer.derivatives(standard, names, club_names, known)
+            values, table = self.derivatives(standard, names, club_names, known)
             return (values - target) / scale, table / scale[:, None]
 
-        self._observer.impacts = 0
+        self.impacts = 0
         try:
             options: dict[str, Any] = {"seed": self._seed, "progress": progress}
-            found, misfit = drawn(residuals, slopes, len(self.prior.names), size=self._samples, **options)
-            if found.effective < min(FEWEST_EFFECTIVE, self._samples):  # of few draws, proposals are made badly
+            draws, misfit = drawn(residuals, slopes, len(self.prior.names), size=self._samples, **options)
+            if draws.effective < min(FEWEST_EFFECTIVE, self._samples):  # of few draws, proposals are made badly
                 again, _ = drawn(residuals, slopes, len(self.prior.names), size=RETRIED * self._samples, **options)
-                found = again._replace(points=again.points[: self._samples])
+                draws = again._replace(points=again.points[: self._samples])
         except FloatingPointError:
             advice = f"one whose deliveries {self.club.name} and {self.model} can compute"
             raise InputError("prior", self.prior.name, advice) from None
-        impacts = self._observer.impacts
+        impacts = self.impacts
         expected = self._expectation(seen, names + club_names, scale, known)
-        if found.effective < FEWEST_AT_ALL or misfit > FARTHEST**2:
+        if draws.effective < FEWEST_AT_ALL or misfit > FARTHEST**2:
             who = f"the prior ({self.prior.name}), which by {self.model}"
             raise unreachable({**measured, **club_data}, expected, who)
-        deliveries = self.prior.deliveries(found.points)
-        reproduced = seen(found.points).mean(axis=0).tolist()
+        deliveries = self.prior.deliveries(draws.points)
+        reproduced = seen(draws.points).mean(axis=0).tolist()
         noises = dict(zip((*names, *club_names), scale.tolist(), strict=True))
         return Posterior(
-            deliveries=deliveries,
-            launch=measured,
-            delivery=club_data,
-            known=known,
-            noise=noises,
-            prior=self.prior,
-            club=self.club,
-            model=self.model,
-            parameters=self.parameters,
-            sample=found._replace(evaluations=impacts),
-            surprise=expected.surprise(target),
-            expected=expected.words(expected.far(target)),
-            reproduced=dict(zip((*names, *club_names), reproduced, strict=True)),
-            seed=self._seed,
+            deliveries=deliveries, launch=measured, delivery=club_data, known=known, noise=noises, prior=self.prior,
+            club=self.club, model=self.model, parameters=self.parameters, sample=draws._replace(evaluations=impacts),
+            surprise=expected.surprise(target), expected=expected.words(expected.far(target)),
+            reproduced=dict(zip((*names, *club_names), reproduced, strict=True)), seed=self._seed,
             struck=self.struck({**known, **{name: float(values.mean()) for name, values in deliveries.items()}}),
-        )
+        )  # fmt: skip
 
     def struck(self, delivery: Mapping[str, float]) -> Any:
         """Return the launch of one delivery, NaN where it cannot be computed, without a warning."""
         with without_warnings(RangeWarning):
             return impact(
                 self.club, delivery, model=self.model, parameters=self.parameters, ball=self._ball,
-                accuracy=self._accuracy, threads=self._threads, on_error="nan",
+                accuracy=self._accuracy, threads=self._given_threads, on_error="nan",
             )  # fmt: skip
 
     def _scale(self, names: tuple[str, ...], club_names: tuple[str, ...]) -> Floats:
@@ -365,6 +252,67 @@ class Inference:
             self._expected[key] = Expectation(seen, names, scale, len(self.prior.names), self._seed)
         return self._expected[key]
 
+    def seen(self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]) -> Floats:
+        """Return what a monitor shows of deliveries, shape (n, quantities); NaN for those that cannot be computed.
+
+        Parameters
+        ----------
+        standard
+            The deliveries as standard normal deviates of the prior, shape (n, uncertain quantities).
+        launch
+            The quantities of the launch wanted.
+        club
+            The quantities of the delivery wanted, after them.
+        known
+            Values of the delivery that are no part of the prior.
+        """
+        self.impacts += len(standard)
+        computed, _ = core.impact(
+            self.model, self._columns(standard, known), self._columns_of_parameters, len(standard), self._accuracy,
+            self._threads,
+        )  # fmt: skip
+        values = computed[[self._output[name] for name in launch]].T
+        return np.hstack([values, self._club_data(standard, club, known)]) if club else values
+
+    def derivatives(
+        self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]
+    ) -> tuple[Floats, Floats]:
+        """Return what is shown of one delivery, shape (quantities,), and its derivatives by ``standard``, one a row."""
+        places = [self._output[name] for name in launch]
+        point = standard[None, :]
+        values, slopes = np.empty((0,)), np.empty((0, standard.size))
+        if places:
+            computed, _ = core.sensitivities(
+                self.model, self._columns(point, known), self._columns_of_parameters, 1, places, self._variables,
+                self._accuracy, self._threads,
+            )  # fmt: skip
+            table = computed.reshape(len(places), 1 + len(self._variables))
+            values, slopes = table[:, 0], table[:, 1:] @ self._scales
+        if club:
+            steps = np.vstack([point, point + STEP * np.eye(standard.size), point - STEP * np.eye(standard.size)])
+            data = self._club_data(steps, club, known)
+            _, ahead, behind = np.split(data, [1, 1 + standard.size])
+            values = np.concatenate([values, data[0]])
+            slopes = np.vstack([slopes, (ahead - behind).T / (2.0 * STEP)])
+        return values, slopes
+
+    def _delivery(self, standard: Floats, known: Mapping[str, float]) -> dict[str, Floats]:
+        values = self._mean + standard @ self._scales.T
+        deliveries = {name: np.ascontiguousarray(values[:, place]) for place, name in enumerate(self.prior.names)}
+        return {**{name: np.full(len(standard), value) for name, value in known.items()}, **deliveries}
+
+    def _columns(self, standard: Floats, known: Mapping[str, float]) -> list[float | Floats]:
+        return shots(self._equipment, self._delivery(standard, known)).columns
+
+    def _club_data(self, standard: Floats, names: Sequence[str], known: Mapping[str, float]) -> Floats:
+        given = self._delivery(standard, known)
+        speed_at, face_at = self.places
+        speed_at = speed_at if set(MOTION) & set(names) else CG
+        face_at = face_at if set(ATTITUDE) & set(names) else FACE
+        if speed_at == FACE or face_at == CONTACT:
+            given = as_seen(given, self.club, speed_at=speed_at, face_at=face_at)
+        return np.stack([given[name] for name in names], axis=1)
+
 
 def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
     """Return the measured quantities, SI, all that was measured of the spin as backspin and sidespin."""
@@ -386,12 +334,12 @@ def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
 
 def _parts(spins: dict[str, float]) -> dict[str, float]:
     """Return backspin and sidespin by all that was measured of the spin."""
-    found = agreeing({name: np.array([value]) for name, value in spins.items()}).values
-    if BACK not in found or SIDE not in found:
+    known = agreeing({name: np.array([value]) for name, value in spins.items()}).values
+    if BACK not in known or SIDE not in known:
         name = TOTAL if TOTAL in spins else AXIS
         needs = "give it with spin_axis or sidespin" if name == TOTAL else "give it with total_spin or backspin"
         raise InputError(name, Told(units.show(spins[name], SPIN_UNITS[name])), needs)
-    return {name: float(found[name][0]) for name in (BACK, SIDE)}
+    return {name: float(known[name][0]) for name in (BACK, SIDE)}
 
 
 def _measured_club(delivery: Mapping[str, Any]) -> dict[str, float]:

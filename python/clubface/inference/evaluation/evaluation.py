@@ -15,12 +15,18 @@ from clubface.equipment.clubs import Club
 from clubface.errors import InputError, RangeWarning, Told
 from clubface.inference.evaluation import noise as noises
 from clubface.inference.evaluation.result import Evaluation
-from clubface.inference.evaluation.statistics import Resamples, error_sizes, fewest_resamples, trends
+from clubface.inference.evaluation.statistics import (
+    Resamples,
+    error_sizes,
+    fewest_resamples,
+    group_labels,
+    trends,
+)
 from clubface.shots.measured import DELIVERY, QUANTITIES, measured_shots
 from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots, RejectedRow
 from clubface.simulation.impact import Parameters, impact, model_names, warn_if_outside
-from clubface.simulation.inputs import parameter_set
+from clubface.simulation.inputs import OF_CLUB, parameter_set
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.provenance import provenance_of
@@ -108,14 +114,17 @@ def evaluate(
             enough > FEWEST_RESAMPLES
         )
         raise InputError("resamples", resamples, f"a whole number from {max(enough, FEWEST_RESAMPLES)} on{why}")
-    monitor, disturbance = noises.monitor_noise(noise), noises.delivery_disturbance(delivery_noise)
+    monitor, disturbance = (
+        noises.monitor_noise(noise),
+        noises.standard_deviations(delivery_noise, OF_CLUB, "delivery_noise"),
+    )
     source = shots if isinstance(shots, RecordedShots) else read(shots)
     if groups is not None and source is not shots:
         advice = "give RecordedShots, to which groups can belong, one to each shot"
         raise InputError("groups", Told("for a file"), advice)
     taken = measured_shots(source, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
     # Only the players among the shots taken count: those of one player chosen from a file of several are no group.
-    labels = source.select(taken.places).groups() if groups is None else _labels(groups, len(source))[taken.places]
+    labels = source.select(taken.places).groups() if groups is None else group_labels(groups, len(source))[taken.places]
     given = parameters or {}
     for name in given:
         if name not in names:
@@ -131,15 +140,15 @@ def evaluate(
         }  # fmt: skip
         with without_warnings(RangeWarning):
             if start:
-                loft, _, found = impact_at_launch(taken.club, delivery, **start, **how)
+                loft, _, launch = impact_at_launch(taken.club, delivery, **start, **how)
                 for row in np.flatnonzero(np.isnan(loft)):
                     failures.setdefault(int(row), f"{name}: no loft gives the measured launch")
             else:
-                found = impact(taken.club, delivery, **how, on_error="nan")
-        launches[name] = found
-        for each in found.problems:
+                launch = impact(taken.club, delivery, **how, on_error="nan")
+        launches[name] = launch
+        for each in launch.problems:
             failures.setdefault(each.row[0], f"{name}: {each.reason}")
-        return {quantity: np.asarray(getattr(found, quantity)) for quantity in QUANTITIES}
+        return {quantity: np.asarray(getattr(launch, quantity)) for quantity in QUANTITIES}
 
     given_of = {**taken.delivery, **taken.start}
     failures: dict[int, str] = {}
@@ -192,11 +201,3 @@ def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[s
             compute()
         spent = (process_time() - began) / runs
     return result, spent / shots
-
-
-def _labels(groups: Sequence[object] | NDArray[Any], shots: int) -> NDArray[Any]:
-    """Return the groups given, one for every shot of the source."""
-    labels = np.asarray(groups)
-    if labels.shape != (shots,):
-        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one for each shot: ({shots},)")
-    return labels

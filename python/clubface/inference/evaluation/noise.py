@@ -12,7 +12,6 @@ from clubface import units
 from clubface.errors import InputError
 from clubface.inference.evaluation.published_accuracy import monitor_errors
 from clubface.shots.measured import QUANTITIES
-from clubface.simulation.inputs import OF_CLUB
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -29,23 +28,18 @@ _LAUNCH_DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTIT
 
 def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str, str], what: str) -> dict[str, float]:
     """Return standard deviations, SI, from text with units or SI numbers; ``what`` names them in errors."""
-    found = {}
+    deviations = {}
     for name, value in (given or {}).items():
         check_choice(f"quantity of {what}", name, dimensions)
-        found[name] = units.parse(value, dimensions[name], name=f"{what} {name}")
-        if found[name] < 0.0:
+        deviations[name] = units.parse(value, dimensions[name], name=f"{what} {name}")
+        if deviations[name] < 0.0:
             raise InputError(f"{what} {name}", value, "a standard deviation, not negative")
-    return found
+    return deviations
 
 
 def monitor_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
     """Return the standard deviations of the monitor: those of ``MONITOR``, with the values ``given`` replaced."""
     return {**MONITOR, **standard_deviations(given, _LAUNCH_DIMENSIONS, "noise")}
-
-
-def delivery_disturbance(given: Mapping[str, Any] | None) -> dict[str, float]:
-    """Return the standard deviations of the measured delivery that are ``given``."""
-    return standard_deviations(given, OF_CLUB, "delivery_noise")
 
 
 def floor(
@@ -80,9 +74,9 @@ def floor(
         for name, deviation in disturbance.items():
             centre = moved.get(name, 0.0)
             moved[name] = centre + deviation * random.standard_normal(len(delivery["speed"]))
-        found = predict(moved)
+        launch = predict(moved)
         for name in QUANTITIES:
-            squares[name] += float(np.nanmean((found[name] - undisturbed[name]) ** 2)) / DRAWS
+            squares[name] += float(np.nanmean((launch[name] - undisturbed[name]) ** 2)) / DRAWS
     return {
         name: TO_MEAN_ABSOLUTE * math.hypot(math.sqrt(squares[name]), monitor.get(name, 0.0)) for name in QUANTITIES
     }

@@ -87,7 +87,7 @@ def published() -> Mapping[tuple[str, str], PublishedAccuracy]:
     """Return the published accuracy by model and club."""
     data = _data()
     clubs = {each["club"]: each for each in data["club"]}
-    found = {}
+    accuracies = {}
     for entry in data["model"]:
         own = clubs[entry["club"]]
         cpu = entry.get("cpu_ms")
@@ -105,17 +105,20 @@ def published() -> Mapping[tuple[str, str], PublishedAccuracy]:
             cost=entry.get("cost"),
             caveats=(),
         )
-        found[each.model, each.club] = replace(each, caveats=(*entry.get("caveats", ()), *wrong_percentages(each)))
-    return Frozen(found)
+        accuracies[each.model, each.club] = replace(each, caveats=(*entry.get("caveats", ()), *wrong_percentages(each)))
+    return Frozen(accuracies)
 
 
-def wrong_percentages(of: PublishedAccuracy) -> list[str]:
+def wrong_percentages(accuracy: PublishedAccuracy) -> list[str]:
     """Return a sentence about every printed percentage that does not follow from the printed error and mean."""
-    found = []
-    for name, printed, values in (("MAE", of.mae_percent, of.mae), ("STD", of.std_percent, of.std)):
+    sentences = []
+    for name, printed, values in (
+        ("MAE", accuracy.mae_percent, accuracy.mae),
+        ("STD", accuracy.std_percent, accuracy.std),
+    ):
         for quantity, percent in printed.items():
             unit = QUANTITIES[quantity]
-            error, mean = (float(units.from_si(each[quantity], unit)) for each in (values, of.mean))
+            error, mean = (float(units.from_si(each[quantity], unit)) for each in (values, accuracy.mean))
             half = 0.5 if unit == "rpm" else 0.005
             half_of_mean = {"ball_speed": 0.05, "launch": 0.05, "azimuth": 0.005}.get(quantity, 0.5)
             half_of_percent = 0.005 if percent < 10.0 else 0.05
@@ -124,8 +127,8 @@ def wrong_percentages(of: PublishedAccuracy) -> list[str]:
             if not low <= percent <= high:
                 words = quantity.replace("_", " ")
                 right = 100.0 * error / mean
-                found.append(f"{name} of {words}: printed {percent:g} %, the printed numbers give {right:.3g} %")
-    return found
+                sentences.append(f"{name} of {words}: printed {percent:g} %, the printed numbers give {right:.3g} %")
+    return sentences
 
 
 def _named(values: list[float] | None) -> dict[str, float]:
@@ -175,7 +178,7 @@ def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> l
     parameters
         Sets to use in place of the default ones, by model and club.
     """
-    accuracy, found = published(), []
+    accuracy, compared = published(), []
     for club in benchmark_data.CLUBS:
         shots = benchmark_data.load(club)
         deliveries, head = shots.measured.deliveries, shots.head
@@ -188,8 +191,8 @@ def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> l
         for first, second in combinations(means, 2):
             for name in QUANTITIES:
                 allowed = accuracy[first, club].mae[name] + accuracy[second, club].mae[name]
-                found.append(Pair(club, name, first, second, means[first][name] - means[second][name], allowed))
-    return found
+                compared.append(Pair(club, name, first, second, means[first][name] - means[second][name], allowed))
+    return compared
 
 
 def contradictions(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:

@@ -1,20 +1,16 @@
-"""Statistics of the errors of models: sizes, intervals, differences, and trends.
-
-Statistics of the errors of models: sizes with confidence intervals, differences with significance.
-
-How the errors of a model depend on the delivery: on speed, place on the face, path and attack.
-"""
+"""Statistics of the errors of models: sizes with intervals, differences with significance, and trends."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import NormalDist
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface.errors import InputError, Told
 from clubface.support.arrays import Floats
 
 CONFIDENCE = 0.95
@@ -157,6 +153,14 @@ class Resamples:
             yield weights / weights.sum(axis=1, keepdims=True)
 
 
+def group_labels(groups: Any, shots: int) -> NDArray[Any]:
+    """Return the labels of groups, of which there must be one for each shot."""
+    labels = np.asarray(groups)
+    if labels.shape != (shots,):
+        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one for each shot: ({shots},)")
+    return labels
+
+
 def interval(resampled: Floats, groups: int) -> Interval:
     """Return the percentile interval of resampled means if ``groups`` groups were drawn; NaN for fewer than two.
 
@@ -264,11 +268,11 @@ def fewest_groups(models: int) -> int:
 def holm(probabilities: Sequence[float]) -> list[float]:
     """Return probabilities corrected for their number after Holm (1979), in the order given."""
     order = sorted(range(len(probabilities)), key=lambda place: probabilities[place])
-    found, least = [0.0] * len(probabilities), 0.0
+    corrected, least = [0.0] * len(probabilities), 0.0
     for rank, place in enumerate(order):
         least = max(least, min(1.0, (len(probabilities) - rank) * probabilities[place]))
-        found[place] = least
-    return found
+        corrected[place] = least
+    return corrected
 
 
 COVARIATES = {"speed": "mph", "path": "deg", "toe": "mm", "high": "mm", "attack": "deg", "loft": "deg", "face": "deg"}
@@ -321,10 +325,10 @@ def trends(
         for name in COVARIATES
         if (values := delivery.get(name)) is not None and np.ptp(values) > LEAST_SPREAD * np.abs(values).max()
     }
-    found: dict[str, list[Trend]] = {name: [] for name in errors}
+    lines: dict[str, list[Trend]] = {name: [] for name in errors}
     centred = np.stack([each - each.mean() for each in errors.values()])
     if centred.shape[1] < FEWEST_SHOTS:
-        return found
+        return lines
     mean_errors = resamples.means(centred)
     for name, values in covariates.items():
         deviation = float(values.std())
@@ -337,5 +341,5 @@ def trends(
             slope, variance = float(np.mean(x * centred[place])), float(np.mean(centred[place] ** 2))
             ends = interval(resampled[:, place] / deviation, resamples.groups)
             explained = slope**2 / variance if variance > 0.0 else 0.0
-            found[model].append(Trend(name, slope / deviation, ends, explained))
-    return found
+            lines[model].append(Trend(name, slope / deviation, ends, explained))
+    return lines

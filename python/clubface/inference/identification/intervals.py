@@ -137,7 +137,7 @@ class Profiler:
         """Return places and costs from the optimum outwards, until the rise is clear or a bound is reached."""
         held = np.arange(len(optimum)) == place
         point = optimum
-        found: list[tuple[float, float]] = []
+        steps: list[tuple[float, float]] = []
         for step in STEPS:
             where = optimum[place] + sign * step * self.errors[place]
             end = not 0.0 < where < 1.0
@@ -145,10 +145,10 @@ class Profiler:
             point[place] = min(max(where, 0.0), 1.0)
             refined = refine(self.simulator, self.cost, point, held=held, fall=NEAR_PROFILE / self.values_measured)
             point = refined.point
-            found.append((float(point[place]), refined.cost))
+            steps.append((float(point[place]), refined.cost))
             if end or self.values_measured * (refined.cost - least) > 1.5 * CHI_SQUARE_95:
                 break
-        return found
+        return steps
 
 
 def _crossing(where: Floats, rise: Floats, side: int) -> tuple[float, bool]:
@@ -245,12 +245,12 @@ def bootstrap(refits: Refits, samples: int, seed: int, once: Callable[[str, Call
     """Return fits to groups drawn with replacement, shape (samples, free): B. Efron, Annals of Statistics 7 (1979)."""
     groups = refits.simulator.shots.groups
     count = int(groups.max()) + 1
-    found = []
+    fits = []
     for sample in range(samples):
         drawn = np.random.default_rng((seed, count, 0, sample)).integers(0, count, count)
         counts = np.bincount(drawn, minlength=count)[groups]
-        found.append(once(f"bootstrap {sample}", lambda counts=counts: refits.to(counts).tolist()))
-    return np.array(found)
+        fits.append(once(f"bootstrap {sample}", lambda counts=counts: refits.to(counts).tolist()))
+    return np.array(fits)
 
 
 NORMAL_95 = 1.959963984540054
@@ -318,11 +318,6 @@ class Identifiability:
     correlations: Floats
 
     @property
-    def weak(self) -> tuple[Direction, ...]:
-        """The directions that are not well known, the weakest first."""
-        return tuple(each for each in self.directions if each.strength != "known")
-
-    @property
     def unknown(self) -> tuple[str, ...]:
         """The parameters about which the shots say no more than the bounds do."""
         return tuple(
@@ -380,24 +375,24 @@ def _direction(names: tuple[str, ...], vector: Floats, error: float) -> Directio
         what += f" ({shares} of their ranges)"
     width = NORMAL_95 * error
     if not np.isfinite(width):
-        told = "no launch changes at all"
+        certainty = "no launch changes at all"
     elif width > UNKNOWN:
-        told = "launches change by less than their scatter over the whole range"
+        certainty = "launches change by less than their scatter over the whole range"
     else:
-        told = f"known to {100.0 * width:.2g}% of the range (95%)"
-    return Direction(vector, error, f"{what}: {told}")
+        certainty = f"known to {100.0 * width:.2g}% of the range (95%)"
+    return Direction(vector, error, f"{what}: {certainty}")
 
 
-def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, told: Identifiability) -> Floats:
+def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, information: Identifiability) -> Floats:
     """Return the standard errors of the coordinates of the minimum ``point`` of a cost, shape (free,).
 
-    Deviations are taken as independent and normally distributed, with the standard deviations of ``told``. An error is
-    infinite where that of ``told`` is infinite.
+    Deviations are taken as independent and normally distributed, with the standard deviations of ``information``. An
+    error is infinite where that of ``information`` is infinite.
     """
     _, derivatives = simulator.derivatives(point)
-    curvatures, variances = _moments(cost, told.noise)
+    curvatures, variances = _moments(cost, information.noise)
     # Along the directions in which launches change at all, in standard errors: both matrices are of the order of 1.
-    known = [each.vector * each.error for each in told.directions if np.isfinite(each.error)]
+    known = [each.vector * each.error for each in information.directions if np.isfinite(each.error)]
     if not known:
         return np.full(len(point), np.inf)
     rows = np.einsum("qfs,df->qds", derivatives, known)
@@ -406,7 +401,7 @@ def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, told: Ide
     inverse = np.linalg.inv(bread)
     spread = inverse @ known
     covariance = spread.T @ meat @ spread
-    return np.where(np.isfinite(told.errors), np.sqrt(np.diag(covariance)), np.inf)
+    return np.where(np.isfinite(information.errors), np.sqrt(np.diag(covariance)), np.inf)
 
 
 def _moments(cost: Cost, noise: Floats) -> tuple[Floats, Floats]:

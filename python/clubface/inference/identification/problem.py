@@ -1,9 +1,4 @@
-"""The problem of an identification: its free parameters and its shots.
-
-The free parameters, their bounds, and the unit cube in which the search moves.
-
-The shots of an identification: the inputs as the core takes them, and the measured launches.
-"""
+"""The problem of an identification: free parameters in a unit cube, and shots as the core takes them."""
 
 from __future__ import annotations
 
@@ -21,7 +16,8 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, RangeWarning, Told, UnknownNameError
+from clubface.errors import InputError, RangeWarning, UnknownNameError
+from clubface.inference.evaluation.statistics import group_labels
 from clubface.results.notes import Note, free_text, note
 from clubface.results.provenance import Provenance
 from clubface.schema import Document
@@ -100,11 +96,11 @@ class FreeParameters:
     def columns(self, points: Floats, shots: int) -> list[Any]:
         """Return the columns of the core for points of shape (n, free): each point is repeated for all shots."""
         values = self.values(points)
-        found = []
+        columns = []
         for name, value in self.fixed.values.items():
             place = self._place(name)
-            found.append(value if place is None else np.repeat(values[:, place], shots))
-        return found
+            columns.append(value if place is None else np.repeat(values[:, place], shots))
+        return columns
 
     def single(self, point: Floats) -> list[float]:
         """Return the value of every parameter at one point, as the core takes them."""
@@ -117,8 +113,8 @@ class FreeParameters:
         order = list(self.fixed.values)
         return [[place for place, each in enumerate(order) if self.tied.get(each, each) == name] for name in self.names]
 
-    def parameters(self, point: Floats, **told: Any) -> ParameterSet:
-        """Return the set at one point; ``told`` are its name, source and the like."""
+    def parameters(self, point: Floats, **labels: Any) -> ParameterSet:
+        """Return the set at one point; ``labels`` are its name, source and the like."""
         values = dict(zip(self.fixed.values, self.single(point), strict=True))
         return ParameterSet(
             model=self.fixed.model,
@@ -126,7 +122,7 @@ class FreeParameters:
             values=values,
             includes_face=self.fixed.includes_face,
             characteristic_time=self.fixed.characteristic_time,
-            **told,
+            **labels,
         )
 
     def declared(self) -> list[Parameter]:
@@ -204,22 +200,22 @@ def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str], Ma
     return tuple(entry.get("free", ())), tied, bounds
 
 
-def _bounds(of: Parameter, given: Any, tied: Mapping[str, str], model: str) -> tuple[float, float]:
+def _bounds(parameter: Parameter, given: Any, tied: Mapping[str, str], model: str) -> tuple[float, float]:
     """Return the bounds of one parameter: what was given within what the registry allows it and its followers."""
-    followers = [model_named(model).parameter(name) for name, leader in tied.items() if leader == of.name]
-    low = max(each.lower for each in (of, *followers))
-    high = min(each.upper for each in (of, *followers))
+    followers = [model_named(model).parameter(name) for name, leader in tied.items() if leader == parameter.name]
+    low = max(each.lower for each in (parameter, *followers))
+    high = min(each.upper for each in (parameter, *followers))
     if given is None:
         return low, high
-    dimension = units.unit(of.unit, name=of.name).dimension
+    dimension = units.unit(parameter.unit, name=parameter.name).dimension
     try:
         first, second = given
     except (TypeError, ValueError):
-        raise InputError(f"bounds of {of.name}", given, "a pair, the lower one first") from None
-    pair = tuple(units.parse(each, dimension, name=f"bound of {of.name}") for each in (first, second))
+        raise InputError(f"bounds of {parameter.name}", given, "a pair, the lower one first") from None
+    pair = tuple(units.parse(each, dimension, name=f"bound of {parameter.name}") for each in (first, second))
     if not low <= pair[0] < pair[1] <= high:
-        allowed = f"increasing, within {units.show(low, of.unit)} to {units.show(high, of.unit)}"
-        raise InputError(f"bounds of {of.name}", given, allowed)
+        allowed = f"increasing, within {units.show(low, parameter.unit)} to {units.show(high, parameter.unit)}"
+        raise InputError(f"bounds of {parameter.name}", given, allowed)
     return pair[0], pair[1]
 
 
@@ -274,11 +270,11 @@ class PreparedShots:
     def __len__(self) -> int:
         return self.launches.shape[1]
 
-    def select(self, which: NDArray[Any]) -> Self:
+    def select(self, chosen: NDArray[Any]) -> Self:
         """Return some of the shots, by mask or indices."""
-        columns = [each if isinstance(each, float) else np.ascontiguousarray(each[which]) for each in self.columns]
-        launches, start = (np.ascontiguousarray(each[:, which]) for each in (self.launches, self.start))
-        rows, groups = self.rows[which], self.groups[which]
+        columns = [each if isinstance(each, float) else np.ascontiguousarray(each[chosen]) for each in self.columns]
+        launches, start = (np.ascontiguousarray(each[:, chosen]) for each in (self.launches, self.start))
+        rows, groups = self.rows[chosen], self.groups[chosen]
         return replace(self, columns=columns, launches=launches, start=start, rows=rows, groups=groups)
 
     def output_places(self) -> list[int]:
@@ -340,7 +336,7 @@ def prepared_shots(
         A parameter set of the model.
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
-    labels = None if groups is None else _groups(groups, len(recorded))
+    labels = None if groups is None else group_labels(groups, len(recorded))
     compared = tuple(name for name in QUANTITIES if compared_at == DELIVERY or name not in SOLVED)
     asked = compared if quantities is None else _asked(quantities)
     if met := set(asked) & set(SOLVED) - set(compared):
@@ -373,8 +369,10 @@ def prepared_shots(
     kept = np.array([row for row in range(len(measured)) if row not in problems], dtype=np.intp)
     dropped = [RejectedRow(int(measured.rows[row]), reason) for row, reason in sorted(problems.items())]
     if not len(kept):
-        told = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
-        raise InputError("shots", measured.source, f"shots of which some have a launch that can be computed ({told})")
+        reasons = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
+        raise InputError(
+            "shots", measured.source, f"shots of which some have a launch that can be computed ({reasons})"
+        )
     taken = measured.places[kept]
     labels = recorded.select(taken).groups() if labels is None else labels[taken]
     columns = [launch.input(name) for name in inputs()]
@@ -389,13 +387,6 @@ def prepared_shots(
         dropped=(*measured.dropped, *dropped), notes=(*free_text(measured.notes), *notes),
         loft_origins=measured.loft_origins, provenance=provenance_of([launch]).with_files(),
     )  # fmt: skip
-
-
-def _groups(given: Any, shots: int) -> NDArray[Any]:
-    labels = np.asarray(given)
-    if labels.shape != (shots,):
-        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one label for each shot: ({shots},)")
-    return labels
 
 
 def _asked(quantities: Iterable[str]) -> tuple[str, ...]:

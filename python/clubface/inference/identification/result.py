@@ -165,10 +165,10 @@ class Identification(Described):
         changes no launch; "at its bound", where the best value may lie beyond; or "contradicted", where an interval
         does not hold the value.
         """
-        told = self.identifiability
-        if not math.isfinite(told.errors[told.names.index(name)]):
+        information = self.identifiability
+        if not math.isfinite(information.errors[information.names.index(name)]):
             return "not alone"
-        judged = "no" if name in told.unknown else "yes"
+        judged = "no" if name in information.unknown else "yes"
         verdict = self.profiles[name].verdict if name in self.profiles else judged
         if verdict == "no":
             return verdict

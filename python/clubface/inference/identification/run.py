@@ -1,18 +1,11 @@
-"""Identification from start to end: its stages, and the checkpoint from which it goes on.
-
-Identification of model parameters from measured shots: the search, then how well the parameters are known.
-
-The stages of an identification: search, refinement, hold-out, bootstrap, profiles; finished parts are kept.
-
-Checkpoint of an identification, so that an interrupted one continues and ends at the same result.
-"""
+"""Identification from start to end: its stages, and the checkpoint from which an interrupted one goes on."""
 
 from __future__ import annotations
 
 import os
 import time
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import NormalDist
 from typing import Any
@@ -47,7 +40,6 @@ from clubface.inference.identification.simulator import Cost, Effort, Simulator,
 from clubface.jobs import Finished, Store
 from clubface.quantities import display_unit
 from clubface.results.notes import Note
-from clubface.results.provenance import Provenance
 from clubface.shots.measured import DELIVERY
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.impact import Parameters
@@ -135,10 +127,11 @@ Progress = Callable[[str, int, int, float], object]
 """Stage, done, of how much, least cost so far."""
 
 
+@dataclass
 class Stages:
     """Runs the stages in order; a finished part is not computed again.
 
-    Parameters
+    Attributes
     ----------
     simulator, cost
         Of all shots.
@@ -149,25 +142,18 @@ class Stages:
     checkpoint
         Keeps the parts.
     progress
-        Told after every part.
+        Called after every part.
+    best
+        Least cost so far.
     """
 
-    def __init__(
-        self,
-        simulator: Simulator,
-        cost: Cost,
-        noise: Floats,
-        settings: Mapping[str, Any],
-        checkpoint: Checkpoint,
-        progress: Progress | None,
-    ) -> None:
-        self.simulator = simulator
-        self.cost = cost
-        self.noise = noise
-        self.settings = settings
-        self.checkpoint = checkpoint
-        self.best = np.inf
-        self._progress = progress or (lambda stage, done, of, best: None)
+    simulator: Simulator
+    cost: Cost
+    noise: Floats
+    settings: Mapping[str, Any]
+    checkpoint: Checkpoint
+    progress: Progress | None
+    best: float = np.inf
 
     def search(self) -> Population:
         """Return the last generation of the genetic algorithm."""
@@ -184,7 +170,7 @@ class Stages:
             self.best = float(survivors.costs.min())
             value = [survivors.generation, survivors.points.tolist(), survivors.costs.tolist()]
             self.checkpoint.keep("search", value, effort)
-            self._progress("search", survivors.generation, total, self.best)
+            self._report("search", survivors.generation, total)
 
         if begun is not None and (begun.generation >= total or self.checkpoint.value("refined 0") is not None):
             return begun
@@ -196,9 +182,9 @@ class Stages:
     def refine(self, survivors: Population) -> list[tuple[Floats, float]]:
         """Return the points and costs at which the refinements of the best survivors end."""
         starts = survivors.best(self.settings["refined"])
-        found = []
+        ends = []
         for place, start in enumerate(starts):
-            once = self._telling("refinement", len(starts))
+            once = self._reporting("refinement", len(starts))
 
             def compute(start: Floats = start) -> list[Any]:
                 end = refine(self.simulator, self.cost, start)
@@ -207,8 +193,8 @@ class Stages:
 
             point, cost = once(f"refined {place}", compute)
             self.best = min(self.best, cost)
-            found.append((np.array(point), float(cost)))
-        return found
+            ends.append((np.array(point), float(cost)))
+        return ends
 
     def result(self, notes: tuple[Note, ...]) -> Identification:
         """Run all stages."""
@@ -218,23 +204,24 @@ class Stages:
         simulated = self.simulator.launch(point)
         measured = self.simulator.shots.launches
         reckoned = scatter(simulated - measured, self.noise)
-        told = identifiability(self.simulator, point, reckoned)
-        held, samples = self._resampled(point, told)
-        profiles = self._profiles(point, reckoned, told)
+        information = identifiability(self.simulator, point, reckoned)
+        held, samples = self._resampled(point, information)
+        profiles = self._profiles(point, reckoned, information)
         free = self.simulator.free
         shots = self.simulator.shots
         confidence = self.settings["confidence"]
-        intervals = self._intervals(point, told, samples, profiles)
+        intervals = self._intervals(point, information, samples, profiles)
         before = self.simulator.before()
         deviations = {
             name: _deviation(measured[place], simulated[place], before[place], None if held is None else held[place])
             for place, name in enumerate(shots.quantities)
         }
-        warnings = fit_warnings(self.simulator, point, told, costs, deviations, intervals, profiles)
+        warnings = fit_warnings(self.simulator, point, information, costs, deviations, intervals, profiles)
+        files = [f"{each.name}, SHA-256 {each.sha256}" for each in shots.provenance.files]
         spans = ", ".join(f"{each.name} {_span(each, intervals[each.name])}" for each in free.declared())
         parameters = free.parameters(
             point, name=f"identified from {Path(shots.source).name}".replace("/", " "), reference=f"{len(shots)} shots",
-            source="; ".join([f"clubface identify: {self.settings['cost']} cost", *_fingerprints(shots.provenance)]),
+            source="; ".join([f"clubface identify: {self.settings['cost']} cost", *files]),
             caveats=(*(each.sentence for each in warnings), f"{100 * confidence:g}% intervals: {spans}"),
         )  # fmt: skip
         spent = self.checkpoint.spent
@@ -247,45 +234,45 @@ class Stages:
             deviations=deviations,
             evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.checkpoint.seconds, shots=len(shots),
             dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
-            identifiability=told, profiles=profiles, at_bound=at_bound(free, point),
+            identifiability=information, profiles=profiles, at_bound=at_bound(free, point),
             warnings=warnings, notes=notes, settings=dict(self.settings), loft_origins=shots.loft_origins,
             provenance=shots.provenance,
         )  # fmt: skip
 
-    def _resampled(self, point: Floats, told: Identifiability) -> tuple[Floats | None, Floats]:
+    def _resampled(self, point: Floats, information: Identifiability) -> tuple[Floats | None, Floats]:
         """Return held-out launches and bootstrapped parameters [SI], none of either where none is asked for."""
         folds, count, seed = (self.settings[name] for name in ("folds", "bootstrap", "seed"))
         free = self.simulator.free
         held, samples = None, np.empty((0, len(free)))
         if folds or count:
-            refits = Refits(self.simulator, self.cost, point, told.errors)
+            refits = Refits(self.simulator, self.cost, point, information.errors)
             if folds:
-                held = held_out(refits, folds, seed, self._telling("hold-out", folds))
+                held = held_out(refits, folds, seed, self._reporting("hold-out", folds))
             if count:
-                samples = free.values(bootstrap(refits, count, seed, self._telling("bootstrap", count)))
+                samples = free.values(bootstrap(refits, count, seed, self._reporting("bootstrap", count)))
         return held, samples
 
-    def _profiles(self, point: Floats, noise: Floats, told: Identifiability) -> dict[str, Profile]:
+    def _profiles(self, point: Floats, noise: Floats, information: Identifiability) -> dict[str, Profile]:
         names = self.settings["profiles"]
         if not names:
             return {}
-        profiler = Profiler(self.simulator, noise, told.errors)
+        profiler = Profiler(self.simulator, noise, information.errors)
         optimum = np.array(self.checkpoint.once("most likely", lambda: profiler.most_likely(point).tolist()))
-        once = self._telling("profiles", len(names))
+        once = self._reporting("profiles", len(names))
 
         def compute(place: int) -> list[Any]:
             each = profiler.profile(place, optimum)
             return [each.values.tolist(), each.rise.tolist(), list(each.interval), list(each.closed)]
 
-        found = {}
+        profiles = {}
         for name in names:
             place = self.simulator.free.names.index(name)
             values, rise, interval, closed = once(f"profile {name}", lambda place=place: compute(place))
-            found[name] = Profile(name, np.array(values), np.array(rise), tuple(interval), tuple(closed))
-        return found
+            profiles[name] = Profile(name, np.array(values), np.array(rise), tuple(interval), tuple(closed))
+        return profiles
 
     def _intervals(
-        self, point: Floats, told: Identifiability, samples: Floats, profiles: Mapping[str, Profile]
+        self, point: Floats, information: Identifiability, samples: Floats, profiles: Mapping[str, Profile]
     ) -> dict[str, tuple[float, float]]:
         """Return an interval a parameter.
 
@@ -300,18 +287,22 @@ class Stages:
             low, high = interval_of(samples, confidence, groups)
         if groups < FEWEST_GROUPS or not len(samples):
             reach = NormalDist().inv_cdf(0.5 * (1.0 + confidence))
-            reach = np.minimum(reach * errors_of_minimum(self.simulator, self.cost, point, told), 1.0)
+            reach = np.minimum(reach * errors_of_minimum(self.simulator, self.cost, point, information), 1.0)
             ends = [free.values(np.clip(point + sign * reach, 0.0, 1.0)) for sign in (-1.0, 1.0)]
             low, high = np.minimum(low, ends[0]), np.maximum(high, ends[1])
-        found = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
+        intervals = {name: (float(a), float(b)) for name, a, b in zip(free.names, low, high, strict=True)}
         fit = free.values(point)
         for name, value, least, most in zip(free.names, fit, free.lower, free.upper, strict=True):
-            if name in told.unknown:
+            if name in information.unknown:
                 a, b = profiles[name].interval if name in profiles else (float(least), float(most))
-                found[name] = (min(found[name][0], a, float(value)), max(found[name][1], b, float(value)))
-        return found
+                intervals[name] = (min(intervals[name][0], a, float(value)), max(intervals[name][1], b, float(value)))
+        return intervals
 
-    def _telling(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:
+    def _report(self, stage: str, done: int, total: int) -> None:
+        if self.progress is not None:
+            self.progress(stage, done, total, self.best)
+
+    def _reporting(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:
         """Return ``once`` of the checkpoint, which tells how far the stage is."""
         done = 0
 
@@ -319,19 +310,14 @@ class Stages:
             nonlocal done
             value = self.checkpoint.once(name, compute)
             done += 1
-            self._progress(stage, done, total, self.best)
+            self._report(stage, done, total)
             return value
 
         return once
 
 
-def _fingerprints(provenance: Provenance) -> list[str]:
-    """Return the names of the files read with their fingerprints."""
-    return [f"{each.name}, SHA-256 {each.sha256}" for each in provenance.files]
-
-
-def _span(of: Parameter, interval: tuple[float, float]) -> str:
-    unit = display_unit(of.name, of.unit)
+def _span(parameter: Parameter, interval: tuple[float, float]) -> str:
+    unit = display_unit(parameter.name, parameter.unit)
     return " to ".join(units.show(end, unit, 4) for end in interval)
 
 
@@ -474,9 +460,9 @@ def identify(
             raise InputError(name, count, f"a whole number from {least} to {most}{but}")
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
-    with_, given = equipped(model, club, ball, parameters)
+    equipment, given = equipped(model, club, ball, parameters)
     # What is found from shots includes the face they were hit with.
-    head = with_.club
+    head = equipment.club
     fixed = replace(given, includes_face=True, characteristic_time=head.characteristic_time or None)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
@@ -518,7 +504,7 @@ def identify(
     kept = Checkpoint(checkpoint, content, effort, resume=resume)
     stages = Stages(simulator, judged, deviations, settings, kept, progress)
     try:
-        found = stages.result(tuple(notes))
+        identification = stages.result(tuple(notes))
         kept.remove()
     except KeyboardInterrupt:
         if checkpoint is None or not len(kept):
@@ -527,4 +513,4 @@ def identify(
         raise KeyboardInterrupt(message) from None
     finally:
         kept.close()
-    return found
+    return identification

@@ -285,8 +285,10 @@ def _least_squares(deviations: Floats, rows: Floats, lower: Floats, upper: Float
     scales = np.sqrt(np.sum(rows**2, axis=0))
     scales = np.where(scales > 0.0, scales, 1.0)
     orthogonal, triangle = np.linalg.qr(rows / scales)
-    found = lsq_linear(triangle, -(orthogonal.T @ deviations), bounds=(lower * scales, upper * scales), method="bvls")
-    return np.clip(found.x / scales, lower, upper)
+    solution = lsq_linear(
+        triangle, -(orthogonal.T @ deviations), bounds=(lower * scales, upper * scales), method="bvls"
+    )
+    return np.clip(solution.x / scales, lower, upper)
 
 
 FIRST_RADIUS = 0.1
@@ -363,14 +365,14 @@ def refine(
     Refined
         Never worse than ``start``.
     """
-    found = _descend(simulator, cost, start, radius, first, held, fall)
-    if cost.loss == "absolute" or not found.cost < EXPLAINED:
-        return found
+    refined = _descend(simulator, cost, start, radius, first, held, fall)
+    if cost.loss == "absolute" or not refined.cost < EXPLAINED:
+        return refined
     # Where a contact takes one integration step more, its launch jumps by about 1e-4: an outlier to a linear model,
     # which least absolute deviations pass over. They lead on where squares are stuck at jumps.
-    other = _descend(simulator, cost.absolute(), found.point, radius, None, held, fall)
+    other = _descend(simulator, cost.absolute(), refined.point, radius, None, held, fall)
     value = cost.value(simulator.launch(other.point))
-    return Refined(other.point, value, found.steps + other.steps) if value < found.cost else found
+    return Refined(other.point, value, refined.steps + other.steps) if value < refined.cost else refined
 
 
 def _descend(
@@ -397,15 +399,15 @@ def _descend(
         if promised <= fall * value or np.max(np.abs(step)) <= SMALLEST_STEP:
             break
         trial = np.clip(point + step, 0.0, 1.0)
-        found = cost.value(simulator.launch(trial))
-        share = (value - found) / promised
+        reached = cost.value(simulator.launch(trial))
+        share = (value - reached) / promised
         part = float(np.max(np.abs(step) / reach))
         if share < POOR:
             reach = 0.25 * part * reach
         elif share > GOOD and part >= 0.9:
             reach = np.minimum(2.5 * reach, 1.0)
-        if found < value:
-            point, value = trial, found
+        if reached < value:
+            point, value = trial, reached
             steps += 1
             if promised <= LAST * fall * value:
                 break

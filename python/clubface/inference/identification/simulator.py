@@ -1,14 +1,9 @@
-"""Launches of all shots by candidate parameters, and the cost of their errors.
-
-Launches of all shots for one or many sets of parameters, and their exact derivatives: one call of the core each.
-
-The cost that an identification minimises: that of Caldwell and McPhee (2023), and two weighted by the noise.
-"""
+"""Launches of all shots by candidate parameters with exact derivatives, and the cost of their errors."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -54,10 +49,11 @@ class Effort:
         return Effort(self.evaluations - before.evaluations, self.impacts - before.impacts)
 
 
+@dataclass
 class Simulator:
     """Computes the launches of measured shots at points of the search.
 
-    Parameters
+    Attributes
     ----------
     shots
         The deliveries.
@@ -71,26 +67,19 @@ class Simulator:
         Counts what is computed.
     """
 
-    def __init__(
-        self,
-        shots: PreparedShots,
-        free: FreeParameters,
-        *,
-        accuracy: float | None = None,
-        threads: int = 0,
-        effort: Effort | None = None,
-    ) -> None:
-        self.shots = shots
-        self.free = free
-        self.accuracy = accuracy
-        self.threads = threads
-        self.effort = effort or Effort()
-        self._places = shots.output_places()[: len(shots.quantities)]
+    shots: PreparedShots
+    free: FreeParameters
+    accuracy: float | None = None
+    threads: int = 0
+    effort: Effort = field(default_factory=Effort)
+
+    def __post_init__(self) -> None:
+        self._places = self.shots.output_places()[: len(self.shots.quantities)]
         self._tiled: dict[int, list[float | Floats]] = {}
 
     def of(self, shots: PreparedShots) -> Simulator:
         """Return the same for other shots; what it computes is counted together."""
-        return Simulator(shots, self.free, accuracy=self.accuracy, threads=self.threads, effort=self.effort)
+        return replace(self, shots=shots)
 
     def launches(self, points: Floats) -> Floats:
         """Return the launch quantities [SI] at points of shape (n, free), shape (quantities, n, shots).
@@ -109,9 +98,9 @@ class Simulator:
 
     def before(self) -> Floats:
         """Return the launch quantities [SI] with the set that holds the fixed parameters, shape (quantities, shots)."""
-        found = self._computed(self.shots.columns, self.free.fixed.columns(), len(self.shots))
+        launches = self._computed(self.shots.columns, self.free.fixed.columns(), len(self.shots))
         self.effort.add(1, len(self.shots))
-        return found[self._places]
+        return launches[self._places]
 
     def derivatives(self, point: Floats) -> tuple[Floats, Floats]:
         """Return the launch quantities at a point, shape (quantities, shots), and their derivatives by its coordinates.
@@ -123,12 +112,12 @@ class Simulator:
         inputs = self._met(self.shots.columns, self.free.single(point), len(self.shots))
         variables = [len(inputs) + place for places in driven for place in places] + self.shots.solved_columns()
         places = self.shots.output_places()
-        found, _ = core.sensitivities(
+        computed, _ = core.sensitivities(
             self.free.fixed.model, inputs, self.free.single(point), len(self.shots), places, variables, self.accuracy,
             self.threads,
         )  # fmt: skip
         self.effort.add(1, len(self.shots))
-        table = found.reshape(len(places), 1 + len(variables), len(self.shots))
+        table = computed.reshape(len(places), 1 + len(variables), len(self.shots))
         slopes = self.free.slopes(point)
         by_point = np.empty((len(places), len(driven), len(self.shots)))
         start = 1
@@ -141,19 +130,19 @@ class Simulator:
     def contact(self, point: Floats) -> tuple[Floats, Floats]:
         """Return contact times [s] and peak forces [N] of the shots; NaN for a model without a time scale."""
         order = list(outputs())
-        found = self._computed(self.shots.columns, self.free.single(point), len(self.shots))
-        return found[order.index("contact_time")], found[order.index("peak_force")]
+        computed = self._computed(self.shots.columns, self.free.single(point), len(self.shots))
+        return computed[order.index("contact_time")], computed[order.index("peak_force")]
 
     def _block(self, points: Floats) -> Floats:
         count, shots = len(points), len(self.shots)
-        found = self._computed(self._inputs(count), self.free.columns(points, shots), count * shots)
-        return found[self._places].reshape(len(self._places), count, shots)
+        computed = self._computed(self._inputs(count), self.free.columns(points, shots), count * shots)
+        return computed[self._places].reshape(len(self._places), count, shots)
 
     def _computed(self, inputs: list[Any], parameters: list[Any], count: int) -> Floats:
         """Return all outputs of the core, at the measured launch if that is to be met; NaN where it cannot be."""
         inputs = self._met(inputs, parameters, count)
-        found, _ = core.impact(self.free.fixed.model, inputs, parameters, count, self.accuracy, self.threads)
-        return found
+        computed, _ = core.impact(self.free.fixed.model, inputs, parameters, count, self.accuracy, self.threads)
+        return computed
 
     def _met(self, inputs: list[Any], parameters: list[Any], count: int) -> list[Any]:
         """Return the inputs with the loft and face angle that meet the measured launch, NaN where none do."""
@@ -163,22 +152,22 @@ class Simulator:
         outs = self.shots.output_places()[len(self._places) :]
 
         def directions(angles: Floats, places: NDArray[np.intp]) -> Floats:
-            some, with_ = (
+            some, others = (
                 [each if isinstance(each, float) else each[places] for each in every] for every in (inputs, parameters)
             )
             for column, values in zip(columns, angles, strict=True):
                 some[column] = np.ascontiguousarray(values)
-            found, _ = core.impact(self.free.fixed.model, some, with_, len(places), self.accuracy, self.threads)
+            computed, _ = core.impact(self.free.fixed.model, some, others, len(places), self.accuracy, self.threads)
             self.effort.impacts += len(places)
-            return found[outs]
+            return computed[outs]
 
         wanted = np.tile(self.shots.start, count // len(self.shots))
         begin = np.array([np.broadcast_to(inputs[column], (count,)) for column in columns])
         solved = solve_angles(directions, begin, wanted)
-        found = list(inputs)
+        met = list(inputs)
         for column, values in zip(columns, solved, strict=True):
-            found[column] = np.ascontiguousarray(values)
-        return found
+            met[column] = np.ascontiguousarray(values)
+        return met
 
     def _inputs(self, count: int) -> list[float | Floats]:
         """Return the columns of the deliveries, repeated for ``count`` sets of parameters; the last ones are kept."""
@@ -253,9 +242,9 @@ class Cost:
             total += losses.sum(axis=-1)
         return np.where(np.isnan(total), np.inf, total)
 
-    def select(self, which: NDArray[Any], counts: NDArray[np.int64]) -> Cost:
+    def select(self, chosen: NDArray[Any], counts: NDArray[np.int64]) -> Cost:
         """Return the cost of some of the shots, each counting as often as ``counts`` says, with the same weights."""
-        return Cost(self.loss, self.measured[:, which], self.weights[:, which] * counts, self.knees)
+        return Cost(self.loss, self.measured[:, chosen], self.weights[:, chosen] * counts, self.knees)
 
     def absolute(self) -> Cost:
         """Return the sum of absolute deviations, each in the unit in which its loss is 1."""
@@ -324,16 +313,16 @@ def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None
     """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
     given = dict(given or {})
     check_names("quantity with noise", given, quantities)
-    found = []
+    deviations = []
     for name in quantities:
-        told = given.get(name, NOISE.get(name))
-        if told is None:
+        deviation = given.get(name, NOISE.get(name))
+        if deviation is None:
             raise InputError(f"noise of {name}", None, "give it, since no default noise is known for this quantity")
-        value = units.parse(told, outputs()[name].dimension, name=f"noise of {name}")
+        value = units.parse(deviation, outputs()[name].dimension, name=f"noise of {name}")
         if not 0.0 < value < np.inf:
-            raise InputError(f"noise of {name}", told, "positive")
-        found.append(value)
-    return np.array(found)
+            raise InputError(f"noise of {name}", deviation, "positive")
+        deviations.append(value)
+    return np.array(deviations)
 
 
 def _normalisers(
