@@ -13,20 +13,19 @@ from clubface.cli.recorded import RECORDED, recorded_shots
 
 app = typer.Typer(add_completion=False)
 
-_PARAMETERS = options.option(
-    "--parameters", metavar="NAME|FILE",
-    text="A published parameter set or a TOML file; models that it does not fit keep theirs. Repeatable.",
-)  # fmt: skip
-_NOISE = options.option(
-    "--noise", metavar="NAME=VALUE", text='Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'
-)
-_DELIVERY_NOISE = options.option(
-    "--delivery-noise", metavar="NAME=VALUE", text='Of the measured delivery: "face=0.3 deg". Repeatable.'
-)
+EVALUATION = options.group(None, {
+    "parameters": (options.Texts, None, "NAME|FILE", "A published parameter set or a TOML file; models that it does not"
+                   " fit keep theirs. Repeatable."),
+    "noise": (options.Texts, None, "NAME=VALUE",
+              'Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'),
+    "delivery_noise": (options.Texts, None, "NAME=VALUE",
+                       'Of the measured delivery: "face=0.3 deg". Repeatable.'),
+    "resamples": (int, 2000, "N", "Number of bootstrap samples."),
+})  # fmt: skip
 
 
 @app.command()
-@options.takes(RECORDED)
+@options.takes(RECORDED, EVALUATION)
 def evaluate(
     shots: Annotated[
         str, typer.Argument(metavar="SHOTS", help="Deliveries and launches: CSV, Parquet or a launch monitor's file.")
@@ -34,12 +33,8 @@ def evaluate(
     models: Annotated[
         list[str] | None, options.option("--models", "--model", metavar="NAME", text=options.MODELS_TEXT)
     ] = None,
-    parameters: Annotated[list[str] | None, _PARAMETERS] = None,
     setting: options.Setting = None,
-    noise: Annotated[list[str] | None, _NOISE] = None,
-    delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
     at_launch: options.AtLaunch = False,
-    resamples: Annotated[int, typer.Option("--resamples", metavar="N", help="Number of bootstrap samples.")] = 2000,
     seed: options.Seed = 0,
     folder: options.Folder = None,
     as_json: options.Json = False,
@@ -56,10 +51,10 @@ def evaluate(
     recorded = recorded_shots(shots, texts)
     evaluation = compute(
         recorded, models=names, ball=texts["ball"],
-        parameters=options.parameter_sets(names, recorded.club.parameters, parameters, setting),
-        noise=options.pairs(noise or (), "--noise"),
-        delivery_noise=options.pairs(delivery_noise or (), "--delivery-noise"),
-        compared_at="launch" if at_launch else "delivery", resamples=resamples, seed=seed,
+        parameters=options.parameter_sets(names, recorded.club.parameters, texts["parameters"], setting),
+        noise=options.pairs(texts["noise"] or (), "--noise"),
+        delivery_noise=options.pairs(texts["delivery_noise"] or (), "--delivery-noise"),
+        compared_at="launch" if at_launch else "delivery", resamples=texts["resamples"], seed=seed,
         progress=(lambda name: say(f"computing {name}")) if sys.stderr.isatty() else None,
     )  # fmt: skip
     written = [] if folder is None else evaluation.write(folder)

@@ -18,55 +18,41 @@ from clubface.support.files import write_text
 app = typer.Typer(add_completion=False)
 
 
-def _group(panel: str, rows: dict[str, tuple[Any, Any, str, str]]) -> options.Group:
-    """Return options under one heading from name, type, default, placeholder and help; "" shows the default instead."""
-
-    def option(name: str, metavar: str, text: str) -> Any:
-        flag = f"--{name}/--no-{name}" if name == "profiles" else f"--{name}"
-        return typer.Option(
-            flag, metavar=metavar or None, rich_help_panel=panel, help=text, show_default=metavar == ""
-        )  # fmt: skip
-
-    return {
-        name: (Annotated[kind, option(name, metavar, text)], default)
-        for name, (kind, default, metavar, text) in rows.items()
-    }
-
-
-_TEXTS = list[str] | None
-FIT = _group("What is fitted", {
-    "free": (_TEXTS, None, "NAME",
+FIT = options.group("What is fitted", {
+    "free": (options.Texts, None, "NAME",
              "Parameter to identify; several with commas or repeated, or all. As published unless given."),
-    "tie": (_TEXTS, None, "A=B", "Let parameter A take the value of the free B. Repeatable."),
-    "bounds": (_TEXTS, None, "NAME=LOW:HIGH", "Narrower bounds of a parameter. Repeatable."),
-    "cost": (str, "published", "",
+    "tie": (options.Texts, None, "A=B", "Let parameter A take the value of the free B. Repeatable."),
+    "bounds": (options.Texts, None, "NAME=LOW:HIGH", "Narrower bounds of a parameter. Repeatable."),
+    "cost": (str, "published", None,
              "What is minimised: published (Caldwell and McPhee, Eq. 22), least-squares or robust."),
-    "normaliser": (str, "absolute", "", "Means by which Eq. 22 divides: absolute or signed."),
-    "noise": (_TEXTS, None, "NAME=VALUE", 'Noise of the monitor: backspin="80 rpm". Repeatable.'),
-    "quantity": (_TEXTS, None, "NAME",
+    "normaliser": (str, "absolute", None, "Means by which Eq. 22 divides: absolute or signed."),
+    "noise": (options.Texts, None, "NAME=VALUE", 'Noise of the monitor: backspin="80 rpm". Repeatable.'),
+    "quantity": (options.Texts, None, "NAME",
                  "Launch quantity to compare. Repeatable; the five of Caldwell and McPhee unless given."),
 })  # fmt: skip
-SEARCH = _group("Search and intervals", {
-    "population": (int, 200, "", "Population of the genetic algorithm."),
-    "generations": (int, 100, "", "Generations of the genetic algorithm."),
-    "refined": (int, 5, "", "How many of the best points are refined by derivatives."),
-    "folds": (int, 5, "", "Folds of the hold-out; 0 for none."),
-    "bootstrap": (int, 200, "", "Bootstrap samples; 0 for none."),
-    "profiles": (bool, True, "", "Compute profile likelihoods."),
-    "confidence": (float, 0.95, "", "Confidence of the intervals."),
-    "seed": (int, 1, "", "Seed of the random numbers."),
+SEARCH = options.group("Search and intervals", {
+    "population": (int, 200, None, "Population of the genetic algorithm."),
+    "generations": (int, 100, None, "Generations of the genetic algorithm."),
+    "refined": (int, 5, None, "How many of the best points are refined by derivatives."),
+    "folds": (int, 5, None, "Folds of the hold-out; 0 for none."),
+    "bootstrap": (int, 200, None, "Bootstrap samples; 0 for none."),
+    "profiles": (bool, True, None, "Compute profile likelihoods."),
+    "confidence": (float, 0.95, None, "Confidence of the intervals."),
+    "seed": (int, 1, None, "Seed of the random numbers."),
     "threads": (int | None, None, "N", "Number of threads; all cores unless given."),
 })  # fmt: skip
-_CHECKPOINT = options.option(
-    "--checkpoint", metavar="FOLDER",
-    text="Folder that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint unless given.",
-)  # fmt: skip
+FILES = options.group(None, {
+    "checkpoint": (str | None, None, "FOLDER",
+                   "Folder that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint unless given."),
+})  # fmt: skip
 _PASSED_ON = ("cost", "normaliser", *(name for name in SEARCH if name != "profiles"), "ball", "accuracy")
 """Options that reach the fit as they are."""
 
 
 @app.command()
-@options.takes(RECORDED, options.FITTED_MODEL, FIT, SEARCH, show.plot_option("profiles and intervals"), show.JSON)
+@options.takes(
+    RECORDED, options.FITTED_MODEL, FIT, SEARCH, FILES, show.plot_option("profiles and intervals"), show.JSON
+)
 def identify(
     shots: Annotated[
         str,
@@ -77,7 +63,6 @@ def identify(
         str | None,
         options.output("FILE", "Write the parameters to this TOML file, which --parameters takes elsewhere."),
     ] = None,
-    checkpoint: Annotated[str | None, _CHECKPOINT] = None,
     resume: options.Resume = False,
     **texts: Any,
 ) -> None:
@@ -95,7 +80,7 @@ def identify(
     recorded = recorded_shots(shots, texts)
     head = recorded.club
     free = options.names(texts["free"])
-    kept = checkpoint or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
+    kept = texts["checkpoint"] or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         identification = fit(
             recorded, club=head, model=model, parameters=options.one_set(head, texts),

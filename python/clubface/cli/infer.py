@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Annotated, Any
 
@@ -19,19 +18,17 @@ from clubface.support.checks import check_choice
 
 app = typer.Typer(add_completion=False)
 
-_PRIOR = options.option(
-    "--prior", metavar="NAME|FILE",
-    text="Deliveries believed before: elite, tour, wide or a TOML file; elite, or else tour, unless given.",
-)  # fmt: skip
-_NOISE = options.option(
-    "--noise", metavar="NAME=VALUE", text='Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'
-)
-_DELIVERY_NOISE = options.option(
-    "--delivery-noise", metavar="NAME=VALUE", text='The same of measured club data: "attack=2 deg". Repeatable.'
-)
-_IGNORE = options.option(
-    "--ignore", metavar="NAME", text="Club data of a file that is not used, several with commas or repeated, or all."
-)
+INFERENCE = options.group(None, {
+    "prior": (str | None, None, "NAME|FILE",
+              "Deliveries believed before: elite, tour, wide or a TOML file; elite, or else tour, unless given."),
+    "noise": (options.Texts, None, "NAME=VALUE",
+              'Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'),
+    "delivery_noise": (options.Texts, None, "NAME=VALUE",
+                       'The same of measured club data: "attack=2 deg". Repeatable.'),
+    "ignore": (options.Texts, None, "NAME",
+               "Club data of a file that is not used, several with commas or repeated, or all."),
+    "samples": (int | None, None, "N", "Number of deliveries drawn; 2000, or 400 a shot of a file."),
+})  # fmt: skip
 _OUTPUT = options.output(
     "FILE", "Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each."
 )
@@ -39,20 +36,12 @@ _OUTPUT = options.output(
 
 @app.command()
 @options.takes(
-    options.MEASURED_LAUNCH, options.MEASURED_CLUB, RECORDED, options.ONE_MODEL,
+    options.MEASURED_LAUNCH, options.MEASURED_CLUB, RECORDED, options.ONE_MODEL, INFERENCE,
     show.plot_option("every pair of quantities"), show.JSON,
 )  # fmt: skip
 def infer(
     shots: Annotated[
         str | None, typer.Argument(metavar="[SHOTS]", help="A file of launches, in place of the options of one launch.")
-    ] = None,
-    prior: Annotated[str | None, _PRIOR] = None,
-    noise: Annotated[list[str] | None, _NOISE] = None,
-    delivery_noise: Annotated[list[str] | None, _DELIVERY_NOISE] = None,
-    ignore: Annotated[list[str] | None, _IGNORE] = None,
-    samples: Annotated[
-        int | None,
-        typer.Option("--samples", metavar="N", help="Number of deliveries drawn; 2000, or 400 a shot of a file."),
     ] = None,
     seed: options.Seed = 0,
     target: Annotated[str | None, _OUTPUT] = None,
@@ -65,18 +54,18 @@ def infer(
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
     launch, delivery = options.quantities(texts, dimensions, {}), options.quantities(texts, OF_CLUB, {})
     settings: dict[str, Any] = {
-        "model": texts["model"], "ball": texts["ball"], "prior": prior, "seed": seed, "accuracy": texts["accuracy"],
-        "noise": options.pairs(noise or (), "--noise"),
-        "delivery_noise": options.pairs(delivery_noise or (), "--delivery-noise"),
-        **({} if samples is None else {"samples": samples}),
+        **{name: texts[name] for name in ("model", "ball", "prior", "accuracy")}, "seed": seed,
+        "noise": options.pairs(texts["noise"] or (), "--noise"),
+        "delivery_noise": options.pairs(texts["delivery_noise"] or (), "--delivery-noise"),
+        **({} if texts["samples"] is None else {"samples": texts["samples"]}),
     }  # fmt: skip
     if shots is not None:
         if launch or delivery or texts["plot"]:
             option = "plot" if texts["plot"] else next(iter({**launch, **delivery})).replace("_", "-")
             raise ClubfaceError(f"--{option} is for one launch; leave out either --{option} or the file {shots}")
-        _infer_file(shots, texts, settings, options.names(ignore), target, resume)
+        _infer_file(shots, texts, settings, target, resume)
         return
-    if ignore:
+    if texts["ignore"]:
         raise ClubfaceError("--ignore is for a file of shots; of one launch, leave out the club data itself")
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
@@ -94,20 +83,14 @@ def infer(
     shown.show(posterior.to_result(), more=[] if target is None else [target])
 
 
-def _infer_file(
-    path: str,
-    texts: dict[str, Any],
-    settings: dict[str, Any],
-    ignored: Sequence[str],
-    target: str | None,
-    resume: bool,
-) -> None:
+def _infer_file(path: str, texts: dict[str, Any], settings: dict[str, Any], target: str | None, resume: bool) -> None:
     from clubface.inference.file import infer_shots
     from clubface.simulation.inputs import OF_CLUB
 
     recorded = recorded_shots(path, texts)
     for remark in recorded.notes:
         say(f"note: {remark}")
+    ignored = options.names(texts["ignore"])
     for name in ignored:
         check_choice("--ignore", name, (*OF_CLUB, "all"))
     left = set(recorded.deliveries) - set(OF_CLUB if "all" in ignored else ignored)

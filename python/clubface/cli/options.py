@@ -44,6 +44,17 @@ def text_option(name: str, panel: str | None, metavar: str, text: str) -> tuple[
     return Annotated[str | None, option(name, panel=panel, metavar=metavar, text=text)], None
 
 
+def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]]) -> Group:
+    """Return options of one panel, each a name with its type, default, placeholder and help; a default is shown."""
+    options = {}
+    for name, (kind, default, metavar, text) in rows.items():
+        flag = f"--{name.replace('_', '-')}"
+        flag = f"{flag}/--no-{flag[2:]}" if kind is bool and default else flag
+        shown = typer.Option(flag, metavar=metavar, rich_help_panel=panel, help=text, show_default=default is not None)
+        options[name] = (Annotated[kind, shown], default)
+    return options
+
+
 def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
     """Return options for quantities, each with an example and a help text."""
     return {
@@ -69,6 +80,7 @@ AtLaunch = Annotated[
         "--at-launch", help="Compare at the measured launch: loft and face are solved, not taken from the file."
     ),
 ]
+Texts = list[str] | None
 Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
 
 Report = Annotated[
