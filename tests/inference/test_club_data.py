@@ -171,7 +171,7 @@ def test_a_row_of_a_file_is_the_shot_alone_with_its_club_data(tmp_path):
     assert float(row["attack_deg"]) == pytest.approx(units.from_si(alone.mean["attack"], "deg"), rel=1e-5)
 
 
-def test_the_command_uses_club_data_and_ignores_what_it_is_told_to(clubface_, write, tmp_path):
+def test_the_command_uses_club_data_except_what_ignore_names(clubface_, write, tmp_path):
     source = str(write("club,ball_speed_mph,launch_deg,attack_deg\n9-iron,110,22,10\n9-iron,110,22,-5\n"))
     target = tmp_path / "out.csv"
     ran = clubface_("infer", source, "-o", str(target), "--samples", "100")
@@ -205,6 +205,6 @@ def test_the_command_takes_club_data_of_one_launch(clubface_):
         ({"attack": 0.1}, {"attack": 0.0}, "delivery_noise attack.*cannot be sampled"),
     ],
 )
-def test_mistakes_are_told(delivery, noise, words):
+def test_errors_of_users_name_the_value(delivery, noise, words):
     with pytest.raises(InputError, match=words):
         infer({"ball_speed": 70.0}, club="driver", delivery=delivery, delivery_noise=noise)

@@ -92,7 +92,7 @@ def test_the_truth_has_any_rank_among_the_draws_with_the_same_probability(club, 
         assert chi2 < 33.7, name
 
 
-def test_what_cannot_be_told_apart_is_said(found):
+def test_quantities_that_a_launch_ties_together_are_named(found):
     tied = [{each.data["first"], each.data["second"]} for each in found.ties]
     for pair in ({"attack", "loft"}, {"toe", "face"}, {"path", "face"}):
         assert pair in tied
@@ -205,7 +205,7 @@ def test_a_prior_is_read_from_a_file(write):
         ('speed = ["95 mph", "8 mph"]\n', "", "missing: speed"),
     ],
 )
-def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
+def test_a_bad_file_is_reported_with_its_line(write, old, new, words_of_error):
     assert old in PRIOR
     with pytest.raises(FileError, match=words_of_error):
         Prior.from_toml(write(PRIOR.replace(old, new), "prior.toml"))
@@ -232,7 +232,7 @@ def test_a_bad_file_is_told_with_its_line(write, old, new, words_of_error):
                                                deviation={"speed": 1.0, "toe": 0.001})}, "can compute"),
     ],
 )  # fmt: skip
-def test_mistakes_are_told_with_what_is_allowed(launch, options, words_of_error):
+def test_errors_of_users_name_what_is_allowed(launch, options, words_of_error):
     with pytest.raises(InputError, match=words_of_error):
         infer(launch, club="driver", **options)
 

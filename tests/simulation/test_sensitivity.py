@@ -70,7 +70,7 @@ def test_every_differentiable_input_and_every_parameter_is_there():
     assert "contact_time" not in clubface.sensitivity("driver", **DRIVE, model="standard").outputs
 
 
-def test_derivatives_are_told_in_the_units_people_use():
+def test_derivatives_are_shown_in_the_units_people_use():
     table = clubface.sensitivity("driver", **DRIVE)
     assert table.unit("backspin", "toe") == "rpm per mm"
     assert table.unit("ball_speed", "speed") == "mph per mph"
@@ -109,7 +109,7 @@ def test_units_outputs_and_variables_can_be_chosen():
         ({"speed": 50.0, "units": {"tow": "mm"}}, UnknownNameError, "toe"),
     ],
 )
-def test_a_mistake_is_told(values, error, said):
+def test_errors_of_users_name_the_value(values, error, said):
     with pytest.raises(error, match=said.replace(".", r"\.")):
         clubface.sensitivity("driver", **values)
 

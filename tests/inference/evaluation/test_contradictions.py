@@ -103,7 +103,7 @@ def test_the_clearest_contradiction_stands_first():
     assert ratios[-1] > 1.0
 
 
-def test_a_set_that_is_wrong_is_found():
+def test_a_wrong_parameter_set_is_detected():
     """Planted: a restitution of 0.7 for the driver of `slip`, which costs some 7% of ball speed."""
     planted = ParameterSet.builtin("slip", "driver").replace(cor=0.7)
     found = told(contradictions({("slip", "driver"): planted}))

@@ -64,7 +64,7 @@ def result():
     )
 
 
-def test_the_model_that_made_the_shots_is_found_best_with_no_more_error_than_the_noise(result):
+def test_the_model_that_made_the_shots_is_best_with_no_more_error_than_the_noise(result):
     for name in QUANTITIES:
         size = result.sizes[name]["slip"]
         # Four standard errors of mean and mean magnitude of 200 normal deviates.
@@ -179,7 +179,7 @@ def test_as_many_resamples_are_asked_for_as_a_correction_for_many_rivals_needs()
         ({"club": None}, InputError, "the shots name none"),
     ],
 )
-def test_mistakes_are_told_with_what_is_allowed(options, error, words):
+def test_errors_of_users_name_what_is_allowed(options, error, words):
     with pytest.raises(error, match=words):
         evaluate(made(5), **{"club": "driver", "models": "standard", **options})
 
@@ -302,7 +302,7 @@ def test_the_noise_explains_all_of_a_perfect_model_and_little_of_a_wrong_one(res
     assert {row["share"] for row in rows_of(perfect, "noise")} == {1.0}
 
 
-def test_published_errors_stand_beside_those_found(result):
+def test_published_errors_are_in_the_table_of_errors(result):
     rows = {(row["quantity"], row["model"]): row for row in rows_of(result, "errors")}
     row = rows["ball_speed", "volumetric"]
     # Table 2 of Caldwell and McPhee (2023): 2.12 mph, with a standard deviation of 2.91 mph.

@@ -97,7 +97,7 @@ def test_probabilities_are_corrected_as_holm_did():
     assert holm([]) == []
 
 
-def test_models_alike_are_told_apart_as_rarely_as_stated():
+def test_equal_models_are_distinguished_as_rarely_as_stated():
     random = np.random.default_rng(4)
     found = 0
     for seed in range(200):
@@ -117,7 +117,7 @@ def test_a_model_is_not_worse_than_its_twin():
     assert best.equals == ("two",)
 
 
-def test_the_line_of_the_errors_is_found():
+def test_a_trend_is_the_least_squares_line_of_the_errors():
     random = np.random.default_rng(6)
     delivery = {"speed": random.normal(50, 2, 300), "toe": random.normal(0, 5e-3, 300), "path": np.full(300, 0.1)}
     lines = trends({"one": 3.0 + 0.25 * delivery["speed"]}, delivery, Resamples(500, 300, 0, None))["one"]

@@ -37,7 +37,7 @@ def test_the_mean_magnitude_of_a_normal_error_is_that_of_a_sample():
 
 
 @pytest.mark.parametrize("bias", [0.2, 0.7, 3.0])
-def test_a_bias_is_found_back_from_what_is_published_of_it(bias):
+def test_a_bias_is_recovered_from_its_published_error_and_deviation(bias):
     errors = np.random.default_rng(1).normal(bias, 0.5, 1_000_000)
     # Small biases hardly change the mean magnitude: 0.0005 of it are some 0.003 of a bias of 0.2.
     assert bias_of(mean_magnitude(bias, 0.5), 0.5) == pytest.approx(bias, rel=1e-9)

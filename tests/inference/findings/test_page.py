@@ -178,7 +178,7 @@ def test_the_sentences_on_hold_out_are_those_of_the_costs():
     assert 100 * lead == pytest.approx(7, abs=0.5)
 
 
-def test_the_order_of_the_models_is_the_one_told():
+def test_the_order_of_the_models_is_the_one_stated():
     for found in FOUND["clubs"].values():
         costs = found["errors"]["cost"]
         assert min(costs, key=lambda name: costs[name]) == "adjusted"
@@ -212,7 +212,7 @@ def test_the_sentences_on_impulse_models_are_those_of_the_fits():
     assert all(not low <= value <= high for value, (low, high) in zip(made, ends, strict=True))
 
 
-def test_the_true_values_are_held_as_often_as_told():
+def test_the_true_values_are_held_as_often_as_stated():
     held = [
         low <= own["true"][name] <= high
         for found in FOUND["clubs"].values()

@@ -23,7 +23,7 @@ def two():
     [(0.0, "lower"), (0.99 * NEAR, "lower"), (1.01 * NEAR, None), (0.5, None), (1.0 - 1.01 * NEAR, None),
      (1.0 - 0.99 * NEAR, "upper"), (1.0, "upper")],
 )  # fmt: skip
-def test_a_parameter_at_either_bound_is_told_with_it(place, side):
+def test_a_parameter_at_either_bound_is_reported_with_it(place, side):
     point = np.array([place, 0.5])
     assert at_bound(two(), point) == (() if side is None else ("cor",))
     bound = {"lower": "0.5", "upper": "1"}
@@ -42,7 +42,7 @@ def test_a_parameter_at_either_bound_is_told_with_it(place, side):
         (450e-6, 7.5e3, 25.0, ["7.5 kN"]), (np.nan, 1.0, 50.0, []),
     ],
 )  # fmt: skip
-def test_a_contact_that_no_ball_has_is_told(time, force, speed, words):
+def test_an_unphysical_contact_is_reported(time, force, speed, words):
     of = SimpleNamespace(
         contact=lambda _: (np.array([time, time]), np.array([force, force])),
         shots=SimpleNamespace(mean=lambda name: {"speed": speed}[name]),
@@ -52,7 +52,7 @@ def test_a_contact_that_no_ball_has_is_told(time, force, speed, words):
     assert all(word in each.sentence for word, each in zip(words, told, strict=True))
 
 
-def test_what_a_fit_makes_worse_by_more_than_a_twentieth_is_told_in_its_unit():
+def test_a_quantity_that_a_fit_makes_worse_by_more_than_a_twentieth_is_reported():
     def figures(mae, before):
         return SimpleNamespace(mae=mae, mae_before=before, mean=60.0)
 

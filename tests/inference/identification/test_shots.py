@@ -28,7 +28,7 @@ def edited(shots, **changes):
     )
 
 
-def test_rows_without_a_number_are_set_aside_with_their_reason():
+def test_rows_without_a_number_are_left_out_with_their_reason():
     shots = recorded(10, "slip", noise=1.0)
     speed, backspin = shots.deliveries["speed"].copy(), shots.launches["backspin"].copy()
     speed[2] = np.nan
@@ -62,7 +62,7 @@ def test_the_mirror_image_of_shots_by_a_left_hander_gives_the_same_parameters():
         assert other.parameters.values[name] == pytest.approx(one.parameters.values[name], rel=1e-6, abs=1e-10)
 
 
-def test_a_quantity_that_was_not_measured_is_left_out_and_said():
+def test_a_quantity_that_was_not_measured_is_left_out_with_a_note():
     shots = recorded(10, "slip", noise=1.0)
     found = clubface.identify(edited(shots, azimuth=np.full(10, np.nan)), **SMALL)
     assert list(found.deviations) == ["ball_speed", "launch", "backspin", "sidespin"]
@@ -86,7 +86,7 @@ def test_shots_of_a_player_are_left_out_and_drawn_together():
         clubface.identify(one, groups=[1, 2], **options)
 
 
-def test_one_shot_is_not_enough_and_what_it_leaves_open_is_said():
+def test_one_shot_is_refused_with_what_it_leaves_undetermined():
     with pytest.raises(InputError, match="number of shots is 1; it must be at least two"):
         clubface.identify(recorded(1, "slip"), **SMALL)
     shots = recorded(1, "volumetric")
