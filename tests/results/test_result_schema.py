@@ -124,7 +124,7 @@ def test_every_command_with_json_is_among_them():
 
 
 OWN_LAYOUT = {
-    "capture join", "capture markers", "capture read", "capture study", "fem design", "identify", "infer", "optimise"
+    "capture join", "capture markers", "capture read", "capture study", "fem design", "optimise"
 }  # fmt: skip
 """Commands that still have a JSON layout of their own."""
 

@@ -82,7 +82,7 @@ def test_shots_of_a_player_are_left_out_and_drawn_together():
     assert 0.3 < width["loose"] / width["single"] < 0.75
     assert grouped.intervals["slip_y"] == pytest.approx(single.intervals["slip_y"], rel=1e-3)
     assert grouped.cost_holdout > loose.cost_holdout
-    with pytest.raises(InputError, match="one label for each shot"):
+    with pytest.raises(InputError, match="one for each shot"):
         clubface.identify(one, groups=[1, 2], **options)
 
 
