@@ -120,7 +120,7 @@ def test_no_text_brings_a_traceback(capsys, option, text):
 
 
 def test_a_library_that_is_not_installed_is_named_with_its_extra(clubface_, monkeypatch):
-    for name in [name for name in sys.modules if name.startswith(("matplotlib", "clubface.plots"))]:
+    for name in [name for name in sys.modules if name.startswith(("matplotlib", "clubface.plots", "clubface.present"))]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     ran = clubface_("shot", "driver", "--speed", "50 m/s", "--plot", "a.png")

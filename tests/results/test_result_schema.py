@@ -123,15 +123,7 @@ def test_every_command_with_json_is_among_them():
     assert {name for name, options in OPTIONS.items() if "--json" in options} == set(COMMANDS) | LIVE
 
 
-OWN_LAYOUT = {
-    "capture join", "capture markers", "capture read", "capture study", "fem design", "optimise"
-}  # fmt: skip
-"""Commands that still have a JSON layout of their own."""
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(each, marks=[pytest.mark.xfail(strict=True)] * (each in OWN_LAYOUT)) for each in COMMANDS]
-)
+@pytest.mark.parametrize("name", COMMANDS)
 def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tables):
     report = tmp_path / "report.html"
     document = run(name, *(["--report", str(report)] if "--report" in OPTIONS[name] else []))

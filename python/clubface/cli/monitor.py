@@ -76,7 +76,8 @@ def listen(
     def say_kept() -> str:
         for note in recorded(kept).notes:
             say(f"note: {note}")
-        return output.counted(len(kept), "shot") + (f" in {target}" if target is not None and kept else "")
+        shots = f"{len(kept)} shot{'s' * (len(kept) != 1)}"
+        return shots + (f" in {target}" if target is not None and kept else "")
 
     lock = nullcontext() if target is None else closing(Lock(Path(f"{target}.lock"), Path(target)))
     with lock, Listener(port, hand=hand, club=club, keep=keep, on_problem=say) as listener:
@@ -251,9 +252,10 @@ def _seconds(option: str, text: str, above: float | None = None) -> float:
 def _shot_text(message: Message, as_json: bool) -> str:
     """Return a shot as a line of text, or as JSON."""
     if as_json:
-        return output.json_text(
-            {"device": message.device, "shot": message.shot_number, **message.delivery, **message.launch}
-        )
+        from clubface.present.files import json_text
+
+        shot = {"device": message.device, "shot": message.shot_number, **message.delivery, **message.launch}
+        return json_text(shot, indent=None)
     from clubface.quantities import format_value, quantity
 
     values = [f"{quantity(name).label} {format_value(message.launch[name], quantity(name))}"

@@ -394,18 +394,6 @@ def _wind(text: str) -> tuple[float, float, float]:
     return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
 
 
-def own_lofts(struck: Iterable[tuple[Club, Collection[str]]]) -> str:
-    """Say which clubs were delivered with their static loft, as theirs alone was known; "" if none.
-
-    ``struck`` are clubs with the names of what was given of their deliveries.
-    """
-    told = {head.name: f"{units.from_si(head.loft, 'deg'):.4g} deg" for head, known in struck if "loft" not in known}
-    if not told:
-        return ""
-    which = ", ".join(f"{name} {loft}" for name, loft in told.items())
-    return f"--loft is not given: delivered with the static loft ({which}), which few golfers do."
-
-
 def loft_hints(struck: Iterable[tuple[Club, Collection[str]]]) -> list[Note]:
     """Return the hint that clubs were delivered with their static loft, as theirs alone was known; none if none were.
 

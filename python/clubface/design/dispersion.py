@@ -22,6 +22,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, ShotError, Told
+from clubface.quantities import quantity
 from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of, shot_words
 from clubface.shots.tables.parquet import pyarrow_for
@@ -29,7 +30,6 @@ from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, nu
 from clubface.simulation.flight import Flight, fly
 from clubface.simulation.impact import Parameters, Tally as OutsideTally, Tally as RangeTally, impact
 from clubface.simulation.launch import Launch
-from clubface.simulation.results import SHOWN
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_choice, check_count, check_share, warn_once, without_warnings
 from clubface.support.files import whole_file
@@ -386,7 +386,7 @@ class Dispersion(Described):
         lost = f", {self.lost} without a result" * bool(self.lost)
         lines = [f"{self.count} shots of {self.golfer.name} with {self.club.name} by {self.model}{lost}"]
         for name in self.quantities:
-            unit, digits = SHOWN[name]
+            unit, digits = quantity(name).golf
             values = (f"{from_si(each, unit):.{digits}f}" for each in (self.mean(name), self.spread(name)))
             lines.append(f"  {name:<12} {' ± '.join(values)} {unit}")
         if self.hole is not None:

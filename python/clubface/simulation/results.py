@@ -400,12 +400,3 @@ def first_error(result: list[tuple[int, str, str]], value: Any, shape: tuple[int
     """Return the error about the first of the shots without a result; ``value`` is that of its input at fault."""
     row, name, reason = result[0]
     return ShotError(name, value, reason, index_of(row, shape), len(result) - 1)
-
-
-SHOWN = {
-    "ball_speed": ("mph", 1), "smash": ("1", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
-    "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
-    "total": ("yd", 1), "total_side": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1),
-    "contact_time": ("us", 0), "peak_force": ("kN", 1),
-}  # fmt: skip
-"""Unit and digits after the point, by quantity."""
