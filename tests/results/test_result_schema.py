@@ -28,7 +28,7 @@ SCHEMA = json.loads(importlib.resources.files("clubface").joinpath("data/schemas
 MONITOR = str(Path(__file__).parents[1] / "data" / "launch_monitors" / "trackman.csv")
 COMMANDS = {
     "best-loft": "best-loft --speed '100 mph' --attack '0 deg' --model standard",
-    "capture join": "capture join shots.csv launches.csv -o joined.csv",
+    "capture join": "capture join shots.csv swings/truth.csv -o joined.csv",
     "capture markers": "capture markers swings/swing-001.c3d",
     "capture read": "capture read swings/swing-001.c3d --markers swings/markers.toml --club driver -o shots.csv",
     "capture study": "capture study --count 1 --noise '0.3 mm'",
