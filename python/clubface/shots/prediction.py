@@ -367,6 +367,8 @@ class PredictReport(Described):
             tables=(
                 table("columns", *(text(name, list(each)) for name, each in zip(
                     ("use", "heading", "quantity", "unit"), zip(*columns, strict=True), strict=True)), printed=False),
+                table("parameters", text("name", list(made["parameters"]["values"])),
+                      text("value", list(made["parameters"]["values"].values())), printed=False),
                 table("first_rejects", text("line", [line for line, _ in self.first_rejects]),
                       text("reason", [reason for _, reason in self.first_rejects]),
                       title=f"{self.rejected} rejected{f'; the first {SHOWN}' if self.rejected > SHOWN else ''}"),
