@@ -9,7 +9,8 @@ import clubface
 from clubface import club, fly, impact
 from clubface.design.golfer import golfer
 from clubface.design.optimisation import fitting_run
-from clubface.design.optimisation.fitting_run import fit, landings
+from clubface.design.optimisation.fitting import landings
+from clubface.design.optimisation.fitting_run import fit
 from clubface.design.optimisation.study import from_text
 from clubface.errors import FileError, InputError
 

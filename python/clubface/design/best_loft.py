@@ -9,12 +9,12 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from clubface import published_data, units
-from clubface.design.best_loft_result import best_loft_result, chart_result
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
@@ -87,7 +87,7 @@ class BestLoft(Described):
 
     def to_result(self) -> Result:
         """Return the best lofts as a result."""
-        return best_loft_result(self)
+        return import_module("clubface.design.best_loft_result").best_loft_result(self)
 
 
 def best_loft(
@@ -245,7 +245,7 @@ class ChartComparison(Described):
 
     def to_result(self) -> Result:
         """Return best lofts and chart as a result."""
-        return chart_result(self)
+        return import_module("clubface.design.best_loft_result").chart_result(self)
 
 
 def compare_with_chart(chart: str, **options: Any) -> ChartComparison:

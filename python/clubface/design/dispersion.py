@@ -9,13 +9,13 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any, BinaryIO, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.dispersion_result import dispersion_result
 from clubface.design.golfer import Golfer, club_of, golfer as golfer_named
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
@@ -427,7 +427,7 @@ class Dispersion(Described):
 
     def to_result(self) -> Result:
         """Return the dispersion as a result; :func:`dispersion_result` adds what spreads the shots."""
-        return dispersion_result(self)
+        return import_module("clubface.design.dispersion_result").dispersion_result(self)
 
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse of the landings that holds a share of them."""

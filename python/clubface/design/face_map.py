@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -12,7 +13,6 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.contributions import QUANTITIES, quantities, symbol
-from clubface.design.face_map_result import face_map_result, points_table
 from clubface.design.face_surface import Outline, Struck, Surface, outline_of, run_points, surface_of
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
@@ -169,7 +169,7 @@ class _Mapped(Described):
 
     def all_points(self) -> Table:
         """Return :meth:`columns` as a table."""
-        return points_table(self)
+        return import_module("clubface.design.face_map_result").points_table(self)
 
     def to_result(self, quantities: Sequence[str] = (), scatter: Sequence[Forgiveness] = ()) -> Result:
         """Return the map as a result.
@@ -181,7 +181,7 @@ class _Mapped(Described):
         scatter
             What scattered impacts cost, from :meth:`FaceMap.forgiveness` of each map.
         """
-        return face_map_result(self, quantities, scatter)
+        return import_module("clubface.design.face_map_result").face_map_result(self, quantities, scatter)
 
 
 class FaceMap(_Mapped):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
-from clubface.design.optimisation.landings import DEFAULT_SETTING, Objective, Setting, objective
+from clubface.design.optimisation.landings import DEFAULT_SETTING, Landings, Objective, Setting, objective, objectives
 from clubface.design.optimisation.variables import check_bounds
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
@@ -100,6 +100,39 @@ class Fitting:
 def changed(head: Club, changes: Mapping[str, float]) -> dict[str, float]:
     """Return the fields of a head that its changes set, the lie as a change."""
     return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
+
+
+def landings(of: Fitting, found: Combination) -> list[Any]:
+    """Return where the shots of every golfer land with a combination [m], each of shape (landings, shots)."""
+    head, ball, _ = of.names()[found.place]
+    club = changed(head, found.changes)
+    return [each.of(club) for each, _ in golfer_landings(of, head, ball, of.samples())]
+
+
+def as_it_is(of: Fitting) -> dict[str, float]:
+    """Return what the first club with the first ball is judged by, with nothing changed [SI]."""
+    return judged_values(
+        of, [(each.of({}), weight) for each, weight in golfer_landings(of, *of.names()[0][:2], of.samples())]
+    )
+
+
+def golfer_landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
+    """Return the shots of the golfers with a head and a ball."""
+    own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
+    found = []
+    for sample, weight in samples:
+        # The golfer delivers his loft with the first club; another head delivers as much more as it has more of it.
+        delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
+        found.append((Landings(head, delivered, own), weight))
+    return found
+
+
+def judged_values(of: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float]:
+    """Return every objective of the landings of golfers, each with how much he counts, by its name."""
+    total = sum(weight for _, weight in landed)
+    return {
+        each.name: sum(weight * each.judge(one)[0] for one, weight in landed) / total for each in objectives(of.hole)
+    }
 
 
 SETTINGS = ("loft", "lie", "cg_x", "cg_y", "cg_z")

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from clubface import units
-from clubface.design.optimisation.fitting import Combination, Fitting, describe, describe_changes
+from clubface.design.optimisation.fitting import Combination, Fitting, as_it_is, describe, describe_changes, landings
 from clubface.design.optimisation.optimum_result import CERTAIN, landings_panel, study_provenance
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
@@ -59,8 +59,6 @@ def combinations_table(of: Fitting, found: Sequence[Combination]) -> Table:
 
 
 def _summary(of: Fitting, found: Sequence[Combination]) -> Iterator[Note]:
-    from clubface.design.optimisation.fitting_run import as_it_is
-
     best, judge = found[0], of.judge(of.objective)
     yield note(
         "fitting-best", combinations=len(found), best=describe(best), meaning=judge.meaning,
@@ -101,8 +99,6 @@ def _is_at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
 
 def fitting_picture(of: Fitting, found: Sequence[Combination]) -> Picture:
     """Return landings and ellipses of the best combinations, and how far behind the best the others are."""
-    from clubface.design.optimisation.fitting_run import landings
-
     best = enumerate(found[:LANDINGS], 1)
     landed = {f"{rank}": np.concatenate(landings(of, each), axis=1) for rank, each in best}
     return Picture(

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.optimisation.fitting import Combination, Fitting, changed
+from clubface.design.optimisation.fitting import Combination, Fitting, golfer_landings, judged_values
 from clubface.design.optimisation.fitting_result import combinations_table
-from clubface.design.optimisation.landings import Landings, Objective, objectives
+from clubface.design.optimisation.landings import Landings, Objective
 from clubface.design.optimisation.solve import Problem, best, solve, starts
 from clubface.design.optimisation.study import fitting
 from clubface.design.optimisation.variables import Variables
@@ -113,32 +112,9 @@ def _all(of: Fitting, store: Finished, progress: Callable[[int, int], object] | 
     return [_Tried(*each) for each in run(job, store=store, progress=progress).values()]
 
 
-def landings(of: Fitting, found: Combination) -> list[Any]:
-    """Return where the shots of every golfer land with a combination [m], each of shape (landings, shots)."""
-    head, ball, _ = of.names()[found.place]
-    club = changed(head, found.changes)
-    return [each.of(club) for each, _ in _landings(of, head, ball, of.samples())]
-
-
-def as_it_is(of: Fitting) -> dict[str, float]:
-    """Return what the first club with the first ball is judged by, with nothing changed [SI]."""
-    return _values(of, [(each.of({}), weight) for each, weight in _landings(of, *of.names()[0][:2], of.samples())])
-
-
-def _landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
-    """Return the shots of the golfers with a head and a ball."""
-    own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
-    found = []
-    for sample, weight in samples:
-        # The golfer delivers his loft with the first club; another head delivers as much more as it has more of it.
-        delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
-        found.append((Landings(head, delivered, own), weight))
-    return found
-
-
 def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
     """Judge one combination, after what can be set freely is set as well as it can be."""
-    judge, golfers = of.judge(of.objective), _landings(of, head, ball, samples)
+    judge, golfers = of.judge(of.objective), golfer_landings(of, head, ball, samples)
     changes = dict(of.settings[setting]) if setting else {}
     club = of.set(head, setting)
     if of.bounds:
@@ -152,20 +128,12 @@ def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: An
     landed = [each.of(club) for each, _ in golfers]
     if any(np.isnan(each).any() for each in landed):
         raise _impossible(head, setting)
-    values = _values(of, [(one, weight) for one, (_, weight) in zip(landed, golfers, strict=True)])
+    values = judged_values(of, [(one, weight) for one, (_, weight) in zip(landed, golfers, strict=True)])
     parts = [
         [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
         for one in landed
     ]
     return _Tried(golfers[0][0].ball.name, changes, values, [one.shape[1] for one in landed], parts)
-
-
-def _values(of: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float]:
-    """Return every objective of the landings of golfers, each with how much he counts, by its name."""
-    total = sum(weight for _, weight in landed)
-    return {
-        each.name: sum(weight * each.judge(one)[0] for one, weight in landed) / total for each in objectives(of.hole)
-    }
 
 
 def _impossible(head: Club, setting: str) -> InputError:

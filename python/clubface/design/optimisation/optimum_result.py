@@ -13,7 +13,7 @@ from clubface import units
 from clubface.design.golfer import golfer_sources
 from clubface.design.optimisation.fitting import Fitting, change_words
 from clubface.design.optimisation.landings import FREE, SHARE, own_value
-from clubface.design.optimisation.study import UNITS, DesignStudy
+from clubface.design.optimisation.study import UNITS, DesignStudy, field_quantity
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.results.notes import Note, note
@@ -85,8 +85,6 @@ def study_provenance(
 
 def _club_table(of: Optimum) -> Table:
     """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
-    from clubface.design.optimisation.result import field_quantity
-
     kinds = [field_quantity(name) for name in of.club]
     bounds = [of.study.bounds.get(name, (None, None)) for name in of.club]
     columns = (
@@ -162,8 +160,6 @@ def placement_table(masses: Sequence[Any]) -> Table:
 
 
 def _front_table(of: Optimum) -> Table:
-    from clubface.design.optimisation.result import field_quantity
-
     judges = [of.study.objective(name) for name in of.study.objectives]
     columns = [Column(each.name, [point.values[each.name] for point in of.front], each.quantity) for each in judges]
     columns += [Column(name, [point.club[name] for point in of.front], field_quantity(name), digits=-4)

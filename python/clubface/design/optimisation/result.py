@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,11 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.design import feasibility
 from clubface.design.optimisation.landings import FREE
-from clubface.design.optimisation.optimum_result import optimum_result
-from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy
+from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy, field_quantity, shown_quantity
 from clubface.design.optimisation.variables import PointMass, placement
 from clubface.equipment.clubs import Club
 from clubface.errors import RuleWarning
-from clubface.quantities import Quantity, Reading, quantity as quantity_named
+from clubface.quantities import Quantity, Reading
 from clubface.results.result import Described, Result
 from clubface.support.checks import without_warnings
 
@@ -166,7 +166,7 @@ class Optimum(Described):
 
     def to_result(self) -> Result:
         """Return the optimum as a result."""
-        return optimum_result(self)
+        return import_module("clubface.design.optimisation.optimum_result").optimum_result(self)
 
     def placed(self) -> list[PointMass]:
         """Return point masses that are one way to place the discretionary mass; empty where no mass moves."""
@@ -226,14 +226,3 @@ def _of_range(name: str, value: float, low: float, high: float, quantity: Quanti
     size = high - low if len(sides) == 2 else max([*sides, 1e-12])
     margin = min(value - low, high - value) / size
     return Verdict(name, quantity, value, low, high, float(np.round(margin, 12)))
-
-
-def shown_quantity(name: str, unit: str) -> Quantity:
-    """Return a quantity that is read in a unit, with four digits that count."""
-    si = units.SI_UNITS[units.unit(unit).dimension]
-    return quantity_named(name, si)._replace(golf=Reading(unit, 4))
-
-
-def field_quantity(field: str) -> Quantity:
-    """Return what a field of a club is, in the unit in which studies are written."""
-    return shown_quantity({"loft": "static_loft"}.get(field, field), UNITS[field])._replace(label=field)

@@ -61,6 +61,7 @@ from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import FileError, InputError, Told
 from clubface.fem.heads.meshed import mesh_of
+from clubface.quantities import Quantity as ShownQuantity, Reading, quantity as quantity_named
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, file_key
@@ -94,6 +95,17 @@ DIMENSIONS = {**{name: each.dimension for name, each in CLUB_PROPERTIES.items()}
 UNITS = {**{name: each.unit for name, each in CLUB_PROPERTIES.items()}, "lie": "deg"}
 RULED = {"iyy": "moment_of_inertia", "characteristic_time": "characteristic_time"}
 """The fields of a club that rules limit."""
+
+
+def shown_quantity(name: str, unit: str) -> ShownQuantity:
+    """Return a quantity that is read in a unit, with four digits that count."""
+    si = units.SI_UNITS[units.unit(unit).dimension]
+    return quantity_named(name, si)._replace(golf=Reading(unit, 4))
+
+
+def field_quantity(field: str) -> ShownQuantity:
+    """Return what a field of a club is, in the unit in which studies are written."""
+    return shown_quantity({"loft": "static_loft"}.get(field, field), UNITS[field])._replace(label=field)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from clubface import units
-from clubface.design.shells.study import QUANTITIES
+from clubface.design.shells.study import QUANTITIES, design_quantity
 from clubface.fem.heads import driver
-from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
@@ -23,22 +22,7 @@ if TYPE_CHECKING:
     from clubface.design.shells.management import Step
     from clubface.design.shells.run import Improved
 
-DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
-"""Digits after the point, by unit."""
 SYMBOLS = {"start": "s", "neighbour": "^", "proposal": "o"}
-
-
-def design_quantity(name: str) -> Quantity:
-    """Return one of ``QUANTITIES``, or a variable such as "thickness.crown", for tables and sentences."""
-    if name in QUANTITIES:
-        label, _, unit = QUANTITIES[name]
-    else:
-        table, key = name.split(".")
-        label = f"{key.replace('_', ' ')}{' wall' if table == 'thickness' and 'face' not in key else ''}"
-        unit = "deg" if name == "shape.loft" else "mm"
-    reading = Reading(unit, DIGITS[unit])
-    metric = Reading({"mph": "m/s", "yd": "m"}.get(unit, unit), reading.digits)
-    return Quantity(name, units.SI_UNITS[units.unit(unit).dimension], metric, reading, label)
 
 
 def search_result(of: Improved) -> Result:

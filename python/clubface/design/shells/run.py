@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,7 @@ import numpy as np
 from clubface.design.shells.engine import Engine, FastModel
 from clubface.design.shells.goal import Goal
 from clubface.design.shells.management import SearchResult, Step, trust_region_search
-from clubface.design.shells.result import design_quantity, search_result
-from clubface.design.shells.study import NamedMetal, ShellStudy, read
+from clubface.design.shells.study import NamedMetal, ShellStudy, design_quantity, read
 from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver
 from clubface.fem.heads.driver import DriverHead
@@ -92,7 +92,7 @@ class Improved(Described):
 
     def to_result(self) -> Result:
         """Return what was found as a result."""
-        return search_result(self)
+        return import_module("clubface.design.shells.result").search_result(self)
 
 
 def improve(

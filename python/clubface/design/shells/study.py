@@ -50,6 +50,7 @@ from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.read import FOLDER, from_toml
+from clubface.quantities import Quantity as ShownQuantity, Reading
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import decode, entries, file_key
@@ -74,8 +75,23 @@ QUANTITIES = {
     "sole_to_crown": ("sole to crown", "length", "mm"),
 }
 """What a design has: words, dimension and unit."""
+DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
+"""Digits after the point, by unit."""
 OBJECTIVES = {"ball_speed": True, "carry": True, "characteristic_time": True, "wall_mass": False}
 """What may be best, and whether it shall be large."""
+
+
+def design_quantity(name: str) -> ShownQuantity:
+    """Return one of ``QUANTITIES``, or a variable such as "thickness.crown", for tables and sentences."""
+    if name in QUANTITIES:
+        label, _, unit = QUANTITIES[name]
+    else:
+        table, key = name.split(".")
+        label = f"{key.replace('_', ' ')}{' wall' if table == 'thickness' and 'face' not in key else ''}"
+        unit = "deg" if name == "shape.loft" else "mm"
+    reading = Reading(unit, DIGITS[unit])
+    metric = Reading({"mph": "m/s", "yd": "m"}.get(unit, unit), reading.digits)
+    return ShownQuantity(name, units.SI_UNITS[units.unit(unit).dimension], metric, reading, label)
 
 
 @dataclass(frozen=True, kw_only=True)
