@@ -23,7 +23,7 @@ INF = math.inf
         (0.009, 0.010, INF, -0.1), (-0.012, -INF, -0.010, 0.2),
     ],
 )  # fmt: skip
-def test_a_value_in_a_range(value, low, high, allowed, margin):
+def test_a_value_in_a_range(value, low, high, margin):
     verdict = _of_range("x", value, low, high, quantity("toe"))
     assert (verdict.least, verdict.value, verdict.most) == (low, value, high)
     assert verdict.margin == pytest.approx(margin, abs=1e-12)
