@@ -175,7 +175,7 @@ def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
 def test_at_its_own_launch_a_model_has_its_own_spin_whatever_the_loft_was():
     """A robot's average leaves nothing open, so that the model is judged by exactly its own shot."""
     judged = Judged("standard")
-    shot = judged.hit("7-iron", speed=38.0, attack=-3 * DEG, loft=26 * DEG)
+    shot = judged.strike("7-iron", speed=38.0, attack=-3 * DEG, loft=26 * DEG)
     row = {
         "club": "7-iron", "club_speed": 38.0, "attack": -3 * DEG, "dynamic_loft": 99 * DEG,
         "launch": float(shot.launch), "ball_speed": float(shot.ball_speed), "spin": float(shot.total_spin),
@@ -208,7 +208,7 @@ def test_faces_that_scatter_add_to_the_mean_spin_as_the_angle_in_space_grows(spr
     judged = Judged(DEFAULT_MODEL)
     loft = judged.at_launch("7-iron", launch, speed=speed, attack=attack).delivery["loft"]
     lofts = loft + np.array([-1.0, 1.0]) * DEG
-    spins = judged.hit("7-iron", speed=speed, attack=attack, loft=lofts).total_spin
+    spins = judged.strike("7-iron", speed=speed, attack=attack, loft=lofts).total_spin
     power = float(np.diff(np.log(spins))[0] / np.diff(np.log(lofts - attack))[0])
     variance = (spread * DEG / (loft - attack)) ** 2
     aside = launches.Scatter(spread * DEG, 0.0, 0.0)
@@ -276,7 +276,7 @@ def test_what_other_models_computed_is_shown_but_judges_no_model():
 @pytest.mark.parametrize("restitution", [0.0, 0.25])
 def test_the_tangential_restitution_of_slip_on_a_plate_is_its_parameter(restitution):
     values = {"slip_y": restitution, "cor": 0.8}
-    shot = Judged("slip").hit(strikes.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
+    shot = Judged("slip").strike(strikes.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
     # The plate is heavier than a ball by 2e4, and as much is missing.
     found = strikes.restitutions(shot, 30.0, 40 * DEG)
     assert found == pytest.approx((0.8, restitution), abs=2e-4)
@@ -284,13 +284,13 @@ def test_the_tangential_restitution_of_slip_on_a_plate_is_its_parameter(restitut
 
 def test_a_head_that_does_not_turn_has_the_restitution_of_the_model():
     for of in (strikes.PLATE, strikes.HEAD):
-        normal, _ = strikes.restitutions(Judged("standard").hit(of, speed=48.768), 48.768, 0.0)
+        normal, _ = strikes.restitutions(Judged("standard").strike(of, speed=48.768), 48.768, 0.0)
         assert normal == pytest.approx(0.83, abs=1e-9)
 
 
 def test_the_share_is_one_where_balls_start_along_the_normal_and_falls_with_grip():
     class AlongTheNormal(Judged):
-        def hit(self, club, *, parameters=None, loft, attack, speed, face=0.0):
+        def strike(self, club, *, parameters=None, loft, attack, speed, face=0.0):
             return type("Shot", (), {"launch": loft, "azimuth": face})
 
     assert {each.computed for each in launches.shares(AlongTheNormal("standard"))} == {1.0}
@@ -324,7 +324,9 @@ def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
 def test_the_spin_by_a_degree_is_that_between_two_lofts_a_degree_from_the_mean():
     slope = launches.by_loft(Judged("slip"))[1]
     mean = 662.4 / 26
-    low, high = (Judged("slip").hit("7-iron", loft=(mean + each) * DEG, **launches.GOLF_DIGEST) for each in (-1.0, 1.0))
+    low, high = (
+        Judged("slip").strike("7-iron", loft=(mean + each) * DEG, **launches.GOLF_DIGEST) for each in (-1.0, 1.0)
+    )
     # The check takes a wider step, over which the slope falls a little.
     assert slope.computed == pytest.approx((high.total_spin - low.total_spin) / 2.0, rel=0.02)
 
@@ -336,7 +338,8 @@ def test_a_wedge_that_slides_has_lost_the_published_share_of_its_spin():
     loft = whole.delivery["loft"]
     frictions = np.linspace(0.05, 0.5, 200)
     shots = [
-        judged.hit("pitching-wedge", parameters={"friction": each}, loft=loft, **launches.WEDGE) for each in frictions
+        judged.strike("pitching-wedge", parameters={"friction": each}, loft=loft, **launches.WEDGE)
+        for each in frictions
     ]
     spins = np.array([each.total_spin for each in shots]) / whole.total_spin
     nearest = shots[int(np.argmin(np.abs(spins - 3714 / 5811)))]
@@ -359,7 +362,9 @@ def test_no_loft_near_it_carries_further_than_that_of_the_longest_drive(attack):
     judged = Judged("standard")
     best = launches.longest(judged, 45.0, attack * DEG)
     loft, carry = best.delivery["loft"], clubface.fly(best).carry
-    others = [judged.hit("driver", speed=45.0, attack=attack * DEG, loft=loft + each * DEG) for each in (-2, -1, 1, 2)]
+    others = [
+        judged.strike("driver", speed=45.0, attack=attack * DEG, loft=loft + each * DEG) for each in (-2, -1, 1, 2)
+    ]
     # A parabola through three points 2 degrees apart; its top is flat.
     assert max(clubface.fly(each).carry for each in others) < carry + 0.02
 

@@ -6,13 +6,28 @@
 
 from __future__ import annotations
 
-from clubface.capture.captured import CapturedDelivery as CapturedDelivery
-from clubface.capture.estimators import ESTIMATORS as ESTIMATORS
-from clubface.capture.markers import FacePoint as FacePoint, MarkerMap as MarkerMap, template as template
-from clubface.capture.recording import Recording as Recording, read_c3d as read_c3d, write_c3d as write_c3d
+from clubface.capture.captured import CapturedDelivery
+from clubface.capture.estimators import ESTIMATORS
+from clubface.capture.markers import FacePoint, MarkerMap, template
+from clubface.capture.recording import Recording, read_c3d, write_c3d
 from clubface.capture.swing import (
-    CapturedSwings as CapturedSwings,
-    join as join,
-    read_swing as read_swing,
-    read_swings as read_swings,
+    CapturedSwings,
+    join,
+    read_swing,
+    read_swings,
 )
+
+__all__ = [
+    "ESTIMATORS",
+    "CapturedDelivery",
+    "CapturedSwings",
+    "FacePoint",
+    "MarkerMap",
+    "Recording",
+    "join",
+    "read_c3d",
+    "read_swing",
+    "read_swings",
+    "template",
+    "write_c3d",
+]

@@ -146,9 +146,9 @@ def find_blow(
     tried = []
     for first in range(max(place - 1, 0), min(place + 2, len(known) - 1)):
         frames = int(known[first]), int(known[first + 1])
-        found = _cross(times, followed, frames, noise, arm, cg, roughness, where)
-        if found is not None and times[found.before] <= found.touch + EARLY and found.touch <= times[found.after]:
-            tried.append(found)
+        result = _cross(times, followed, frames, noise, arm, cg, roughness, where)
+        if result is not None and times[result.before] <= result.touch + EARLY and result.touch <= times[result.after]:
+            tried.append(result)
     if not tried:
         raise FileError(
             where, None,

@@ -12,10 +12,10 @@ TEXTS = ("LABELS", "LABELS2", "LABELS3", "UNITS")
 
 def contents(path: str) -> dict[str, Any]:
     """Return ``points``, shape (4, points, frames), NaN where one is marked invalid; ``rate`` [Hz]; texts by name."""
-    found = ezc3d.c3d(path)
-    group = found["parameters"].get("POINT", {})
+    result = ezc3d.c3d(path)
+    group = result["parameters"].get("POINT", {})
     return {
-        "points": np.ascontiguousarray(found["data"]["points"], dtype=np.float64),
-        "rate": float(found["header"]["points"]["frame_rate"]),
+        "points": np.ascontiguousarray(result["data"]["points"], dtype=np.float64),
+        "rate": float(result["header"]["points"]["frame_rate"]),
         "texts": {name: [str(text).strip() for text in group.get(name, {}).get("value", ())] for name in TEXTS},
     }

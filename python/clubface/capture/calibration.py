@@ -88,8 +88,8 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
     names = tuple(mapping.cluster)
     shape = np.array([mapping.cluster[name] for name in names], dtype=np.float64) + np.array(club.cg)
     covariance = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
-    told = Known("markers from the face centre", "given", "toe", deviations=[mapping.position_deviation])
-    return Registration(names, shape, covariance * mapping.position_deviation**2, float("nan"), geometry=(told,))
+    parts = Known("markers from the face centre", "given", "toe", deviations=[mapping.position_deviation])
+    return Registration(names, shape, covariance * mapping.position_deviation**2, float("nan"), geometry=(parts,))
 
 
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
@@ -154,22 +154,22 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     about_cg = np.eye(6)
     about_cg[:3, 3:] = skew(np.array(club.cg))
     notes = (f"{', '.join(absent)} not seen in the calibration: left out",) if absent else ()
-    told = (
+    parts = (
         Known("markers from the face", "measured", "toe", deviations=[misfit]),
         Known("points of the face", "given", "toe", deviations=[mapping.position_deviation]),
     )
-    return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes, told)
+    return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes, parts)
 
 
 def _face_points(mapping: MarkerMap, club: Club) -> Array:
     """Return the places of the face's calibration points from the face centre, in club axes [m]."""
-    found = []
+    result = []
     for name, point in mapping.face.items():
         if abs(point.toe) > 0.5 * club.face_width or abs(point.high) > 0.5 * club.face_height:
             raise FileError(mapping.path, None, f"[face] {name} lies outside the face of {club.name}")
         touched = face_point(point.toe, point.high, club.bulge, club.roll)
-        found.append(touched + point.standoff * nearest(touched, club.bulge, club.roll)[1])
-    return np.array(found) @ face_axes(club.loft).T
+        result.append(touched + point.standoff * nearest(touched, club.bulge, club.roll)[1])
+    return np.array(result) @ face_axes(club.loft).T
 
 
 def _scatter(turned: Array) -> float:
@@ -250,21 +250,23 @@ def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, h
 
     x, covariance = least_squares(rows, np.zeros(6))
     degrees = np.sqrt(np.diag(attitude.covariance))
-    told = []
+    parts = []
     if known:
         words = f"{len(known)} marker{'s' * (len(known) > 1)} from the face centre"
-        told.append(Known(words, "given", "toe", deviations=[mapping.position_deviation]))
+        parts.append(Known(words, "given", "toe", deviations=[mapping.position_deviation]))
     else:
-        told.append(Known("mean of the markers from the face centre", "assumed", "toe", mean.tolist(), spread.tolist()))
+        parts.append(
+            Known("mean of the markers from the face centre", "assumed", "toe", mean.tolist(), spread.tolist())
+        )
     if height is not None:
-        told.append(
+        parts.append(
             Known("height of the face centre over the ground", "assumed", "toe", [nominal], [mapping.assumed.sole])
         )
     shape = moved(x)
     notes = _disagreement(
         rows(x), len(known), np.array(angles(assumed @ exponential(x[3:]), club.loft)), attitude, degrees
     )
-    return Registration(names, shape, covariance, float("nan"), notes, tuple(told))
+    return Registration(names, shape, covariance, float("nan"), notes, tuple(parts))
 
 
 def least_squares(rows: Callable[[Array], Array], start: Array) -> tuple[Array, Array]:
@@ -324,15 +326,15 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
     first, last = _frames(mapping, recording, seen)
     markers = _mean(seen[first : last + 1], tuple(mapping.cluster), recording, first)
     attitude = Attitude(np.array([club.loft, 0.0, 0.0]), np.diag([assumed.loft, assumed.face, assumed.lie]) ** 2)
-    found = placed(markers, attitude, mapping, club, mapping.ground)
-    told = (
+    result = placed(markers, attitude, mapping, club, mapping.ground)
+    parts = (
         Known("loft at address", "assumed", "face", [club.loft], [assumed.loft]),
         Known("face angle at address", "assumed", "face", [0.0], [assumed.face]),
         Known("lie at address", "assumed", "face", [0.0], [assumed.lie]),
     )
     frames = f"address taken from frames {first + recording.first_frame} to {last + recording.first_frame}"
     where = f" of {recording.path}" if mapping.calibration is not None else ""
-    return found._replace(geometry=(*told, *found.geometry), notes=(f"{frames}{where}", *found.notes))
+    return result._replace(geometry=(*parts, *result.geometry), notes=(f"{frames}{where}", *result.notes))
 
 
 def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int, int]:
@@ -341,11 +343,11 @@ def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int,
     if mapping.frames is not None:
         first, last = (each - recording.first_frame for each in mapping.frames)
         if first < 0 or last >= count:
-            told = f"{recording.first_frame} to {recording.first_frame + count - 1}"
+            available = f"{recording.first_frame} to {recording.first_frame + count - 1}"
             raise FileError(
                 recording.path, None,
-                f"frames of the address are {list(mapping.frames)}; the file has frames {told}: correct frames under"
-                f" [calibration] of {mapping.path}",
+                f"frames of the address are {list(mapping.frames)}; the file has frames {available}: correct"
+                f" frames under [calibration] of {mapping.path}",
             )  # fmt: skip
         return first, last
     middle = np.where(visible(seen)[..., None], seen, np.nan).mean(1)  # NaN where a marker is hidden
@@ -430,14 +432,14 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     blow = find_blow(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where, cg=cg)
     attitude = _attitude(blow, mapping, club, ball, where)
     markers = blow.position + followed.shape @ blow.rotation.T
-    found = placed(markers, attitude, mapping, club, None)
+    result = placed(markers, attitude, mapping, club, None)
     deviations = np.sqrt(np.diag(attitude.covariance))
-    told = (
+    parts = (
         Known("loft and face angle at impact, from the blow and what is usual", "assumed", "face",
                  attitude.values[:2].tolist(), deviations[:2].tolist()),
         Known("lie at impact", "assumed", "face", [0.0], deviations[2:].tolist()),
     )  # fmt: skip
-    return found._replace(geometry=(*told, *found.geometry))
+    return result._replace(geometry=(*parts, *result.geometry))
 
 
 def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Track:
@@ -449,8 +451,10 @@ def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Tra
     if not len(whole):
         counts = visible(seen).sum(0).tolist()
         hidden = ", ".join(name for name, count in zip(names, counts, strict=True) if not count)
-        told = f"{hidden} never seen" if hidden else "no frame shows all of them at once"
-        raise FileError(recording.path, None, f"markers of the cluster: {told}; take out of [cluster] what is not seen")
+        reason = f"{hidden} never seen" if hidden else "no frame shows all of them at once"
+        raise FileError(
+            recording.path, None, f"markers of the cluster: {reason}; take out of [cluster] what is not seen"
+        )
     first = seen[whole[len(whole) // 2]]
     return track(first - first.mean(0), seen, names, recording.path)
 
@@ -467,7 +471,7 @@ def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str
     arm = -(mean + spread * random.normal(size=(DRAWS, 3))) - np.array(club.cg)
     toe, high = (deviation * random.normal(size=DRAWS).clip(-2.0, 2.0) for deviation in (assumed.toe, assumed.high))
     lie = assumed.delivered_lie * random.normal(size=DRAWS)
-    aside = assumed.blow * random.normal(size=(2, DRAWS))
+    sideways = assumed.blow * random.normal(size=(2, DRAWS))
     velocity = blow.velocity
     speed = float(np.linalg.norm(velocity))
     given = {
@@ -486,8 +490,8 @@ def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str
                 made = impact(
                     club.replace(hand="right"), {**given, "loft": loft, "face": face}, ball=ball, on_error="nan"
                 )
-            loft = (loft + (launch + aside[0] - made.launch) / SHARE).clip(-STEEP, STEEP)
-            face = (face + (azimuth + aside[1] - made.azimuth) / SHARE).clip(-STEEP, STEEP)
+            loft = (loft + (launch + sideways[0] - made.launch) / SHARE).clip(-STEEP, STEEP)
+            face = (face + (azimuth + sideways[1] - made.azimuth) / SHARE).clip(-STEEP, STEEP)
     except ClubfaceError:
         raise FileError(where, None, _fails(club)) from None
     drawn = np.stack([loft, face, lie])

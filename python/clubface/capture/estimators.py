@@ -97,12 +97,12 @@ def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: f
         slopes[row, [row, row + 2]] = np.array([-1.0, 1.0]) / middle[0][row] * TIME
     weights[3] = (slopes[1] - slopes[0]) / (middle[1][1] - middle[1][0]) * TIME
     weights[2] = slopes[1] - weights[3] * (middle[1][1] / TIME)
-    found = weights @ z
+    result = weights @ z
     spread = np.kron(weights, np.eye(6))
     blocks = np.zeros((24, 24))
     for place in range(4):
         blocks[6 * place : 6 * place + 6, 6 * place : 6 * place + 6] = c[place]
-    return Path(found[:2], found[2:], spread @ blocks @ spread.T, math.nan)
+    return Path(result[:2], result[2:], spread @ blocks @ spread.T, math.nan)
 
 
 def polynomial(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
@@ -195,13 +195,13 @@ def fit(
     design = np.linalg.solve(root, np.kron(powers, np.eye(width)))
     seen = np.linalg.solve(root, z.ravel())
     orthogonal, triangle = np.linalg.qr(design)
-    found = np.linalg.solve(triangle, orthogonal.T @ seen)
+    result = np.linalg.solve(triangle, orthogonal.T @ seen)
     inverse = np.linalg.inv(triangle)
-    left = seen - design @ found
+    left = seen - design @ result
     freedom = width * (count - degree - 1)
     # The rates are the same coefficients, from the second on.
     pick = np.concatenate([np.arange(width * (degree + 1)), np.arange(width, width * (degree + 1))])
-    coefficients = found.reshape(degree + 1, width)
+    coefficients = result.reshape(degree + 1, width)
     covariance = (inverse @ inverse.T)[np.ix_(pick, pick)]
     return Path(coefficients, coefficients[1:], covariance, float(left @ left) / freedom if freedom > 0 else math.nan)
 

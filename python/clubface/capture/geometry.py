@@ -83,7 +83,7 @@ class Assumed:
     def __post_init__(self) -> None:
         check_values(self)
 
-    def told(self) -> dict[str, float]:
+    def stated(self) -> dict[str, float]:
         """Return those that are not as they are unless told."""
         usual = Assumed()
         return {name: getattr(self, name) for name in DIMENSIONS if getattr(self, name) != getattr(usual, name)}

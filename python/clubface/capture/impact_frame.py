@@ -23,7 +23,7 @@ from clubface.errors import FileError
 
 APPROACH = 1.0
 """m/s; a face that comes nearer more slowly is being set down behind the ball."""
-ASIDE = 0.15
+SIDEWAYS = 0.15
 """Metres from the face centre beyond which the head passes the ball instead of meeting it."""
 WIDEST = 8
 """Frames without a pose across which a meeting is still believed."""
@@ -84,10 +84,10 @@ def find_impact(
     """
     for ball in places:
         ahead, local = gap(position, rotation, ball.centre, club, radius)
-        found = _pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
-        if found is not None:
-            notes = _make_sure(position, seen_ball, ball, found, rate, where)
-            return found._replace(notes=found.notes + notes), ball
+        result = _pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
+        if result is not None:
+            notes = _make_sure(position, seen_ball, ball, result, rate, where)
+            return result._replace(notes=result.notes + notes), ball
     hidden = _hidden(position, places[0])
     if hidden is not None:
         raise FileError(
@@ -118,28 +118,28 @@ def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
     return (first, ball.departure - 1) if ball.departure - first >= WIDEST - 1 else None
 
 
-def _pass(ahead: Array, aside: Array, ball: RestingBall, rate: float) -> Interval | None:
+def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> Interval | None:
     """Return the frames between which the face passes a ball while it lies there, None if it does not."""
     known = np.flatnonzero(np.isfinite(ahead))
     first, second = known[:-1], known[1:]
     closing = (ahead[first] - ahead[second]) / (second - first) * rate
     passes = (ahead[first] > 0.0) & (ahead[second] <= 0.0) & (closing > APPROACH) & (second - first <= WIDEST)
-    passes &= np.minimum(aside[first], aside[second]) < ASIDE
+    passes &= np.minimum(sideways[first], sideways[second]) < SIDEWAYS
     passes &= (second >= ball.span[0]) & (first <= ball.span[1] + WIDEST)
     places = np.flatnonzero(passes)
     if not len(places):
-        return _last_seen(ahead, known, ball, aside)
+        return _last_seen(ahead, known, ball, sideways)
     # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
     key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
     chosen = places[int(np.argmax(key))]
     return Interval(int(first[chosen]), int(second[chosen]))
 
 
-def _last_seen(ahead: Array, known: Array, ball: RestingBall, aside: Array) -> Interval | None:
+def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -> Interval | None:
     """Return the interval of a head that is lost from sight before the ball leaves, or is lost from sight as well."""
     gone = ball.span[1] + 1 if ball.departure is None else ball.departure
     earlier = known[known < gone]
-    if gone >= len(ahead) or len(earlier) < 2 or gone - earlier[-1] > WIDEST or aside[earlier[-1]] > ASIDE:
+    if gone >= len(ahead) or len(earlier) < 2 or gone - earlier[-1] > WIDEST or sideways[earlier[-1]] > SIDEWAYS:
         return None
     if not ahead[earlier[-2]] > ahead[earlier[-1]] > 0.0:
         return None
@@ -147,11 +147,11 @@ def _last_seen(ahead: Array, known: Array, ball: RestingBall, aside: Array) -> I
 
 
 def _make_sure(
-    position: Array, seen_ball: Array, ball: RestingBall, found: Interval, rate: float, where: str
+    position: Array, seen_ball: Array, ball: RestingBall, result: Interval, rate: float, where: str
 ) -> tuple[str, ...]:
     """Refuse a pass that moved neither ball nor head; return what could not be made sure."""
-    frames = f"frames {found.before + 1} and {found.after + 1}"
-    later = seen_ball[found.after + 1 : found.after + 12]
+    frames = f"frames {result.before + 1} and {result.after + 1}"
+    later = seen_ball[result.after + 1 : result.after + 12]
     later = later[visible(later)]
     if len(later):
         moved = float(np.linalg.norm(later - ball.centre, axis=-1).max())
@@ -163,8 +163,8 @@ def _make_sure(
             )  # fmt: skip
         return ()
     speeds = [
-        _speed(position[found.before - 5 : found.before + 1], rate),
-        _speed(position[found.after + 1 : found.after + 7], rate),
+        _speed(position[result.before - 5 : result.before + 1], rate),
+        _speed(position[result.after + 1 : result.after + 7], rate),
     ]
     if not np.isfinite(speeds).all():
         return ("neither ball nor clubhead is seen after impact: that they met is taken from where they were before",)
@@ -269,13 +269,13 @@ def follow(
         return Approach(path, attitude, touch + float(time), frames)
 
     for _ in range(MOST_ROUNDS):
-        found = extended()
-        settled = abs(found.touch - touch) < SETTLED
-        touch = found.touch
-        if times[found.frames[-1]] > touch + TOUCHING / closing:
+        result = extended()
+        settled = abs(result.touch - touch) < SETTLED
+        touch = result.touch
+        if times[result.frames[-1]] > touch + TOUCHING / closing:
             known = known[:-1]
         elif settled:
-            return found
+            return result
     raise FileError(where, None, f"the path of the clubhead by {name} does not settle on an instant of impact")
 
 

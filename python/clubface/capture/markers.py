@@ -296,7 +296,7 @@ class MarkerFile:
                 accuracy=markers.accuracy,
             ),
             laboratory=LaboratoryTable(target=markers.target, up=markers.up, unit=markers.unit),
-            noise={} if markers.noise is None else {"marker": markers.noise}, assumed=markers.assumed.told(),
+            noise={} if markers.noise is None else {"marker": markers.noise}, assumed=markers.assumed.stated(),
         )  # fmt: skip
 
     def values(self) -> dict[str, Any]:

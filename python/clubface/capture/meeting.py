@@ -104,8 +104,8 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
                     raise
                 return _at_end(recording, followed, setup, end)
             met = _by_ball(recording, followed, setup, turn)
-            told = "the blow cannot be read, so that all depends on the given place of the ball:"
-            return met._replace(remarks=(*met.remarks, f"{told} {error.message}"))
+            reason = "the blow cannot be read, so that all depends on the given place of the ball:"
+            return met._replace(remarks=(*met.remarks, f"{reason} {error.message}"))
     return _by_ball(recording, followed, setup, turn)
 
 
@@ -122,11 +122,11 @@ def _by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -
     if mapping.ball is not None:
         measured = ball.noise if mapping.noise is None else mapping.noise
         deviation = max(measured, FLOOR) / np.sqrt(max(ball.frames, 1))
-        told = Known("centre of the ball", "measured", "toe", deviations=[deviation])
+        parts = Known("centre of the ball", "measured", "toe", deviations=[deviation])
     else:
         deviation = max(mapping.ball_deviation, FLOOR)
-        told = Known("centre of the ball", "given", "toe", deviations=[deviation])
-    return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (told,))
+        parts = Known("centre of the ball", "given", "toe", deviations=[deviation])
+    return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (parts,))
 
 
 def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
@@ -139,12 +139,14 @@ def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup
     )
     if mapping.ball_position is None:
         centre, deviation = _in_front(approach, setup), ANYWHERE
-        told = [Known("ball", "assumed: where the clubhead loses speed")]
+        parts = [Known("ball", "assumed: where the clubhead loses speed")]
     else:
         centre, deviation = turn @ np.array(mapping.ball_position), mapping.ball_deviation
-        told = [Known("centre of the ball", "given", "toe", deviations=[deviation])]
-    told.append(Known("instant of first touch, from the blow", "measured", "contact_time", deviations=[blow.deviation]))
-    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _told(blow), told)
+        parts = [Known("centre of the ball", "given", "toe", deviations=[deviation])]
+    parts.append(
+        Known("instant of first touch, from the blow", "measured", "contact_time", deviations=[blow.deviation])
+    )
+    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _blow_remark(blow), parts)
 
 
 def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
@@ -156,7 +158,7 @@ def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Me
     approach = follow_until(
         times, kept, end.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
     )
-    told = [
+    parts = [
         Known("ball", "assumed: where the recording ends"),
         Known(
             "instant of first touch, from the end of the recording",
@@ -171,16 +173,16 @@ def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Me
         f" record on for {FEWEST} frames or more to have the blow itself"
     )
     centre = _in_front(approach, setup)
-    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, remark, told)
+    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, remark, parts)
 
 
 def _met(
     approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
-    times: Array, remark: str, told: list[Known],
+    times: Array, remark: str, parts: list[Known],
 ) -> Meeting:  # fmt: skip
     """Return a meeting at an instant [s] known to ``instant``, with a ball known to ``deviation`` [m]."""
     assumed = setup.mapping.assumed
-    told.append(
+    parts.append(
         Known(
             "impact point from the face centre, towards the toe and high", "assumed", "toe", [0.0, 0.0],
             [assumed.toe, assumed.high],
@@ -189,7 +191,7 @@ def _met(
     evidence = Evidence(np.zeros(3), np.array([instant, assumed.toe, assumed.high]))
     ball = RestingBall(centre, deviation, 1, (0, len(times) - 1), None)
     nowhere = np.full((len(times), 3), np.nan)
-    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, (remark,), tuple(told))
+    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, (remark,), tuple(parts))
 
 
 def _in_front(approach: Approach, setup: Setup) -> Array:
@@ -202,7 +204,7 @@ def _in_front(approach: Approach, setup: Setup) -> Array:
     return values[:3] + attitude @ (np.array(head.cg) + face_axes(head.loft) @ (touched + setup.ball.radius * normal))
 
 
-def _told(blow: Blow) -> str:
+def _blow_remark(blow: Blow) -> str:
     message = f"impact is taken from the blow: the head loses {100.0 * blow.lost:.0f}% of its speed"
     if blow.again is None:
         return message
@@ -222,14 +224,14 @@ def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[
         return nowhere, [RestingBall(place, mapping.ball_deviation, 1, always, None)]
     offset = np.array(mapping.ball_offset) * (MIRROR if setup.club.hand < 0 else 1.0)
     seen = recording.marker(mapping.ball) @ turn.T + offset
-    found = resting_places(seen, recording.rate)
-    if not found:
+    result = resting_places(seen, recording.rate)
+    if not result:
         lost = "seen at rest" if visible(seen).any() else "seen"
         raise FileError(
             recording.path, None,
             f"the ball's marker {mapping.ball} is never {lost}; give its position under [ball], or leave the table out",
         )  # fmt: skip
-    return seen, found
+    return seen, result
 
 
 def _noise(followed: Track, last: int, setup: Setup, where: str) -> tuple[float, int]:

@@ -115,7 +115,7 @@ class _Reader:
         if processor not in PROCESSORS:
             raise self.damaged(f"processor type {processor}, not 84, 85 or 86")
         self.order, self.sign = PROCESSORS[processor]
-        self.found: dict[str, int] = {}
+        self.outcome: dict[str, int] = {}
 
     def damaged(self, what: str) -> FileError:
         return FileError(self.name, None, f"{DAMAGED}: {what}")
@@ -130,13 +130,13 @@ class _Reader:
         self.parameters(min(end, data) if data > self.start else end)
         if not 0 < points <= MOST_POINTS:
             raise FileError(self.name, None, f"the file holds {points} points; it needs those of a clubhead")
-        if self.found.get("POINT:USED", points) != points:
-            raise self.damaged(f"the header says {points} points, POINT:USED {self.found['POINT:USED']}")
+        if self.outcome.get("POINT:USED", points) != points:
+            raise self.damaged(f"the header says {points} points, POINT:USED {self.outcome['POINT:USED']}")
         if data < self.start or last < first:
             raise self.damaged("the header says where data begin and end, and they end first")
         # Letters beyond 65535 frames do not fit the header; POINT:FRAMES has the same limit. The smaller is sure.
         frames = last - first + 1
-        frames = min(frames, self.found.get("POINT:FRAMES") or frames)
+        frames = min(frames, self.outcome.get("POINT:FRAMES") or frames)
         word = 4 if self.content[self.sign] & 0x80 else 2  # a negative scale marks floating point
         needed = data + frames * word * (4 * points + analogues)
         if len(self.content) < needed:
@@ -165,8 +165,8 @@ class _Reader:
                 groups[-group] = label
                 used = 3 + self.content[at + 2]
             else:
-                named.append(found := self.parameter(at + 2, group, label))
-                used = found.end - at
+                named.append(outcome := self.parameter(at + 2, group, label))
+                used = outcome.end - at
             if step != 0 and (step < used or at + step > end):
                 raise self.damaged(f"{label} is said to end at byte {at + step}, outside its section")
             if step == 0:
@@ -176,7 +176,7 @@ class _Reader:
             if each.group not in groups:
                 raise self.damaged(f"{each.label} belongs to group {each.group}, which does not exist")
             self.check(groups[each.group], each)
-            self.found[f"{groups[each.group]}:{each.label}"] = each.value
+            self.outcome[f"{groups[each.group]}:{each.label}"] = each.value
 
     def check(self, group: str, each: _Parameter) -> None:
         """Refuse a parameter of another kind than libraries take for granted."""
@@ -237,8 +237,8 @@ class Recording(Described):
     def __post_init__(self) -> None:
         positions = numbers(self.positions, name="positions")
         if positions.ndim != 3 or positions.shape[1:] != (len(self.labels), 3):
-            told = Told(f"an array of shape {positions.shape}")
-            raise InputError("positions", told, f"one of shape (frames, {len(self.labels)} markers, 3)")
+            words = Told(f"an array of shape {positions.shape}")
+            raise InputError("positions", words, f"one of shape (frames, {len(self.labels)} markers, 3)")
         object.__setattr__(self, "positions", positions)
 
     @property
@@ -322,11 +322,11 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
     size = input_file(name).size
     with as_local_file(name) as local:
         try:  # a crash of the library is an error of the file
-            found = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
+            outcome = LIBRARY.call("contents", local, memory=MEMORY * size, seconds=size / SPEED)
         except IsolatedError as error:
             reason = str(error).replace(local, name).rstrip(".")
             raise FileError(name, None, f"this C3D file cannot be read: {reason}") from None
-    points, rate, texts = found["points"], found["rate"], found["texts"]
+    points, rate, texts = outcome["points"], outcome["rate"], outcome["texts"]
     if points.ndim != 3 or not points.shape[1] or not points.shape[2]:
         raise FileError(name, None, "the file holds no points")
     if points.shape[2] < layout.frames:
@@ -379,10 +379,10 @@ def _metres(name: str, given: Sequence[str], unit: str | None) -> float:
     if not symbol:
         raise FileError(name, None, "the file does not name its unit of length; give it, as in --units mm")
     try:
-        found = units.unit(symbol, dimension="length")
+        outcome = units.unit(symbol, dimension="length")
     except (InputError, UnknownNameError):
         allowed = ", ".join(units.symbols("length"))
         raise FileError(
             name, None, f"the unit of length {symbol!r} is unknown; give the right one with --units: {allowed}"
         ) from None
-    return units.size(found.symbol)
+    return units.size(outcome.symbol)

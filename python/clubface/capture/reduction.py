@@ -185,9 +185,9 @@ def with_covariance(
         rows = jacobian[SEEN]
         crossed = spread @ rows.T
         spread = spread - crossed @ np.linalg.solve(rows @ crossed + noise, crossed.T)
-    found = outcome(flat)
+    result = outcome(flat)
     covariance = jacobian[:-1] @ spread @ jacobian[:-1].T
-    return Reduced(found[:-1], float(found[-1]), 0.5 * (covariance + covariance.T), inputs(flat), surprise)
+    return Reduced(result[:-1], float(result[-1]), 0.5 * (covariance + covariance.T), inputs(flat), surprise)
 
 
 def gap(position: Array, rotation: Array, ball: Array, club: Club, radius: float) -> tuple[Array, Array]:

@@ -168,26 +168,26 @@ def prepare(
         An option cannot be used, or the club is not that of the mapping.
     """
     estimator_of(estimator)
-    told: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}
+    words: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}
     if unit is not None:
-        told["unit"] = units.unit(unit, name="units", dimension="length").symbol
+        words["unit"] = units.unit(unit, name="units", dimension="length").symbol
     if noise is not None:
-        told["noise"] = units.parse(noise, "length", name="noise")
-        if not told["noise"] > 0.0:
+        words["noise"] = units.parse(noise, "length", name="noise")
+        if not words["noise"] > 0.0:
             raise InputError("noise", noise, "above 0 m")
-    meant = replace(marker_map(mapping), **told)
+    meant = replace(marker_map(mapping), **words)
     head = club_of(club)
     if hand is not None:
         check_choice("hand", hand, HANDS)
         head = head.replace(hand=hand)
     if meant.club is not None and meant.club != head.name:
         raise InputError("club", head.name, f"{meant.club}, the club of {meant.path}")
-    found = Setup(
+    result = Setup(
         mapping=meant, club=head, ball=ball_of(ball), estimator=estimator,
         roughness=check_roughness(roughness), registration=None,
     )  # fmt: skip
     if meant.way == "positions":
-        return replace(found, registration=given_positions(meant, head))
+        return replace(result, registration=given_positions(meant, head))
     if meant.calibration_path is None:
-        return found
-    return replace(found, registration=found.cluster(read_c3d(meant.calibration_path, unit=meant.unit)))
+        return result
+    return replace(result, registration=result.cluster(read_c3d(meant.calibration_path, unit=meant.unit)))

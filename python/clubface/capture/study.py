@@ -274,10 +274,10 @@ def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: I
     swing = random_swing(np.random.default_rng([seed, number, 0]), club=club)
     truth = np.array([swing.truth[name] for name in QUANTITIES])
     recording, first = cameras.record_from(swing, np.random.default_rng([seed, number, 1]))
-    found = [capture(recording, each) for each in ready]
-    errors = [[getattr(each.delivery, name) for name in QUANTITIES] - truth for each in found]
-    deviations = [[each.uncertainty[name] for name in QUANTITIES] for each in found]
-    return [truth.tolist(), np.array(errors).tolist(), deviations, [float(each.time + first) for each in found]]
+    outcome = [capture(recording, each) for each in ready]
+    errors = [[getattr(each.delivery, name) for name in QUANTITIES] - truth for each in outcome]
+    deviations = [[each.uncertainty[name] for name in QUANTITIES] for each in outcome]
+    return [truth.tolist(), np.array(errors).tolist(), deviations, [float(each.time + first) for each in outcome]]
 
 
 WAYS = ("address", "swing", "address, markers measured")
@@ -323,12 +323,12 @@ def bare_study(
             mapping = bare_map(head, seen, by, cluster)
             mapping = replace(mapping, accuracy=RULER) if measured else mapping
             try:
-                found = capture(bare.recording, prepare(mapping, head))
+                outcome = capture(bare.recording, prepare(mapping, head))
             except FileError:
                 continue
-            errors[place, number] = np.array([getattr(found.delivery, each) for each in QUANTITIES]) - truths[number]
-            deviations[place, number] = [found.uncertainty[each] for each in QUANTITIES]
-            touches[place, number] = found.time + bare.first
+            errors[place, number] = np.array([getattr(outcome.delivery, each) for each in QUANTITIES]) - truths[number]
+            deviations[place, number] = [outcome.uncertainty[each] for each in QUANTITIES]
+            touches[place, number] = outcome.time + bare.first
     return Study(
         club=head,
         cameras=seen,

@@ -89,18 +89,18 @@ def read_swing(
         For each thing that was corrected or is doubtful; ``notes`` of the result holds them as well.
     """
     prepared = prepare(mapping, club, **options)
-    found = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
-    for note in found.notes:
-        warnings.warn(f"{found.source}: {note}", CaptureWarning, stacklevel=2)
-    return found
+    outcome = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
+    for note in outcome.notes:
+        warnings.warn(f"{outcome.source}: {note}", CaptureWarning, stacklevel=2)
+    return outcome
 
 
 def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     """Return the delivery of one recording; the errors are those of :func:`read_swing`."""
-    found = _captured(recording, setup)
-    if abs(found.delivery.path) > 0.5 * math.pi:
-        raise FileError(recording.path, None, _away(found, recording, setup))
-    return found
+    outcome = _captured(recording, setup)
+    if abs(outcome.delivery.path) > 0.5 * math.pi:
+        raise FileError(recording.path, None, _away(outcome, recording, setup))
+    return outcome
 
 
 def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
@@ -250,10 +250,10 @@ class CapturedSwings(Described):
     def write(self, path: str | os.PathLike[str]) -> list[Path]:
         """Write the shots to a CSV or Parquet file, and their standard deviations beside it: ``shots.sd.csv``."""
         target = Path(path)
-        beside = target.with_name(f"{target.stem}.sd{target.suffix}")
+        sibling_file = target.with_name(f"{target.stem}.sd{target.suffix}")
         self.shots.write(target)
-        self.uncertainty.write(beside)
-        return [target, beside]
+        self.uncertainty.write(sibling_file)
+        return [target, sibling_file]
 
     def _table(self, kind: str, deliveries: list[dict[str, float]], launches: list[dict[str, float]]) -> RecordedShots:
         if not self.captured:
@@ -318,8 +318,8 @@ def read_swings(
     )
 
 
-def _values(found: CapturedDelivery) -> dict[str, float]:
-    return {name: getattr(found.delivery, name) for name in QUANTITIES}
+def _values(outcome: CapturedDelivery) -> dict[str, float]:
+    return {name: getattr(outcome.delivery, name) for name in QUANTITIES}
 
 
 SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
@@ -358,10 +358,10 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
     differences = _differences(captured, measured)
     if differences:
         pairs = _aligned(_costs(differences))
-        told = f"paired in their order by {', '.join(differences)}"
+        summary = f"paired in their order by {', '.join(differences)}"
     elif len(captured) == len(measured):
         pairs = np.repeat(np.arange(len(captured))[:, None], 2, axis=1)
-        told = "paired by their order alone: both tables have nothing in common to tell shots by"
+        summary = "paired by their order alone: both tables have nothing in common to tell shots by"
     else:
         raise InputError(
             "measured", f"{len(measured)} shots", f"as many as captured, {len(captured)}, since the tables have none of"
@@ -376,7 +376,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
         clubs=one.clubs if other.clubs is None else other.clubs, hand=other.hand if one.hand is None else one.hand,
         source=f"{captured.source} and {measured.source}", format="joined",
         rejected=tuple(left),
-        notes=(*captured.notes, *measured.notes, told, *_turned(one, other)),
+        notes=(*captured.notes, *measured.notes, summary, *_turned(one, other)),
         speed_at=captured.speed_at, face_at=captured.face_at,
     )  # fmt: skip
 
@@ -384,13 +384,13 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
 def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, Floats]:
     """Return how much each shot of one table differs from each of the other, in parts of what is allowed."""
     first, second = ({**each.deliveries, **each.launches} for each in (captured, measured))
-    found = {}
+    outcome = {}
     for name, allowed in SAME.items():
         if name in first and name in second:
             difference = (first[name][:, None] - second[name][None, :]) / allowed
             if np.isfinite(difference).any():
-                found[name] = difference
-    return found
+                outcome[name] = difference
+    return outcome
 
 
 def _costs(differences: dict[str, Floats]) -> Floats:
@@ -430,9 +430,9 @@ def _aligned(costs: Floats) -> NDArray[np.int64]:
 def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedShots) -> list[RejectedRow]:
     """Return the rows of a table that gave no shot, or one that the other does not have."""
     alone = np.setdiff1d(np.arange(len(shots)), paired)
-    found = [*shots.rejected, *(RejectedRow(int(shots.rows[each]), f"not in {other.source}") for each in alone)]
-    found.sort(key=lambda each: each.line or 0)
-    return [each._replace(reason=f"{shots.source}: {each.reason}") for each in found]
+    outcome = [*shots.rejected, *(RejectedRow(int(shots.rows[each]), f"not in {other.source}") for each in alone)]
+    outcome.sort(key=lambda each: each.line or 0)
+    return [each._replace(reason=f"{shots.source}: {each.reason}") for each in outcome]
 
 
 def _turned(one: RecordedShots, other: RecordedShots) -> list[str]:

@@ -172,15 +172,15 @@ def _orders(count: int) -> NDArray[np.int64]:
     """Return orders of markers to try, the given one first."""
     if count <= ALL_ORDERS:
         return np.array(list(permutations(range(count))))
-    found = [list(range(count))]
+    result = [list(range(count))]
     for size in (2, 3):
         for places in combinations(range(count), size):
             for turned in (places[1:] + places[:1], places[-1:] + places[:-1])[: size - 1]:
                 order = list(range(count))
                 for place, source in zip(places, turned, strict=True):
                     order[place] = source
-                found.append(order)
-    return np.array(found)
+                result.append(order)
+    return np.array(result)
 
 
 def _order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | None:
@@ -208,17 +208,17 @@ def _odd_one(shape: Array, observed: Array, limit: float) -> int | None:
 def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float) -> str:
     """Say why a cluster does not fit at all."""
     left = units.fixed(usual, "mm", 1)
-    told = f"the markers of the clubhead do not fit the mapping: {left} are left over in the usual frame"
+    words = f"the markers of the clubhead do not fit the mapping: {left} are left over in the usual frame"
     whole = np.flatnonzero(np.all(visible(observed), axis=-1))
     frames = whole[:: max(len(whole) // 15, 1)]
     if len(frames):
         if np.median(_misfit(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]))) < LEAST_MISFIT:
-            return f"{told}; their mirror image fits: the hand of the club is wrong, or an axis of the laboratory"
+            return f"{words}; their mirror image fits: the hand of the club is wrong, or an axis of the laboratory"
         orders = [_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
         told_orders = [_words(order, names) for order in orders if order is not None]
         if len(told_orders) > len(frames) / 2:
-            return f"{told}; they fit with {max(set(told_orders), key=told_orders.count)}: correct the mapping"
-    return f"{told}; is this the right club, and were the markers moved since it was calibrated?"
+            return f"{words}; they fit with {max(set(told_orders), key=told_orders.count)}: correct the mapping"
+    return f"{words}; is this the right club, and were the markers moved since it was calibrated?"
 
 
 def _words(order: NDArray[np.int64], names: Sequence[str]) -> str:

@@ -4,5 +4,12 @@ Each check compares published figures with the same figures computed from the pu
 and one ball. A tolerance says how close is good enough, and why. Averages are intervals of what they leave open.
 """
 
-from clubface.validation.check import Check as Check, Figure as Figure
-from clubface.validation.run import Validation as Validation, validate as validate
+from clubface.validation.check import Check, Figure
+from clubface.validation.run import Validation, validate
+
+__all__ = [
+    "Check",
+    "Figure",
+    "Validation",
+    "validate",
+]

@@ -195,13 +195,15 @@ def load(club: str) -> BenchmarkShots:
     check_choice("benchmark club", club, CLUBS)
 
     true_file = FOLDER / f"{club}-truth.parquet"
-    beside = pyarrow_for(true_file).parquet.read_table(true_file, columns=["player", "model", "restitution_offset"])
+    extra_columns = pyarrow_for(true_file).parquet.read_table(
+        true_file, columns=["player", "model", "restitution_offset"]
+    )
     return BenchmarkShots(
         club=club,
         head=HEADS[club],
         measured=read_shots(FOLDER / f"{club}.parquet"),
         truth=read_shots(true_file),
-        player=beside["player"].to_numpy(),
-        model=beside["model"].to_numpy(),
-        restitution_offset=beside["restitution_offset"].to_numpy(),
+        player=extra_columns["player"].to_numpy(),
+        model=extra_columns["model"].to_numpy(),
+        restitution_offset=extra_columns["restitution_offset"].to_numpy(),
     )

@@ -66,8 +66,8 @@ def restitution_offsets(recipe: Recipe, delivery: Mapping[str, Floats], scatter:
 def launches(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> dict[str, Floats]:
     """Return the launches by model ``name`` with the parameters of the mixture; ``offsets`` change its restitution."""
     parameters = true_parameters(recipe, name, delivery, offsets)
-    found = impact(with_shaft(recipe), model=name, parameters=parameters, delivery=delivery, ball=published_ball())
-    return {quantity: np.asarray(getattr(found, quantity)) for quantity in LAUNCH}
+    result = impact(with_shaft(recipe), model=name, parameters=parameters, delivery=delivery, ball=published_ball())
+    return {quantity: np.asarray(getattr(result, quantity)) for quantity in LAUNCH}
 
 
 def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> ParameterSet:
@@ -124,20 +124,20 @@ def captured(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Gene
     newest, older = np.diff(position[::-1], axis=0)[::-1] / recipe.frame
     velocity = newest + (newest - older) * (ahead / recipe.frame + 0.5)
     at_impact = position[0] + newest * ahead
-    found = _direction(velocity)
+    result = _direction(velocity)
     for angle, (rate, sign) in RATES.items():
         growth = recipe.growth[rate][0] + recipe.growth[rate][1] * random.standard_normal(shots)
         seen = truth[angle] + sign * (truth[rate] * times + 0.5 * growth * times**2)
         seen = seen + recipe.attitude_noise * random.standard_normal((3, shots))
         slope = (seen[0] - seen[1]) / recipe.frame
-        found[angle], found[rate] = seen[0] + slope * ahead, sign * slope
+        result[angle], result[rate] = seen[0] + slope * ahead, sign * slope
     # A head believed too far to the right or too high puts the ball towards the heel or the sole; the line along which
     # the head travels is left out: the ball touches the face.
     right = at_impact[2] - at_impact[0] * np.tan(truth["path"])
     up = at_impact[1] - at_impact[0] * np.tan(truth["attack"])
-    found["toe"] = truth["toe"] - right / np.cos(truth["face"])
-    found["high"] = truth["high"] - up / np.cos(truth["loft"])
-    return {name: found[name] for name in truth}
+    result["toe"] = truth["toe"] - right / np.cos(truth["face"])
+    result["high"] = truth["high"] - up / np.cos(truth["loft"])
+    return {name: result[name] for name in truth}
 
 
 def monitored(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
@@ -182,23 +182,23 @@ def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Floats]
     player = players_of(recipe)
     habits = _standard(recipe, random, recipe.players)
     deviations = _standard(recipe, random, recipe.shots)
-    found = {}
+    result = {}
     for name, spread in recipe.delivery.items():
-        found[name] = spread.mean + spread.between * habits[name][player] + spread.within * deviations[name]
-    speed, spread = found["speed"], recipe.delivery["speed"]
+        result[name] = spread.mean + spread.between * habits[name][player] + spread.within * deviations[name]
+    speed, spread = result["speed"], recipe.delivery["speed"]
     both = float(np.hypot(spread.between, spread.within))
     while (outside := (speed < recipe.slowest) | (speed > recipe.fastest)).any():
         speed[outside] = spread.mean + both * random.standard_normal(int(outside.sum()))
-    return found
+    return result
 
 
 def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[str, Floats]:
     """Return standard normal deviates of each quantity, correlated where one follows another."""
     plain = {name: _standardised(random.standard_normal(count)) for name in recipe.delivery}
-    found = dict(plain)
+    result = dict(plain)
     for name, (leader, correlation) in recipe.follows.items():
-        found[name] = _standardised(correlation * plain[leader] + np.sqrt(1.0 - correlation**2) * plain[name])
-    return found
+        result[name] = _standardised(correlation * plain[leader] + np.sqrt(1.0 - correlation**2) * plain[name])
+    return result
 
 
 def _standardised(values: Floats) -> Floats:
@@ -240,35 +240,35 @@ class Made(NamedTuple):
     launch: dict[str, Floats]
 
 
-def make(of: Recipe) -> Made:
+def make(plan: Recipe) -> Made:
     """Return the shots of one club."""
-    random = np.random.default_rng(of.seed)
-    player = players_of(of) + 1
-    truth = _rounded(deliveries(of, random), {}, TRUE_DIGITS)
-    names = list(of.mixture)
-    model = np.array(names, dtype=object)[(random.random(of.shots) * len(names)).astype(int)]
-    scatter = of.ball_scatter * random.standard_normal(of.shots)
-    restitution = np.round(restitution_offsets(of, truth, scatter), 9)
-    launch = {name: np.empty(of.shots) for name in LAUNCH}
+    random = np.random.default_rng(plan.seed)
+    player = players_of(plan) + 1
+    truth = _rounded(deliveries(plan, random), {}, TRUE_DIGITS)
+    names = list(plan.mixture)
+    model = np.array(names, dtype=object)[(random.random(plan.shots) * len(names)).astype(int)]
+    scatter = plan.ball_scatter * random.standard_normal(plan.shots)
+    restitution = np.round(restitution_offsets(plan, truth, scatter), 9)
+    launch = {name: np.empty(plan.shots) for name in LAUNCH}
     for name in names:
         own = model == name
-        found = launches(of, name, {key: each[own] for key, each in truth.items()}, restitution[own])
-        for key, values in found.items():
+        result = launches(plan, name, {key: each[own] for key, each in truth.items()}, restitution[own])
+        for key, values in result.items():
             launch[key][own] = values
     launch = _rounded(launch, {}, TRUE_DIGITS)
-    delivery = _rounded(captured(of, truth, random), CAPTURE_DIGITS, 2)
-    seen = _rounded(monitored(of, launch, random), MONITOR_DIGITS, 1)
+    delivery = _rounded(captured(plan, truth, random), CAPTURE_DIGITS, 2)
+    seen = _rounded(monitored(plan, launch, random), MONITOR_DIGITS, 1)
     return Made(player, model, restitution, truth, launch, delivery, seen)
 
 
-def tables(of: Recipe) -> dict[str, dict[str, Any]]:
+def tables(plan: Recipe) -> dict[str, dict[str, Any]]:
     """Return the columns of the two files of one club, by the name of the file."""
-    made = make(of)
-    first: dict[str, Any] = {"club": [of.head] * of.shots, "player": made.player}
+    made = make(plan)
+    first: dict[str, Any] = {"club": [plan.head] * plan.shots, "player": made.player}
     kept = {"model": made.model.tolist(), "restitution_offset": made.restitution}
     return {
-        f"{of.club}.parquet": first | _columns(made.delivery | made.launch),
-        f"{of.club}-truth.parquet": first | kept | _columns(made.true_delivery | made.true_launch),
+        f"{plan.club}.parquet": first | _columns(made.delivery | made.launch),
+        f"{plan.club}-truth.parquet": first | kept | _columns(made.true_delivery | made.true_launch),
     }
 
 
@@ -292,12 +292,12 @@ def _unit(name: str) -> tuple[str, str]:
 
 def _rounded(values: dict[str, Floats], digits: dict[str, int], otherwise: int) -> dict[str, Floats]:
     """Return SI values as they are read back from a column with so many decimals."""
-    found = {}
+    result = {}
     for name, each in values.items():
         shown = _unit(name)[1]
         cells = np.round(units.from_si(each, shown), digits.get(shown, otherwise)) + 0.0  # no negative zero
-        found[name] = units.to_si(cells, shown)
-    return found
+        result[name] = units.to_si(cells, shown)
+    return result
 
 
 def _columns(values: dict[str, Floats]) -> dict[str, Floats]:

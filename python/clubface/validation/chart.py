@@ -147,7 +147,7 @@ def through_cg(head: Club) -> tuple[float, float]:
 def _errors(model: str, struck: str, head: Club, where: tuple[float, float]) -> Errors:
     table = published_data.table(TABLE)
     with without_warnings():
-        shots = Judged(model, BALL).hit(
+        shots = Judged(model, BALL).strike(
             head, speed=table["club_speed"], attack=table["attack"], loft=table["dynamic_loft"], toe=where[0],
             high=where[1],
         )  # fmt: skip

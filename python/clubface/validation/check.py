@@ -127,19 +127,19 @@ class Judged:
         self.ball = ball
         self.tally = tally or Tally()
 
-    def hit(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
+    def strike(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
         """Return the launch of one shot, SI; a value that is NaN gives a launch of NaN."""
         with without_warnings(RangeWarning):
-            found = impact(club, delivery, model=self.model, ball=self.ball, parameters=parameters, on_error="nan")
-        self.tally.add(found)
-        return found
+            result = impact(club, delivery, model=self.model, ball=self.ball, parameters=parameters, on_error="nan")
+        self.tally.add(result)
+        return result
 
     def at_launch(self, club: str | Club, launch: Any, **delivery: Any) -> Launch:
         """Return shots whose launch angles [rad] are as given, by their dynamic lofts; NaN where no loft does it."""
         with without_warnings(RangeWarning):
-            found = impact_at_launch(club, delivery, launch=launch, model=self.model, ball=self.ball).launch
-        self.tally.add(found)
-        return found
+            result = impact_at_launch(club, delivery, launch=launch, model=self.model, ball=self.ball).launch
+        self.tally.add(result)
+        return result
 
     def has(self, parameter: str) -> bool:
         """Return whether the model has a parameter of this name."""

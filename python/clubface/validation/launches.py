@@ -103,7 +103,7 @@ def ratios(
         places, weights = scattered(scatter)
         for height, loft in zip(heights, shots.delivery["loft"], strict=True):
             where: dict[str, Any] = {"face": places["face"], "toe": places["toe"], "high": height + places["high"]}
-            many = reference.hit(club, speed=speed, attack=attack, loft=loft, **where)
+            many = reference.strike(club, speed=speed, attack=attack, loft=loft, **where)
             for name in QUANTITIES:
                 possible[name].append(float(weights @ getattr(many, name)))
     return {name: (computed[name] / max(values), computed[name] / min(values)) for name, values in possible.items()}
@@ -222,17 +222,17 @@ def deliveries() -> dict[str, dict[str, Any]]:
         "dynamic_loft": float(np.mean(lofts)),
     }  # fmt: skip
     names = {"speed": "club_speed", "attack": "attack", "loft": "dynamic_loft"}
-    found = {"driver": drive, "7-iron": iron, "pitching-wedge": wedge}
-    return {club: {name: row[column] for name, column in names.items()} for club, row in found.items()}
+    result = {"driver": drive, "7-iron": iron, "pitching-wedge": wedge}
+    return {club: {name: row[column] for name, column in names.items()} for club, row in result.items()}
 
 
 def shares(judged: Judged) -> list[Figure]:
     """Return the shares of the way from club to face, of launch angle and of start direction."""
-    found = []
+    result = []
     for club, delivery in deliveries().items():
         attack, loft = delivery["attack"], delivery["loft"]
-        up = (judged.hit(club, **delivery).launch - attack) / (loft - attack)
-        right, left = (judged.hit(club, face=face, **delivery).azimuth for face in (OPEN, -OPEN))
+        up = (judged.strike(club, **delivery).launch - attack) / (loft - attack)
+        right, left = (judged.strike(club, face=face, **delivery).azimuth for face in (OPEN, -OPEN))
         for table, quantity, computed in (
             ("launch-shares-vertical", "launch angle (PING)", up),
             ("launch-shares-trackman", "launch angle (TrackMan)", up),
@@ -240,38 +240,38 @@ def shares(judged: Judged) -> list[Figure]:
         ):
             (row,) = (each for each in rows(table) if each["club"] == club)
             allowed = row.get("spread", BETWEEN_SOURCES)
-            found.append(figure(club, f"share of {quantity}", "1", row["share"], computed, allowed))
-    return found
+            result.append(figure(club, f"share of {quantity}", "1", row["share"], computed, allowed))
+    return result
 
 
 def curvature(judged: Judged) -> list[Figure]:
     """Return how far from their first line shots land whose face is open or closed to the path, which opposes it."""
-    found = []
+    result = []
     for row in rows("curvature-trackman"):
         table = "pga-2019" if row["group"] == "PGA Tour" else "lpga-2019"
         average = next(each for each in averages(table) if each.club == row["club"])
         half = row["face_to_path"] / 2.0
-        shot = judged.hit(
+        shot = judged.strike(
             row["club"], speed=average.club_speed, attack=average.attack, loft=published_lofts(table)[row["club"]],
             face=half, path=-half,
         )  # fmt: skip
         ball = fly(shot)
         curve = ball.carry * math.sin(math.asin(ball.side / ball.carry) - shot.azimuth)
         what = f"{row['group']}, {row['club']}, face to path {units.show(row['face_to_path'], 'deg')}"
-        found.append(figure(what, "curve", "yd", row["curve"], curve, CURVE_TOLERANCE, relative=True))
-    return found
+        result.append(figure(what, "curve", "yd", row["curve"], curve, CURVE_TOLERANCE, relative=True))
+    return result
 
 
 def head_after_impact(judged: Judged) -> list[Figure]:
     """Return by how much steeper a driver's head goes down when the ball has left."""
     (row,) = rows("head-after-impact")
-    found = []
+    result = []
     for loft, steeper in (("spin_loft_least", "steeper_least"), ("spin_loft_most", "steeper_most")):
-        shot = judged.hit("driver", speed=HEAD_SPEED, loft=row[loft])
+        shot = judged.strike("driver", speed=HEAD_SPEED, loft=row[loft])
         computed = -math.atan2(shot.club_velocity_y, shot.club_velocity_x)
         what = f"driver, spin loft {units.show(row[loft], 'deg')}"
-        found.append(figure(what, "attack angle steeper by", "deg", row[steeper], computed, STEEPER_TOLERANCE))
-    return found
+        result.append(figure(what, "attack angle steeper by", "deg", row[steeper], computed, STEEPER_TOLERANCE))
+    return result
 
 
 GOLF_DIGEST: dict[str, Any] = {"speed": units.parse("82 mph", "speed"), "attack": units.parse("-3 deg", "angle")}
@@ -288,7 +288,7 @@ PEAK_TOLERANCE = units.parse("4 deg", "angle")
 
 def by_loft(judged: Judged) -> list[Figure]:
     """Return the spin of 7-irons at the mean of the published lofts or launch angles, and its slope over them."""
-    found = []
+    result = []
     for table, column, delivery in (
         ("robot-7-irons-2026", "dynamic_loft", GOLF_DIGEST), ("robot-7-irons-launch-2026", "launch", COOL_CLUBS),
     ):  # fmt: skip
@@ -300,18 +300,18 @@ def by_loft(judged: Judged) -> list[Figure]:
             shot = (
                 judged.at_launch("7-iron", angle, **delivery)
                 if launched
-                else judged.hit("7-iron", loft=angle, **delivery)
+                else judged.strike("7-iron", loft=angle, **delivery)
             )
             computed.append(shot.total_spin)
         named = "dynamic loft" if column == "dynamic_loft" else "launch angle"
         what = f"7-iron, {named} {units.show(middle, 'deg', 3)}"
         slope, degree = float(np.polyfit(angles, spins, 1)[0]), math.radians(1.0)
-        found += [
+        result += [
             figure(what, "spin", "rpm", spins.mean(), computed[1], SPIN, relative=True),
             figure(what, "spin by a degree", "rpm", slope * degree,
                    degree * (computed[2] - computed[0]) / (2.0 * wide), SLOPE_TOLERANCE, relative=True),
         ]  # fmt: skip
-    return found
+    return result
 
 
 def sliding(judged: Judged) -> list[Figure]:
@@ -328,7 +328,7 @@ def sliding(judged: Judged) -> list[Figure]:
         loft = whole.delivery["loft"]
 
         def with_friction(friction: float) -> Launch:
-            return judged.hit("pitching-wedge", parameters={"friction": friction}, loft=loft, **WEDGE)
+            return judged.strike("pitching-wedge", parameters={"friction": friction}, loft=loft, **WEDGE)
 
         low, high = LEAST_FRICTION, float(whole.parameters.values["friction"])
         if with_friction(low).total_spin < kept * whole.total_spin:
@@ -344,7 +344,7 @@ def sliding(judged: Judged) -> list[Figure]:
 def peak(judged: Judged) -> list[Figure]:
     """Return the spin loft at which a wedge spins most."""
     (row,) = rows("spin-peak")
-    spins = np.array([float(judged.hit("pitching-wedge", loft=loft, **PEAK).total_spin) for loft in PEAK_LOFTS])
+    spins = np.array([float(judged.strike("pitching-wedge", loft=loft, **PEAK).total_spin) for loft in PEAK_LOFTS])
     published = (row["spin_loft_still_gripping"], row["spin_loft_sliding"])
     computed = top(PEAK_LOFTS - PEAK["attack"], spins)
     return [figure("wedge, 75 mph", "spin loft of most spin", "deg", published, computed, PEAK_TOLERANCE)]
@@ -375,24 +375,24 @@ def longest(judged: Judged, speed: float, attack: float) -> Launch:
         if 0 < (best := int(np.argmax(carries))) < len(lofts) - 1:
             break
         lofts, carries = _carries(judged, speed, attack, float(lofts[best]))
-    return judged.hit("driver", speed=speed, attack=attack, loft=top(lofts, carries))
+    return judged.strike("driver", speed=speed, attack=attack, loft=top(lofts, carries))
 
 
 def _carries(judged: Judged, speed: float, attack: float, middle: float) -> tuple[Floats, Floats]:
     lofts = middle + STEPS
-    shots = [judged.hit("driver", speed=speed, attack=attack, loft=float(loft)) for loft in lofts]
+    shots = [judged.strike("driver", speed=speed, attack=attack, loft=float(loft)) for loft in lofts]
     return lofts, np.array([fly(each).carry for each in shots])
 
 
 def by_club_speed(judged: Judged) -> list[Figure]:
     """Return the launches of the longest drives by club speed and attack angle."""
-    found = []
+    result = []
     wanted = {round(units.parse(each, "speed"), 6) for each in SPEEDS}
     for row in rows("optimum-trackman-2010"):
         if row["optimum_of"] == "carry" and round(row["club_speed"], 6) in wanted:
             shot = longest(judged, row["club_speed"], row["attack"])
-            found += _launch(_named("club", row["club_speed"], row["attack"]), row, shot)
-    return found
+            result += _launch(_named("club", row["club_speed"], row["attack"]), row, shot)
+    return result
 
 
 def by_ball_speed(judged: Judged) -> list[Figure]:
@@ -400,7 +400,7 @@ def by_ball_speed(judged: Judged) -> list[Figure]:
 
     The club speed is that with which the longest drive has the published ball speed, after one correction.
     """
-    found = []
+    result = []
     speeds = {round(units.parse(each, "speed"), 6) for each in BALL_SPEEDS}
     attacks = {round(math.radians(each), 6) for each in BALL_ATTACKS}
     for row in rows("optimum-ping-2019"):
@@ -408,8 +408,8 @@ def by_ball_speed(judged: Judged) -> list[Figure]:
             speed = row["ball_speed"] / SMASH
             shot = longest(judged, speed, row["attack"])
             shot = longest(judged, speed * row["ball_speed"] / float(shot.ball_speed), row["attack"])
-            found += _launch(_named("ball", row["ball_speed"], row["attack"]), row, shot)
-    return found
+            result += _launch(_named("ball", row["ball_speed"], row["attack"]), row, shot)
+    return result
 
 
 def _named(what: str, speed: float, attack: float) -> str:

@@ -84,10 +84,10 @@ class Changed(Judged):
         super().__init__(model, ball)
         self.change = change
 
-    def hit(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
+    def strike(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
         """Return the launch of one shot."""
         head, delivery = self._changed(club, delivery)
-        return super().hit(head, parameters=parameters, **delivery)
+        return super().strike(head, parameters=parameters, **delivery)
 
     def at_launch(self, club: str | Club, launch: Any, **delivery: Any) -> Launch:
         """Return shots at their launch angle."""

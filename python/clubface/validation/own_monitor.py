@@ -270,7 +270,7 @@ def camps_of(head: str, model: str, ball: Any = None) -> dict[str, tuple[float, 
 @cache
 def _shares(model: str, ball: Any) -> dict[tuple[str, str], list[float]]:
     """Return the shares of spin of all published irons by camp and club."""
-    found: dict[tuple[str, str], list[float]] = {}
+    outcome: dict[tuple[str, str], list[float]] = {}
     published = list(_published())
     for camp, name in dict.fromkeys((camp, row["club"]) for camp, row in published):
         group = [row for each, row in published if (each, row["club"]) == (camp, name)]
@@ -279,8 +279,8 @@ def _shares(model: str, ball: Any) -> dict[tuple[str, str], list[float]]:
         )
         with without_warnings(RangeWarning):
             shot = impact_at_launch(name, speed=speed, attack=attack, launch=launch, model=model, ball=ball)
-        found[camp, name] = (spin / shot.launch.total_spin).tolist()
-    return found
+        outcome[camp, name] = (spin / shot.launch.total_spin).tolist()
+    return outcome
 
 
 def _published() -> Iterator[tuple[str, Mapping[str, Any]]]:

@@ -45,7 +45,7 @@ LOSS_TOLERANCE = 0.002
 def toe_hits(judged: Judged) -> list[Figure]:
     """Return ball speed, launch and offline distance of a driver struck towards the toe."""
     (row,) = rows("driver-toe-hits-2011")
-    centre, toe = (judged.hit("driver", speed=TOE_SPEED, loft=TOE_LOFT, toe=each) for each in (0.0, row["toe"]))
+    centre, toe = (judged.strike("driver", speed=TOE_SPEED, loft=TOE_LOFT, toe=each) for each in (0.0, row["toe"]))
     what = f"driver, {units.show(row['toe'], 'mm', 3)} towards the toe"
     share = row["ball_speed_share"]
     return [
@@ -61,7 +61,7 @@ def height(judged: Judged) -> list[Figure]:
     """Return what 15 mm of height on the face of a driver change, half of them below its centre."""
     (row,) = rows("driver-height-2014")
     half = row["higher"] / 2.0
-    low, high = (judged.hit("driver", speed=TOE_SPEED, loft=TOE_LOFT, high=each) for each in (-half, half))
+    low, high = (judged.strike("driver", speed=TOE_SPEED, loft=TOE_LOFT, high=each) for each in (-half, half))
     what = f"driver, {units.show(row['higher'], 'mm')} higher"
     spin = high.total_spin - low.total_spin
     return [
@@ -76,7 +76,7 @@ def best_strike(judged: Judged) -> list[Figure]:
     At every strike the loft is solved. Ball speed is a parabola over the face, so that three strikes tell it.
     """
     places = np.array([-BEST_STEP, 0.0, BEST_STEP])
-    found = []
+    result = []
     for row in rows("best-strike-blackmore"):
         way = row["direction"]
         for launch in BEST_LAUNCHES[way]:
@@ -87,8 +87,8 @@ def best_strike(judged: Judged) -> list[Figure]:
                           -slope / (2.0 * bend), BEST_TOLERANCES[way])  # fmt: skip
             loss = figure(what, f"speed lost 10 mm away, {way}", "%", (row["loss_least"], row["loss_most"]),
                           -bend * BEST_STEP**2 / speeds[1], LOSS_TOLERANCE)  # fmt: skip
-            found += [best, loss]
-    return found
+            result += [best, loss]
+    return result
 
 
 def gear_effect(judged: Judged) -> list[Figure]:
@@ -96,23 +96,24 @@ def gear_effect(judged: Judged) -> list[Figure]:
 
     The face angle is that of the point struck: where the face bulges, the club is turned back by as much.
     """
-    found = []
+    result = []
     drive: dict[str, Any] = {"speed": TOE_SPEED, "loft": TOE_LOFT}
     for row in rows("strike-offsets-trackman"):
         bulge, delivery = club(row["club"]).bulge, drive if row["club"] == "driver" else IRON
         turned = -math.asin(row["toe"] / bulge) if math.isfinite(bulge) else 0.0
         centre, shot = (
-            judged.hit(row["club"], toe=toe, face=face, **delivery) for toe, face in ((0.0, 0.0), (row["toe"], turned))
+            judged.strike(row["club"], toe=toe, face=face, **delivery)
+            for toe, face in ((0.0, 0.0), (row["toe"], turned))
         )
         side = "toe" if row["toe"] > 0.0 else "heel"
         what = f"{row['club']}, {units.show(abs(row['toe']), 'mm', 2)} towards the {side}"
         axis = shot.spin_axis - centre.spin_axis
-        found.append(figure(what, "spin axis", "deg", row["spin_axis"], axis, AXIS_TOLERANCE, relative=True))
+        result.append(figure(what, "spin axis", "deg", row["spin_axis"], axis, AXIS_TOLERANCE, relative=True))
     (row,) = rows("gear-effect-2016")
-    spins = [judged.hit(nominal(depth), speed=50.0, toe=row["toe"]).sidespin for depth in DEPTHS]
+    spins = [judged.strike(nominal(depth), speed=50.0, toe=row["toe"]).sidespin for depth in DEPTHS]
     growth = row["depth_added"] * abs(spins[1] - spins[0]) / units.parse(f"{DEPTHS[1] - DEPTHS[0]} mm", "length")
     given = row["sidespin_added"]
-    return [*found, figure("driver, 25 mm towards the toe", "sidespin by a mm of depth", "rpm", given, growth,
+    return [*result, figure("driver, 25 mm towards the toe", "sidespin by a mm of depth", "rpm", given, growth,
                            MODEL_TOLERANCE, relative=True)]  # fmt: skip
 
 
@@ -166,11 +167,11 @@ def restitutions(shot: Launch, speed: float, angle: float) -> tuple[float, float
 
 def plates(judged: Judged) -> list[Figure]:
     """Return the restitution of the ball against plates and a head without spring effect."""
-    found = []
+    result = []
 
     def against(of: Club, speed: float, angle: float = 0.0, friction: float | None = None) -> tuple[float, float]:
         parameters = None if friction is None else {"friction": friction}
-        return restitutions(judged.hit(of, speed=speed, loft=angle, parameters=parameters), speed, angle)
+        return restitutions(judged.strike(of, speed=speed, loft=angle, parameters=parameters), speed, angle)
 
     (least,) = rows("plate-cor-three-piece")
     (most,) = rows("plate-cor-reduced-distance")
@@ -184,21 +185,21 @@ def plates(judged: Judged) -> list[Figure]:
         ("granite, 4 m/s", PLATE, slow["speed"], slow["restitution"]),
     ):
         allowed = SLOW_TOLERANCE if what.startswith("granite") else RESTITUTION_TOLERANCE
-        found.append(figure(what, "restitution", "1", published, against(of, speed)[0], allowed))
+        result.append(figure(what, "restitution", "1", published, against(of, speed)[0], allowed))
     gripping = math.nan
     if judged.has("friction"):
         gripping = against(PLATE, slow["speed"], GRIPPING, slow["friction"])[1]
     published = slow["tangential_restitution_gripping"]
     across = "tangential restitution"
-    found.append(figure("granite, 4 m/s, 40 deg", across, "1", published, gripping, TANGENTIAL_TOLERANCE))
+    result.append(figure("granite, 4 m/s, 40 deg", across, "1", published, gripping, TANGENTIAL_TOLERANCE))
     published = (oblique["restitution_least"], oblique["restitution_most"])
     computed = against(PLATE, OBLIQUE_SPEED, oblique["incidence"])[1]
-    return [*found, figure("plate, 50 deg", across, "1", published, computed, TANGENTIAL_TOLERANCE)]
+    return [*result, figure("plate, 50 deg", across, "1", published, computed, TANGENTIAL_TOLERANCE)]
 
 
 def contact_time(judged: Judged) -> list[Figure]:
     """Return the contact time of a drive."""
     (row,) = rows("drive-contact-time")
     published = (row["contact_time_least"], row["contact_time_most"])
-    computed = judged.hit(club("driver"), **DRIVE).contact_time
+    computed = judged.strike(club("driver"), **DRIVE).contact_time
     return [figure("driver, 113 mph", "contact time", "us", published, computed, TIME_TOLERANCE)]

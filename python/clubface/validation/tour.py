@@ -84,8 +84,8 @@ class Average(NamedTuple):
 
 def averages(table: str = DEFAULT_TABLE) -> list[Average]:
     """Return the rows of a table of ``TABLES``, driver to pitching wedge, for which there is a built-in club."""
-    found = published_table(table)
-    rows = zip(*(found[name].tolist() for name in Average._fields), strict=True)
+    outcome = published_table(table)
+    rows = zip(*(outcome[name].tolist() for name in Average._fields), strict=True)
     return [row for row in map(Average._make, rows) if row.club in TOUR_CLUBS]
 
 
@@ -118,12 +118,12 @@ def solve_loft(
     The ball is struck ``high`` [m] above the face centre. A launch angle out of reach is an :class:`InputError`.
     """
     with without_warnings(RangeWarning):
-        found = impact_at_launch(
+        outcome = impact_at_launch(
             club, speed=speed, attack=attack, high=high, launch=launch, model=model, ball=ball
         )  # fmt: skip
-    if math.isnan(found.loft):
+    if math.isnan(outcome.loft):
         raise InputError("launch", units.show(launch, "deg", 4), f"a launch angle {club} can reach at this speed")
-    return found.loft
+    return outcome.loft
 
 
 RIGID = 1.0
@@ -143,12 +143,12 @@ def loft_of_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, ratio: float) 
     return launch + np.arcsin(np.where(np.abs(share) <= 1.0, share, np.nan))
 
 
-def spin_ratio_of(found: Launch, loft: float) -> float:
+def spin_ratio_of(outcome: Launch, loft: float) -> float:
     """Return the ratio of one launch over a square face of loft [rad] at first touch, all directions taken together."""
     normal = np.array([np.cos(loft), np.sin(loft), 0.0])
-    velocity = np.array([found.velocity_x, found.velocity_y, found.velocity_z])
+    velocity = np.array([outcome.velocity_x, outcome.velocity_y, outcome.velocity_z])
     along = velocity - normal * (velocity @ normal)
-    return float(rolling_speed(found.ball, found.total_spin) / np.linalg.norm(along))
+    return float(rolling_speed(outcome.ball, outcome.total_spin) / np.linalg.norm(along))
 
 
 QUANTITIES = ("ball_speed", "launch", "spin", "carry")
@@ -253,11 +253,11 @@ class Tour(Described):
 def mean_absolute_error(results: Iterable[Tour], model_name: str) -> dict[str, float]:
     """Return the mean absolute error of a model over all rows of several tables, by quantity."""
     results = list(results)
-    found = {}
+    outcome = {}
     for name in QUANTITIES:
         errors = np.concatenate([each.predicted(model_name, name) for each in results])
-        found[name] = float(np.abs(errors).mean()) if errors.size else float("nan")
-    return found
+        outcome[name] = float(np.abs(errors).mean()) if errors.size else float("nan")
+    return outcome
 
 
 def tour(
@@ -289,19 +289,19 @@ def tour(
     lofts: dict[str, Floats] = {}
     launches: dict[str, list[Launch]] = {}
     for place, name in enumerate(names):
-        found = []
+        outcome = []
         for index, each in enumerate(rows):
-            found.append(solve_loft(each.club, each.club_speed, each.attack, each.launch, model=name, ball=ball))
+            outcome.append(solve_loft(each.club, each.club_speed, each.attack, each.launch, model=name, ball=ball))
             if progress is not None:
                 progress(place * len(rows) + index + 1, len(names) * len(rows))
-        solved[name] = np.array(found)
+        solved[name] = np.array(outcome)
         lofts[name] = np.where(np.isnan(given), solved[name], given)
         with without_warnings(RangeWarning):
             launches[name] = [
                 impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name, ball=ball)
                 for each, loft in zip(rows, lofts[name].tolist(), strict=True)
             ]
-    warn_if_outside(launch for found in launches.values() for launch in found)
+    warn_if_outside(launch for outcome in launches.values() for launch in outcome)
     return Tour(
         table=published_table(table),
         averages=rows,

@@ -167,7 +167,7 @@ TOP = 0.8
 """Metres by which that way rises over the straight line."""
 GAP = (0.015, 0.005)
 """Metres between face and ball at address, mean and standard deviation."""
-ASIDE = 0.008
+SIDEWAYS = 0.008
 """Metres; standard deviation of where on the face the ball is addressed."""
 FARTHEST = 2.0
 """Standard deviations to which impact points are cut, so that every impact is on the face."""
@@ -290,7 +290,7 @@ def _address(
     attitude = delivered(angles[0], angles[1], angles[2], club.loft)
     height = 0.5 * club.face_height * np.cos(club.loft) + assumed.sole * random.normal()
     back = swing.ball.radius + abs(GAP[0] + GAP[1] * random.normal())
-    centre = np.array([swing.rest[0] - back, height, swing.rest[2] + ASIDE * random.normal()])
+    centre = np.array([swing.rest[0] - back, height, swing.rest[2] + SIDEWAYS * random.normal()])
     return centre - attitude @ np.array(club.cg), attitude
 
 
