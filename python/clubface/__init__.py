@@ -88,7 +88,10 @@ _HOME = {
 }
 """The module in which each public name is defined."""
 
-_MODULES = ("capture", "design", "errors", "fem", "plots", "published_data", "shots", "studies", "units")
+_MODULES = (
+    "capture", "design", "errors", "fem", "inference", "plots", "published_data", "shots", "studies", "units",
+    "validation",
+)  # fmt: skip
 
 _MOVED = {
     "benchmark_data": "validation.benchmark_data",

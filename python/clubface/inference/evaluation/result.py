@@ -190,9 +190,14 @@ class Evaluation(Described):
             column(
                 "mae_of_mean",
                 [size.mae / self.mean[name] if self.mean[name] else math.nan for name, _, size in rows],
-                "1", label="of mean", unit="%", digits=1,
+                "1", label="of mean", unit="%", digits=-3,
             ),
             errors("std", (size.std for size in sizes), label="STD"),
+            column(
+                "std_of_mean",
+                [size.std / self.mean[name] if self.mean[name] else math.nan for name, _, size in rows],
+                "1", label="of mean", unit="%", digits=-3,
+            ),
             errors("bias", (size.bias for size in sizes), difference=True),
             errors("bias_low", (size.bias_interval.low for size in sizes), label="from", difference=True),
             errors("bias_high", (size.bias_interval.high for size in sizes), label="to", difference=True),
@@ -325,7 +330,7 @@ class Evaluation(Described):
             columns += [
                 Column(what, figures, read_as, label=label),
                 column(f"{what}_of_mean", [each and each / 100.0 for each in printed], "1", label="printed as",
-                       unit="%", digits=1),
+                       unit="%", digits=-3),
             ]  # fmt: skip
         return table(
             "published", text("error_of", [quantity(name).label for name, _ in rows], label="quantity", in_files=False),

@@ -264,7 +264,7 @@ class Identification(Described):
         return table(
             "deviations", text("deviation_of", [each.label for each in read_as], label="quantity", in_files=False),
             *(
-                Column(name, [getattr(each, name) for each in rows], read_as, label=label, difference=name == "bias")
+                Column(name, [getattr(each, name) for each in rows], read_as, label=label, digits=-4)
                 for name, label in labels.items()
             ),
             Column("noise", noise, read_as, printed=False),
