@@ -93,6 +93,8 @@ def map_(
             if of.interpolated:  # else nothing was kept, and a folder of that name is of something else
                 finished(each)
     result = mapped.to_result(names, scatter)
+    if output.report is not None:
+        result = result.replace(tables=(*result.tables, mapped.all_points()))
     hints = (*options.loft_hints([(each.centre.club, delivery) for each in maps]), *result.hints)
     output.show(result.replace(hints=hints), table=None)
 

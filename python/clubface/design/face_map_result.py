@@ -62,7 +62,7 @@ def points_table(of: Mapped) -> Table:
     columns = [column(name, values[name]) for name in ("toe", "high")]
     for name in QUANTITIES:
         columns.append(_value(f"difference_{name}" if difference else name, name, values[name], difference))
-    return Table("map", tuple(columns))
+    return Table("map", tuple(columns), "All points of the face", printed=False, shown_rows=())
 
 
 def _value(name: str, of: str, values: Any, difference: bool) -> Column:
