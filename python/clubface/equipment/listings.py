@@ -179,8 +179,9 @@ def _is_known(shown: Club | Ball, name: str) -> bool:
     """Return whether a value is given; a mesh gives by how much nobody has measured."""
     if getattr(shown, name) is None:
         return False
-    meshed = name == "characteristic_time" and isinstance(shown, Club) and hasattr(shown, "head")
-    return not (meshed and not shown.cor and not shown.characteristic_time)
+    if not isinstance(shown, Club) or name != "characteristic_time" or not hasattr(shown, "head"):
+        return True
+    return bool(shown.cor or shown.characteristic_time)
 
 
 def _quantity_of(name: str, shown: Club | Ball) -> Quantity:
