@@ -130,7 +130,7 @@ def test_a_closed_error_stream_does_not_send_messages_to_the_output():
 
 
 def test_messages_stand_in_the_order_of_a_run_where_both_streams_go_to_one_file():
-    code = "from clubface.cli.failures import say; print('a table'); say('wrote a file')"
+    code = "from clubface.cli.failures import print_note; print('a table'); print_note('wrote a file')"
     buffered = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
     ran = subprocess.run(
         [sys.executable, "-c", code], env=buffered, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,

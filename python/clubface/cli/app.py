@@ -18,7 +18,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, report, say, show_warnings
+from clubface.cli.failures import Interrupted, ReaderGone, as_typed, let_go_of_output, print_note, report, show_warnings
 from clubface.cli.output import legible_streams
 from clubface.errors import UnknownNameError
 from clubface.support.files import InputRecord
@@ -128,11 +128,11 @@ def _options(arguments: Sequence[str]) -> dict[str, str]:
     """Return the options of the command that ``arguments`` name, as they are typed, by the names of their values."""
     command: Any = typer.main.get_command(app)
     for word in arguments:
-        if not isinstance(command, TyperGroup) or (found := command.get_command(typer.Context(command), word)) is None:
+        if not isinstance(command, TyperGroup) or (result := command.get_command(typer.Context(command), word)) is None:
             break
-        command = found
-    found = {str(each.name): max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
-    return found | {f"wind_{axis}": found["wind"] for axis in "xyz" if "wind" in found}  # its components
+        command = result
+    result = {str(each.name): max(each.opts, key=len) for each in command.params if each.opts[0].startswith("-")}
+    return result | {f"wind_{axis}": result["wind"] for axis in "xyz" if "wind" in result}  # its components
 
 
 def _prepare_streams() -> bool:
@@ -141,7 +141,7 @@ def _prepare_streams() -> bool:
         sys.stderr = open(os.devnull, "w")  # noqa: SIM115 - for the rest of the process
     # Rich takes other digits, such as a superscript, for a number of columns, and then stumbles over them.
     for name in ("COLUMNS", "LINES"):
-        if not (told := os.environ.get(name, "")).isascii() or not told.isdigit() or not 0 < int(told[:9]) < 10_000:
+        if not (words := os.environ.get(name, "")).isascii() or not words.isdigit() or not 0 < int(words[:9]) < 10_000:
             os.environ.pop(name, None)
     return sys.stdout is not None
 
@@ -152,7 +152,7 @@ def run(arguments: Sequence[str]) -> int:
     remember(arguments)
     if not _prepare_streams():
         # The next file that is opened would take its place, and what a library prints would land in it.
-        say("the standard output is closed; send what you do not want to see to /dev/null")
+        print_note("the standard output is closed; send what you do not want to see to /dev/null")
         return 2
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal without a letter such as µ still gets its table

@@ -10,7 +10,7 @@ import typer
 
 from clubface import units
 from clubface.cli import options, output, show
-from clubface.cli.failures import Interrupted, say
+from clubface.cli.failures import Interrupted, print_note
 from clubface.cli.output import progress_bar
 from clubface.errors import InputError
 
@@ -131,9 +131,9 @@ def read(
         written.append(save_swings(swings.captured, pictures))
     for each in swings.captured:
         if not each.plausible:
-            say(f"WARNING: {each.source}: {each.notes[0]}")
+            print_note(f"WARNING: {each.source}: {each.notes[0]}")
     for each in swings.rejected:
-        say(each.reason)
+        print_note(each.reason)
     if len(swings) or shown.as_json:
         shown.show(swings.to_result(), more=written)
     if swings.interrupted:
@@ -157,7 +157,7 @@ def _picture_file(picture: str | None, table: str | None, files: list[str], mapp
     if table is None:
         return None
     if find_spec("matplotlib") is None:
-        say('no picture is written beside the table: pip install "clubface[plots]"')
+        print_note('no picture is written beside the table: pip install "clubface[plots]"')
         return None
     sibling_file = str(Path(table).with_suffix(".pdf"))
     output.check_picture(sibling_file, inputs)
@@ -211,7 +211,7 @@ def synthesize(
     swings = _swings(texts, usual if rate is None else rate)
     with progress_bar("swings") as progress:
         files = write(folder, count, **swings, progress=progress)
-    say(f"wrote {count} swings, {', '.join(each.name for each in files[count:])} to {folder}")
+    print_note(f"wrote {count} swings, {', '.join(each.name for each in files[count:])} to {folder}")
 
 
 @app.command()

@@ -81,10 +81,10 @@ def _template(name: str, changes: dict[str, Any]) -> str:
 
 def _factor(text: str) -> float:
     """Return what "+10%" or "-5 %" multiplies by."""
-    found = re.fullmatch(r"([+-]\s*\d+(?:\.\d*)?)\s*%", text)
-    if found is None:
+    result = re.fullmatch(r"([+-]\s*\d+(?:\.\d*)?)\s*%", text)
+    if result is None:
         raise InputError(f"--set {WHOLE}", text, 'a change in per cent, as in "inertia=+10%"')
-    return 1.0 + float(found[1].replace(" ", "")) / 100.0
+    return 1.0 + float(result[1].replace(" ", "")) / 100.0
 
 
 @app.command()

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.output import progress_bar
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
@@ -48,24 +48,24 @@ def alternatives_of(
                                   "accuracy": texts["accuracy"]}  # fmt: skip
                         combined.append((names, fields))
     differ = [len(set(column)) > 1 for column in zip(*(names for names, _ in combined), strict=True)]
-    found = {}
+    result = {}
     for names, fields in combined:
-        told = [name for name, shown in zip(names, differ, strict=True) if shown]
-        found[", ".join(told) or names[0]] = fields
-    return found
+        words = [name for name, shown in zip(names, differ, strict=True) if shown]
+        result[", ".join(words) or names[0]] = fields
+    return result
 
 
 def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
     """Return things by their names; those of the same name are called as they were typed."""
     names = [each.name for each, _ in pairs]
-    found = {}
+    result = {}
     for name, (each, typed) in zip(names, pairs, strict=True):
         key = name if names.count(name) == 1 else Path(str(typed)).stem
-        key = str(typed) if key in found else key
-        if key in found:
+        key = str(typed) if key in result else key
+        if key in result:
             raise InputError(option, typed, "given once: it is compared with itself")
-        found[key] = each
-    return found
+        result[key] = each
+    return result
 
 
 def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
@@ -76,9 +76,9 @@ def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]
     fitting = [each for each in settings if each.partition("=")[0].strip() in usual.values]
     chosen = []
     for which in texts["parameters"] or ():
-        found = options.parameter_sets(models, head.parameters, which)[model]
+        result = options.parameter_sets(models, head.parameters, which)[model]
         # One that serves another of the models leaves this one with its own.
-        if len(models) == 1 or found != usual:
+        if len(models) == 1 or result != usual:
             chosen.append((options.parameter_sets([model], head.parameters, which, fitting)[model], which))
     if not chosen:
         changed = options.parameter_sets([model], head.parameters, None, fitting)[model]
@@ -97,28 +97,28 @@ def _deliveries(
     if file is not None:
         from clubface.design.comparison import MOST, read_deliveries
 
-        told = read_deliveries(file, MOST, lambda text: say(f"note: {text}"), units=units)
-        found = {name: {**base, **each} for name, each in told.items()}
+        words = read_deliveries(file, MOST, lambda text: print_note(f"note: {text}"), units=units)
+        result = {name: {**base, **each} for name, each in words.items()}
     else:
-        told, found = {}, {}
+        words, result = {}, {}
         for text in changes or [""]:
             pairs = options.pairs(text.split(",") if text else (), "--delivery")
             check_names("value of --delivery", pairs, DIMENSIONS)
-            told[text] = {
+            words[text] = {
                 name: options.parsed(f"--{name.replace('_', '-')}", each, DIMENSIONS[name])
                 for name, each in pairs.items()
             }
-            swing = {**base, **told[text]}
-            if swing in found.values():
+            swing = {**base, **words[text]}
+            if swing in result.values():
                 raise InputError("--delivery", text, "given once: it is compared with itself")
-            found[text] = swing
+            result[text] = swing
     for name in base:
-        if told and all(name in each for each in told.values()):
+        if words and all(name in each for each in words.values()):
             what = f"every row of {file}" if file is not None else "every --delivery"
             raise ClubfaceError(f"--{name.replace('_', '-')} has no effect: {what} has its own; leave it out")
-    if any("speed" not in each for each in found.values()):
+    if any("speed" not in each for each in result.values()):
         raise ClubfaceError('--speed is missing; give it with its unit, as in --speed "113 mph"')
-    return found
+    return result
 
 
 app = typer.Typer(add_completion=False)

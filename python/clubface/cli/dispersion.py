@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface.cli import options, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.golfer import GolferArgument
 from clubface.cli.output import progress_bar
 from clubface.equipment.models import models
@@ -114,9 +114,9 @@ def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
     usual = club(player.club)
     more = from_si(head.loft - usual.loft, "deg")
     if usual.parameters != head.parameters:
-        say(f"note: the deliveries of {player.name} are those with a {player.club}, not with {head.name}")
+        print_note(f"note: the deliveries of {player.name} are those with a {player.club}, not with {head.name}")
     elif "loft" in player.variables and abs(more) >= LOFT_THAT_COUNTS:
-        say(
+        print_note(
             f"note: {head.name} has {abs(more):.1f} deg {'more' if more > 0.0 else 'less'} loft than {player.club}, and"
             f" {player.name} hits it with the dynamic loft of {player.club}; clubface optimise with [fit] delivers a"
             " club of more loft with more"

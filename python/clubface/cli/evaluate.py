@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.recorded import RECORDED, recorded_shots
 
 app = typer.Typer(add_completion=False)
@@ -55,7 +55,7 @@ def evaluate(
         noise=options.pairs(texts["noise"] or (), "--noise"),
         delivery_noise=options.pairs(texts["delivery_noise"] or (), "--delivery-noise"),
         compared_at="launch" if at_launch else "delivery", resamples=texts["resamples"], seed=seed,
-        progress=(lambda name: say(f"computing {name}")) if sys.stderr.isatty() else None,
+        progress=(lambda name: print_note(f"computing {name}")) if sys.stderr.isatty() else None,
     )  # fmt: skip
     written = [] if folder is None else evaluation.write(folder)
     show.Output(as_json).show(evaluation.to_result(), more=[str(each) for each in written])

@@ -38,7 +38,7 @@ class ReaderGone(BaseException):
     """Whoever read the standard output has closed it."""
 
 
-def say(message: str) -> None:
+def print_note(message: str) -> None:
     """Write one message on the error stream, on one line; one that cannot be written is no reason to stop.
 
     It comes after what was printed before, also where both streams go to one file.
@@ -49,10 +49,10 @@ def say(message: str) -> None:
         print(f"clubface: {in_a_line(message)}", file=sys.stderr)
 
 
-def say_written(files: Sequence[object]) -> None:
+def print_written(files: Sequence[object]) -> None:
     """Tell which files were written, if any."""
     if files:
-        say(f"wrote {', '.join(map(str, files))}")
+        print_note(f"wrote {', '.join(map(str, files))}")
 
 
 def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
@@ -68,29 +68,31 @@ def report(error: BaseException) -> int:
     if isinstance(error.__cause__, KeyboardInterrupt):  # Python gives another error for one while a class is made
         error = error.__cause__
     if isinstance(error, (Interrupted, KeyboardInterrupt)):
-        said = str(error)
-        say(said if said.startswith("interrupted") else f"interrupted{': ' if said else ''}{said}")
+        sentences = str(error)
+        print_note(
+            sentences if sentences.startswith("interrupted") else f"interrupted{': ' if sentences else ''}{sentences}"
+        )
         return 130
     if isinstance(error, ClubfaceError):
-        say(str(error))
+        print_note(str(error))
         return 2
     if isinstance(error, ModuleNotFoundError) and _library(error) in EXTRAS:
         return missing_library(error)
     if isinstance(error, OSError):
         if error.filename is None:  # files are written and read under their names
             let_go_of_output()
-        say(f"{error.filename or 'standard output'}: {error.strerror or error}")
+        print_note(f"{error.filename or 'standard output'}: {error.strerror or error}")
         return 2
     if isinstance(error, MemoryError):
-        say("not enough memory for this request; give fewer shots at a time")
+        print_note("not enough memory for this request; give fewer shots at a time")
         return 2
     if hasattr(error, "format_message"):
         return _misused(error)
     if type(error).__name__ == "Abort":
-        say("interrupted")
+        print_note("interrupted")
         return 130
     traceback.print_exception(error)
-    say("this is a mistake of clubface, not yours; please report it with the lines above")
+    print_note("this is a mistake of clubface, not yours; please report it with the lines above")
     return 1
 
 
@@ -104,7 +106,7 @@ def missing_library(error: ModuleNotFoundError) -> int:
     library = _library(error)
     if library not in EXTRAS:
         raise error
-    say(f"this needs {library}, which is not installed: pip install 'clubface[{EXTRAS[library]}]'")
+    print_note(f"this needs {library}, which is not installed: pip install 'clubface[{EXTRAS[library]}]'")
     return 2
 
 
@@ -120,7 +122,7 @@ def _misused(error: Any) -> int:
         print(message)
         return 2
     hint = f" ({context.command_path} --help lists the options)" if context and context.parent else ""
-    say(message[:1].lower() + message[1:].rstrip(".") + hint)
+    print_note(message[:1].lower() + message[1:].rstrip(".") + hint)
     return 2
 
 
@@ -132,6 +134,6 @@ def show_warnings() -> None:
     warnings.filterwarnings("ignore", message="published: ball diameter", category=RuleWarning)
 
     def note(message: Warning | str, *rest: object) -> None:
-        say(f"note: {message}")
+        print_note(f"note: {message}")
 
     warnings.showwarning = note  # pyright: ignore[reportAttributeAccessIssue]

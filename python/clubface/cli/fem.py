@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from clubface.cli import options, show
-from clubface.cli.failures import Interrupted, say, say_written
+from clubface.cli.failures import Interrupted, print_note, print_written
 from clubface.cli.fem_heads import ball as report_ball, design, face as report_face, head as report_head
 from clubface.cli.output import progress_bar, run_with_progress
 from clubface.errors import InputError, RunError, Told
@@ -142,7 +142,7 @@ def paper(
         _end(impact)
     if folder is not None and swept:
         _, written = _sweep(chosen, SPEEDS, LOFTS, folder, published=True)
-        say_written(written)
+        print_written(written)
 
 
 @app.command("sweep")
@@ -178,10 +178,10 @@ def export(
     chosen = cases.case(case)
     target = prepared_folder(folder)
     if form == "lsdyna":
-        say_written([keyword.write(chosen, target / f"{files.file_stem(chosen.name)}.k")])
+        print_written([keyword.write(chosen, target / f"{files.file_stem(chosen.name)}.k")])
         return
     impact = run_with_progress(chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True}).run)
-    say_written(files.write_series(impact, target, chosen.name)[-1:])
+    print_written(files.write_series(impact, target, chosen.name)[-1:])
     _end(impact)
 
 
@@ -219,6 +219,6 @@ def _end(impact: Impact) -> None:
     if impact.interrupted:
         raise Interrupted(f"interrupted at {fixed(impact.contact['time'][-1:].sum(), 'us', 0)} of the impact")
     if impact.unfinished:  # as long as was asked for
-        say(str(impact.stopped))
+        print_note(str(impact.stopped))
     elif impact.stopped:
         raise RunError(impact.stopped)

@@ -134,5 +134,5 @@ def design(
     asked = read(study)
     output.check_not_read(shown.target)
     with progress_bar("designs") as progress:
-        found = improve(asked, output=shown.target, resume=texts["resume"], workers=workers, progress=progress)
-    shown.show(found.to_result(), table=None)
+        result = improve(asked, output=shown.target, resume=texts["resume"], workers=workers, progress=progress)
+    shown.show(result.to_result(), table=None)

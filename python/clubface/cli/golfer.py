@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.recorded import RECORDED, Files, recorded_shots
 
 app = typer.Typer(
@@ -79,7 +79,7 @@ def estimate(
     if shown.target is not None:
         write_text(shown.target, to_toml(estimated.golfer))
         own = "" if estimated.golfer.club in CLUB_NAMES else f" --club {texts['club']}"
-        say(f"wrote {shown.target}; clubface dispersion {shown.target}{own} takes it")
+        print_note(f"wrote {shown.target}; clubface dispersion {shown.target}{own} takes it")
     known = None if shown.report is None else doubts(estimated.golfer, shots.club)
     result = golfer_result(estimated.golfer, shots.club, estimated, known)
     replace(shown, target=None).show(result)

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, output, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.output import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.errors import ClubfaceError
@@ -89,7 +89,7 @@ def _infer_file(path: str, texts: dict[str, Any], settings: dict[str, Any], targ
 
     recorded = recorded_shots(path, texts)
     for remark in recorded.notes:
-        say(f"note: {remark}")
+        print_note(f"note: {remark}")
     ignored = options.names(texts["ignore"])
     for name in ignored:
         check_choice("--ignore", name, (*OF_CLUB, "all"))

@@ -116,10 +116,10 @@ def _quantities(texts: Sequence[str] | None) -> list[str]:
 
 
 def _grid(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"\s*(\d{1,12})\s*[x×]\s*(\d{1,12})\s*", text)
-    if found is None:
+    result = re.fullmatch(r"\s*(\d{1,12})\s*[x×]\s*(\d{1,12})\s*", text)
+    if result is None:
         raise InputError("--grid", text, "two whole numbers, as in 101x101")
-    return int(found[1]), int(found[2])
+    return int(result[1]), int(result[2])
 
 
 def _spread(text: str) -> tuple[float, float]:

@@ -11,7 +11,7 @@ import typer
 
 from clubface.cli import options, output, show
 from clubface.cli.app import command as typed_command
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.recorded import READING, Files, read_shots
 from clubface.errors import FileError, InputError
 from clubface.jobs.lock import Lock
@@ -75,13 +75,13 @@ def listen(
 
     def say_kept() -> str:
         for note in recorded(kept).notes:
-            say(f"note: {note}")
+            print_note(f"note: {note}")
         shots = f"{len(kept)} shot{'s' * (len(kept) != 1)}"
         return shots + (f" in {target}" if target is not None and kept else "")
 
     lock = nullcontext() if target is None else closing(Lock(Path(f"{target}.lock"), Path(target)))
-    with lock, Listener(port, hand=hand, club=club, keep=keep, on_problem=say) as listener:
-        say(f"listening on 127.0.0.1:{listener.port}; Ctrl-C ends")
+    with lock, Listener(port, hand=hand, club=club, keep=keep, on_problem=print_note) as listener:
+        print_note(f"listening on 127.0.0.1:{listener.port}; Ctrl-C ends")
         try:
             for message in listener.messages(timeout=wait):
                 if message.kind == "shot":
@@ -90,7 +90,7 @@ def listen(
                     break
         except KeyboardInterrupt:
             raise KeyboardInterrupt(say_kept()) from None
-    say(say_kept())
+    print_note(say_kept())
 
 
 @app.command()
@@ -123,7 +123,7 @@ def send(
                 for columns in (shots.launches, shots.deliveries)
             )
             if "ball_speed" not in launch or "launch" not in launch:
-                say(f"shot {row + 1} has no ball speed or launch angle: not sent")
+                print_note(f"shot {row + 1} has no ball speed or launch angle: not sent")
                 refused += 1
                 continue
             if sent and seconds > 0.0:
@@ -131,14 +131,14 @@ def send(
             try:
                 answer = sender.send(launch, delivery)
             except InputError as error:
-                say(f"shot {row + 1}: {error}: not sent")
+                print_note(f"shot {row + 1}: {error}: not sent")
                 refused += 1
                 continue
             sent += 1
             refused += not answer.was_taken
             print(f"shot {row + 1}: {answer.code} {answer.message}", flush=True)
     if refused:
-        say(f"{refused} of {last - first + 1} shots were not taken")
+        print_note(f"{refused} of {last - first + 1} shots were not taken")
         raise typer.Exit(2)
 
 
@@ -185,7 +185,7 @@ def report(
         shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
     result = player_result(shots)
     result = result.replace(provenance=result.provenance.with_files())
-    say(f"wrote {write_report(result, target, command=typed_command())}")
+    print_note(f"wrote {write_report(result, target, command=typed_command())}")
 
 
 @app.command()

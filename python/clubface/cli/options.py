@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from clubface import units
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.equipment.models import DEFAULT_MODEL, model, models, models_with
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
@@ -55,10 +55,10 @@ def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]
     return options
 
 
-def _quantities(of: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
+def _quantities(subject: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
     """Return options for quantities, each with an example and a help text."""
     return {
-        name: text_option(f"--{name.replace('_', '-')}", f"{of} (a value with its unit)", f'"{example}"', text)
+        name: text_option(f"--{name.replace('_', '-')}", f"{subject} (a value with its unit)", f'"{example}"', text)
         for name, (example, text) in examples.items()
     }
 
@@ -89,9 +89,9 @@ Report = Annotated[
 ]
 
 
-def picture(of: str) -> Any:
+def picture(name: str) -> Any:
     """Return the option that names a picture."""
-    return option("--plot", metavar="FILE", text=f"Draw {of}: .png, .svg or .pdf.")
+    return option("--plot", metavar="FILE", text=f"Draw {name}: .png, .svg or .pdf.")
 
 
 _CLUB_DATA = {
@@ -245,7 +245,7 @@ def parsed(option: str, text: str, dimension: str) -> float:
         raise ClubfaceError(
             f'{option} {number} has no unit; give it, as in {option} "{number} {unit}": a number alone is in {si}'
         )
-    say(f"note: {option} {text} has no unit and is taken in {si}")
+    print_note(f"note: {option} {text} has no unit and is taken in {si}")
     return value
 
 
@@ -253,14 +253,14 @@ def quantities(
     given: Mapping[str, str | None], dimensions: Mapping[str, str], required: Mapping[str, str]
 ) -> dict[str, float]:
     """Return the values that were given, SI; those ``required``, each with an example, must be among them."""
-    found = {}
+    result = {}
     for name, dimension in dimensions.items():
         option, text = f"--{name.replace('_', '-')}", given[name]
         if text is not None:
-            found[name] = parsed(option, text, dimension)
+            result[name] = parsed(option, text, dimension)
         elif name in required:
             raise ClubfaceError(f'{option} is missing; give it with its unit, as in {option} "{required[name]}"')
-    return found
+    return result
 
 
 def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
@@ -270,18 +270,18 @@ def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
     return quantities(given, DIMENSIONS, {"speed": "113 mph"})
 
 
-def club_of(which: str, hand: str | None = None, model: str | Iterable[str] | None = None) -> Any:
-    """Return the club called ``which``, turned to ``hand`` where one is given; ``model`` is what computes its shots."""
+def club_of(name: str, hand: str | None = None, model: str | Iterable[str] | None = None) -> Any:
+    """Return the club called ``name``, turned to ``hand`` where one is given; ``model`` is what computes its shots."""
     from clubface.equipment.clubs import club
 
-    found = club(which)
+    result = club(name)
     computed = [model] if isinstance(model, str) else [*(model or ())]
-    if hasattr(found, "head") and not found.characteristic_time and computed != ["fem"]:
-        say(
-            f"note: every model but fem takes the face of {found.name} as rigid; clubface fem head {which} --measure"
+    if hasattr(result, "head") and not result.characteristic_time and computed != ["fem"]:
+        print_note(
+            f"note: every model but fem takes the face of {result.name} as rigid; clubface fem head {name} --measure"
             ' tells how it gives, and a line such as characteristic_time = "250 us" in the file says it'
         )
-    return found if hand is None else found.replace(hand=hand)
+    return result if hand is None else result.replace(hand=hand)
 
 
 def model_names(given: Iterable[str] | None, unless_given: str = "all") -> list[str]:
@@ -302,8 +302,8 @@ def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
     """Refuse an accuracy of which none of the models makes any use."""
     if accuracy is not None and all(model(name).kind == "impulse" for name in names):
         contact = [name for name in models() if model(name).kind == "contact"]
-        told = f"leave it out: no steps are taken by {', '.join(names)}; those with steps are {', '.join(contact)}"
-        raise InputError("--accuracy", accuracy, told)
+        words = f"leave it out: no steps are taken by {', '.join(names)}; those with steps are {', '.join(contact)}"
+        raise InputError("--accuracy", accuracy, words)
 
 
 def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
@@ -369,12 +369,12 @@ def _models_to_name(having: Iterable[str]) -> str:
 
 def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
     """Return air, wind and, for a command that takes one, ground; single options win over the one text ``air``."""
-    told = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
+    words = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
     single = [name for name in AIR if name != "air"]
-    check_names("value of --air", told, single)
-    told.update({name: text for name in single if (text := given[name]) is not None})
-    wind = told.pop("wind", None)
-    air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in told.items()}
+    check_names("value of --air", words, single)
+    words.update({name: text for name in single if (text := given[name]) is not None})
+    wind = words.pop("wind", None)
+    air = {name: parsed(f"--{name}", text, _air_dimension(name)) for name, text in words.items()}
     ground = {"ground": given["ground"]} if "ground" in given else {}
     return {"air": air, "wind": _wind(wind) if wind is not None else None, **ground}
 
@@ -407,12 +407,12 @@ def loft_hints(struck: Iterable[tuple[Club, Collection[str]]]) -> list[Note]:
 
 def pairs(texts: Iterable[str], option: str) -> dict[str, str]:
     """Return names and values of texts of the form name=value; ``option`` is called so in errors."""
-    found = {}
+    result = {}
     for text in texts:
         key, equals, value = text.partition("=")
         if not (equals and key.strip() and value.strip()):
             raise InputError(option, text, "of the form name=value")
-        if key.strip() in found and option in ONCE:
+        if key.strip() in result and option in ONCE:
             raise InputError(option, text, f"with {key.strip()} given once")
-        found[key.strip()] = value.strip()
-    return found
+        result[key.strip()] = value.strip()
+    return result

@@ -10,7 +10,7 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.errors import LINES, ClubfaceError, InputError, legible
 from clubface.support.files import place_of, prepared_folder, recorded_files, write_text
 from clubface.units import fixed
@@ -106,7 +106,7 @@ def write_template(text: str, target: str | None, then: str) -> None:
         return
     check_target("--output", target, (".toml",))
     write_text(target, text, new=True)
-    say(f"wrote {target}; {then}")
+    print_note(f"wrote {target}; {then}")
 
 
 Update = Callable[..., object]
@@ -130,8 +130,8 @@ def progress_bar(text: str | Callable[..., str]) -> Iterator[Update | None]:
         task = bar.add_task("starting", total=1.0)
 
         def update(done: float, whole: float, *more: Any) -> None:
-            told = f"{done} of {whole} {text}" if isinstance(text, str) else text(done, whole, *more)
-            bar.update(task, completed=done / (whole or 1), description=told)
+            words = f"{done} of {whole} {text}" if isinstance(text, str) else text(done, whole, *more)
+            bar.update(task, completed=done / (whole or 1), description=words)
 
         yield update
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.output import progress_bar
 from clubface.cli.recorded import CHOICE, assumed
 
@@ -52,5 +52,5 @@ def predict(
         )  # fmt: skip
     show.Output(as_json=texts["as_json"]).show(report.to_result())
     if report.rejected and not report.written:
-        say("not one delivery could be used")
+        print_note("not one delivery could be used")
         raise typer.Exit(2)

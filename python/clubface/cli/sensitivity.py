@@ -34,9 +34,9 @@ def sensitivity(
 
     from clubface.simulation.sensitivity import MAIN, sensitivity as differentiate
 
-    found = differentiate(
+    result = differentiate(
         head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
         outputs=options.names(wanted) or (None if output.as_json else MAIN),
         variables=options.names(by) or None,
     )  # fmt: skip
-    output.show(found.to_result(every_variable=bool(by)))
+    output.show(result.to_result(every_variable=bool(by)))

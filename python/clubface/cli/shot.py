@@ -8,7 +8,7 @@ from typing import Any
 import typer
 
 from clubface.cli import options, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.equipment.models import DEFAULT_MODEL, model
 from clubface.errors import RangeWarning
 
@@ -46,7 +46,7 @@ def shot(club: options.ClubArgument, **texts: Any) -> None:
             for name, each in sets.items()
         }
     if remark := Tally().add_all(launches.values()).remark():
-        say(f"note: {remark}")
+        print_note(f"note: {remark}")
     flights = {name: fly(launch, **conditions) for name, launch in launches.items()}
     hints = options.loft_hints([(head, delivery)]) + ([] if texts["model"] else [note("all-models")])
     result = shot_result(launches, flights, conditions=conditions, paths=lambda: _paths(launches, conditions, delivery))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from clubface.cli import app, options, output
-from clubface.cli.failures import say_written
+from clubface.cli.failures import print_written
 from clubface.errors import ClubfaceError
 from clubface.quantities import quantities
 from clubface.results.result import Result
@@ -84,17 +84,17 @@ class Output:
         from clubface.present.files import TABLES
 
         given = list(inputs)
-        found = cls(
+        result = cls(
             bool(texts.get("as_json")), texts.get("target"), texts.get("plot"), texts.get("report"),
             texts.get("folder"), _units(texts.get("unit")),
         )  # fmt: skip
-        if found.as_json and found.units and found.plot is None and found.report is None:
+        if result.as_json and result.units and result.plot is None and result.report is None:
             raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
-        output.check_target("--output", found.target, TABLES if kinds is None else kinds, given)
-        output.check_picture(found.plot, given)
-        output.check_report(found.report, given)
-        output.prepare_folder(found.folder)
-        return found
+        output.check_target("--output", result.target, TABLES if kinds is None else kinds, given)
+        output.check_picture(result.plot, given)
+        output.check_report(result.report, given)
+        output.prepare_folder(result.folder)
+        return result
 
     def show(
         self,
@@ -122,7 +122,7 @@ class Output:
                 from clubface.present.terminal import print_result
 
                 print_result(result, self.units)
-        say_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
+        print_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
 
     def _write(self, result: Result, table: str | None, parts: Mapping[str, Result]) -> list[Path]:
         """Write the files that were asked for and return those of the folder."""

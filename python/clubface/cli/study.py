@@ -67,8 +67,8 @@ def status(
 
     shown = show.Output.check(texts)
     with progress_bar("parts") as progress:
-        found = state(study, store=store, check=check, progress=progress)
-    shown.show(status_result(found))
+        result = state(study, store=store, check=check, progress=progress)
+    shown.show(status_result(result))
 
 
 @app.command("join")
@@ -108,5 +108,5 @@ def summary(
     if names == []:
         raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
     with progress_bar("parts") as progress:
-        found = sum_up(study, quantities=names, store=store, progress=progress)
-    shown.show(summary_result(found, study))
+        result = sum_up(study, quantities=names, store=store, progress=progress)
+    shown.show(summary_result(result, study))

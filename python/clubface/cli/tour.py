@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from clubface.cli import options, show
-from clubface.cli.failures import say
+from clubface.cli.failures import print_note
 from clubface.cli.output import progress_bar
 from clubface.errors import RangeWarning
 
@@ -40,6 +40,6 @@ def tour(
             tours.append(run(models, table=table, ball=texts["ball"], progress=progress))
     launches = (launch for each in tours for group in each.launches.values() for launch in group)
     if remark := Tally().add_all(launches).remark():
-        say(f"note: {remark}")
+        print_note(f"note: {remark}")
     parts = {each.table.name: each.to_result() for each in tours} if len(tours) > 1 else None
     output.show(tour_result(tours), parts=parts)

@@ -133,14 +133,14 @@ RANGE = Record(
 """The kind of a table of ranges."""
 
 
-def in_words(of: Range) -> str:
+def in_words(limits: Range) -> str:
     """Return a range in words: "clubhead speed 101 to 118 mph"."""
-    return ", ".join(f"{QUANTITIES[name].words} {ends_in_words(name, of)}" for name in of)
+    return ", ".join(f"{QUANTITIES[name].words} {ends_in_words(name, limits)}" for name in limits)
 
 
-def ends_in_words(name: str, of: Range) -> str:
+def ends_in_words(name: str, limits: Range) -> str:
     """Return the ends of one quantity of a range: "101 to 118 mph"."""
-    least, most = of[name]
+    least, most = limits[name]
     return f"{units.show(least, QUANTITIES[name].unit, 4).split()[0]} to {units.show(most, QUANTITIES[name].unit, 4)}"
 
 
@@ -187,8 +187,8 @@ class ParameterFile:
 
 
 T = TypeVar("T")
-_TOLD = 5
-"""How many names of values are told one by one."""
+_MOST_NAMES = 5
+"""How many names of values are listed one by one."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -321,7 +321,7 @@ class ParameterSet:
         includes_face = self.includes_face and model(self.model).face_in not in own
         if own.items() <= self.values.items():
             return replace(self, includes_face=includes_face)
-        words = ", ".join(own) if len(own) <= _TOLD else f"{len(own)} values"
+        words = ", ".join(own) if len(own) <= _MOST_NAMES else f"{len(own)} values"
         source = f"{self.source}; of the ball {name}: {words}"
         return replace(self, values={**self.values, **own}, source=source, default=False, includes_face=includes_face)
 

@@ -350,7 +350,7 @@ class Flight(Batch):
         self._values = values
         self._columns = columns
         self._varied = varied
-        self._found = problems
+        self._failures = problems
         self.shape = shape
         self.launch = launch
 

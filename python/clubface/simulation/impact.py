@@ -151,7 +151,7 @@ class Tally:
 
     def __init__(self) -> None:
         self._shots: dict[str, int] = {}
-        self._found: dict[tuple[str, str], tuple[str, int, float]] = {}
+        self._outside: dict[tuple[str, str], tuple[str, int, float]] = {}
 
     def add(self, launch: Launch) -> None:
         """Count the shots of a launch."""
@@ -159,8 +159,8 @@ class Tally:
         self._shots[model] = self._shots.get(model, 0) + math.prod(launch.shape)
         for name, (count, value) in _outside(launch).items():
             ends = ends_in_words(name, launch.parameters.range) if name in QUANTITIES else launch.ball.name
-            before = self._found.get((model, name), (ends, 0, value))[1]
-            self._found[model, name] = (ends, before + count, value)
+            before = self._outside.get((model, name), (ends, 0, value))[1]
+            self._outside[model, name] = (ends, before + count, value)
 
     def add_all(self, launches: Iterable[Launch]) -> Tally:
         """Count the shots of several launches; return the tally itself."""
@@ -170,7 +170,7 @@ class Tally:
 
     def counts(self) -> list[Any]:
         """Return what is counted, made of what JSON has."""
-        return [self._shots, [[*key, *found] for key, found in self._found.items()]]
+        return [self._shots, [[*key, *entry] for key, entry in self._outside.items()]]
 
     def add_counts(self, counts: Sequence[Any]) -> None:
         """Add what another tally counted."""
@@ -178,8 +178,8 @@ class Tally:
         for model, count in shots.items():
             self._shots[model] = self._shots.get(model, 0) + count
         for model, name, ends, count, value in result:
-            before = self._found.get((model, name), (ends, 0, value))[1]
-            self._found[model, name] = (ends, before + count, value)
+            before = self._outside.get((model, name), (ends, 0, value))[1]
+            self._outside[model, name] = (ends, before + count, value)
 
     def remark(self, *, counted: bool = True) -> str:
         """Return what a reader must know in one line, "" if no shot is outside.
@@ -195,7 +195,7 @@ class Tally:
             names = self._names(of_models[0])
             words = ", ".join(self._part(of_models, name, counted=True) for name in names) if counted else words
             parts.append(f"outside the range of {', '.join(of_models)}: {words}")
-        for (model, name), (ball, *_) in self._found.items():
+        for (model, name), (ball, *_) in self._outside.items():
             if name == OFF_CENTRE:
                 parts.append(f"{model} has no gear effect off centre")
             elif name == OTHER_BALL:
@@ -209,14 +209,14 @@ class Tally:
 
     def _names(self, model: str) -> list[str]:
         """Return the quantities in which shots of a model are outside."""
-        return [name for name in QUANTITIES if (model, name) in self._found]
+        return [name for name in QUANTITIES if (model, name) in self._outside]
 
     def _part(self, models: list[str], name: str, *, counted: bool) -> str:
         """Return what is to be said of one quantity of models with the same range."""
         words, unit = QUANTITIES[name]
-        ends, _, value = self._found[models[0], name]
+        ends, _, value = self._outside[models[0], name]
         # The same shots by several models, or else other shots by each.
-        numbers = {(self._found[each, name][1], self._shots[each]) for each in models}
+        numbers = {(self._outside[each, name][1], self._shots[each]) for each in models}
         count, shots = numbers.pop() if len(numbers) == 1 else map(sum, zip(*numbers, strict=True))
         how = f"{units.show(value, unit, 4)} " if shots == 1 else f"in {count} of {shots} shots "
         return f"{words} {how if counted else ''}({ends})"

@@ -220,8 +220,8 @@ def prepare(
     single
         What is computed of a single shot alone, in words; arrays are refused.
     """
-    with_, chosen = equipped(model_name, club, ball, parameters)
-    laid_out = shots(with_, values, hand=hand)
+    setup, chosen = equipped(model_name, club, ball, parameters)
+    laid_out = shots(setup, values, hand=hand)
     columns = chosen.columns()
     if not laid_out.varied and set(map(type, columns)) <= {float}:
         return Prepared(laid_out, chosen, columns)
@@ -277,22 +277,22 @@ def _usual(model_name: str, club_or_name: str | Club, which_ball: str | Ball | N
 
 
 def _equipped(model_name: str, name: Any, which_ball: Any, given: Any) -> tuple[Equipment, ParameterSet]:
-    with_ = equipment(name, which_ball)
-    chosen = parameter_set(model_name, with_.club, given, with_.ball)
-    return _with_included_face(with_, chosen) if chosen.includes_face else with_, chosen
+    setup = equipment(name, which_ball)
+    chosen = parameter_set(model_name, setup.club, given, setup.ball)
+    return _with_included_face(setup, chosen) if chosen.includes_face else setup, chosen
 
 
-def _with_included_face(with_: Equipment, chosen: ParameterSet) -> Equipment:
-    columns = chosen.with_included_face(dict(zip(inputs(), with_.columns, strict=True)))
-    return with_._replace(columns=tuple(columns.values()))
+def _with_included_face(setup: Equipment, chosen: ParameterSet) -> Equipment:
+    columns = chosen.with_included_face(dict(zip(inputs(), setup.columns, strict=True)))
+    return setup._replace(columns=tuple(columns.values()))
 
 
-def shots(with_: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
-    """Lay out shots whose inputs differ from ``with_`` by ``values``: text with a unit, SI numbers, or arrays.
+def shots(setup: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
+    """Lay out shots whose inputs differ from ``setup`` by ``values``: text with a unit, SI numbers, or arrays.
 
     A value that is None counts as left out. The loft left out is the club's; the speed cannot be left out.
     """
-    columns: list[Any] = list(with_.columns)
+    columns: list[Any] = list(setup.columns)
     column_of = input_columns()
     varied: dict[str, NDArray[Any]] = {}
     for name, value in values.items():
@@ -314,7 +314,7 @@ def shots(with_: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> S
         raise InputError("speed", None, 'give it, as in speed="113 mph": it is the one value without a default')
     if values.get(_LOFT) is None and values.get("static_loft") is not None:
         columns[column_of[_LOFT]] = columns[column_of["static_loft"]]
-    return Shots(with_.club, with_.ball, columns, (), varied)
+    return Shots(setup.club, setup.ball, columns, (), varied)
 
 
 def hand_value(hand: Any) -> Any:

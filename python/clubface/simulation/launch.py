@@ -116,7 +116,7 @@ class Launch(Batch):
         self.model = model
         self.parameters = parameters
         self.accuracy = accuracy
-        self._found = problems or ()
+        self._failures = problems or ()
 
     @classmethod
     def quantities(cls) -> Mapping[str, Variable]:

@@ -103,7 +103,7 @@ def impact_at_launch(
     face = face if azimuth is None else path + (wanted[1] - path) / FACE_SHARE
     last: dict[str, Any] = {}
 
-    def hit(angles: list[Any]) -> Launch:
+    def strike(angles: list[Any]) -> Launch:
         with without_warnings(RangeWarning):  # of tries
             last["angles"] = angles
             last["launch"] = impact(
@@ -112,7 +112,7 @@ def impact_at_launch(
             )  # fmt: skip
         return last["launch"]
 
-    shape = np.broadcast_shapes(np.shape(hit([loft, face]).launch), *(each.shape for each in wanted))
+    shape = np.broadcast_shapes(np.shape(strike([loft, face]).launch), *(each.shape for each in wanted))
     size = int(np.prod(shape, dtype=int))
     begin = np.array([np.broadcast_to(each, shape).reshape(size) for each in (loft, face)], dtype=float)
     target = np.array([np.broadcast_to(each, shape).reshape(size) for each in wanted], dtype=float)
@@ -120,7 +120,7 @@ def impact_at_launch(
 
     def directions(angles: Floats, places: NDArray[np.intp]) -> Floats:
         solved[: len(angles), places] = angles
-        result = hit([_shaped(each, shape) for each in solved])
+        result = strike([_shaped(each, shape) for each in solved])
         out = [result.launch] if azimuth is None else [result.launch, result.azimuth]
         return np.array([np.reshape(each, size)[places] for each in out])
 
@@ -129,7 +129,7 @@ def impact_at_launch(
     begin[:, ~np.isfinite(begin).all(axis=0)] = np.nan
     angles = [_shaped(each, shape) for each in begin]
     same = np.array_equal(np.stack(angles), np.stack(last["angles"]), equal_nan=True)
-    result = last["launch"] if same else hit(angles)
+    result = last["launch"] if same else strike(angles)
     warn_if_outside((result,))
     return ConditionedLaunch(angles[0], angles[1], result)
 

@@ -160,7 +160,7 @@ class Batch(Described):
     _kind: ClassVar[str] = "result"
     shape: tuple[int, ...]
     _values: NDArray[Any]
-    _found: Sequence[tuple[int, str, str]]
+    _failures: Sequence[tuple[int, str, str]]
 
     @classmethod
     def quantities(cls) -> Mapping[str, Variable]:
@@ -188,7 +188,7 @@ class Batch(Described):
     @property
     def problems(self) -> tuple[Problem, ...]:
         """The shots without a result and why."""
-        return tuple(Problem(index_of(row, self.shape), name, reason) for row, name, reason in self._found)
+        return tuple(Problem(index_of(row, self.shape), name, reason) for row, name, reason in self._failures)
 
     @property
     def units(self) -> dict[str, str]:
@@ -281,8 +281,8 @@ class Batch(Described):
         if self.shape:
             lines[0] += f", shape {self.shape}"
             lines.append(f"  {'':<17} {'least':>11} {'mean':>11} {'greatest':>11}")
-        if self._found:
-            lines.append(f"  {len(self._found)} without a result; the first: {self._found[0][2]}")
+        if self._failures:
+            lines.append(f"  {len(self._failures)} without a result; the first: {self._failures[0][2]}")
         for name, each in self.quantities().items():
             unit = display_unit(name, each.unit)
             values = units.from_si(self._values[self._rows()[name]], unit)

@@ -73,38 +73,39 @@ def joined_result(joined: Joined) -> Result:
     return Result("study-join", "Columns of a study", (sums,), values, notes=tuple(notes))
 
 
-def summary_result(of: Summary, study: str) -> Result:
+def summary_result(summary: Summary, study: str) -> Result:
     """Return means, spreads and extremes of a study, of all tasks and along every input.
 
     ``study`` is the file of the study, or the folder of its parts.
     """
     held = _held(study)
-    inputs = {"study": Path(study).name, "tasks": str(of.tasks)} | {
+    inputs = {"study": Path(study).name, "tasks": str(summary.tasks)} | {
         name: str(held[name]) for name in ("club", "ball", "hand", "model", "parameters") if name in held
     }
     inputs |= {name: str(value) for name, value in held.get("held", {}).items()}
     if held:
         inputs |= flight_conditions(*(held.get(name) for name in ("air", "wind", "ground")))
-    names = [name.replace("_", " ") for name in (each.name for each in of.along)]
+    names = [name.replace("_", " ") for name in (each.name for each in summary.along)]
     return Result(
-        "study-summary", f"The study {of.name}", (_overall(of), *(_along(of, each) for each in of.along)),
-        (text("tasks", [of.tasks]),),
-        summary=(note("study-tasks", tasks=of.tasks, inputs=names), *_ranges(of)),
-        notes=tuple(_task_notes(of.failed, of.remark)),
+        "study-summary", f"The study {summary.name}",
+        (_overall(summary), *(_along(summary, each) for each in summary.along)),
+        (text("tasks", [summary.tasks]),),
+        summary=(note("study-tasks", tasks=summary.tasks, inputs=names), *_ranges(summary)),
+        notes=tuple(_task_notes(summary.failed, summary.remark)),
         provenance=Provenance(inputs=inputs, sources=tuple(_sources(held))),
-        draw=lambda: [summary_picture(of)],
+        draw=lambda: [summary_picture(summary)],
     )  # fmt: skip
 
 
-def summary_picture(of: Summary) -> Picture:
+def summary_picture(summary: Summary) -> Picture:
     """Return the picture of a study: the first quantities, a row each, along the first inputs, a column each."""
-    shown = list(_quantities(of).values())[:MOST_ROWS]
-    along = list(of.along)[:MOST_COLUMNS]
+    shown = list(_quantities(summary).values())[:MOST_ROWS]
+    along = list(summary.along)[:MOST_COLUMNS]
     return Picture(
         "study", "Means, spreads and extremes along every input",
         [[_panel(each, place, of_row) for each in along] for place, of_row in enumerate(shown)],
-        title=f"{of.name}: {of.tasks} tasks", height=0.7 + ROW_HEIGHT * max(len(shown), 2), share_x=True, share_y=True,
-        legend=True,
+        title=f"{summary.name}: {summary.tasks} tasks", height=0.7 + ROW_HEIGHT * max(len(shown), 2),
+        share_x=True, share_y=True, legend=True,
     )  # fmt: skip
 
 
@@ -114,23 +115,23 @@ def _task_notes(failed: tuple[int, str], remark: str) -> list[Note]:
     return [*notes, *([note("text", text=remark)] if remark else [])]
 
 
-def _quantities(of: Summary) -> dict[str, Quantity]:
-    return {name: quantity(name, unit) for name, unit in of.quantities.items()}
+def _quantities(summary: Summary) -> dict[str, Quantity]:
+    return {name: quantity(name, unit) for name, unit in summary.quantities.items()}
 
 
-def _overall(of: Summary) -> Table:
-    names, quantities = list(of.quantities), list(_quantities(of).values())
+def _overall(summary: Summary) -> Table:
+    names, quantities = list(summary.quantities), list(_quantities(summary).values())
     return table(
         "overall",
         text("quantity", names),
-        *_statistics([of.overall] * len(names), list(range(len(names))), quantities),
-        title=f"{of.name}: all tasks",
+        *_statistics([summary.overall] * len(names), list(range(len(names))), quantities),
+        title=f"{summary.name}: all tasks",
     )
 
 
-def _along(of: Summary, along: Along) -> Table:
+def _along(summary: Summary, along: Along) -> Table:
     """Return a table along one input: of every level and quantity the statistics, printed as mean and deviation."""
-    quantities = _quantities(of)
+    quantities = _quantities(summary)
     rows = [(level, place) for level in range(len(along.levels)) for place in range(len(quantities))]
     figures = [along.figures[level] for level, _ in rows]
     places = [place for _, place in rows]
@@ -173,21 +174,21 @@ def _statistics(figures: Sequence[Figures], places: Sequence[int], quantities: S
     return columns
 
 
-def _digits(values: Mapping[str, Sequence[float]], row: int, of: Quantity) -> int:
+def _digits(values: Mapping[str, Sequence[float]], row: int, quantity: Quantity) -> int:
     """Return the places that show a spread to three digits, and the largest value to six at most."""
-    unit = size(of.golf.unit)
+    unit = size(quantity.golf.unit)
     spread, largest = values["deviation"][row] / unit, max(abs(values[name][row]) for name in STATISTICS) / unit
     if not 1e-6 <= spread < 1e7:
         return -5
     return max(min(2 - math.floor(math.log10(spread)), 5 - math.floor(math.log10(max(largest, spread)))), 0)
 
 
-def _ranges(of: Summary) -> list[Note]:
+def _ranges(summary: Summary) -> list[Note]:
     notes = []
-    for place, (name, each) in enumerate(list(_quantities(of).items())[:MOST_ROWS]):
-        least, most = (float(getattr(of.overall, key)[place]) for key in ("least", "most"))
+    for place, (name, each) in enumerate(list(_quantities(summary).items())[:MOST_ROWS]):
+        least, most = (float(getattr(summary.overall, key)[place]) for key in ("least", "most"))
         if math.isfinite(least):
-            values = {key: [float(getattr(of.overall, key)[place])] for key in STATISTICS}
+            values = {key: [float(getattr(summary.overall, key)[place])] for key in STATISTICS}
             column = Column(name, [least, most], each, digits=_digits(values, 0, each))
             notes.append(
                 note("study-range", quantity=each.label.capitalize(), least_text=column.shown(0),

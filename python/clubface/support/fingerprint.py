@@ -18,24 +18,24 @@ from clubface.support.version import __version__
 
 def fingerprint(content: Any) -> str:
     """Return a text that is the same only for the same content: what JSON has, arrays, data classes, and their like."""
-    return hashlib.sha256(json.dumps(_told(content), sort_keys=True).encode()).hexdigest()
+    return hashlib.sha256(json.dumps(_as_json(content), sort_keys=True).encode()).hexdigest()
 
 
-def _told(value: Any) -> Any:
+def _as_json(value: Any) -> Any:
     """Return content as JSON has it: every number of an array counts, not those its text shows."""
     if value is None or isinstance(value, (str, int, float)):
         return value
     if isinstance(value, Mapping):
-        plain = {key: _told(each) for key, each in value.items()}
+        plain = {key: _as_json(each) for key, each in value.items()}
         return plain if all(isinstance(key, str) for key in plain) else sorted((repr(key), plain[key]) for key in plain)
     if isinstance(value, (set, frozenset)):
         value = sorted(value)
     if isinstance(value, (list, tuple)):
-        return [_told(each) for each in value]
+        return [_as_json(each) for each in value]
     if is_dataclass(value):
-        return [type(value).__name__, *([each.name, _told(getattr(value, each.name))] for each in fields(value))]
+        return [type(value).__name__, *([each.name, _as_json(getattr(value, each.name))] for each in fields(value))]
     if isinstance(value, Document):
-        return _told(value.data)
+        return _as_json(value.data)
     if isinstance(value, (PurePath, Enum)):
         return str(value)
     import numpy as np
@@ -43,7 +43,7 @@ def _told(value: Any) -> Any:
     if isinstance(value, np.ndarray) and value.dtype != object:
         return [str(value.dtype), value.shape, hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()]
     if isinstance(value, (np.ndarray, np.generic)):
-        return _told(value.tolist())
+        return _as_json(value.tolist())
     raise TypeError(f"a {type(value).__name__} has no fingerprint")
 
 

@@ -317,8 +317,8 @@ def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None
     at = angles.argmin(axis=1)
     rows = np.arange(len(quads))
     # The diagonal from the worst corner leaves a triangle at each of its neighbours.
-    beside = np.minimum(angles[rows, (at + 1) % 4], angles[rows, (at + 3) % 4])
-    flat[quads[bad & (beside <= LEAST_ANGLE)]] = True
+    sibling = np.minimum(angles[rows, (at + 1) % 4], angles[rows, (at + 3) % 4])
+    flat[quads[bad & (sibling <= LEAST_ANGLE)]] = True
     if flat.any():
         row = int(np.argmax(flat))
         nodes = ", ".join(str(shells.node_ids[each]) for each in corners[row] if each >= 0)
