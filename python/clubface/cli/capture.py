@@ -27,27 +27,13 @@ Unit = Annotated[
     str | None,
     options.option("--units", metavar="UNIT", text="Unit of length, in place of the one that the files name."),
 ]
-Roughness = Annotated[
-    float, typer.Option("--roughness", metavar="NUMBER", help="How much the path of the smoother may bend.")
-]
+Roughness = Annotated[float, typer.Option("--roughness", help="How much the path of the smoother may bend.")]
+Noise = Annotated[str, typer.Option("--noise", metavar='"0.3 mm"', help="Deviation of a marker along an axis.")]
+Gaps = Annotated[float, typer.Option("--gaps", metavar="PART", help="Part of the time a marker is hidden, 0 to 0.5.")]
+Seed = Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")]
 SWINGS: options.Group = {
-    "club": (Club, "driver"),
-    "hand": (Hand, None),
-    "noise": (
-        Annotated[
-            str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along an axis.")
-        ],
-        "0 mm",
-    ),
-    "gaps": (
-        Annotated[
-            float,
-            typer.Option("--gaps", metavar="PART", help="Part of the time in which a marker is hidden, 0 to 0.5."),
-        ],
-        0.0,
-    ),
-    "seed": (Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")], 1),
-}
+    "club": (Club, "driver"), "hand": (Hand, None), "noise": (Noise, "0 mm"), "gaps": (Gaps, 0.0), "seed": (Seed, 1),
+}  # fmt: skip
 """Options of synthetic swings."""
 
 
@@ -89,23 +75,14 @@ def read(
         str | None, typer.Option("--ball", metavar="NAME|FILE", help="The ball, whose radius is used.")
     ] = None,
     target: Annotated[
-        str | None,
-        options.option(
-            "--target", metavar="AXIS", text="Axis of the laboratory that points to the target: +x, -x, ..."
-        ),
+        str | None, options.option("--target", metavar="AXIS", text="Axis that points to the target: +x, -x, ...")
     ] = None,
-    up: Annotated[
-        str | None, options.option("--up", metavar="AXIS", text="Axis of the laboratory that points up.")
-    ] = None,
+    up: Annotated[str | None, options.option("--up", metavar="AXIS", text="Axis that points up.")] = None,
     units: Unit = None,
     roughness: Roughness = 0.6,
     noise: Annotated[
         str | None,
-        options.option(
-            "--noise",
-            metavar='"0.3 mm"',
-            text="Standard deviation of a marker along an axis; estimated unless given.",
-        ),
+        options.option("--noise", metavar='"0.3 mm"', text="Standard deviation of a marker; else estimated."),
     ] = None,
     target_file: Annotated[str | None, options.output(FILE, "Write the deliveries, CSV or Parquet.")] = None,
     picture: Annotated[str | None, options.picture(PICTURES)] = None,
@@ -222,11 +199,7 @@ def study(
     roughness: Roughness = 0.6,
     checkpoint: Annotated[
         str | None,
-        options.option(
-            "--checkpoint",
-            metavar="FOLDER",
-            text="Keep the swings that are read here; the same command goes on after them.",
-        ),
+        options.option("--checkpoint", metavar="FOLDER", text="Keep what is read here; the same command goes on."),
     ] = None,
     **texts: Any,
 ) -> None:
