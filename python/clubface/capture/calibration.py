@@ -1,23 +1,14 @@
-"""Calibration: where the markers sit on the club, as given, from the address, or from the swing itself.
+"""Calibration: where the markers sit on the club, as given, from face points, from the address, or from the swing.
 
-Where the markers sit on the club: as the mapping says, or from points of the face seen together with them.
+At address the head rests on the ground behind the ball, with the loft and lie it was made with. That the player aims
+the face at the target, and holds the shaft as the maker meant it, is an assumption, whose standard deviations go into
+every delivery read with it. In the blow the head loses what momentum the ball gains, and the ball flies off near the
+face normal, so that loft and face angle follow from the direction in which the head is slowed. The blow says nothing
+about the lie, which is assumed to be that of the club; this is good to a few degrees, on which speed, attack angle,
+path and rates hardly depend.
 
-Calibration from the address: the head rests on the ground behind the ball, with the loft and lie it was made with.
-
-No marker on the face is needed. That the player aims the face at the target, and holds the shaft as the maker meant it,
-is an assumption. Its standard deviations go into every delivery read with it.
-
-Where a cluster sits on the club, from an attitude that is known roughly and whatever else is known of its place.
-
-The attitude of the club is assumed at one instant: at address, or at the blow. The rest is a small problem of least
-squares in the six coordinates of the club against its markers. Each thing known, with its standard deviation, is a row.
-
-Calibration from the swing itself: the blow shows where the face looks.
-
-In the blow the head loses what momentum the ball gains. The ball flies off between the face's normal and the path, near
-the normal, as the models of impact say. Loft and face angle at impact therefore follow from the direction in which the
-head is slowed. The blow says nothing about the lie, which is assumed to be that of the club. This is rough, a few
-degrees, but speed, attack angle, path and rates hardly depend on it.
+With the attitude known roughly at one instant, the rest is a small least-squares problem in the six coordinates of the
+club against its markers, with a row for each thing known.
 """
 
 from __future__ import annotations

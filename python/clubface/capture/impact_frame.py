@@ -1,9 +1,4 @@
-"""The frames about impact: between which the face meets the ball, and the last before first touch.
-
-Between which frames the face meets the ball.
-
-The last frames before first touch, and the path through them.
-"""
+"""The frames between which the face meets the ball, and the path through the last frames before first touch."""
 
 from __future__ import annotations
 

@@ -1,9 +1,4 @@
-"""The markers of a laboratory, and the mapping files that say which is what.
-
-The markers of a laboratory, checked.
-
-Mapping files: the mapping of markers as a small TOML file, with strict checks.
-"""
+"""The markers of a laboratory, and the strictly checked TOML files that say which is what."""
 
 from __future__ import annotations
 

@@ -1,14 +1,11 @@
 """Rotations, attitudes of a clubhead, and the poses of rigid clusters of markers.
 
-Rotations as matrices and as rotation vectors (axis times angle), for stacks of them at once.
-
-Dynamic loft, face angle and lie of a clubhead, and back: the four rotations that deliver it.
+Rotations are matrices, or rotation vectors (axis times angle), for stacks of them at once. An attitude is dynamic loft,
+face angle and lie. Poses are fitted by least squares (Kabsch 1976, Umeyama 1991).
 
 Axes of the world: x towards the target, y up, z to the right. Axes of the club: the same at its static loft, with the
 sole down, the face towards the target, and z towards the toe. Everything here is for a right-hander. The caller mirrors
 a left-hander in z before, and changes the sign of the face angle after.
-
-The pose of a cluster of markers in every frame, by least squares (Kabsch 1976, Umeyama 1991).
 """
 
 from __future__ import annotations

@@ -1,15 +1,9 @@
 """From recordings of swings to deliveries and tables of shots, joined with the launches of a monitor.
 
-From the recording of a swing to its delivery.
-
-Many recordings to one table of shots.
-
-Deliveries from motion capture and launches from a launch monitor, of the same shots, joined into one table.
-
-Each instrument misses shots of its own, so rows cannot be paired by counting. Both keep the order in which the shots
-were hit, and both see a part of each shot: ball speed and launch angle, and the speed of the clubhead. The pairs are
-the alignment of the two series with the least deviation, found by dynamic programming (S. B. Needleman and C. D.
-Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
+Camera system and monitor each miss shots of their own, so rows cannot be paired by counting. Both keep the order in
+which the shots were hit, and both see a part of each shot: ball speed and launch angle, and the speed of the clubhead.
+The pairs are the alignment of the two series with the least deviation, found by dynamic programming (S. B. Needleman
+and C. D. Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
 """
 
 from __future__ import annotations

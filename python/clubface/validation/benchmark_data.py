@@ -1,9 +1,7 @@
 """Benchmark shots: 550 drives and 120 7-iron shots with known truth, in place of measured ones that are not public.
 
 Deliveries and launches are as motion capture and a launch monitor would show them; true deliveries, true launches and
-the model that made each shot stand beside. ``recipe.toml`` holds every number they were made with.
-
-The numbers the benchmark shots are made with, read from their file.
+the model that made each shot are given as well. ``recipe.toml`` holds every number they were made with.
 """
 
 from __future__ import annotations

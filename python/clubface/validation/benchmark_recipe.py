@@ -1,12 +1,7 @@
 """The benchmark shots from their recipe, bit for bit: ``python -m clubface.validation.benchmark_recipe``.
 
-The benchmark files from their recipe, bit for bit: ``python -m clubface.validation.benchmark_recipe``.
-
-What truly happens at impact in the benchmark: a mixture of models, and effects none of the fitted models has.
-
-What motion capture and launch monitor make of the benchmark's true shots.
-
-How the clubheads of the benchmark truly arrive: players with habits, and shots around them.
+Players with habits deliver clubheads; a mixture of models, with effects that none of the fitted models has, makes the
+launches; motion capture and a launch monitor see them with their errors.
 """
 
 from __future__ import annotations

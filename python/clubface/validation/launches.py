@@ -1,25 +1,15 @@
 """Launches beside published ones: spin, start direction, irons, optima, and what an average leaves open.
 
-Spin and ball speed at the measured launch: the loft is solved, so that no loft that a monitor derives is used.
-
 Radar monitors compute the dynamic loft from the ball by a model of their own. A model that is given such a loft and
 judged by its spin is judged by the monitor's model. At the measured launch angle it is judged by what was measured.
-
-What a published average leaves open: the scatter of the shots behind it, and where a driver was struck.
 
 The mean of many shots is not the shot of the mean delivery. A face that scatters to both sides of the path adds spin to
 every shot, whichever side it is on, and strikes that scatter about a point are slower than one at the point. So a
 published average belongs to a mean delivery whose shot may have had less spin, and more speed, than the average. Of a
 driver the height of the strike is not published either, and at one launch angle a higher strike spins less.
 
-Both are computed with the default model, whatever model is judged, so that the interval is the same for all. Speed,
-attack angle and loft scatter too; the means hardly notice, since the launch is nearly linear in them.
-
-Where balls start between the path of the club and the normal of the face, and how they curve.
-
-Spin of irons and wedges: by loft, by friction, and where it is largest.
-
-The longest carry: the launch with which a model and the flight reach it, beside charts that fitters use.
+Both effects are computed with the default model, whatever model is judged, so that the interval is the same for all.
+Speed, attack angle and loft scatter too; the means hardly notice, since the launch is nearly linear in them.
 """
 
 from __future__ import annotations

@@ -1,9 +1,4 @@
-"""Strikes off the centre of the face, and balls against plates.
-
-Strikes off the centre of the face: ball speed, gear effect to the side and up the face.
-
-Balls against plates and against a head without spring effect: restitution along and across the normal.
-"""
+"""Strikes off the centre of the face, and restitution against plates and against a head without spring effect."""
 
 from __future__ import annotations
 

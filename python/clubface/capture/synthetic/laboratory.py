@@ -1,13 +1,8 @@
 """Recordings of synthetic swings as laboratories make them, complete or bare, and folders of their files.
 
-What cameras would see of a synthetic swing: markers in frames, with noise and gaps, in laboratory axes.
-
-Recordings as most archives hold them: three markers on the head, no ball, the address and the swing in one file.
-
-What nobody measures is drawn at random, as widely as a reader has to assume it: how square the face is at address, how
-the shaft leans there, where the markers sit on the head.
-
-A folder of synthetic swings: C3D files, the mapping file, the calibration and the truth.
+Cameras see markers in frames, with noise and gaps, in laboratory axes. Bare recordings show three markers on the head,
+no ball, and the address and the swing in one file, as most archives do. What nobody measures there is drawn at random,
+as widely as a reader has to assume it: how square the face is at address, how the shaft leans, where the markers sit.
 """
 
 from __future__ import annotations
