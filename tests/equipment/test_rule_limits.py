@@ -6,8 +6,8 @@ import warnings
 import pytest
 
 import clubface
-from clubface.cli.fem_heads import RULES
 from clubface.errors import RuleWarning
+from clubface.fem.impact_result import RULES
 
 OUNCE, INCH = 28.349523125e-3, 25.4e-3
 pytestmark = pytest.mark.usefixtures("new_process")

@@ -24,6 +24,8 @@ NO_INPUTS = {
     "support/files.py": "the place itself; what is written",
     "cli/failures.py": "the device for what nobody reads",
     "fem/sweep.py": "finished runs of the same work",
+    "shots/monitors.py": "layouts of monitors, which come with the package",
+    "shots/tables/vocabulary.py": "words of headings, which come with the package",
     "published_data.py": "published tables, which come with the package",
     "simulation/own_law.py": "the source of a law of contact of one's own",
     "studies/store.py": "finished parts of a study, and inputs that it keeps",
