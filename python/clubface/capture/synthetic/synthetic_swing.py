@@ -1,8 +1,9 @@
 """Synthetic swings whose delivery is known: a clubhead on its path, a ball at rest, the blow, and what follows.
 
-The clubhead is the end of a chain of rigid links, in closed form, so that its velocities are known exactly. An arm and a club turn in an inclined plane about a moving hub, the club rolls about the shaft, and the shaft bends and
-vibrates. The angles are hyperbolic tangents and sines of time, and they enter through sines and cosines. No polynomial
-and no smoother has such a path in its family. Random swings are of the size of elite golfers' swings.
+The clubhead is the end of a chain of rigid links, in closed form, so that its velocities are known exactly. An arm and
+a club turn in an inclined plane about a moving hub, the club rolls about the shaft, and the shaft bends and vibrates.
+The angles are hyperbolic tangents and sines of time, and they enter through sines and cosines. No polynomial and no
+smoother has such a path in its family. Random swings are of the size of elite golfers' swings.
 """
 
 from __future__ import annotations
