@@ -57,6 +57,7 @@ check: dev ## formatting, lints, types, documentation
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
+	$(BIN)/python scripts/check_words.py
 	$(BIN)/pyright --pythonpath $(PYTHON)
 	$(BIN)/sphinx-build -W --keep-going -q -E docs docs/_build
 

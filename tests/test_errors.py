@@ -9,9 +9,9 @@ from clubface.errors import (
     ClubfaceError,
     FileError,
     InputError,
-    Told,
     UnitError,
     UnknownNameError,
+    Wording,
     in_a_line,
     nearest_names,
 )
@@ -44,7 +44,7 @@ def test_an_input_error_names_parameter_value_and_range():
 def test_an_input_error_says_what_is_missing_and_what_to_do_instead():
     assert str(InputError("speed", None, "above 0 m/s")) == "speed is missing; it must be above 0 m/s"
     assert str(InputError("mass", "3 g", "leave it out")) == "mass is '3 g'; leave it out"
-    twice = InputError("ball", Told("given twice"), "give either its marker or its position")
+    twice = InputError("ball", Wording("given twice"), "give either its marker or its position")
     assert str(twice) == "ball is given twice; give either its marker or its position"
     assert str(pickle.loads(pickle.dumps(twice))) == str(twice)
 

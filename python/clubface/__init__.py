@@ -113,9 +113,9 @@ __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 
 def __getattr__(name: str) -> Any:
     if name in _HOME:
-        found = getattr(import_module(f"clubface.{_HOME[name]}"), name)
-        globals()[name] = found
-        return found
+        value = getattr(import_module(f"clubface.{_HOME[name]}"), name)
+        globals()[name] = value
+        return value
     if name in _MODULES or name in _MOVED:
         return import_module(f"clubface.{name}")
     raise AttributeError(f"module 'clubface' has no attribute {name!r}")

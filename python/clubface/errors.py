@@ -37,7 +37,7 @@ _MOST, _FIRST = 60, 10
 """How many names are told at most, and how many where there are more."""
 
 
-class Told(str):
+class Wording(str):
     """Words that stand for a value in a message, which shows them without quotation marks."""
 
     __slots__ = ()

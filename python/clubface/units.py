@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import _core
-from clubface.errors import InputError, Told, UnitError, nearest_names
+from clubface.errors import InputError, UnitError, Wording, nearest_names
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -189,10 +189,10 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
     except ValueError:
         raise InputError(name, value, _ONE_LENGTH) from None
     if given.ndim > MOST_DIMENSIONS:
-        raise InputError(name, Told(f"an array of {given.ndim} dimensions"), _FEW_DIMENSIONS)
+        raise InputError(name, Wording(f"an array of {given.ndim} dimensions"), _FEW_DIMENSIONS)
     check_request(given.size, 8)
     if given.dtype.kind in "bcSV":
-        raise InputError(name, Told(f"an array of {given.dtype}"), _wanted(dimension))
+        raise InputError(name, Wording(f"an array of {given.dtype}"), _wanted(dimension))
     missing = np.ma.getmaskarray(value) if masked else np.zeros(given.shape, dtype=bool)
     if given.dtype.kind in "iuf":
         result = given.astype(np.float64)
@@ -218,7 +218,7 @@ def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) 
     while isinstance(inner, (list, tuple)) and inner and depth < 1000:
         depth, inner = depth + 1, inner[0]
     if depth > MOST_DIMENSIONS:
-        raise InputError(name.partition("[")[0], Told(f"an array of {depth} dimensions"), _FEW_DIMENSIONS)
+        raise InputError(name.partition("[")[0], Wording(f"an array of {depth} dimensions"), _FEW_DIMENSIONS)
 
     def taken(each: Any, at: str) -> Any:
         if hasattr(each, "__len__") and (isinstance(each, (list, tuple)) or hasattr(each, "__array__")):

@@ -155,9 +155,9 @@ def test_a_box_refuses_what_lies_beyond_an_edge_though_it_is_within_every_slab()
 def test_what_is_left_of_a_body_without_mass_is_told():
     """A shell as heavy as the head leaves nothing, and a heavier one less than that."""
     for mass in (0.0, -0.01):
-        told = feasibility._told(np.diag([1e-5, 1e-5, 1e-5, mass]), np.array([0.0, 0.0, 0.0, 1.0]))
+        told = feasibility._describe_plane(np.diag([1e-5, 1e-5, 1e-5, mass]), np.array([0.0, 0.0, 0.0, 1.0]))
         assert told == f"its mass would be {1e3 * mass:.1f} g"
     negative = np.diag([-2e-7, 1e-5, 1e-5, 0.2])
-    assert feasibility._told(negative, np.array([1.0, 0.0, 0.0, 0.0])).startswith(
+    assert feasibility._describe_plane(negative, np.array([1.0, 0.0, 0.0, 0.0])).startswith(
         "the second moment of its mass along the direction (1.00, 0.00, 0.00) would be -2.0 g cm2"
     )

@@ -35,7 +35,8 @@ def test_a_face_that_nobody_measured_is_not_said_to_conform(own, clubface_):
     row = next(line for line in printed.splitlines() if line.startswith("characteristic time of the face"))
     assert "not measured" in row
     assert "--measure" in printed
-    found = {each["rule"]: each for each in json.loads(clubface_("club", "check", str(own), "--json").out)["rules"]}
+    document = json.loads(clubface_("club", "check", str(own), "--json").out)
+    found = {each["quantity"]: each for each in document["tables"]["rules"]["rows"]}
     assert found["characteristic_time"]["value"] is None
     own.write_text(own.read_text().replace("unit =", 'characteristic_time = "270 us"\nunit ='))
     with pytest.warns(clubface.errors.RuleWarning):

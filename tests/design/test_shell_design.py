@@ -105,7 +105,7 @@ def test_the_rules_bind_the_fastest_face(fastest):
     verdicts = {each["quantity"]: each["verdict"] for each in fastest.to_result().table("limits").records()}
     assert verdicts["characteristic_time"] == "binds"
     assert "broken" not in verdicts.values()
-    assert fastest.runs == 2 * len(search.found.steps)
+    assert fastest.runs == 2 * len(search.result.steps)
 
 
 @pytest.mark.study

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.usefixtures("in_this_process")
 def told():
     """A progress that keeps what it is told, and the checks on it."""
 
-    class Told(list):
+    class Wording(list):
         def __call__(self, done, whole):
             self.append((done, whole))
 
@@ -27,7 +27,7 @@ def told():
             assert done[0] <= 1 or len(done) == 1
             self.clear()
 
-    return Told()
+    return Wording()
 
 
 def test_of_a_study(told, tmp_path):

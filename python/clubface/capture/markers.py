@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, Self
 from clubface import units
 from clubface.capture.geometry import GIVEN, GUESSED, Assumed
 from clubface.capture.rotations import FEWEST
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, encode, file_key, written_key
@@ -120,7 +120,7 @@ class Markers:
         if self.face and len(self.face) < FEWEST:
             raise InputError("face", f"{len(self.face)} points", f"at least {FEWEST} points, not on a line")
         if self.ball is not None and self.ball_position is not None:
-            raise InputError("ball", Told("given twice"), "keep either its marker or its position")
+            raise InputError("ball", Wording("given twice"), "keep either its marker or its position")
         if self.frames is not None and not 0 <= self.frames[0] < self.frames[1]:
             raise InputError(
                 "frames", list(self.frames), "the first and the last frame of the address, such as [1, 90]"
@@ -132,12 +132,14 @@ class Markers:
         if way == "positions" and len(placed) < len(self.cluster):
             without = ", ".join(name for name in self.cluster if name not in placed)
             raise InputError(
-                "cluster", Told(f"without the position of {without}"), "give the positions of all markers, or of none"
+                "cluster",
+                Wording(f"without the position of {without}"),
+                "give the positions of all markers, or of none",
             )
         if way == "face" and not self.face:
             raise InputError(
                 "cluster",
-                Told("not placed on the club"),
+                Wording("not placed on the club"),
                 "give one of these: positions of its markers under [cluster]; points of the face under [face]; or,"
                 ' under [calibration], by = "address" (the head at rest behind the ball) or by'
                 ' = "swing" (nothing else needed)',
@@ -145,7 +147,7 @@ class Markers:
         if way == "face" and placed:
             raise InputError(
                 "cluster",
-                Told("placed twice, by its positions and by [face]"),
+                Wording("placed twice, by its positions and by [face]"),
                 'keep one, or write "seen" for positions',
             )
         if way != "face" and self.face:
@@ -236,7 +238,7 @@ class BallTable:
     def __post_init__(self) -> None:
         if self.marker is None and self.position is None:
             raise InputError(
-                "ball", Told("without a marker and a position"),
+                "ball", Wording("without a marker and a position"),
                 "give one, or leave the whole table out: then the ball is where the clubhead loses speed",
             )  # fmt: skip
 
@@ -333,9 +335,9 @@ class MarkerMap(Markers):
         return encode(MarkerFile.from_markers(self))
 
 
-def marker_map(which: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
+def marker_map(name: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
     """Return the mapping that is given as the path of its file, or as a :class:`MarkerMap` itself."""
-    return which if isinstance(which, MarkerMap) else MarkerMap.read(which)
+    return name if isinstance(name, MarkerMap) else MarkerMap.read(name)
 
 
 TEMPLATE = """\

@@ -19,7 +19,7 @@ import numpy as np
 
 from clubface import units
 from clubface.capture.rotations import Array, visible
-from clubface.errors import FileError, InputError, Told, UnknownNameError
+from clubface.errors import FileError, InputError, UnknownNameError, Wording
 from clubface.results.result import Described, Result
 from clubface.results.table import Table, column, text
 from clubface.support.files import as_local_file, input_file, read_input, whole_file
@@ -237,7 +237,7 @@ class Recording(Described):
     def __post_init__(self) -> None:
         positions = numbers(self.positions, name="positions")
         if positions.ndim != 3 or positions.shape[1:] != (len(self.labels), 3):
-            words = Told(f"an array of shape {positions.shape}")
+            words = Wording(f"an array of shape {positions.shape}")
             raise InputError("positions", words, f"one of shape (frames, {len(self.labels)} markers, 3)")
         object.__setattr__(self, "positions", positions)
 

@@ -11,7 +11,7 @@ from clubface.cli import options, show
 from clubface.cli.failures import Interrupted, print_note, print_written
 from clubface.cli.fem_heads import ball as report_ball, design, face as report_face, head as report_head
 from clubface.cli.output import progress_bar, run_with_progress
-from clubface.errors import InputError, RunError, Told
+from clubface.errors import InputError, RunError, Wording
 from clubface.support.checks import check_choice
 from clubface.support.files import prepared_folder
 from clubface.units import fixed
@@ -95,7 +95,7 @@ def run(
     output = show.Output.check({"as_json": as_json, "report": report}, [case])
     chosen = cases.case(case)
     if animate and folder is None:
-        raise InputError("--animate", Told("without --output"), "give the folder to write to, as in --output out/")
+        raise InputError("--animate", Wording("without --output"), "give the folder to write to, as in --output out/")
     if frames is not None or (animate and chosen.settings.frames < 2):
         chosen = chosen.replace(settings={"frames": MOVING if frames is None else frames})
     if folder is not None:

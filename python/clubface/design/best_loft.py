@@ -18,7 +18,7 @@ from clubface import published_data, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning, Told
+from clubface.errors import InputError, RangeWarning, Wording
 from clubface.results.result import Described, Result
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Parameters, impact
@@ -129,11 +129,11 @@ def best_loft(
     try:
         speeds, attacks = np.broadcast_arrays(*map(np.atleast_1d, given))
     except ValueError:
-        shapes = Told(f"of shapes {np.shape(given[0])} and {np.shape(given[1])}")
+        shapes = Wording(f"of shapes {np.shape(given[0])} and {np.shape(given[1])}")
         raise InputError("speed and attack", shapes, "of shapes that broadcast") from None
     speeds, attacks = (np.ascontiguousarray(each, dtype=np.float64).reshape(-1) for each in (speeds, attacks))
     if not speeds.size:
-        raise InputError("speed and attack", Told("empty"), "at least one of each")
+        raise InputError("speed and attack", Wording("empty"), "at least one of each")
     for name in ("loft", "speed", "attack"):
         if name in delivery:
             raise InputError(name, delivery[name], "left out: it is not among the further values of the delivery")
@@ -191,15 +191,15 @@ def _reached(distance: Floats) -> Floats:
 def _within(distance: Any, best: Floats, reached: Floats) -> Floats:
     """Return how far below and above the best loft a yard is lost, by halving, up to 15 degrees."""
     yard, wide = units.parse("1 yd", "length"), np.radians(15.0)
-    found = []
+    result = []
     for side in (-1.0, 1.0):
         near, far = np.zeros_like(best), np.full_like(best, wide)
         for _ in range(HALVINGS):
             middle = 0.5 * (near + far)
             lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > yard
             near, far = np.where(lost, near, middle), np.where(lost, middle, far)
-        found.append(0.5 * (near + far))
-    return np.stack(found, axis=1)
+        result.append(0.5 * (near + far))
+    return np.stack(result, axis=1)
 
 
 @dataclass(frozen=True, eq=False)

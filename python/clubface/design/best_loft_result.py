@@ -24,40 +24,45 @@ _SAME_ANGLE = 9e-4
 """Attack angles below this are level [rad]."""
 
 
-def best_loft_result(of: BestLoft) -> Result:
+def best_loft_result(best_loft: BestLoft) -> Result:
     """Return best lofts as a result."""
-    columns = (*_cases(of), *(_own(of, name) for name in SHOWN), *_other(of))
-    title = f"Best dynamic loft for carry: {of.flown.club.name}, {of.flown.model}"
+    columns = (*_cases(best_loft), *(_own(best_loft, name) for name in SHOWN), *_other(best_loft))
+    title = f"Best dynamic loft for carry: {best_loft.flown.club.name}, {best_loft.flown.model}"
     return Result(
         kind="best-loft", title=title, tables=(Table("best_lofts", columns),),
-        summary=(*_summary(of), note("best-loft-delivered")), notes=(note("best-loft-within"),),
-        provenance=provenance_of([of.flown], flight_conditions(of.air, of.wind)), draw=lambda: [best_loft_picture(of)],
+        summary=(*_summary(best_loft), note("best-loft-delivered")), notes=(note("best-loft-within"),),
+        provenance=provenance_of([best_loft.flown], flight_conditions(best_loft.air, best_loft.wind)),
+        draw=lambda: [best_loft_picture(best_loft)],
     )  # fmt: skip
 
 
-def chart_result(of: ChartComparison) -> Result:
+def chart_result(chart_comparison: ChartComparison) -> Result:
     """Return best lofts with those of a published chart as a result."""
-    best, chart = of.best, of.chart
+    best, chart = chart_comparison.best, chart_comparison.chart
     columns = _cases(best)
-    for name in of.compared:
-        columns += [_own(best, name), column(f"published_{name}", of.column(name), SHOWN[name], label=chart)]
-    columns += [_own(best, name, printed=False) for name in SHOWN if name not in of.compared]
+    for name in chart_comparison.compared:
+        columns += [
+            _own(best, name),
+            column(f"published_{name}", chart_comparison.column(name), SHOWN[name], label=chart),
+        ]
+    columns += [_own(best, name, printed=False) for name in SHOWN if name not in chart_comparison.compared]
     columns += _other(best, printed=False)
-    published = {of.quantity(name): name for name in of.published}
+    published = {chart_comparison.quantity(name): name for name in chart_comparison.published}
     columns += [
-        column(f"published_{name}", of.published[key], SHOWN.get(name, name), printed=False)
+        column(f"published_{name}", chart_comparison.published[key], SHOWN.get(name, name), printed=False)
         for name, key in published.items()
-        if name not in of.compared
+        if name not in chart_comparison.compared
     ]
-    kinds = [quantity(SHOWN[name]) for name in of.compared]
-    away = [getattr(best, name) - of.column(name) for name in of.compared]
+    kinds = [quantity(SHOWN[name]) for name in chart_comparison.compared]
+    away = [getattr(best, name) - chart_comparison.column(name) for name in chart_comparison.compared]
     differences = (
-        text("quantity", of.compared, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        text("quantity", chart_comparison.compared, printed=False),
+        text("what", [each.label for each in kinds], in_files=False),
         *(Column(word, [float(pick(each)) for each in away], kinds, difference=True)
           for word, pick in (("mean", np.mean), ("least", np.min), ("greatest", np.max))),
     )  # fmt: skip
-    launch = "best-loft-launch-difference" if of.compared[0] == "launch" else "best-loft-loft-difference"
-    source = published_data.table(of.table).source
+    launch = "best-loft-launch-difference" if chart_comparison.compared[0] == "launch" else "best-loft-loft-difference"
+    source = published_data.table(chart_comparison.table).source
     return Result(
         kind="best-loft", title=f"Best dynamic loft for carry and the chart of {chart}: {best.flown.club.name}, "
         f"{best.flown.model}",
@@ -70,52 +75,54 @@ def chart_result(of: ChartComparison) -> Result:
         provenance=provenance_of(
             [best.flown], flight_conditions(best.air, best.wind), [f"Chart of {chart}: {source}"]
         ),
-        draw=lambda: [chart_picture(of)],
+        draw=lambda: [chart_picture(chart_comparison)],
     )  # fmt: skip
 
 
-def _cases(of: BestLoft) -> list[Column]:
-    return [column("speed", of.speed, digits=1), column("attack", of.attack)]
+def _cases(best_loft: BestLoft) -> list[Column]:
+    return [column("speed", best_loft.speed, digits=1), column("attack", best_loft.attack)]
 
 
-def _own(of: BestLoft, name: str, *, printed: bool = True) -> Column:
+def _own(best_loft: BestLoft, name: str, *, printed: bool = True) -> Column:
     label = "best loft" if name == "loft" else ""
-    return column(name, getattr(of, name), SHOWN[name], label=label or quantity(SHOWN[name]).label, printed=printed)
+    return column(
+        name, getattr(best_loft, name), SHOWN[name], label=label or quantity(SHOWN[name]).label, printed=printed
+    )
 
 
-def _other(of: BestLoft, *, printed: bool = True) -> list[Column]:
+def _other(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
     return [
-        column("total", of.total, printed=False),
-        column("yard_lost_less", of.within[:, 0], "loft", label="a yard is lost with less", printed=printed),
-        column("yard_lost_more", of.within[:, 1], "loft", label="or with more", printed=printed),
+        column("total", best_loft.total, printed=False),
+        column("yard_lost_less", best_loft.within[:, 0], "loft", label="a yard is lost with less", printed=printed),
+        column("yard_lost_more", best_loft.within[:, 1], "loft", label="or with more", printed=printed),
     ]
 
 
-def _summary(of: BestLoft) -> Iterator[Note]:
+def _summary(best_loft: BestLoft) -> Iterator[Note]:
     """Yield the best loft of the slowest and the fastest club that moves most nearly level."""
-    level = abs(of.attack) == abs(of.attack).min()
-    for speed in sorted({float(of.speed[level].min()), float(of.speed[level].max())}):
-        place = int((level & (of.speed == speed)).argmax())
-        attack = float(of.attack[place])
-        less, more = map(float, of.within[place])
+    level = abs(best_loft.attack) == abs(best_loft.attack).min()
+    for speed in sorted({float(best_loft.speed[level].min()), float(best_loft.speed[level].max())}):
+        place = int((level & (best_loft.speed == speed)).argmax())
+        attack = float(best_loft.attack[place])
+        less, more = map(float, best_loft.within[place])
         yield note(
             "best-loft-level" if abs(attack) < _SAME_ANGLE else "best-loft-inclined", attack=attack, speed=speed,
-            loft=float(of.loft[place]), carry=float(of.carry[place]), less_loft=less, more_loft=more,
+            loft=float(best_loft.loft[place]), carry=float(best_loft.carry[place]), less_loft=less, more_loft=more,
         )  # fmt: skip
 
 
-def best_loft_picture(of: BestLoft) -> Picture:
+def best_loft_picture(best_loft: BestLoft) -> Picture:
     """Return loft and carry over the club speed; bars reach as far as a yard of carry is lost."""
     lofts, carries = [], []
-    for place, attack in enumerate(np.unique(of.attack)):
-        rows = np.flatnonzero(of.attack == attack)
-        rows = rows[np.argsort(of.speed[rows], kind="stable")]
-        speed, loft, carry = of.speed[rows], of.loft[rows], of.carry[rows]
+    for place, attack in enumerate(np.unique(best_loft.attack)):
+        rows = np.flatnonzero(best_loft.attack == attack)
+        rows = rows[np.argsort(best_loft.speed[rows], kind="stable")]
+        speed, loft, carry = best_loft.speed[rows], best_loft.loft[rows], best_loft.carry[rows]
         label = f"attack {np.degrees(attack) + 0.0:.3g}°"
         lofts += [
             Mark("line", speed, loft, style=place, label=label),
-            Mark("intervals", speed, loft, y0=loft - of.within[rows, 0], y1=loft + of.within[rows, 1], style=place,
-                 symbol=str(place), label=label),
+            Mark("intervals", speed, loft, y0=loft - best_loft.within[rows, 0],
+                 y1=loft + best_loft.within[rows, 1], style=place, symbol=str(place), label=label),
         ]  # fmt: skip
         carries += [
             Mark("line", speed, carry, style=place, label=label),
@@ -128,17 +135,20 @@ def best_loft_picture(of: BestLoft) -> Picture:
     return Picture("best-loft", "Best loft and its carry over the club speed", [panels], height=3.4, legend=True)
 
 
-def chart_picture(of: ChartComparison) -> Picture:
+def chart_picture(chart_comparison: ChartComparison) -> Picture:
     """Return what was found over what a chart has."""
     panels: list[Panel | None] = []
-    for name in of.compared:
-        theirs, ours = of.column(name), getattr(of.best, name)
+    for name in chart_comparison.compared:
+        theirs, ours = chart_comparison.column(name), getattr(chart_comparison.best, name)
         ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
         marks = [Mark("line", ends, ends, style=-1, size=0.8, dash=0), Mark("points", theirs, ours)]
         kind = SHOWN[name]
-        panels.append(Panel(marks, axis(kind, of.chart), axis(kind, "found here"), quantity(kind).label))
+        panels.append(Panel(marks, axis(kind, chart_comparison.chart), axis(kind, "found here"), quantity(kind).label))
     panels += [None] * (len(panels) % 2)
     rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
     return Picture(
-        "best-loft-chart", f"What was found here over what the chart of {of.chart} has", rows, height=2.5 * len(rows)
+        "best-loft-chart",
+        f"What was found here over what the chart of {chart_comparison.chart} has",
+        rows,
+        height=2.5 * len(rows),
     )

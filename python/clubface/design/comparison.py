@@ -16,7 +16,7 @@ from clubface.design.contributions import QUANTITIES, Contributions, Stage, cont
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, model
-from clubface.errors import FileError, InputError, RangeWarning, ShotError, Told
+from clubface.errors import FileError, InputError, RangeWarning, ShotError, Wording
 from clubface.quantities import Quantity, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
@@ -61,10 +61,12 @@ class Alternative:
         taken = {each.name: getattr(self, each.name) for each in fields(self)} | changes
         if not isinstance(taken["model"], str) or taken["model"] == "all":
             raise InputError("model", taken["model"], "the name of one model in each alternative")
-        found = impact(taken.pop("club"), taken.pop("delivery"), **taken)
-        if found.shape:
-            raise InputError("delivery", Told(f"a batch of shape {found.shape}"), "a single shot in each alternative")
-        return found
+        result = impact(taken.pop("club"), taken.pop("delivery"), **taken)
+        if result.shape:
+            raise InputError(
+                "delivery", Wording(f"a batch of shape {result.shape}"), "a single shot in each alternative"
+            )
+        return result
 
 
 class Compared(Described):
@@ -275,11 +277,11 @@ _MOST_BARS = 9
 """Contributions that are drawn one by one, the largest; the others are one bar."""
 
 
-def comparison_picture(of: Compared) -> Picture:
+def comparison_picture(compared: Compared) -> Picture:
     """Return the picture of a comparison: the flights, and below them what makes each difference."""
     side, above = [], []
-    for place, (name, launch) in enumerate(of.launches.items()):
-        path = trajectory(launch, **of.conditions).position
+    for place, (name, launch) in enumerate(compared.launches.items()):
+        path = trajectory(launch, **compared.conditions).position
         side.append(Mark("line", path[:, 0], path[:, 1], style=place, label=name))
         above.append(Mark("line", path[:, 2], path[:, 0], style=place, label=name))
     reach = 1.05 * max(float(np.abs(mark.x).max()) for mark in above)
@@ -290,9 +292,9 @@ def comparison_picture(of: Compared) -> Picture:
               axis("carry", "distance", limits=(0.0, None)), "from above, stretched sideways"),
     ]  # fmt: skip
     rows, heights = [flights], [2.5]
-    for name, made in of.contributions.items():
+    for name, made in compared.contributions.items():
         if made.changes:
-            rows.append(_contribution_panels(of, name, made))
+            rows.append(_contribution_panels(compared, name, made))
             heights.append(0.9 + 0.19 * (min(len(made.changes), _MOST_BARS + 1) + 2))
     return Picture(
         "comparison", "Flights, and what makes the differences", rows, heights=heights,
@@ -300,7 +302,7 @@ def comparison_picture(of: Compared) -> Picture:
     )  # fmt: skip
 
 
-def _contribution_panels(of: Compared, name: str, made: Contributions) -> list[Panel | None]:
+def _contribution_panels(compared: Compared, name: str, made: Contributions) -> list[Panel | None]:
     places = [QUANTITIES.index(each) for each in _DRAWN]
     numbers = made.si[:, places]
     # The share of a contribution in all of a quantity, so that speeds, spins and lengths count alike.
@@ -312,7 +314,7 @@ def _contribution_panels(of: Compared, name: str, made: Contributions) -> list[P
         labels.append(f"{len(others)} others")
         bars.append(numbers[others].sum(axis=0))
     labels += ["remainder", "difference"]
-    table = np.array([*bars, made.remainder[places], of._differences(name)[places]])
+    table = np.array([*bars, made.remainder[places], compared._differences(name)[places]])
     panels: list[Panel | None] = []
     for place, key in enumerate(_DRAWN):
         y = axis(label=name, names=labels, reversed=True) if not panels else axis(reversed=True, ticks=False)
@@ -362,7 +364,7 @@ def compare(
         There are fewer than two alternatives or more than 24, or one is no single shot.
     """
     if not isinstance(alternatives, Mapping) or not 2 <= len(alternatives) <= MOST:
-        count = Told(f"{len(alternatives)} of them") if isinstance(alternatives, Mapping) else alternatives
+        count = Wording(f"{len(alternatives)} of them") if isinstance(alternatives, Mapping) else alternatives
         raise InputError("alternatives", count, f"a mapping of names to 2 to {MOST} alternatives")
     if nodes is not None:
         nodes = check_count("nodes", nodes, 1, MOST_NODES)
@@ -399,16 +401,16 @@ def _counted(progress: Callable[[int, int], object], place: int, count: int) -> 
 
 def _alternative(given: Alternative | Mapping[str, Any]) -> Alternative:
     if isinstance(given, Alternative):
-        found = given
+        result = given
     elif isinstance(given, Mapping):
         check_names("field of an alternative", given, [each.name for each in fields(Alternative)])
         for name in ("club", "delivery"):
             if name not in given:
                 raise InputError(name, None, "give it for each alternative")
-        found = Alternative(**given)
+        result = Alternative(**given)
     else:
         raise InputError("an alternative", given, "an Alternative or a mapping of its fields")
-    return replace(found, club=club_of(found.club), delivery=dict(as_values(found.delivery, {})))
+    return replace(result, club=club_of(result.club), delivery=dict(as_values(result.delivery, {})))
 
 
 def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[Stage]:
@@ -437,12 +439,12 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
     return stages
 
 
-def _meshed(which: Any) -> Any:
+def _meshed(name: Any) -> Any:
     """Return what tells one ball of finite elements from another."""
     from clubface.fem.balls import ball
     from clubface.support.fingerprint import fingerprint
 
-    return fingerprint(ball(which).values())
+    return fingerprint(ball(name).values())
 
 
 NAMES = ("name", "label", "delivery", "shot")
@@ -470,7 +472,7 @@ def read_deliveries(
         if note is not None:
             for text in (*reader.notes, *columns.notes):
                 note(text)
-        found: dict[str, dict[str, float]] = {}
+        result: dict[str, dict[str, float]] = {}
         for chunk in reader.chunks(most + 1, 0):
             for reject in chunk.ragged:
                 raise FileError(reader.path, reject.line, reject.reason)
@@ -488,15 +490,15 @@ def read_deliveries(
                 name = next((cells[place].strip() for place in naming), "") or f"{reader.counts} {line}"
                 if not name.isprintable():
                     raise FileError(reader.path, line, f"the name {name!r} is no printable text")
-                if name in found:
+                if name in result:
                     raise FileError(reader.path, line, f"a row is called {name!r} already; give each another name")
-                found[name] = {
+                result[name] = {
                     key: float(to_si(numbers[row], column.unit)) for key, (column, numbers, _) in values.items()
                 }
-                if len(found) > most:
+                if len(result) > most:
                     raise FileError(reader.path, line, f"there are more than {most} rows to compare; give fewer")
     finally:
         reader.close()
-    if not found:
+    if not result:
         raise FileError(reader.path, None, "there is no row with a delivery")
-    return found
+    return result

@@ -85,14 +85,14 @@ class Line(NamedTuple):
 
     def rates(self, share: float) -> Mapping[str, float]:
         """Return how fast each input and parameter that differs changes along the way, at a ``share`` of it."""
-        found = {}
+        result = {}
         for name in self.names:
             first, last = self.start.value(name), self.end.value(name)
             rate = last - first
             if name in CURVED:
                 rate = -(self._value(name, share) ** 2) * (1.0 / last - 1.0 / first)
-            found[name] = rate
-        return found
+            result[name] = rate
+        return result
 
     def _value(self, name: str, share: float) -> float:
         first, last = self.start.value(name), self.end.value(name)
@@ -127,12 +127,12 @@ def slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> It
     return _reduced(line, launch, shares)
 
 
-def flown(found: tuple[Array, Array], point: Point, names: Sequence[str], base: Mapping[str, float]) -> Array:
+def flown(result: tuple[Array, Array], point: Point, names: Sequence[str], base: Mapping[str, float]) -> Array:
     """Return the slopes of the quantities of the flight, shape (quantities, names), by the chain rule.
 
     Parameters
     ----------
-    found
+    result
         Outputs of the launch and their slopes.
     point
         The shot.
@@ -141,7 +141,7 @@ def flown(found: tuple[Array, Array], point: Point, names: Sequence[str], base: 
     base
         The inputs of the flight; launch and ball are those of the point instead.
     """
-    values, by_names = found
+    values, by_names = result
     places = {name: place for place, name in enumerate(outputs())}
     launched = (*VELOCITY, *SPIN)
     columns = {
@@ -166,12 +166,12 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
     order = [*inputs(), *launch.parameters.values]
     variables = [order.index(name) for name in by_duals]
     rows = list(range(len(outputs())))
-    found, problems = core.sensitivities(
+    result, problems = core.sensitivities(
         launch.model, columns, parameters, len(points), rows, variables, launch.accuracy, 1
     )
     if problems:
         raise RunError(f"{launch.model} has no launch between the two: {problems[0][2]}")
-    table = found.reshape(len(rows), 1 + len(variables), len(points))
+    table = result.reshape(len(rows), 1 + len(variables), len(points))
     by_names = np.zeros((len(rows), len(line.names), len(points)))
     for place, name in enumerate(line.names):
         if name in by_duals:
@@ -209,11 +209,11 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
         raise RunError(f"finite elements of this head give no derivatives by {', '.join(unknown)}")
     delivered = {name: value for name, value in point.inputs.items() if inputs()[name].group == "delivery"}
     moved = {name: point.inputs[name] for name in line.names if name in point.inputs}
-    found = sensitivity(
+    result = sensitivity(
         club, {**delivered, **moved, "hand": point.inputs["hand"]}, by=line.names, ball=ball,
         friction=point.parameters["friction"],
     )  # fmt: skip
-    return np.array([found.values[name] for name in outputs()]), found.jacobian
+    return np.array([result.values[name] for name in outputs()]), result.jacobian
 
 
 LAUNCHED: tuple[str, ...] = (
@@ -373,12 +373,12 @@ def _integrated(
     launched = [list(outputs()).index(name) for name in LAUNCHED]
     flights = [list(flight_outputs()).index(name) for name in FLOWN]
     total = np.zeros((len(QUANTITIES), len(line.names)))
-    for done, (share, weight, found) in enumerate(
+    for done, (share, weight, result) in enumerate(
         zip(shares.tolist(), weights.tolist(), slopes(line, last, shares.tolist(), ball), strict=True), 1
     ):
         rates = np.array(list(line.rates(share).values()))
-        by_flight = flown(found, line.at(share), line.names, base)[flights]
-        total += 0.5 * weight * np.concatenate([found[1][launched], by_flight]) * rates
+        by_flight = flown(result, line.at(share), line.names, base)[flights]
+        total += 0.5 * weight * np.concatenate([result[1][launched], by_flight]) * rates
         if progress is not None:
             progress(done, nodes)
     return total.T

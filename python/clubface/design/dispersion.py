@@ -21,7 +21,7 @@ from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning, ShotError, Told
+from clubface.errors import InputError, RangeWarning, ShotError, Wording
 from clubface.quantities import quantity
 from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of, shot_words
@@ -64,11 +64,11 @@ def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]
 
 def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:
     dimensions = shot_words().dimensions
-    found = {}
+    result = {}
     for name, numbers in values.items():
         heading, unit = heading_of(name, SI_UNITS[dimensions[name]])
-        found[heading] = from_si(np.asarray(numbers), unit)
-    return found
+        result[heading] = from_si(np.asarray(numbers), unit)
+    return result
 
 
 @contextmanager
@@ -166,10 +166,10 @@ class Tally:
         """Count shots, each quantity of shape (n,)."""
         first = next(iter(self.scales))
         last = "carry" if "carry" in self.scales else first
-        found = np.isfinite(values[last])
-        self.shots += len(found)
-        self.lost += len(found) - int(found.sum())
-        kept = {name: values[name] if found.all() else values[name][found] for name in self.scales}
+        result = np.isfinite(values[last])
+        self.shots += len(result)
+        self.lost += len(result) - int(result.sum())
+        kept = {name: values[name] if result.all() else values[name][result] for name in self.scales}
         for name, of in self.scales.items():
             self._bins[name] += _counted(kept[name], of)
             away = kept[name] - self.centre[name]
@@ -230,9 +230,11 @@ def forward(distance: Floats, side: Floats) -> Floats:
     return np.sqrt(np.maximum(distance**2 - side**2, 0.0))
 
 
-def _counted(values: Floats, of: Scale) -> Counts:
-    place = np.clip((values - of.least) * (of.bins / (of.most - of.least)), 0, of.bins - 1).astype(np.int64)
-    return np.bincount(place, minlength=of.bins)
+def _counted(values: Floats, scale: Scale) -> Counts:
+    place = np.clip((values - scale.least) * (scale.bins / (scale.most - scale.least)), 0, scale.bins - 1).astype(
+        np.int64
+    )
+    return np.bincount(place, minlength=scale.bins)
 
 
 def _crossing(counts: Counts, share: float) -> float:
@@ -259,19 +261,19 @@ class ImpactSetup(NamedTuple):
     threads: int | None = None
     accuracy: float | None = None
 
-    def mean(self, of: Golfer) -> tuple[Launch, dict[str, float]]:
+    def mean(self, golfer: Golfer) -> tuple[Launch, dict[str, float]]:
         """Return what the mean delivery gives; if nothing, it is an error that says why."""
         try:
-            launch, flight = self._hit(of.delivery(), "raise")
+            launch, flight = self._strike(golfer.delivery(), "raise")
         except ShotError as error:
-            if error.parameter not in of.variables:
+            if error.parameter not in golfer.variables:
                 raise
             # By itself it would be taken for an option of the same name, such as the lie that a shot is played from.
-            raise InputError("golfer", of.name, f"one whose mean shot has a result: {error}") from None
-        found = {name: float(getattr(launch, name)) for name in LAUNCHED}
+            raise InputError("golfer", golfer.name, f"one whose mean shot has a result: {error}") from None
+        result = {name: float(getattr(launch, name)) for name in LAUNCHED}
         if flight is not None:
-            found |= {name: float(getattr(flight, name)) for name in FLOWN}
-        return launch, found
+            result |= {name: float(getattr(flight, name)) for name in FLOWN}
+        return launch, result
 
     def __call__(
         self,
@@ -280,18 +282,18 @@ class ImpactSetup(NamedTuple):
         outside: OutsideTally | None = None,
     ) -> dict[str, Floats]:
         """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
-        launch, flight = self._hit(deliveries, "nan")
+        launch, flight = self._strike(deliveries, "nan")
         if outside is not None:
             outside.add(launch)
-        found = {name: getattr(launch, name) for name in LAUNCHED}
+        result = {name: getattr(launch, name) for name in LAUNCHED}
         if flight is not None:
-            found |= {name: getattr(flight, name) for name in FLOWN}
+            result |= {name: getattr(flight, name) for name in FLOWN}
         if reasons is not None and not reasons:
             for problem in (launch if flight is None else flight).problems:
                 reasons.setdefault(problem.parameter, problem.reason)
-        return found
+        return result
 
-    def _hit(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
+    def _strike(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
         """Return launches and, if the balls fly, flights."""
         with without_warnings(RangeWarning):  # it is told of all shots together
             launch = impact(
@@ -503,7 +505,7 @@ def dispersion(
         raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')
     for name, value in (("hole", hole), ("air", air), ("wind", wind), ("ground", ground)):
         if not flight and value is not None and not (isinstance(value, Mapping) and not value):
-            raise InputError(name, Told("given"), "left out where the balls do not fly")
+            raise InputError(name, Wording("given"), "left out where the balls do not fly")
     setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = setup.mean(player)
     tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
@@ -538,8 +540,8 @@ def dispersion(
 
 
 def _landings(carry: Floats, side: Floats) -> Floats:
-    found = np.stack([forward(carry, side), side], axis=1)
-    return found[np.isfinite(found).all(axis=1)]
+    result = np.stack([forward(carry, side), side], axis=1)
+    return result[np.isfinite(result).all(axis=1)]
 
 
 def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int]) -> float:

@@ -29,47 +29,49 @@ MOST_BARS = 6
 """Variables of which a bar is drawn: those with the greatest shares."""
 
 
-def dispersion_result(of: Dispersion, slopes: ByDerivatives | None = None, shares: Indices | None = None) -> Result:
+def dispersion_result(
+    dispersion: Dispersion, slopes: ByDerivatives | None = None, shares: Indices | None = None
+) -> Result:
     """Return a dispersion as a result, with its spread ``slopes`` by derivatives and ``shares`` of its variance."""
-    golfer = of.golfer
+    golfer = dispersion.golfer
     title = (
-        f"{golfer.title or golfer.name}: {of.count} shot{'s' * (of.count > 1)}, club {of.club.name}, ball "
-        f"{of.ball.name}, by {of.model}"
+        f"{golfer.title or golfer.name}: {dispersion.count} shot{'s' * (dispersion.count > 1)}, club "
+        f"{dispersion.club.name}, ball {dispersion.ball.name}, by {dispersion.model}"
     )
-    tables = [_quantities(of, slopes)]
-    if of.points.size:
-        tables.append(_ellipses(of))
-    if of.hole is not None:
-        tables.append(_strokes(of))
+    tables = [_quantities(dispersion, slopes)]
+    if dispersion.points.size:
+        tables.append(_ellipses(dispersion))
+    if dispersion.hole is not None:
+        tables.append(_strokes(dispersion))
     if shares is not None:
         tables.append(_shares(shares))
-    inputs = {"golfer": golfer.title or golfer.name, "shots": str(of.count), "seed": str(of.seed)}
-    if of.hole is not None:
-        inputs["hole"] = of.hole.describe()
-    if of.points.size:
-        inputs |= flight_conditions(**of.conditions)
+    inputs = {"golfer": golfer.title or golfer.name, "shots": str(dispersion.count), "seed": str(dispersion.seed)}
+    if dispersion.hole is not None:
+        inputs["hole"] = dispersion.hole.describe()
+    if dispersion.points.size:
+        inputs |= flight_conditions(**dispersion.conditions)
     return Result(
         kind="dispersion", title=title, tables=tuple(tables),
         values=(
-            text("shots", [of.count], printed=False), text("lost", [of.lost], printed=False),
-            text("seed", [of.seed], printed=False),
+            text("shots", [dispersion.count], printed=False), text("lost", [dispersion.lost], printed=False),
+            text("seed", [dispersion.seed], printed=False),
         ),
-        summary=tuple(_summary(of, shares)), notes=tuple(_notes(of, slopes, shares)),
-        provenance=provenance_of([of.mean_launch], inputs, golfer_sources(golfer)),
-        draw=lambda: [dispersion_picture(of, shares)],
+        summary=tuple(_summary(dispersion, shares)), notes=tuple(_notes(dispersion, slopes, shares)),
+        provenance=provenance_of([dispersion.mean_launch], inputs, golfer_sources(golfer)),
+        draw=lambda: [dispersion_picture(dispersion, shares)],
     )  # fmt: skip
 
 
-def _quantities(of: Dispersion, slopes: ByDerivatives | None) -> Table:
-    names, kinds = of.quantities, [quantity(name) for name in of.quantities]
+def _quantities(dispersion: Dispersion, slopes: ByDerivatives | None) -> Table:
+    names, kinds = dispersion.quantities, [quantity(name) for name in dispersion.quantities]
     columns = [
         text("quantity", names, printed=False), text("what", [each.label for each in kinds], in_files=False),
-        Column("mean", [of.mean(name) for name in names], kinds),
-        Column("spread", [of.spread(name) for name in names], kinds, "±"),
-        Column("of_mean_delivery", [of.mean_shot[name] for name in names], kinds, printed=False),
+        Column("mean", [dispersion.mean(name) for name in names], kinds),
+        Column("spread", [dispersion.spread(name) for name in names], kinds, "±"),
+        Column("of_mean_delivery", [dispersion.mean_shot[name] for name in names], kinds, printed=False),
     ]  # fmt: skip
     for share in QUANTILES:
-        values = [of.quantile(name, share) for name in names]
+        values = [dispersion.quantile(name, share) for name in names]
         columns.append(Column(f"quantile_{share:g}", values, kinds, f"{share:.0%}"))
     if slopes is not None:
         known = [name if name in slopes.value else None for name in names]
@@ -83,10 +85,10 @@ def _quantities(of: Dispersion, slopes: ByDerivatives | None) -> Table:
     return Table("quantities", tuple(columns))
 
 
-def _ellipses(of: Dispersion) -> Table:
+def _ellipses(dispersion: Dispersion) -> Table:
     from clubface.design.dispersion import SHARES
 
-    ellipses = [of.ellipse(share) for share in SHARES]
+    ellipses = [dispersion.ellipse(share) for share in SHARES]
     columns = (
         column("share", SHARES, "1", label="landings", unit="%", digits=0),
         column("centre_ahead", [float(each.centre[0]) for each in ellipses], "carry", label="centre ahead"),
@@ -98,33 +100,34 @@ def _ellipses(of: Dispersion) -> Table:
     return Table("ellipses", columns, "Ellipses that hold a share of the landings")
 
 
-def _strokes(of: Dispersion) -> Table:
-    hole = of.hole
+def _strokes(dispersion: Dispersion) -> Table:
+    hole = dispersion.hole
     assert hole is not None
     columns = [
         column("length", [hole.length], "carry", label="length of the hole", digits=0),
         *(column(name, [getattr(hole, name)], "carry", printed=False) for name in ("fairway", "rough", "green")),
         text("lie", [hole.lie], printed=False),
         column("strokes_before", [hole.before()], "1", label=f"strokes from the {hole.lie}"),
-        column("strokes_after", [of.strokes], "1"),
-        column("strokes_gained", [of.gained], "1", difference=True),
+        column("strokes_after", [dispersion.strokes], "1"),
+        column("strokes_gained", [dispersion.gained], "1", difference=True),
     ]
-    for name, share in of.lies.items():
+    for name, share in dispersion.lies.items():
         columns.append(column(f"share_{name}", [share], "1", label=f"at rest, {name}", unit="%", digits=0))
     return Table("strokes", tuple(columns), "Strokes of a tour player on the hole", layout="list")
 
 
-def _shares(of: Indices) -> Table:
-    strongest = np.max(list(of.share.values()), axis=0)
-    order = sorted(range(len(of.variables)), key=lambda place: -strongest[place])
-    sobol = of.kind == "sobol"
+def _shares(indices: Indices) -> Table:
+    strongest = np.max(list(indices.share.values()), axis=0)
+    order = sorted(range(len(indices.variables)), key=lambda place: -strongest[place])
+    sobol = indices.kind == "sobol"
     columns = [
-        text("variable", [of.variables[place] for place in order], printed=False),
-        text("what", [variable_label(of.variables[place]) for place in order], in_files=False),
+        text("variable", [indices.variables[place] for place in order], printed=False),
+        text("what", [variable_label(indices.variables[place]) for place in order], in_files=False),
     ]
-    for name in of.share:
+    for name in indices.share:
         for key, part, label in (
-            ("share", of.share[name], f"{name} alone" if sobol else name), ("total", of.total[name], f"{name} in all"),
+            ("share", indices.share[name], f"{name} alone" if sobol else name),
+            ("total", indices.total[name], f"{name} in all"),
         ):  # fmt: skip
             values = [float(part[place]) for place in order]
             columns.append(
@@ -134,75 +137,77 @@ def _shares(of: Indices) -> Table:
     return Table("shares", tuple(columns), f"What spreads the shots: {kind}, % of the variance")
 
 
-def _summary(of: Dispersion, shares: Indices | None) -> Iterator[Note]:
-    low, high = (of.quantile("ball_speed", share) for share in (0.25, 0.75))
-    yield note("dispersion-ball-speed", shots=of.count, low_ball_speed=low, high_ball_speed=high)
-    if not of.points.size:
+def _summary(dispersion: Dispersion, shares: Indices | None) -> Iterator[Note]:
+    low, high = (dispersion.quantile("ball_speed", share) for share in (0.25, 0.75))
+    yield note("dispersion-ball-speed", shots=dispersion.count, low_ball_speed=low, high_ball_speed=high)
+    if not dispersion.points.size:
         return
-    low, high, tenth = (of.quantile("carry", share) for share in (0.25, 0.75, 0.1))
+    low, high, tenth = (dispersion.quantile("carry", share) for share in (0.25, 0.75, 0.1))
     yield note("dispersion-carry", low_carry=low, high_carry=high, tenth_carry=tenth)
-    left, right = (of.quantile("side", share) for share in (0.05, 0.95))
+    left, right = (dispersion.quantile("side", share) for share in (0.05, 0.95))
     yield note("dispersion-side", left_side=left, right_side=right)
     if shares is not None:
         for name in ("carry", "side"):
             most = int(np.argmax(np.nan_to_num(parts := shares.share[name])))
             variable = variable_label(shares.variables[most])
             yield note(f"dispersion-{name}-cause", variable=variable, share=float(parts[most]))
-    if of.hole is not None:
-        yield note("dispersion-strokes", strokes=of.strokes)
+    if dispersion.hole is not None:
+        yield note("dispersion-strokes", strokes=dispersion.strokes)
 
 
-def _notes(of: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> Iterator[Note]:
+def _notes(dispersion: Dispersion, slopes: ByDerivatives | None, shares: Indices | None) -> Iterator[Note]:
     yield note("dispersion-columns")
-    if of.lost:
-        reasons = "; ".join(of.reasons.values())
-        yield note("dispersion-lost", lost=of.lost, share=of.lost / of.count, reasons=reasons)
+    if dispersion.lost:
+        reasons = "; ".join(dispersion.reasons.values())
+        yield note("dispersion-lost", lost=dispersion.lost, share=dispersion.lost / dispersion.count, reasons=reasons)
     if slopes is not None:
         yield note("dispersion-derivatives")
-    if of.hole is not None:
+    if dispersion.hole is not None:
         yield note("dispersion-stroke-averages")
     if shares is not None and shares.kind == "shapley":
         yield note("dispersion-shapley")
 
 
 def dispersion_picture(
-    of: Dispersion, shares: Indices | None = None, ellipses: Sequence[float] | None = None
+    dispersion: Dispersion, shares: Indices | None = None, ellipses: Sequence[float] | None = None
 ) -> Picture:
     """Return landings with ellipses that hold shares of them, histograms, and shares of the variance.
 
     Parameters
     ----------
-    of
+    dispersion
         The dispersion; launches alone are drawn where no ball flies.
     shares
         Which variables spread the outcomes; no bars are drawn without them.
     ellipses
         Shares of the landings that the ellipses hold; 50 and 90 % unless given.
     """
-    flies = bool(of.points.size)
+    flies = bool(dispersion.points.size)
     columns: list[list[Panel | None]] = []
     if flies:
-        columns.append([_landings(of, ellipses), None])
-    columns.append([_histogram(of, name) for name in (("carry", "side") if flies else ("ball_speed", "launch"))])
+        columns.append([_landings(dispersion, ellipses), None])
+    columns.append(
+        [_histogram(dispersion, name) for name in (("carry", "side") if flies else ("ball_speed", "launch"))]
+    )
     if shares is not None:
         bars: list[Panel | None] = [_variance_bars(shares, name) for name in shares.share]
         columns.append([*bars, None][:2])
     return Picture(
         "dispersion", "Where the balls land, and what spreads them", [list(row) for row in zip(*columns, strict=True)],
-        title=f"{of.golfer.title or of.golfer.name}: {of.count} shots by {of.model}", legend=True,
-        widths=[1.25, 1.0, 1.0][: len(columns)], height=4.6,
+        title=f"{dispersion.golfer.title or dispersion.golfer.name}: {dispersion.count} shots by {dispersion.model}",
+        legend=True, widths=[1.25, 1.0, 1.0][: len(columns)], height=4.6,
         footnote=f"Dashed lines: {', '.join(f'{share:.0%}' for share in MARKED)} of the shots are below.",
     )  # fmt: skip
 
 
-def _landings(of: Dispersion, ellipses: Sequence[float] | None) -> Panel:
+def _landings(dispersion: Dispersion, ellipses: Sequence[float] | None) -> Panel:
     from clubface.design.dispersion import SHARES
 
-    ahead, right = of.points[:, 0], of.points[:, 1]
+    ahead, right = dispersion.points[:, 0], dispersion.points[:, 1]
     marks = [Mark("points", right, ahead, label="landings", symbol="", size=2.5)]
     turn = np.linspace(0.0, 2.0 * np.pi, 121)
     for place, share in enumerate(SHARES if ellipses is None else ellipses):
-        ellipse = of.ellipse(share)
+        ellipse = dispersion.ellipse(share)
         along, across = ellipse.half_axes[0] * np.cos(turn), ellipse.half_axes[1] * np.sin(turn)
         sine, cosine = np.sin(ellipse.angle), np.cos(ellipse.angle)
         marks.append(
@@ -213,7 +218,7 @@ def _landings(of: Dispersion, ellipses: Sequence[float] | None) -> Panel:
             )
         )  # fmt: skip
     # The few topped shots would make everything small.
-    low, high = (of.quantile("carry", share) for share in (0.002, 0.999))
+    low, high = (dispersion.quantile("carry", share) for share in (0.002, 0.999))
     room, wide = 0.2 * (high - low), 1.05 * max(float(np.abs(right).max()), 1.0)
     return Panel(
         [Mark("rule", x=0.0, style=-1), *marks], axis("side", "side, right is positive", limits=(-wide, wide)),
@@ -221,13 +226,13 @@ def _landings(of: Dispersion, ellipses: Sequence[float] | None) -> Panel:
     )  # fmt: skip
 
 
-def _histogram(of: Dispersion, name: str) -> Panel:
-    edges, counts = of.tally.histogram(name, BINS[name])
-    low, high = (of.quantile(name, share) for share in (0.001, 0.999))
+def _histogram(dispersion: Dispersion, name: str) -> Panel:
+    edges, counts = dispersion.tally.histogram(name, BINS[name])
+    low, high = (dispersion.quantile(name, share) for share in (0.001, 0.999))
     room = 0.15 * (high - low)
     marks = [
-        Mark("steps", edges, counts / max(of.tally.counted, 1)),
-        Mark("rule", x=[of.quantile(name, share) for share in MARKED], style=-2, dash=1),
+        Mark("steps", edges, counts / max(dispersion.tally.counted, 1)),
+        Mark("rule", x=[dispersion.quantile(name, share) for share in MARKED], style=-2, dash=1),
     ]
     label = "side, right is positive" if name == "side" else ""
     return Panel(
@@ -235,8 +240,8 @@ def _histogram(of: Dispersion, name: str) -> Panel:
     )  # fmt: skip
 
 
-def _variance_bars(of: Indices, name: str) -> Panel:
-    order = np.argsort(of.share[name])[-MOST_BARS:]
-    names = [variable_label(of.variables[place]) for place in order]
-    bars = Mark("bars", of.share[name][order], np.arange(len(order)), style=2)
+def _variance_bars(indices: Indices, name: str) -> Panel:
+    order = np.argsort(indices.share[name])[-MOST_BARS:]
+    names = [variable_label(indices.variables[place]) for place in order]
+    bars = Mark("bars", indices.share[name][order], np.arange(len(order)), style=2)
     return Panel([bars], axis("variance", f"variance of {name}", like="1", unit="%"), axis(names=names))

@@ -17,7 +17,7 @@ from clubface.design.face_surface import Outline, Struck, Surface, outline_of, r
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning, RunError, Told
+from clubface.errors import InputError, RangeWarning, RunError, Wording
 from clubface.results.result import Described, Result
 from clubface.results.table import Table
 from clubface.simulation.flight import check_conditions
@@ -225,8 +225,8 @@ class FaceMap(_Mapped):
         toe, high = np.broadcast_arrays(
             units.parse_values(toe, "length", name="toe"), units.parse_values(high, "length", name="high")
         )
-        found = self.surface.at(toe.reshape(-1), high.reshape(-1))
-        return {name: row.reshape(toe.shape) for name, row in zip(QUANTITIES, found, strict=True)}
+        result = self.surface.at(toe.reshape(-1), high.reshape(-1))
+        return {name: row.reshape(toe.shape) for name, row in zip(QUANTITIES, result, strict=True)}
 
     def best(self, name: str = "ball_speed") -> Best:
         """Return where a quantity is greatest; for ball speed that is the sweet spot."""
@@ -364,7 +364,7 @@ def map_face(
     conditions = {"air": air, "wind": wind, "ground": ground}
     settled = Struck(chosen, model, centre.parameters, ball, accuracy, given, conditions)
     if centre.shape:
-        raise InputError("delivery", Told(f"a batch of shape {centre.shape}"), "a single one")
+        raise InputError("delivery", Wording(f"a batch of shape {centre.shape}"), "a single one")
     outline = outline_of(chosen)
     toe, high = _points(outline, grid, points, long=settled.takes_long)
     across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
@@ -435,7 +435,7 @@ class FaceMapDifference(_Mapped):
                 raise InputError(name, each, "a map, as of clubface.map_face")
         if not (np.array_equal(first.toe, second.toe) and np.array_equal(first.high, second.high)):
             allowed = "a map of the points of the first: points=(first.toe, first.high)"
-            raise InputError("second", Told("maps of other points"), allowed)
+            raise InputError("second", Wording("maps of other points"), allowed)
         self.first, self.second = first, second
         self.toe, self.high, self.outline = first.toe, first.high, first.outline
 
@@ -446,8 +446,8 @@ class FaceMapDifference(_Mapped):
 
     def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
         """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either has no shot."""
-        found = self.first.get(name) - self.second.get(name)
-        return found if unit is None else found / units.size(symbol(name, unit))
+        result = self.first.get(name) - self.second.get(name)
+        return result if unit is None else result / units.size(symbol(name, unit))
 
     def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return what :meth:`FaceMap.box` does of the difference; NaN beside a second face of another outline."""
@@ -459,7 +459,7 @@ class FaceMapDifference(_Mapped):
             other = other.reshape(values.shape)
         else:
             other = self.second.box(name)[2]
-        found = values - other
+        result = values - other
         if not np.array_equal(self.outline.corners, self.second.outline.corners):
-            found = np.where(self.second.outline.holds(across, up), found, np.nan)
-        return toe, high, found
+            result = np.where(self.second.outline.holds(across, up), result, np.nan)
+        return toe, high, result

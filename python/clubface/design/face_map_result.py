@@ -32,17 +32,17 @@ DRAWN_POINTS = 61
 """Points along a side from which contours are drawn, at most."""
 
 
-def face_map_result(of: Mapped, names: Sequence[str] = (), spreads: Sequence[Forgiveness] = ()) -> Result:
+def face_map_result(mapped: Mapped, names: Sequence[str] = (), spreads: Sequence[Forgiveness] = ()) -> Result:
     """Return a map, or the difference of two, as a result; ``names`` are the quantities listed, drawn and tabulated."""
-    listed, maps = tuple(names) or LISTED, of.maps
+    listed, maps = tuple(names) or LISTED, mapped.maps
     clubs = " less ".join(each.centre.club.name for each in maps)
     first = maps[0]
     title = (
-        f"{clubs}, ball {first.centre.ball.name}, by {first.centre.model}: {len(of.toe)} by {len(of.high)} points of "
-        "the face"
+        f"{clubs}, ball {first.centre.ball.name}, by {first.centre.model}: "
+        f"{len(mapped.toe)} by {len(mapped.high)} points of the face"
     )
-    inputs = {"points of the face": f"{len(of.toe)} towards the toe, {len(of.high)} upwards"}
-    tables = [_extremes(of, listed), *(_grid_table(of, name) for name in names), _best_table(maps)]
+    inputs = {"points of the face": f"{len(mapped.toe)} towards the toe, {len(mapped.high)} upwards"}
+    tables = [_extremes(mapped, listed), *(_grid_table(mapped, name) for name in names), _best_table(maps)]
     if spreads:
         tables.append(_spread_table(maps, spreads, listed))
         inputs["impacts that scatter"] = _spread_words(spreads[0])
@@ -52,21 +52,21 @@ def face_map_result(of: Mapped, names: Sequence[str] = (), spreads: Sequence[For
         provenance=provenance_of(
             [each.centre for each in maps], {**inputs, **flight_conditions(**first.conditions)}
         ),
-        draw=lambda: [face_map_picture(of, listed)],
+        draw=lambda: [face_map_picture(mapped, listed)],
     )  # fmt: skip
 
 
-def points_table(of: Mapped) -> Table:
+def points_table(mapped: Mapped) -> Table:
     """Return every quantity at every point of the face as a table, a row a point."""
-    values, difference = of.columns(), len(of.maps) > 1
+    values, difference = mapped.columns(), len(mapped.maps) > 1
     columns = [column(name, values[name]) for name in ("toe", "high")]
     for name in QUANTITIES:
         columns.append(_value(f"difference_{name}" if difference else name, name, values[name], difference))
     return Table("map", tuple(columns), "All points of the face", printed=False, shown_rows=())
 
 
-def _value(name: str, of: str, values: Any, difference: bool) -> Column:
-    return column(name, values, of, label=quantity(of).label, difference=difference)
+def _value(name: str, kind: str, values: Any, difference: bool) -> Column:
+    return column(name, values, kind, label=quantity(kind).label, difference=difference)
 
 
 def _finer(name: str, difference: bool) -> Quantity:
@@ -75,17 +75,17 @@ def _finer(name: str, difference: bool) -> Quantity:
     return of._replace(golf=of.golf._replace(digits=of.golf.digits + 1)) if difference else of
 
 
-def _extremes(of: Mapped, names: Sequence[str]) -> Table:
-    difference = len(of.maps) > 1
-    middles = [each.at(0.0, 0.0) for each in of.maps]
+def _extremes(mapped: Mapped, names: Sequence[str]) -> Table:
+    difference = len(mapped.maps) > 1
+    middles = [each.at(0.0, 0.0) for each in mapped.maps]
     centre = [float(middles[0][name] - (middles[1][name] if difference else 0.0)) for name in names]
     ends: dict[str, list[tuple[float | None, float | None, float | None]]] = {"least": [], "greatest": []}
     for name in names:
-        values = of.get(name)
+        values = mapped.get(name)
         for end, pick in zip(ends, (np.nanargmin, np.nanargmax), strict=True):
             if np.isfinite(values).any():
                 up, across = np.unravel_index(pick(values), values.shape)
-                ends[end].append((float(values[up, across]), float(of.toe[across]), float(of.high[up])))
+                ends[end].append((float(values[up, across]), float(mapped.toe[across]), float(mapped.high[up])))
             else:
                 ends[end].append((None, None, None))
     kinds = [_finer(name, difference) for name in names]
@@ -107,16 +107,16 @@ def _some(count: int, most: int) -> NDArray[Any]:
     return np.unique(np.round(np.linspace(0, count - 1, min(most, count))).astype(int))
 
 
-def _grid_table(of: Mapped, name: str) -> Table:
+def _grid_table(mapped: Mapped, name: str) -> Table:
     """Return a quantity over the grid; a few of the points are printed, the highest first."""
-    difference = len(of.maps) > 1
-    toe, high = np.meshgrid(of.toe, of.high[::-1])
-    across, up = (_some(len(each), most) for each, most in zip((of.toe, of.high), PRINTED_POINTS, strict=True))
-    rows = (len(of.high) - 1 - up[::-1])[:, None] * len(of.toe) + across
+    difference = len(mapped.maps) > 1
+    toe, high = np.meshgrid(mapped.toe, mapped.high[::-1])
+    across, up = (_some(len(each), most) for each, most in zip((mapped.toe, mapped.high), PRINTED_POINTS, strict=True))
+    rows = (len(mapped.high) - 1 - up[::-1])[:, None] * len(mapped.toe) + across
     columns = (
         text("up", [f"{format_number(1e3 * each, 1)} mm high" for each in high.ravel()], in_files=False),
         text("across", [f"{format_number(1e3 * each, 0)} mm" for each in toe.ravel()], in_files=False),
-        _value(f"difference_{name}" if difference else name, name, of.get(name)[::-1], difference),
+        _value(f"difference_{name}" if difference else name, name, mapped.get(name)[::-1], difference),
         column("toe", toe, printed=False), column("high", high, printed=False),
     )  # fmt: skip
     title = f"{quantity(name).label} over places towards the toe"
@@ -152,10 +152,12 @@ def _best_table(maps: Sequence[FaceMap]) -> Table:
     return Table("best_points", tuple(columns), "Best points", layout="transposed")
 
 
-def _spread_words(of: Forgiveness) -> str:
-    deviations = " by ".join(fixed(each, "mm", 1) for each in (of.toe_deviation, of.high_deviation))
-    about = ", ".join(f"{name} {fixed(each, 'mm', 1)}" for name, each in (("toe", of.toe), ("high", of.high)))
-    return f"{deviations} about {about if of.toe or of.high else 'the face centre'}"
+def _spread_words(forgiveness: Forgiveness) -> str:
+    deviations = " by ".join(fixed(each, "mm", 1) for each in (forgiveness.toe_deviation, forgiveness.high_deviation))
+    about = ", ".join(
+        f"{name} {fixed(each, 'mm', 1)}" for name, each in (("toe", forgiveness.toe), ("high", forgiveness.high))
+    )
+    return f"{deviations} about {about if forgiveness.toe or forgiveness.high else 'the face centre'}"
 
 
 def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], listed: Sequence[str]) -> Table:
@@ -207,19 +209,19 @@ def _notes(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness]) -> Iterator[
         yield note("map-interpolated")
 
 
-def face_map_picture(of: Mapped, names: Sequence[str] = LISTED) -> Picture:
+def face_map_picture(mapped: Mapped, names: Sequence[str] = LISTED) -> Picture:
     """Return contours over a face, the toe on the right: a right-hander's face as seen through the head from behind.
 
     A cross marks the face centre, and a ring the point of the greatest ball speed (of the first club).
     """
-    first = of.maps[0]
+    first = mapped.maps[0]
     best = first.best()
     columns = min(2, len(names))
-    panels: list[Panel | None] = [_contours(of, name, (best.toe, best.high)) for name in names]
+    panels: list[Panel | None] = [_contours(mapped, name, (best.toe, best.high)) for name in names]
     panels += [None] * (-len(panels) % columns)
     rows = [panels[start : start + columns] for start in range(0, len(panels), columns)]
-    wide, tall = of.outline.greatest - of.outline.least
-    title = " less ".join(each.centre.club.name for each in of.maps)
+    wide, tall = mapped.outline.greatest - mapped.outline.least
+    title = " less ".join(each.centre.club.name for each in mapped.maps)
     interpolated = "; interpolated" if first.interpolated else ""
     return Picture(
         "face-map", "Contours on the outline of the face", rows, share_x=True, share_y=True, legend=True,
@@ -229,13 +231,13 @@ def face_map_picture(of: Mapped, names: Sequence[str] = LISTED) -> Picture:
     )  # fmt: skip
 
 
-def _contours(of: Mapped, name: str, best: tuple[float, float]) -> Panel:
-    toe, high, values = of.box(name)
+def _contours(mapped: Mapped, name: str, best: tuple[float, float]) -> Panel:
+    toe, high, values = mapped.box(name)
     across, up = (_some(len(each), DRAWN_POINTS) for each in (toe, high))
-    inside = np.where(of.outline.holds(*np.meshgrid(toe, high)), values, np.nan)
+    inside = np.where(mapped.outline.holds(*np.meshgrid(toe, high)), values, np.nan)
     limits = (float(np.nanmin(inside)), float(np.nanmax(inside)))
-    kind, corners = quantity(name), of.outline.corners
-    low, top = of.outline.least, of.outline.greatest
+    kind, corners = quantity(name), mapped.outline.corners
+    low, top = mapped.outline.least, mapped.outline.greatest
     marks = [
         Mark("contour", toe[across], high[up], values=values[np.ix_(up, across)], within=corners),
         Mark("outline", corners[:, 0], corners[:, 1], style=-2, size=1.0),
@@ -246,5 +248,5 @@ def _contours(of: Mapped, name: str, best: tuple[float, float]) -> Panel:
         marks, axis("toe", "← heel   from the centre   toe →", limits=(float(low[0]), float(top[0]))),
         axis("high", "up the face", limits=(float(low[1]), float(top[1]))),
         f"{kind.label}{', right is positive' if kind.sides == ('left', 'right') else ''}", equal=True, grid=False,
-        values=axis(name, limits=limits), diverging=len(of.maps) > 1 or kind.sides == ('left', 'right'),
+        values=axis(name, limits=limits), diverging=len(mapped.maps) > 1 or kind.sides == ('left', 'right'),
     )  # fmt: skip

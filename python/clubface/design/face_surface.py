@@ -69,21 +69,21 @@ class Struck(NamedTuple):
         With ``remark`` it warns of shots outside the range of the model. ``progress`` is called with the number of
         points done.
         """
-        found, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
+        result, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
         for start in range(0, toe.size, CHUNK):
             some = slice(start, start + CHUNK)
             with without_warnings(RangeWarning):
                 launch = impact(
                     self.club, {**self.delivery, "toe": toe[some], "high": high[some]}, model=self.model,
                     parameters=self.parameters, ball=self.ball, accuracy=self.accuracy, on_error="nan",
-                    progress=progress and partial(_told, progress, start),
+                    progress=progress and partial(_report_points, progress, start),
                 )  # fmt: skip
                 flight = fly(launch, **self.conditions, on_error="nan")
             outside.add(launch)
-            found[:, some] = [(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES]
+            result[:, some] = [(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES]
         if remark and not is_silent(RangeWarning):
             outside.warn()
-        return found
+        return result
 
 
 def run_points(
@@ -138,7 +138,7 @@ def run_points(
     return _with_flights(struck, np.array([rows[place] for place in places], dtype=float).T)
 
 
-def _told(progress: Callable[[int], object], before: int, done: int) -> None:
+def _report_points(progress: Callable[[int], object], before: int, done: int) -> None:
     progress(before + done)
 
 
@@ -154,14 +154,14 @@ def _with_flights(struck: Struck, table: NDArray[Any]) -> NDArray[Any]:
 
     by_name = dict(zip(outputs(), table, strict=True))
     good = np.isfinite(by_name["velocity_x"])
-    found = np.full((len(QUANTITIES), table.shape[1]), np.nan)
-    found[: len(LAUNCHED)] = [by_name[name] for name in LAUNCHED]
+    result = np.full((len(QUANTITIES), table.shape[1]), np.nan)
+    result[: len(LAUNCHED)] = [by_name[name] for name in LAUNCHED]
     if good.any():
         given: dict[str, Any] = {name: by_name[name][good] for name in (*VELOCITY, *SPIN)}
         rigid = ball(struck.ball).rigid.inputs()
         flight = fly({**given, **{name: rigid[name] for name in BALL}}, **struck.conditions, on_error="nan")
-        found[len(LAUNCHED) :, good] = [flight.get(name) for name in FLOWN]
-    return found
+        result[len(LAUNCHED) :, good] = [flight.get(name) for name in FLOWN]
+    return result
 
 
 def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[tuple[float, float]]) -> Finished:
@@ -422,10 +422,10 @@ def _greatest(
         near = [np.linspace(middle - width, middle + width, AROUND) for middle, width in zip(point, reach, strict=True)]
         across, up = (each.reshape(-1) for each in np.meshgrid(*near))
         inside = outline.holds(across, up)
-        found = np.where(inside, surface.at(across, up)[quantity], np.nan) if inside.any() else np.array([np.nan])
-        if np.isfinite(found).any() and np.nanmax(found) > best:
-            place = int(np.nanargmax(found))
-            point, best = (float(across[place]), float(up[place])), float(found[place])
+        result = np.where(inside, surface.at(across, up)[quantity], np.nan) if inside.any() else np.array([np.nan])
+        if np.isfinite(result).any() and np.nanmax(result) > best:
+            place = int(np.nanargmax(result))
+            point, best = (float(across[place]), float(up[place])), float(result[place])
         reach = reach / CLOSER
     return (*point, best)
 

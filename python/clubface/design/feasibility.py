@@ -44,27 +44,27 @@ def pseudo_inertia(values: NDArray[Any]) -> NDArray[Any]:
     """
     mass, to_face, inertia = values[0], values[1:4], _tensor(values[4:])
     place = -to_face  # the club gives the way from its CG to the face centre
-    found = np.empty((4, 4))
-    found[:3, :3] = 0.5 * np.trace(inertia) * np.eye(3) - inertia + mass * np.outer(place, place)
-    found[:3, 3] = found[3, :3] = mass * place
-    found[3, 3] = mass
-    return found
+    result = np.empty((4, 4))
+    result[:3, :3] = 0.5 * np.trace(inertia) * np.eye(3) - inertia + mass * np.outer(place, place)
+    result[:3, 3] = result[3, :3] = mass * place
+    result[3, 3] = mass
+    return result
 
 
 def pseudo_inertia_derivatives(values: NDArray[Any]) -> NDArray[Any]:
     """Return the derivatives of the pseudo-inertia by the mass properties, shape (10, 4, 4)."""
     mass, place = values[0], -values[1:4]
-    found = np.zeros((10, 4, 4))
-    found[0] = np.outer([*place, 1.0], [*place, 1.0])
+    result = np.zeros((10, 4, 4))
+    result[0] = np.outer([*place, 1.0], [*place, 1.0])
     for axis in range(3):
         along = np.zeros(3)
         along[axis] = -1.0
-        found[1 + axis, :3, :3] = mass * (np.outer(along, place) + np.outer(place, along))
-        found[1 + axis, :3, 3] = found[1 + axis, 3, :3] = mass * along
+        result[1 + axis, :3, :3] = mass * (np.outer(along, place) + np.outer(place, along))
+        result[1 + axis, :3, 3] = result[1 + axis, 3, :3] = mass * along
     for entry in range(6):
         tensor = _tensor(np.eye(6)[entry])
-        found[4 + entry, :3, :3] = 0.5 * np.trace(tensor) * np.eye(3) - tensor
-    return found
+        result[4 + entry, :3, :3] = 0.5 * np.trace(tensor) * np.eye(3) - tensor
+    return result
 
 
 def mass_properties(pseudo: NDArray[Any]) -> NDArray[Any]:
@@ -136,15 +136,15 @@ class Volume:
         whole = np.outer(one, one)
         if self.shape == "ellipsoid":
             return (Form("it would have to lie outside the ellipsoid", whole - part.T @ part),)
-        found = []
+        result = []
         for axis, name in enumerate(("face and back", "sole and crown", "heel and toe")):
             slab = whole - np.outer(part[axis], part[axis])
-            found.append(Form(f"it would have to lie beyond {name} of the box", slab))
+            result.append(Form(f"it would have to lie beyond {name} of the box", slab))
         for i, j in _PAIRS:
             for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
                 corner = np.outer(one - signs[0] * part[i], one - signs[1] * part[j])
-                found.append(Form("it would have to lie beyond an edge of the box", 0.5 * (corner + corner.T)))
-        return tuple(found)
+                result.append(Form("it would have to lie beyond an edge of the box", 0.5 * (corner + corner.T)))
+        return tuple(result)
 
     @property
     def cubic(self) -> float:
@@ -270,33 +270,33 @@ class Envelope:
     def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
         """Return all conditions on a head with this pseudo-inertia, beside the whole head's."""
         placed = self.placed(pseudo)
-        found = [_positive("the mass of the head", pseudo, self._scale(max(pseudo[3, 3], 1e-6)))]
-        found += _inside("the head", pseudo, self.whole or self.volume, pseudo[3, 3])
-        found.append(_positive("the discretionary mass", placed, self.scale))
-        found += _inside("the discretionary mass", placed, self.volume, self.budget)
+        result = [_positive("the mass of the head", pseudo, self._scale(max(pseudo[3, 3], 1e-6)))]
+        result += _inside("the head", pseudo, self.whole or self.volume, pseudo[3, 3])
+        result.append(_positive("the discretionary mass", placed, self.scale))
+        result += _inside("the discretionary mass", placed, self.volume, self.budget)
         over = float(1.0 - placed[3, 3] / self.budget)
         reason = (
             f"it would need {units.fixed(placed[3, 3], 'g', 1)} of discretionary mass, and the budget is"
             f" {units.fixed(self.budget, 'g', 1)}"
         )
-        return [*found, Margin("the budget of discretionary mass", over, reason)]
+        return [*result, Margin("the budget of discretionary mass", over, reason)]
 
     def _scale(self, mass: float) -> NDArray[Any]:
         return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(mass)
 
 
-def _positive(of: str, pseudo: NDArray[Any], scale: NDArray[Any]) -> Margin:
+def _positive(name: str, pseudo: NDArray[Any], scale: NDArray[Any]) -> Margin:
     """Return whether moments are those of mass that is nowhere negative."""
     least, vectors = np.linalg.eigh(pseudo * np.outer(scale, scale))
     vector = vectors[:, 0] * scale
     return Margin(
-        f"{of} is nowhere negative",
+        f"{name} is nowhere negative",
         float(least[0]),
-        f"no distribution of mass has these moments of {of}: {_told(pseudo, vector)}",
+        f"no distribution of mass has these moments of {name}: {_describe_plane(pseudo, vector)}",
     )
 
 
-def _told(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
+def _describe_plane(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
     """Say which plane has a negative mean squared distance, or that the mass itself is negative."""
     if pseudo[3, 3] <= 0.0:
         return f"its mass would be {units.fixed(pseudo[3, 3], 'g', 1)}"
@@ -312,9 +312,9 @@ def _told(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
     )
 
 
-def _inside(of: str, pseudo: NDArray[Any], volume: Volume, mass: float) -> list[Margin]:
+def _inside(body: str, pseudo: NDArray[Any], volume: Volume, mass: float) -> list[Margin]:
     """Return whether moments are those of mass within a volume, in parts of a ``mass`` [kg]."""
-    name, reason = f"{of} fits into the {volume.shape}", f"{of} does not fit into the {volume.shape}"
+    name, reason = f"{body} fits into the {volume.shape}", f"{body} does not fit into the {volume.shape}"
     return [
         Margin(name, float(np.sum(pseudo * form.matrix) / mass), f"{reason}: {form.words}") for form in volume.forms()
     ]

@@ -41,7 +41,7 @@ import numpy as np
 from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.equipment.described import HANDS
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, encode, file_key
@@ -225,10 +225,10 @@ class Golfer:
 
     def figures_by_source(self) -> dict[str, list[str]]:
         """Return the names of all figures in words, by their source."""
-        found: dict[str, list[str]] = {}
+        result: dict[str, list[str]] = {}
         for figure in self.figures():
-            found.setdefault(self.source(figure), []).append(figure.replace("_", " "))
-        return found
+            result.setdefault(self.source(figure), []).append(figure.replace("_", " "))
+        return result
 
     def delivery(self) -> Delivery:
         """Return the mean delivery."""
@@ -271,7 +271,7 @@ class Golfer:
         if given.ndim != 2 or given.shape[1] != self.dimensions:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
         if not ((given > 0.0) & (given < 1.0)).all():
-            raise InputError("uniform", Told("numbers beyond them"), "between 0 and 1")
+            raise InputError("uniform", Wording("numbers beyond them"), "between 0 and 1")
         standard = [ndtri(given[:, place]) for place in range(len(self.variables))]
         for name, each in zip(self.variables, standard, strict=True):
             if self.hand < 0 and name in MIRRORED:
@@ -280,10 +280,10 @@ class Golfer:
             wider = np.where(given[:, -1] < self.mishit_share, self.mishit_scale, 1.0)
             for each in standard:
                 each *= wider
-        found = _mixed(_root(self.covariance), standard)
-        for mean, values in zip(self.mean, found, strict=True):
+        result = _mixed(_root(self.covariance), standard)
+        for mean, values in zip(self.mean, result, strict=True):
             values += mean
-        return dict(zip(self.variables, found, strict=True))
+        return dict(zip(self.variables, result, strict=True))
 
     def for_hand(self, hand: float) -> Self:
         """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
@@ -308,15 +308,15 @@ class Golfer:
 
 def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
     try:
-        found = units.numbers(given, name=name).copy()
+        result = units.numbers(given, name=name).copy()
     except InputError:
         raise InputError(name, given, f"numbers of shape {shape}") from None
-    if found.shape != shape:
-        raise InputError(name, Told(f"numbers of shape {found.shape}"), f"numbers of shape {shape}")
-    if not np.isfinite(found).all():
-        raise InputError(name, Told("not all finite"), "finite numbers")
-    found.setflags(write=False)
-    return found
+    if result.shape != shape:
+        raise InputError(name, Wording(f"numbers of shape {result.shape}"), f"numbers of shape {shape}")
+    if not np.isfinite(result).all():
+        raise InputError(name, Wording("not all finite"), "finite numbers")
+    result.setflags(write=False)
+    return result
 
 
 def _root(covariance: Floats) -> Floats:
@@ -325,31 +325,31 @@ def _root(covariance: Floats) -> Floats:
     varies = spread > 0.0
     scale = np.where(varies, spread, 1.0)
     correlation = covariance / np.outer(scale, scale)
-    found = np.zeros_like(covariance)
+    result = np.zeros_like(covariance)
     inner = np.ix_(varies, varies)
     try:
         if not np.allclose(correlation, correlation.T, atol=1e-12) or (np.diag(covariance) < 0.0).any():
             raise np.linalg.LinAlgError
         if np.any(covariance[~varies]) or np.any(covariance[:, ~varies]):
             raise np.linalg.LinAlgError
-        found[inner] = np.linalg.cholesky(correlation[inner]) if varies.any() else 0.0
+        result[inner] = np.linalg.cholesky(correlation[inner]) if varies.any() else 0.0
     except np.linalg.LinAlgError:
         raise InputError(
-            "covariance", Told("the matrix given"), "symmetric, of correlations that are possible together"
+            "covariance", Wording("the matrix given"), "symmetric, of correlations that are possible together"
         ) from None
-    return found * scale[:, None]
+    return result * scale[:, None]
 
 
 def _mixed(root: Floats, standard: list[Floats]) -> list[Floats]:
     """Return correlated deviates, summed in a fixed order, so that they do not depend on how many are made at once."""
-    found = []
+    result = []
     for row in range(len(root)):
         total = root[row, row] * standard[row]
         for column in range(row):
             if root[row, column] != 0.0:
                 total += root[row, column] * standard[column]
-        found.append(total)
-    return found
+        result.append(total)
+    return result
 
 
 @dataclass(frozen=True)
@@ -504,15 +504,15 @@ def written(value: float, name: str) -> str:
     return f"{0.0 if math.isclose(number, 0.0, abs_tol=1e-14) else number:.12g} {unit}"
 
 
-def is_assumed(of: Golfer, figure: str) -> bool:
+def is_assumed(golfer: Golfer, figure: str) -> bool:
     """Return whether a figure of a golfer has no published or measured source."""
-    return of.source(figure).startswith(ASSUMED)
+    return golfer.source(figure).startswith(ASSUMED)
 
 
-def golfer_sources(of: Golfer) -> list[str]:
+def golfer_sources(golfer: Golfer) -> list[str]:
     """Return where the figures of a golfer come from, those of one source together."""
-    sources = of.figures_by_source().items()
-    return [f"Golfer {of.title or of.name}, {', '.join(figures)}: {source}" for source, figures in sources]
+    sources = golfer.figures_by_source().items()
+    return [f"Golfer {golfer.title or golfer.name}, {', '.join(figures)}: {source}" for source, figures in sources]
 
 
 def golfers() -> tuple[str, ...]:

@@ -32,7 +32,7 @@ from clubface.design.dispersion import dispersion
 from clubface.design.golfer import Golfer, golfer as golfer_named, golfers, is_assumed
 from clubface.equipment.clubs import Club
 from clubface.equipment.described import HANDS
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.results.notes import Note, free_text, note
 from clubface.shots.formats import CG, FACE
 from clubface.shots.measured import ReadyShots, ready_shots
@@ -58,7 +58,7 @@ MIXTURES = [(0.0, 1.0), *product((0.03, 0.08, 0.15, 0.25), (1.5, 2.0, 3.0, 4.5))
 """Shares and scales of mishits between which shots may leave open what the golfer is."""
 NO_MISHITS = 0.15
 """How likely the first of these is before any shot is seen; the others are all alike."""
-TOLD = 2 / 3
+EFFECTIVE_SHARE = 2 / 3
 """What differences of successive shots tell, in shots: each of these is in two of them. Beside 1/2 about the mean, the
 variance of a spread is 3/4 (``STANDARD_ERROR``)."""
 BLOCKS = 20
@@ -71,7 +71,7 @@ def mixture(steps: Floats) -> tuple[Floats, float, float]:
     """Return covariance, share and scale of mishits of the greatest likelihood; share 0 where they gain too little."""
     covariance = covariance_of(steps, 0.0, 1.0)
     best = _weighed(steps, covariance, 0.0, 1.0).likelihood + GAIN
-    found = (covariance, 0.0, 1.0)
+    result = (covariance, 0.0, 1.0)
     for scale in map(float, SCALES):
         share = 0.1
         for _ in range(ROUNDS):
@@ -80,8 +80,8 @@ def mixture(steps: Floats) -> tuple[Floats, float, float]:
             if abs(share - before) < 1e-5:
                 break
         if (likelihood := _weighed(steps, covariance, share, scale).likelihood) > best:
-            best, found = likelihood, (covariance, share, scale)
-    return found
+            best, result = likelihood, (covariance, share, scale)
+    return result
 
 
 def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | None = None) -> Floats:
@@ -130,7 +130,9 @@ def shrunk(steps: Floats, weights: Floats) -> Shrunk:
     scaled = weighted / spread
     correlation = scaled.T @ scaled / count
     apart = ~np.eye(len(spread), dtype=bool)
-    sampled = ((scaled**2).T @ scaled**2 / count - correlation**2)[apart].sum() / max(TOLD * count - 1.0, 1.0)
+    sampled = ((scaled**2).T @ scaled**2 / count - correlation**2)[apart].sum() / max(
+        EFFECTIVE_SHARE * count - 1.0, 1.0
+    )
     squares = (correlation[apart] ** 2).sum()
     share = float(min(sampled / squares, 1.0)) if squares > 0.0 else 0.0
     correlation[apart] *= 1.0 - share
@@ -179,11 +181,11 @@ def error_of(steps: Floats, covariance: Floats, share: float, scale: float) -> F
 
 def _doubt(steps: Floats, spread: Floats) -> Floats:
     """Return how far off the spreads are in proportion: in the root mean square over mixtures by their likelihood."""
-    found = [covariance_of(steps, *each) for each in MIXTURES]
-    logs = np.array([_weighed(steps, each, *of).likelihood for of, each in zip(MIXTURES, found, strict=True)])
+    result = [covariance_of(steps, *each) for each in MIXTURES]
+    logs = np.array([_weighed(steps, each, *of).likelihood for of, each in zip(MIXTURES, result, strict=True)])
     before = [NO_MISHITS, *[(1.0 - NO_MISHITS) / (len(MIXTURES) - 1)] * (len(MIXTURES) - 1)]
-    chances = before * np.exp(TOLD * (logs - logs.max()))
-    away = np.log(np.sqrt([np.diag(each) for each in found]) / spread)
+    chances = before * np.exp(EFFECTIVE_SHARE * (logs - logs.max()))
+    away = np.log(np.sqrt([np.diag(each) for each in result]) / spread)
     return np.sqrt(chances @ away**2 / chances.sum())
 
 
@@ -294,10 +296,10 @@ def estimate_golfer(
     shots = ready_shots(shots, club=club, hand=hand, only=only, where=where, mismatch=mismatch, assume=assume)
     if shots.groups() is not None:
         raise InputError(
-            "players", Told("several"), "one: take the shots of one player, as with where=\"player == 'A'\""
+            "players", Wording("several"), "one: take the shots of one player, as with where=\"player == 'A'\""
         )
     if shots.hand is not None and len(set(shots.hand)) > 1:
-        raise InputError("hand", Told("right and left"), "one hand: take the shots of one player")
+        raise InputError("hand", Wording("right and left"), "one hand: take the shots of one player")
     names, values, same = _complete(shots)
     base = golfer_named(like if like is not None else _nearest(shots, names, values))
     base = base.for_hand(shots.club.hand if shots.hand is None else HANDS[str(shots.hand[0])])
@@ -317,7 +319,7 @@ def estimate_golfer(
         error = error_of(steps, covariance, share, scale)
         shrinks = shrinkage(steps, covariance, share, scale)
     except np.linalg.LinAlgError:
-        problem = Told("such that one quantity follows from others or hardly ever changes")
+        problem = Wording("such that one quantity follows from others or hardly ever changes")
         raise InputError("shots", problem, f"leave out the column of one of {', '.join(names)}") from None
     together = _together(base, names, mean, covariance, same, shots)
     looked_for = len(values) >= ENOUGH
@@ -373,7 +375,7 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
         why = "".join(f"; {note}" for note in shots.notes if "speed" in note)
         raise InputError(
             "session",
-            Told("without club speed"),
+            Wording("without club speed"),
             "one whose club speed was measured, since a golfer is how the club is delivered (clubface golfer list has"
             f" golfers to take instead){why}",
         )
@@ -385,11 +387,11 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
     if len(values) < FEWEST:
         raise InputError(
             "shots",
-            Told(f"{len(values)} with all of {', '.join(names)}"),
+            Wording(f"{len(values)} with all of {', '.join(names)}"),
             f"at least {FEWEST} such shots: with fewer, a spread is not known even to a factor of two",
         )
     if "speed" in same:
-        raise InputError("shots", Told("all of one club speed"), "shots whose club speed was measured")
+        raise InputError("shots", Wording("all of one club speed"), "shots whose club speed was measured")
     return tuple(name for name in names if name not in same), values[:, varies], same
 
 
@@ -509,9 +511,9 @@ class Doubts(NamedTuple):
     figures: tuple[Doubt, ...]
     shots: int = COUNT
 
-    def changes(self, of: Doubt, name: str) -> tuple[float, float]:
+    def changes(self, doubt: Doubt, name: str) -> tuple[float, float]:
         """Return by which share a quantity spreads more with the figure smaller and larger; 0 if it never differs."""
-        now, (less, more) = self.spread[name], of.spread[name]
+        now, (less, more) = self.spread[name], doubt.spread[name]
         return (less / now - 1.0, more / now - 1.0) if now > 0.0 else (0.0, 0.0)
 
 
@@ -531,18 +533,18 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
         raise InputError("off", off, "a share between 0 and 1")
     player = golfer.for_hand(club.hand)
 
-    def spreads(of: Golfer) -> dict[str, float]:
-        found = dispersion(of, club, count=count)
-        return {name: found.spread(name) for name in QUANTITIES}
+    def spreads(golfer: Golfer) -> dict[str, float]:
+        result = dispersion(golfer, club, count=count)
+        return {name: result.spread(name) for name in QUANTITIES}
 
     figures = []
     for figure in _varying(player):
         less, more = (spreads(changed(player, figure, factor)) for factor in (1.0 - off, 1.0 + off))
         both = {name: (less[name], more[name]) for name in QUANTITIES}
         figures.append(Doubt(figure, is_assumed(golfer, figure), both))
-    found = Doubts(off, spreads(player), tuple(figures), count)
-    order = sorted(figures, key=lambda each: -max(abs(found.changes(each, name)[1]) for name in QUANTITIES))
-    return found._replace(figures=tuple(order))
+    result = Doubts(off, spreads(player), tuple(figures), count)
+    order = sorted(figures, key=lambda each: -max(abs(result.changes(each, name)[1]) for name in QUANTITIES))
+    return result._replace(figures=tuple(order))
 
 
 def changed(golfer: Golfer, figure: str, factor: float) -> Golfer:

@@ -42,32 +42,33 @@ def golfers_result(golfers: Sequence[Golfer]) -> Result:
 
 
 def golfer_result(
-    of: Golfer, club: Club | None = None, estimate: Estimate | None = None, doubts: Doubts | None = None
+    golfer: Golfer, club: Club | None = None, estimate: Estimate | None = None, doubts: Doubts | None = None
 ) -> Result:
     """Return a golfer as a result.
 
     Parameters
     ----------
-    of
+    golfer
         The golfer.
     club
         The club he hits; None where it is unknown.
     estimate, doubts
         From which shots he was estimated, and what rests on each figure.
     """
-    launches = [] if club is None else [impact(club, of.for_hand(club.hand).delivery())]
-    inputs = {"golfer": of.title or of.name, "hand": "right" if of.hand > 0 else "left"}
+    launches = [] if club is None else [impact(club, golfer.for_hand(club.hand).delivery())]
+    inputs = {"golfer": golfer.title or golfer.name, "hand": "right" if golfer.hand > 0 else "left"}
     if doubts is not None:
         inputs |= {"shots of each change": str(doubts.shots), "seed": "0", **flight_conditions()}
-    title = f"{of.title or of.name} ({of.club})"
-    tables = [_delivery_table(of, estimate), *_correlation_tables(of)]
+    title = f"{golfer.title or golfer.name} ({golfer.club})"
+    tables = [_delivery_table(golfer, estimate), *_correlation_tables(golfer)]
     if doubts is not None and doubts.figures:
         tables.append(_doubt_table(doubts))
     values = [
-        text("name", [of.name], printed=False), text("title", [of.title], printed=False),
-        text("club", [of.club], printed=False),
-        text("hand", ["right" if of.hand > 0 else "left"], printed=False),
-        text("mishit_share", [of.mishit_share], printed=False), text("mishit_scale", [of.mishit_scale], printed=False),
+        text("name", [golfer.name], printed=False), text("title", [golfer.title], printed=False),
+        text("club", [golfer.club], printed=False),
+        text("hand", ["right" if golfer.hand > 0 else "left"], printed=False),
+        text("mishit_share", [golfer.mishit_share], printed=False),
+        text("mishit_scale", [golfer.mishit_scale], printed=False),
     ]  # fmt: skip
     if estimate is not None:
         title = f"{title}, {estimate.shots} shots"
@@ -75,17 +76,17 @@ def golfer_result(
             text("shots", [estimate.shots], printed=False), text("shrinkage", [estimate.shrinkage], printed=False),
             text("like", [estimate.like], printed=False),
         ]  # fmt: skip
-    provenance = provenance_of(launches, inputs, golfer_sources(of))
+    provenance = provenance_of(launches, inputs, golfer_sources(golfer))
     return Result(
         kind="golfer", title=title, values=tuple(values), tables=tuple(tables),
-        summary=tuple(_summary(of, estimate, doubts)), notes=tuple(_notes(of, estimate)),
-        provenance=provenance + Provenance(descriptions={f"{of.name}.toml": to_toml(of)}),
+        summary=tuple(_summary(golfer, estimate, doubts)), notes=tuple(_notes(golfer, estimate)),
+        provenance=provenance + Provenance(descriptions={f"{golfer.name}.toml": to_toml(golfer)}),
         draw=None if doubts is None or not doubts.figures else lambda: [doubts_picture(doubts)],
     )  # fmt: skip
 
 
-def _moment(of: Golfer, part: str, name: str) -> float | None:
-    return float(getattr(of, part)[of.variables.index(name)]) if name in of.variables else None
+def _moment(golfer: Golfer, part: str, name: str) -> float | None:
+    return float(getattr(golfer, part)[golfer.variables.index(name)]) if name in golfer.variables else None
 
 
 def _finer(name: str) -> Quantity:
@@ -94,66 +95,69 @@ def _finer(name: str) -> Quantity:
     return of._replace(golf=of.golf._replace(digits=2)) if of.golf.unit in ("mph", "deg") else of
 
 
-def _delivery_table(of: Golfer, estimate: Estimate | None) -> Table:
-    kinds = [_finer(name) for name in of.variables]
+def _delivery_table(golfer: Golfer, estimate: Estimate | None) -> Table:
+    kinds = [_finer(name) for name in golfer.variables]
     columns = [
-        text("variable", of.variables, printed=False), text("what", [each.label for each in kinds], in_files=False),
-        Column("mean", of.mean.tolist(), kinds), Column("spread", of.spread.tolist(), kinds, "±"),
+        text("variable", golfer.variables, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        Column("mean", golfer.mean.tolist(), kinds), Column("spread", golfer.spread.tolist(), kinds, "±"),
     ]  # fmt: skip
     if estimate is not None:
         error, drift = (
             dict(zip(estimate.measured, map(float, each), strict=True)) for each in (estimate.error, estimate.drift)
         )
         columns += [
-            Column("error_of_spread", [error.get(name) for name in of.variables], kinds, "error of ±"),
-            column("drift", [drift.get(name) for name in of.variables], "1", digits=2),
+            Column("error_of_spread", [error.get(name) for name in golfer.variables], kinds, "error of ±"),
+            column("drift", [drift.get(name) for name in golfer.variables], "1", digits=2),
         ]
     return Table("delivery", tuple(columns))
 
 
-def _correlation_tables(of: Golfer) -> list[Table]:
-    pairs = [(one, other) for one in range(len(of.variables)) for other in range(one) if of.covariance[one, other]]
+def _correlation_tables(golfer: Golfer) -> list[Table]:
+    pairs = [
+        (one, other) for one in range(len(golfer.variables)) for other in range(one) if golfer.covariance[one, other]
+    ]
     if not pairs:
         return []
-    pairs.sort(key=lambda pair: -abs(of.correlation[pair]))
+    pairs.sort(key=lambda pair: -abs(golfer.correlation[pair]))
     columns = (
-        text("one", [of.variables[one] for one, _ in pairs]),
-        text("other", [of.variables[other] for _, other in pairs]),
-        column("correlation", [float(of.correlation[pair]) for pair in pairs], "1", digits=2, difference=True),
-        text("covariance", [float(of.covariance[pair]) for pair in pairs], printed=False),
+        text("one", [golfer.variables[one] for one, _ in pairs]),
+        text("other", [golfer.variables[other] for _, other in pairs]),
+        column("correlation", [float(golfer.correlation[pair]) for pair in pairs], "1", digits=2, difference=True),
+        text("covariance", [float(golfer.covariance[pair]) for pair in pairs], printed=False),
     )  # fmt: skip
-    strong = [place for place, pair in enumerate(pairs) if abs(of.correlation[pair]) >= WEAK]
+    strong = [place for place, pair in enumerate(pairs) if abs(golfer.correlation[pair]) >= WEAK]
     return [Table("correlations", columns, "Correlations", printed=bool(strong), shown_rows=strong)]
 
 
-def _doubt_table(of: Doubts) -> Table:
+def _doubt_table(doubts: Doubts) -> Table:
     columns = [
-        text("figure", [each.figure.replace("_", " ") for each in of.figures]),
-        text("assumed", [each.assumed for each in of.figures]),
+        text("figure", [each.figure.replace("_", " ") for each in doubts.figures]),
+        text("assumed", [each.assumed for each in doubts.figures]),
     ]
-    for name, now in of.spread.items():
+    for name, now in doubts.spread.items():
         for place, way in enumerate(("smaller", "larger")):
-            changes = [of.changes(each, name)[place] for each in of.figures]
+            changes = [doubts.changes(each, name)[place] for each in doubts.figures]
             columns += [
                 column(f"{name}_change_{way}", changes, "1", label=f"{name} {way}", unit="%", digits=1,
                        difference=True),
-                column(f"{name}_spread_{way}", [each.spread[name][place] for each in of.figures], "m", printed=False),
+                column(f"{name}_spread_{way}", [each.spread[name][place] for each in doubts.figures], "m",
+                       printed=False),
             ]  # fmt: skip
-        columns.append(column(f"{name}_spread", [now] * len(of.figures), "m", printed=False))
-    return Table("doubts", tuple(columns), f"Change of the spread of the landings if a figure is {of.off:.0%} off")
+        columns.append(column(f"{name}_spread", [now] * len(doubts.figures), "m", printed=False))
+    return Table("doubts", tuple(columns), f"Change of the spread of the landings if a figure is {doubts.off:.0%} off")
 
 
-def _summary(of: Golfer, estimate: Estimate | None, doubts: Doubts | None) -> Iterator[Note]:
+def _summary(golfer: Golfer, estimate: Estimate | None, doubts: Doubts | None) -> Iterator[Note]:
     if estimate is not None:
         yield note("golfer-shots", shots=estimate.shots)
-    yield note("golfer-speed", speed=_moment(of, "mean", "speed"))
+    yield note("golfer-speed", speed=_moment(golfer, "mean", "speed"))
     for name in ("speed", "face"):
-        if spread := _moment(of, "spread", name):
+        if spread := _moment(golfer, "spread", name):
             yield note(f"golfer-{name}-spread", **{f"spread_{name}": spread})
-    if of.mishit_share > 0.0:
-        yield note("golfer-mishits", percent=100.0 * of.mishit_share, scale=of.mishit_scale)
-    varies = [name for name, spread in zip(of.variables, of.spread, strict=True) if spread > 0.0]
-    sourced = [name.replace("_", " ") for name in varies if not is_assumed(of, f"spread of {name}")]
+    if golfer.mishit_share > 0.0:
+        yield note("golfer-mishits", percent=100.0 * golfer.mishit_share, scale=golfer.mishit_scale)
+    varies = [name for name, spread in zip(golfer.variables, golfer.spread, strict=True) if spread > 0.0]
+    sourced = [name.replace("_", " ") for name in varies if not is_assumed(golfer, f"spread of {name}")]
     if not sourced:
         yield note("golfer-all-assumed")
     else:
@@ -170,26 +174,26 @@ def _summary(of: Golfer, estimate: Estimate | None, doubts: Doubts | None) -> It
             )  # fmt: skip
 
 
-def _notes(of: Golfer, estimate: Estimate | None) -> Iterator[Note]:
+def _notes(golfer: Golfer, estimate: Estimate | None) -> Iterator[Note]:
     yield note("golfer-spread")
     if estimate is not None:
         yield note("golfer-error")
         yield note("golfer-drift", chance=0.5 / estimate.shots**0.5)
-    size = np.abs(of.correlation[np.tril_indices(len(of.variables), -1)])
+    size = np.abs(golfer.correlation[np.tril_indices(len(golfer.variables), -1)])
     if weak := int(((size >= 0.005) & (size < WEAK)).sum()):
         yield note("golfer-weak-correlations", weak=weak, limit=WEAK)
-    if of.mishit_share > 0.0:
-        yield note("golfer-mishits", percent=100.0 * of.mishit_share, scale=of.mishit_scale)
+    if golfer.mishit_share > 0.0:
+        yield note("golfer-mishits", percent=100.0 * golfer.mishit_share, scale=golfer.mishit_scale)
     if estimate is not None:
         yield from estimate.notes
         return
-    for source, figures in of.figures_by_source().items():
+    for source, figures in golfer.figures_by_source().items():
         yield note("golfer-source", figures=figures, source=source)
 
 
-def doubts_picture(of: Doubts) -> Picture:
+def doubts_picture(doubts: Doubts) -> Picture:
     """Return how the spread of the landings changes if a figure is off; bars of assumed figures are faint."""
-    figures = of.figures[:MOST_BARS]
+    figures = doubts.figures[:MOST_BARS]
     names = [each.figure.replace("_", " ") for each in figures]
     panels: list[Panel | None] = []
     for name, title in (("carry", "Short and long"), ("side", "Left and right")):
@@ -197,8 +201,8 @@ def doubts_picture(of: Doubts) -> Picture:
         for way, style, place in (("smaller", 6, 0), ("larger", 1, 1)):
             for assumed in (False, True):
                 rows = [row for row, each in enumerate(figures) if each.assumed == assumed]
-                change: list[Any] = [of.changes(figures[row], name)[place] for row in rows]
-                label = f"{of.off:.0%} {way}{', assumed' * assumed}"
+                change: list[Any] = [doubts.changes(figures[row], name)[place] for row in rows]
+                label = f"{doubts.off:.0%} {way}{', assumed' * assumed}"
                 if rows:
                     marks.append(
                         Mark("bars", np.array(change), np.array(rows), style=style, faint=assumed, label=label)
@@ -206,6 +210,6 @@ def doubts_picture(of: Doubts) -> Picture:
         y = axis(names=names, reversed=True) if not panels else axis(reversed=True, ticks=False)
         panels.append(Panel(marks, axis("change", f"change of the spread of {name}", like="1", unit="%"), y, title))
     return Picture(
-        "doubts", f"How much the spread of the landings changes if a figure is {of.off:.0%} smaller or larger",
+        "doubts", f"How much the spread of the landings changes if a figure is {doubts.off:.0%} smaller or larger",
         [panels], height=1.2 + 0.27 * len(figures), legend=True,
     )  # fmt: skip

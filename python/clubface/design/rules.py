@@ -112,14 +112,14 @@ _TITLES = {
 @cache
 def rules() -> Mapping[str, Rule]:
     """Return the limits by name."""
-    found = {}
+    result = {}
     for name, (source, column, tolerance) in _PLACES.items():
         published = published_data.table(source)
         margin = 0.0 if tolerance is None else float(published[tolerance][0])
-        found[name] = Rule(
+        result[name] = Rule(
             name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source
         )
-    return Frozen(found)
+    return Frozen(result)
 
 
 def rules_of(club: str | Club) -> tuple[Rule, ...]:

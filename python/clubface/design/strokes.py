@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from clubface import published_data, units
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.schema import Choice, Quantity, check_values, file_key
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
@@ -76,11 +76,11 @@ class Hole:
         ahead, right = _places(ahead, right)
         left = np.hypot(self.length - ahead, right)
         lies = self.lies(ahead, right)
-        found = np.empty_like(left)
+        result = np.empty_like(left)
         for name in np.unique(lies):
             where = lies == name
-            found[where] = expected(str(name), left[where])
-        return found
+            result[where] = expected(str(name), left[where])
+        return result
 
     def lies(self, ahead: Floats, right: Floats) -> Any:
         """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
@@ -104,17 +104,17 @@ def expected(lie: str, distance: Floats) -> Floats:
     distance = np.asarray(units.parse_values(distance, "length", name="distance"))
     places, strokes = _table(lie)
     beyond = (strokes[-1] - strokes[-2]) / (places[-1] - places[-2])
-    found = np.interp(distance, places, strokes)
-    return found + np.maximum(distance - places[-1], 0.0) * beyond
+    result = np.interp(distance, places, strokes)
+    return result + np.maximum(distance - places[-1], 0.0) * beyond
 
 
 def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:
     given = {"ahead": ahead, "aside": right}
-    found = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
-    if found[0].shape != found[1].shape:
-        shapes = Told(" and ".join(f"of shape {each.shape}" for each in found))
+    result = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
+    if result[0].shape != result[1].shape:
+        shapes = Wording(" and ".join(f"of shape {each.shape}" for each in result))
         raise InputError("ahead and aside", shapes, "of one shape")
-    return found[0], found[1]
+    return result[0], result[1]
 
 
 @cache

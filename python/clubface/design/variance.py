@@ -94,51 +94,51 @@ class ByDerivatives:
         return float(np.sqrt(self.variance(name, order=order)))
 
 
-def moments(of: Golfer) -> tuple[float, float]:
+def moments(golfer: Golfer) -> tuple[float, float]:
     """Return the mean square and the mean fourth power of the factor by which shots are further off than no mishits."""
-    share, scale = of.mishit_share, of.mishit_scale
+    share, scale = golfer.mishit_share, golfer.mishit_scale
     return 1.0 - share + share * scale**2, 1.0 - share + share * scale**4
 
 
-def by_derivatives(of: Golfer, setup: ImpactSetup) -> ByDerivatives:
+def by_derivatives(golfer: Golfer, setup: ImpactSetup) -> ByDerivatives:
     """Differentiate what a golfer's mean shot gives.
 
     Parameters
     ----------
-    of
+    golfer
         The golfer, of the club's hand.
     hit
         How shots are hit. Its model must be one with derivatives; another is an :class:`InputError`.
     """
-    value, gradient = _gradients(of.mean, of, setup)
-    second = {name: np.zeros((len(of.mean),) * 2) for name in gradient}
-    for place, spread in enumerate(of.spread):
+    value, gradient = _gradients(golfer.mean, golfer, setup)
+    second = {name: np.zeros((len(golfer.mean),) * 2) for name in gradient}
+    for place, spread in enumerate(golfer.spread):
         if spread == 0.0:
             continue  # what does not vary needs no curvature
-        step = np.zeros_like(of.mean)
+        step = np.zeros_like(golfer.mean)
         step[place] = STEP * spread
-        above, below = (_gradients(of.mean + side * step, of, setup)[1] for side in (1.0, -1.0))
+        above, below = (_gradients(golfer.mean + side * step, golfer, setup)[1] for side in (1.0, -1.0))
         for name in gradient:
             second[name][place] = (above[name] - below[name]) / (2.0 * step[place])
     second = {name: 0.5 * (matrix + matrix.T) for name, matrix in second.items()}
-    return ByDerivatives(golfer=of, value=value, gradient=gradient, second=second)
+    return ByDerivatives(golfer=golfer, value=value, gradient=gradient, second=second)
 
 
-def _gradients(at: Floats, of: Golfer, setup: ImpactSetup) -> tuple[dict[str, float], dict[str, Floats]]:
+def _gradients(at: Floats, golfer: Golfer, setup: ImpactSetup) -> tuple[dict[str, float], dict[str, Floats]]:
     """Return quantities at a delivery and their derivatives by the variables."""
-    values = dict(zip(of.variables, map(float, at), strict=True))
+    values = dict(zip(golfer.variables, map(float, at), strict=True))
     launched = (*VELOCITY, *SPIN)
     with without_warnings(RangeWarning):  # the shots themselves warn
-        found = sensitivity(
+        result = sensitivity(
             setup.club, values, model=setup.model, parameters=setup.parameters,
             ball=getattr(setup.ball, "rigid", setup.ball), accuracy=setup.accuracy,
-            outputs=(*LAUNCHED, *launched), variables=of.variables,
+            outputs=(*LAUNCHED, *launched), variables=golfer.variables,
         )  # fmt: skip
-    rows: dict[str, Floats] = dict(zip(found.outputs, found.si, strict=True))
-    value = {name: float(getattr(found.launch, name)) for name in LAUNCHED}
+    rows: dict[str, Floats] = dict(zip(result.outputs, result.si, strict=True))
+    value = {name: float(getattr(result.launch, name)) for name in LAUNCHED}
     slope = {name: rows[name] for name in LAUNCHED}
     if setup.flight:
-        flown = flight_derivatives(found.launch, air=setup.air, wind=setup.wind, ground=setup.ground)
+        flown = flight_derivatives(result.launch, air=setup.air, wind=setup.wind, ground=setup.ground)
         order = list(flight_outputs())
         columns = [list(flight_inputs()).index(name) for name in launched]
         chain = flown.jacobian[:, columns] @ np.array([rows[name] for name in launched])
@@ -180,7 +180,7 @@ class Indices(NamedTuple):
 
 
 def indices(
-    of: Golfer,
+    golfer: Golfer,
     setup: ImpactSetup,
     outcomes: Sequence[str] = ("carry", "side"),
     *,
@@ -192,7 +192,7 @@ def indices(
 
     Parameters
     ----------
-    of
+    golfer
         The golfer, of the club's hand.
     hit
         How shots are hit.
@@ -208,43 +208,45 @@ def indices(
     if not setup.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
         raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
     check_names("outcome", outcomes, (*LAUNCHED, *FLOWN))
-    varies = of.spread > 0.0
+    varies = golfer.spread > 0.0
     if not varies.any():
-        raise InputError("golfer", of.name, "one whose deliveries vary: nothing spreads the shots")
-    names = tuple(name for name, does in zip(of.variables, varies, strict=True) if does)
-    held = {name: np.asarray(mean) for name, mean in zip(of.variables, of.mean, strict=True) if name not in names}
+        raise InputError("golfer", golfer.name, "one whose deliveries vary: nothing spreads the shots")
+    names = tuple(name for name, does in zip(golfer.variables, varies, strict=True) if does)
+    held = {
+        name: np.asarray(mean) for name, mean in zip(golfer.variables, golfer.mean, strict=True) if name not in names
+    }
 
     def outcome(values: Floats) -> Floats:
-        found = setup({**held, **dict(zip(names, values, strict=True))})
+        result = setup({**held, **dict(zip(names, values, strict=True))})
         # A shot without a result tells nothing: it counts as the mean of the others.
-        rows = [found[name] for name in outcomes]
+        rows = [result[name] for name in outcomes]
         return np.stack([np.where(np.isfinite(row), row, np.nanmean(row)) for row in rows])
 
-    mean, covariance = of.mean[varies], of.covariance[np.ix_(varies, varies)]
-    spread = of.spread[varies]
-    if np.abs(of.correlation[np.ix_(varies, varies)] - np.eye(len(names))).max(initial=0.0) < CORRELATED:
+    mean, covariance = golfer.mean[varies], golfer.covariance[np.ix_(varies, varies)]
+    spread = golfer.spread[varies]
+    if np.abs(golfer.correlation[np.ix_(varies, varies)] - np.eye(len(names))).max(initial=0.0) < CORRELATED:
         first, total = sobol(outcome, mean, spread, count=count, seed=seed)
         return Indices("sobol", names, dict(zip(outcomes, first, strict=True)), dict(zip(outcomes, total, strict=True)))
-    found = shapley(outcome, mean, covariance, count=count, seed=seed, progress=progress)
-    effects = dict(zip(outcomes, found, strict=True))
+    result = shapley(outcome, mean, covariance, count=count, seed=seed, progress=progress)
+    effects = dict(zip(outcomes, result, strict=True))
     return Indices("shapley", names, effects, effects)
 
 
-def indices_by_derivatives(of: ByDerivatives, outcomes: Sequence[str] = ("carry", "side")) -> Indices:
+def indices_by_derivatives(by_derivatives: ByDerivatives, outcomes: Sequence[str] = ("carry", "side")) -> Indices:
     """Return the Shapley effects of the outcome that gradient and curvature at the mean describe, in closed form.
 
     What the variables u tell of a normal distribution has the covariance C_u = C[:, u] C[u, u]^-1 C[u, :], and the
     expectation of the outcome given them the variance g' C_u g + tr(H C_u H C_u) / 2.
     """
-    golfer = of.golfer
+    golfer = by_derivatives.golfer
     varies = np.flatnonzero(golfer.spread > 0.0)
     covariance = golfer.covariance[np.ix_(varies, varies)]
     effects = {}
     for name in outcomes:
-        slope, second = of.gradient[name][varies], of.second[name][np.ix_(varies, varies)]
+        slope, second = by_derivatives.gradient[name][varies], by_derivatives.second[name][np.ix_(varies, varies)]
 
         def variance(subset: int, slope: Floats = slope, second: Floats = second) -> Floats:
-            known = _told(covariance, _members(subset, len(varies)))
+            known = _explained_covariance(covariance, _members(subset, len(varies)))
             curved = second @ known
             return np.array([slope @ known @ slope + 0.5 * np.trace(curved @ curved)])
 
@@ -262,9 +264,9 @@ def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed:
 
     _check_power(count)
     normal = [norm(loc=at, scale=size) for at, size in zip(mean, spread, strict=True)]
-    found = sobol_indices(func=function, n=count, dists=normal, rng=np.random.default_rng(seed))
+    result = sobol_indices(func=function, n=count, dists=normal, rng=np.random.default_rng(seed))
     # scipy drops an axis of one variable.
-    first, total = (np.reshape(each, (-1, len(mean))) for each in (found.first_order, found.total_order))
+    first, total = (np.reshape(each, (-1, len(mean))) for each in (result.first_order, result.total_order))
     return first, total
 
 
@@ -306,7 +308,7 @@ def _effects(
     variance: Callable[[int], Floats], size: int, orders: Sequence[Sequence[int]], progress: Progress | None
 ) -> Floats:
     """Return the effects as the mean over orders of what each variable adds; ``variance`` takes a set as bits."""
-    found = []
+    result = []
     for number, order in enumerate(orders, start=1):
         subset, before, added = 0, variance(0), np.empty((size, len(variance(0))))
         for place in order:
@@ -314,10 +316,10 @@ def _effects(
             after = variance(subset)
             added[place] = after - before
             before = after
-        found.append(added.T)
+        result.append(added.T)
         if progress is not None:
             progress(number, len(orders))
-    return np.mean(found, axis=0) / variance(2**size - 1)[:, None]
+    return np.mean(result, axis=0) / variance(2**size - 1)[:, None]
 
 
 def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
@@ -325,24 +327,24 @@ def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
     every = np.array([variance(subset) if subset else np.zeros_like(variance(1)) for subset in range(2**size)])
     members = np.array([subset.bit_count() for subset in range(2**size)])
     weight = np.array([factorial(n) * factorial(size - n - 1) / factorial(size) for n in range(size)])
-    found = []
+    result = []
     for place in range(size):
         without = np.flatnonzero(~np.arange(2**size) >> place & 1)
-        found.append(weight[members[without]] @ (every[without | 1 << place] - every[without]))
-    return np.array(found).T / every[-1][:, None]
+        result.append(weight[members[without]] @ (every[without | 1 << place] - every[without]))
+    return np.array(result).T / every[-1][:, None]
 
 
 def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) -> Floats:
     """Return deviations that share the variables ``inside`` with ``away`` and are drawn anew in the others."""
     outside = np.setdiff1d(np.arange(len(away)), inside)
-    found = away.copy()
+    result = away.copy()
     across = covariance[np.ix_(outside, inside)] @ np.linalg.inv(covariance[np.ix_(inside, inside)])
     left = covariance[np.ix_(outside, outside)] - across @ covariance[np.ix_(inside, outside)]
-    found[outside] = across @ away[inside] + np.linalg.cholesky(left) @ fresh[outside]
-    return found
+    result[outside] = across @ away[inside] + np.linalg.cholesky(left) @ fresh[outside]
+    return result
 
 
-def _told(covariance: Floats, inside: Places) -> Floats:
+def _explained_covariance(covariance: Floats, inside: Places) -> Floats:
     """Return the covariance of what the variables ``inside`` tell of all."""
     across = covariance[:, inside]
     return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from clubface.equipment.models import models
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.fem.paper import LEAST_FACTOR, PUBLISHED, SPEED, section_spin
 from clubface.fem.result import Impact
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
@@ -141,7 +141,7 @@ def contacts(impact: Impact) -> dict[str, History]:
     """Return the same impact by every contact model."""
     if impact.equipment is None:
         raise InputError(
-            "impact", Told("one with a plane"), "one with a head, which the contact models can strike with"
+            "impact", Wording("one with a plane"), "one with a head, which the contact models can strike with"
         )
     club, ball = impact.equipment
     named = [name for name, each in models().items() if each.kind == "contact"]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.equipment.parameters import ParameterSet
-from clubface.errors import InputError, RangeWarning, Told
+from clubface.errors import InputError, RangeWarning, Wording
 from clubface.fem.result import Impact
 from clubface.simulation.history import history
 from clubface.simulation.impact import impact
@@ -71,7 +71,9 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
     if run.equipment is None or run.stopped is not None:
-        raise InputError("impact", Told("one with a plane, or one that ended early"), "a complete impact with a head")
+        raise InputError(
+            "impact", Wording("one with a plane, or one that ended early"), "a complete impact with a head"
+        )
     club, ball = run.equipment
     wanted = np.log([run.outcome()["ball_speed"], _normal_force(run)[1].max()])
     names = LAWS[model]

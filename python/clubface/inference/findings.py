@@ -245,9 +245,9 @@ class Bag:
         solved = np.isnan(self.loft)
         loft = np.where(solved, self.launch, self.loft)
         for _ in range(STEPS):
-            launch = self.hit(loft, parameters)
+            launch = self.strike(loft, parameters)
             loft = np.where(solved, loft + (self.launch - launch.launch) / SLOPE, loft)
-        launch = self.hit(loft, parameters)
+        launch = self.strike(loft, parameters)
         published = {name: np.array([getattr(each, name) for each in self.rows]) for name in ("ball_speed", "spin")}
         return {
             "ball_speed": launch.ball_speed - published["ball_speed"],
@@ -267,7 +267,7 @@ class Bag:
         """Return the sum of squared residuals."""
         return float(np.sum(self.residuals(parameters) ** 2))
 
-    def hit(self, loft: Floats, parameters: ParameterSet) -> Launch:
+    def strike(self, loft: Floats, parameters: ParameterSet) -> Launch:
         """Return the launches of all clubs, delivered at their published speeds and attack angles."""
         return impact(
             "driver",
@@ -293,7 +293,7 @@ def fit(model: str) -> TourFit:
         errors_without, _ = Bag([rows[place]]).errors(without)
         for name, values in errors_without.items():
             left_out[name][place] = values[0]
-    carry = fly(every.hit(lofts, best)).carry - np.array([each.carry for each in rows])
+    carry = fly(every.strike(lofts, best)).carry - np.array([each.carry for each in rows])
     return TourFit(best, names, tuple(each.club for each in rows), lofts, errors, left_out, carry)
 
 
@@ -401,9 +401,9 @@ def _identified(
 ) -> Identification:  # fmt: skip
     """Identify one model on some of the shots of one club."""
 
-    def tell(stage: str, done: int, of: int, best: float) -> None:
+    def tell(stage: str, done: int, subject: int, best: float) -> None:
         if progress is not None:
-            progress(f"{part.name}: {stage}, cost {best:.4f}", done / of)
+            progress(f"{part.name}: {stage}, cost {best:.4f}", done / subject)
 
     return identify(
         shots.measured.select(chosen), club=shots.head, model=model, groups=shots.player[chosen], ball=published_ball(),

@@ -377,12 +377,12 @@ class Sheet:
         """
         along, across = np.split(coordinates, [len(self._along)], axis=1)
         base = (self._centre_along + self._wide * along) @ self._along
-        beside, root = self._beside(base)
-        beside = beside + _solved_transposed(root, across.T).T
+        sibling, root = self._next_places(base)
+        sibling = sibling + _solved_transposed(root, across.T).T
         volume = np.log(self._wide).sum() - sum(np.log(root[place][place]) for place in range(len(root)))
-        return base + beside @ self._across, np.broadcast_to(volume, len(coordinates))
+        return base + sibling @ self._across, np.broadcast_to(volume, len(coordinates))
 
-    def _beside(self, base: Floats) -> tuple[Floats, list[list[Floats]]]:
+    def _next_places(self, base: Floats) -> tuple[Floats, list[list[Floats]]]:
         """Return the places of the sheet beside ``base``, shape (n, sharp), and the factor of the curvature there.
 
         The latter is that of minus the logarithm of the posterior, its lower factor by rows. Where the place at which a

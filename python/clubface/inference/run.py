@@ -12,7 +12,7 @@ from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.errors import InputError, RangeWarning, Told
+from clubface.errors import InputError, RangeWarning, Wording
 from clubface.inference.evaluation.noise import MONITOR, standard_deviations
 from clubface.inference.importance import drawn
 from clubface.inference.posterior import FEWEST_EFFECTIVE, Posterior
@@ -338,7 +338,7 @@ def _parts(spins: dict[str, float]) -> dict[str, float]:
     if BACK not in known or SIDE not in known:
         name = TOTAL if TOTAL in spins else AXIS
         needs = "give it with spin_axis or sidespin" if name == TOTAL else "give it with total_spin or backspin"
-        raise InputError(name, Told(units.show(spins[name], SPIN_UNITS[name])), needs)
+        raise InputError(name, Wording(units.show(spins[name], SPIN_UNITS[name])), needs)
     return {name: float(known[name][0]) for name in (BACK, SIDE)}
 
 

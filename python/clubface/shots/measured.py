@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.shots.club_names import club_kind, may_be, same_club
 from clubface.shots.conditions import matching_shots
 from clubface.shots.loft_origin import AT_LAUNCH, LoftOrigin, computed, loft_origins, origin_notes
@@ -334,7 +334,7 @@ def measured_shots(
         name: values for name, values in recorded.delivery().items() if np.isfinite(values).any() and name not in solved
     }
     if "speed" not in delivery:
-        raise InputError("speed", Told("empty in every shot"), "measured in at least one")
+        raise InputError("speed", Wording("empty in every shot"), "measured in at least one")
     reasons: dict[int, str] = {}
     for name, values in (delivery | start).items():
         for row in np.flatnonzero(~np.isfinite(values)):

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
-from clubface.errors import FileError, InputError, RangeWarning, Told
+from clubface.errors import FileError, InputError, RangeWarning, Wording
 from clubface.jobs.store import Store, unfinished_folder
 from clubface.results.notes import free_text
 from clubface.results.provenance import Computation, Provenance
@@ -479,7 +479,7 @@ def predict(
     equipment, chosen = equipped(model, club, ball, parameters)
     arrays = [name for name, value in chosen.values.items() if not isinstance(value, float)]
     if arrays:
-        raise InputError(arrays[0], Told("an array"), "a single number for a file of deliveries")
+        raise InputError(arrays[0], Wording("an array"), "a single number for a file of deliveries")
     side = float(equipment.club.hand) if hand is None else hand_value(hand)
     if side not in (1.0, -1.0):
         raise InputError("hand", hand, "right or left")

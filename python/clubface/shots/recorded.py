@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.described import HANDS
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.shots.plausibility import can_be
 from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, heading_of, shot_words
 from clubface.shots.tables.parquet import ENDINGS as PARQUET
@@ -294,7 +294,7 @@ def _texts(given: Any) -> NDArray[Any]:
 def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
     if values.shape != (count,):
         raise InputError(
-            name, Told(f"an array of shape {values.shape}"), f"one with an element for each shot: ({count},)"
+            name, Wording(f"an array of shape {values.shape}"), f"one with an element for each shot: ({count},)"
         )
     return values
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.results.notes import Note, free_text, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
@@ -212,7 +212,7 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
     """
     drawn = [each for each in clubs if "carry" in each.spreads]
     if not drawn:
-        raise InputError("picture", Told("of carries"), "leave it out: the file has no carry")
+        raise InputError("picture", Wording("of carries"), "leave it out: the file has no carry")
     landings: list[Mark] = [Mark("rule", x=0.0, style=-1)]
     carries: list[Mark] = []
     for place, each in enumerate(drawn):

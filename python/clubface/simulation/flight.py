@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import ball
-from clubface.errors import InputError, ShotError, Told
+from clubface.errors import InputError, ShotError, Wording
 from clubface.simulation import core
 from clubface.simulation.inputs import check_on_error, common_shape, thread_count
 from clubface.simulation.launch import Comparison, Launch, vectors
@@ -531,7 +531,7 @@ def trajectory(
     """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     if shape or varied:
-        raise InputError("launch", Told(f"a batch of shape {shape}"), "a single shot: a trajectory is of one ball")
+        raise InputError("launch", Wording(f"a batch of shape {shape}"), "a single shot: a trajectory is of one ball")
     try:
         arrays = core.trajectory(list(columns.values()))
     except ValueError as error:

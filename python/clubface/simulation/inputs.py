@@ -19,7 +19,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
-from clubface.errors import InputError, ShotError, Told, UnknownNameError
+from clubface.errors import InputError, ShotError, UnknownNameError, Wording
 from clubface.schema import Choice, Items, Quantity, file_key
 from clubface.simulation.results import input_columns, input_dimensions, inputs
 from clubface.support.checks import check_choice, check_names, whole
@@ -227,7 +227,7 @@ def prepare(
         return Prepared(laid_out, chosen, columns)
     if single:
         arrays = [*laid_out.varied, *(name for name, each in chosen.values.items() if not isinstance(each, float))]
-        raise InputError(arrays[0], Told("an array"), f"a single number: {single} is of one shot")
+        raise InputError(arrays[0], Wording("an array"), f"a single number: {single} is of one shot")
     laid_out, columns = broadcast(laid_out, columns, tuple(chosen.values), outputs or 0)
     return Prepared(laid_out, chosen, columns)
 
@@ -401,7 +401,7 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
         return _published(model_name, family)
     if isinstance(given, ParameterSet):
         if given.model != model_name:
-            raise InputError("parameters", Told(f"a set of {given.model}"), f"a set of {model_name}")
+            raise InputError("parameters", Wording(f"a set of {given.model}"), f"a set of {model_name}")
         return given
     if isinstance(given, Mapping):
         for name in given:

@@ -19,7 +19,7 @@ from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
-from clubface.errors import InputError, Told, UnitError
+from clubface.errors import InputError, UnitError, Wording
 from clubface.quantities import display_unit
 from clubface.results.notes import note
 from clubface.results.result import Result
@@ -391,7 +391,7 @@ def flight_derivatives(
     """Differentiate one flight; the arguments are those of :func:`fly`, of a single launch."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     if shape or varied:
-        raise InputError("launch", Told(f"a batch of shape {shape}"), "a single launch")
+        raise InputError("launch", Wording(f"a batch of shape {shape}"), "a single launch")
     return differentiated(columns)
 
 

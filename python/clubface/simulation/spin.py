@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.equipment.balls import Ball
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.support.arrays import Floats
 from clubface.units import show, size
 
@@ -128,7 +128,9 @@ def agreeing(given: Mapping[str, Any]) -> Spins:
     spins = complete(given)
     for first in spins.contradictions:
         at = f"shot {first.place}: " if len(given[next(iter(first.given))]) > 1 else ""
-        raise InputError("spin", Told(f"{at}{first.spins}"), f"one vector, with {VECTOR}; give two of them that agree")
+        raise InputError(
+            "spin", Wording(f"{at}{first.spins}"), f"one vector, with {VECTOR}; give two of them that agree"
+        )
     return spins
 
 
@@ -158,7 +160,7 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
         return completed[BACK], completed[SIDE], assumed
     if AXIS in names:
         needs = "give total_spin with it" if names == [AXIS] else "give total_spin too: the axis says too little of it"
-        raise InputError(AXIS, Told(show(float(flat[AXIS][0]), "deg")), needs)
+        raise InputError(AXIS, Wording(show(float(flat[AXIS][0]), "deg")), needs)
     if BACK in names:
         return completed[BACK], 0.0, "the sidespin is not known and taken as 0: the ball does not curve"
     if TOTAL in names:

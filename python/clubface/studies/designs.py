@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import FileError, InputError, Told
+from clubface.errors import FileError, InputError, Wording
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import Vocabulary, check_units, delivery_words, layout, plain_name
 from clubface.shots.tables.reader import open_table
@@ -60,7 +60,7 @@ class Grid:
         for each in self.axes:
             if each.count is None:
                 wanted = "evenly spaced values, with a count or a step, in a grid; an interval is for samples"
-                raise InputError(each.name, Told("an interval"), wanted)
+                raise InputError(each.name, Wording("an interval"), wanted)
         self.count = _checked(math.prod(each.count or 1 for each in self.axes))
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
@@ -157,12 +157,12 @@ class Remembered:
 def design(method: str, axes: Sequence[Axis], samples: Any, seed: int) -> Design:
     """Return a design of axes alone: a grid, or ``samples`` of a generator."""
     if not axes:
-        raise InputError("sweep", Told("empty"), "a table with at least one input, as in speed = " + FORMS)
+        raise InputError("sweep", Wording("empty"), "a table with at least one input, as in speed = " + FORMS)
     if method == GRID:
         return Grid(axes)
     for each in axes:
         if each.count is not None and not each.values and not each.choices:
-            raise InputError(each.name, Told("evenly spaced values"), f"{INTERVAL}, for the design {method}")
+            raise InputError(each.name, Wording("evenly spaced values"), f"{INTERVAL}, for the design {method}")
     return Samples(axes, samples, method, seed)
 
 

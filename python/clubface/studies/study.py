@@ -31,7 +31,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from clubface.errors import ClubfaceError, FileError, InputError, Told, UnknownNameError
+from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError, Wording
 from clubface.schema import NAME, TEXT, Choice, Document, Place, Quantity, Record, Simple, Table, Value, count, file_key
 from clubface.studies.axes import Axis, Swept, axis, inputs_named
 from clubface.studies.designs import (
@@ -241,7 +241,7 @@ def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any
     flat: dict[str, Any] = {}
     for name, _, given in inputs_named(sweep, known):
         if name in flat:
-            raise InputError(name, Told("swept twice"), "one line of [sweep]")
+            raise InputError(name, Wording("swept twice"), "one line of [sweep]")
         flat[name] = given
     return flat
 
@@ -253,7 +253,9 @@ def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept:
         if name in swept:
             line = document.line_of((kind.name, *place.split(".")))
             where = f"as {place} of [{kind.name}]{'' if line is None else f' in line {line}'}"
-            raise InputError(name, Told(f"held and swept, {where} and in [sweep]"), "given in one of both places alone")
+            raise InputError(
+                name, Wording(f"held and swept, {where} and in [sweep]"), "given in one of both places alone"
+            )
 
 
 def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], head: StudyTable) -> Design:
@@ -274,7 +276,7 @@ def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, 
     columns = table_columns(Path(document.path).parent / sweep[TABLE], known, head.units)
     for each in axes:
         if each.name in columns:
-            raise InputError(each.name, Told("given twice"), "in the table or in [sweep], not in both")
+            raise InputError(each.name, Wording("given twice"), "in the table or in [sweep], not in both")
     return Rows(columns, axes)
 
 

@@ -164,9 +164,9 @@ def plates(judged: Judged) -> list[Figure]:
     """Return the restitution of the ball against plates and a head without spring effect."""
     result = []
 
-    def against(of: Club, speed: float, angle: float = 0.0, friction: float | None = None) -> tuple[float, float]:
+    def against(club: Club, speed: float, angle: float = 0.0, friction: float | None = None) -> tuple[float, float]:
         parameters = None if friction is None else {"friction": friction}
-        return restitutions(judged.strike(of, speed=speed, loft=angle, parameters=parameters), speed, angle)
+        return restitutions(judged.strike(club, speed=speed, loft=angle, parameters=parameters), speed, angle)
 
     (least,) = rows("plate-cor-three-piece")
     (most,) = rows("plate-cor-reduced-distance")

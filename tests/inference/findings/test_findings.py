@@ -106,7 +106,7 @@ def test_one_set_for_all_clubs_is_better_than_the_published_ones_and_launches_as
     assert before.misfit(found.parameters) < 0.5 * before.misfit(published_set)
     solved = np.isnan(found.errors["launch"])
     assert solved.sum() == 10
-    launch = before.hit(found.lofts, found.parameters).launch
+    launch = before.strike(found.lofts, found.parameters).launch
     # Eight steps, each of which leaves less than a quarter of the 0.1 rad that were missing: 1.5e-6.
     assert np.abs(launch - before.launch)[solved].max() < 2e-6
     # A club alone, with its own values, is launched as in the batch.

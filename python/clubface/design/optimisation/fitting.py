@@ -102,36 +102,41 @@ def changed(head: Club, changes: Mapping[str, float]) -> dict[str, float]:
     return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
 
 
-def landings(of: Fitting, found: Combination) -> list[Any]:
+def landings(fitting: Fitting, combination: Combination) -> list[Any]:
     """Return where the shots of every golfer land with a combination [m], each of shape (landings, shots)."""
-    head, ball, _ = of.names()[found.place]
-    club = changed(head, found.changes)
-    return [each.of(club) for each, _ in golfer_landings(of, head, ball, of.samples())]
+    head, ball, _ = fitting.names()[combination.place]
+    club = changed(head, combination.changes)
+    return [each.of(club) for each, _ in golfer_landings(fitting, head, ball, fitting.samples())]
 
 
-def as_it_is(of: Fitting) -> dict[str, float]:
+def as_it_is(fitting: Fitting) -> dict[str, float]:
     """Return what the first club with the first ball is judged by, with nothing changed [SI]."""
     return judged_values(
-        of, [(each.of({}), weight) for each, weight in golfer_landings(of, *of.names()[0][:2], of.samples())]
+        fitting,
+        [
+            (each.of({}), weight)
+            for each, weight in golfer_landings(fitting, *fitting.names()[0][:2], fitting.samples())
+        ],
     )
 
 
-def golfer_landings(of: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
+def golfer_landings(fitting: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
     """Return the shots of the golfers with a head and a ball."""
-    own, base_loft = replace(of.setting, ball=ball), of.clubs[0].loft
-    found = []
+    own, base_loft = replace(fitting.setting, ball=ball), fitting.clubs[0].loft
+    result = []
     for sample, weight in samples:
         # The golfer delivers his loft with the first club; another head delivers as much more as it has more of it.
         delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
-        found.append((Landings(head, delivered, own), weight))
-    return found
+        result.append((Landings(head, delivered, own), weight))
+    return result
 
 
-def judged_values(of: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float]:
+def judged_values(fitting: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float]:
     """Return every objective of the landings of golfers, each with how much he counts, by its name."""
     total = sum(weight for _, weight in landed)
     return {
-        each.name: sum(weight * each.judge(one)[0] for one, weight in landed) / total for each in objectives(of.hole)
+        each.name: sum(weight * each.judge(one)[0] for one, weight in landed) / total
+        for each in objectives(fitting.hole)
     }
 
 

@@ -29,67 +29,78 @@ ERRORS = 2.0
 """Standard errors that a bar of uncertainty reaches: about 19 of 20 differences lie within."""
 
 
-def fitting_result(of: Fitting, found: Sequence[Combination]) -> Result:
+def fitting_result(fitting: Fitting, combinations: Sequence[Combination]) -> Result:
     """Return a fitting and its combinations, the best first, as a result."""
     return Result(
-        kind="fitting", title=of.title, tables=(combinations_table(of, found),), summary=tuple(_summary(of, found)),
-        notes=tuple(_notes(of, found)), provenance=study_provenance(of, of.clubs, of.balls),
-        draw=lambda: [fitting_picture(of, found)],
+        kind="fitting", title=fitting.title, tables=(combinations_table(fitting, combinations),),
+        summary=tuple(_summary(fitting, combinations)),
+        notes=tuple(_notes(fitting, combinations)), provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
+        draw=lambda: [fitting_picture(fitting, combinations)],
     )  # fmt: skip
 
 
-def combinations_table(of: Fitting, found: Sequence[Combination]) -> Table:
+def combinations_table(fitting: Fitting, combinations: Sequence[Combination]) -> Table:
     """Return all combinations as a table."""
-    first, *others = (of.judge(name) for name in (of.objective, *found[0].others))
-    changes = dict.fromkeys(name for each in found for name in each.changes)
+    first, *others = (fitting.judge(name) for name in (fitting.objective, *combinations[0].others))
+    changes = dict.fromkeys(name for each in combinations for name in each.changes)
     columns = [
-        text("place", list(range(1, len(found) + 1)), label=""), text("club", [each.club for each in found]),
-        text("ball", [each.ball for each in found]),
-        text("setting", [each.setting for each in found], printed=any(each.setting for each in found)),
-        text("changes", [describe_changes(each.changes) for each in found], in_files=False, printed=bool(changes)),
-        *(column(f"{name}_change", [each.changes.get(name, 0.0) for each in found],
+        text("place", list(range(1, len(combinations) + 1)), label=""),
+        text("club", [each.club for each in combinations]),
+        text("ball", [each.ball for each in combinations]),
+        text("setting", [each.setting for each in combinations], printed=any(each.setting for each in combinations)),
+        text("changes", [describe_changes(each.changes) for each in combinations], in_files=False,
+             printed=bool(changes)),
+        *(column(f"{name}_change", [each.changes.get(name, 0.0) for each in combinations],
                  "rad" if name in ("loft", "lie") else "m", printed=False) for name in changes),
-        Column(first.name, [each.value for each in found], first.quantity),
-        Column("against_the_best", [each.value - found[0].value for each in found], first.quantity,
+        Column(first.name, [each.value for each in combinations], first.quantity),
+        Column("against_the_best", [each.value - combinations[0].value for each in combinations], first.quantity,
                "against the best", difference=True),
-        Column("error", [each.error for each in found], first.quantity, "±"),
-        *(Column(judge.name, [each.others[judge.name] for each in found], judge.quantity) for judge in others),
+        Column("error", [each.error for each in combinations], first.quantity, "±"),
+        *(Column(judge.name, [each.others[judge.name] for each in combinations], judge.quantity) for judge in others),
     ]  # fmt: skip
-    return Table("combinations", tuple(columns), shown_rows=range(min(len(found), SHOWN)))
+    return Table("combinations", tuple(columns), shown_rows=range(min(len(combinations), SHOWN)))
 
 
-def _summary(of: Fitting, found: Sequence[Combination]) -> Iterator[Note]:
-    best, judge = found[0], of.judge(of.objective)
+def _summary(fitting: Fitting, combinations: Sequence[Combination]) -> Iterator[Note]:
+    best, judge = combinations[0], fitting.judge(fitting.objective)
     yield note(
-        "fitting-best", combinations=len(found), best=describe(best), meaning=judge.meaning,
+        "fitting-best", combinations=len(combinations), best=describe(best), meaning=judge.meaning,
         value=judge.show(best.value),
     )  # fmt: skip
-    if len(found) > 1:
-        behind = abs(found[1].value - best.value)
-        if math.isnan(found[1].error):
+    if len(combinations) > 1:
+        behind = abs(combinations[1].value - best.value)
+        if math.isnan(combinations[1].error):
             code = "fitting-error-unknown"
-        elif behind <= CERTAIN * found[1].error:
+        elif behind <= CERTAIN * combinations[1].error:
             code = "fitting-not-certain"
         else:
             little = judge.unit == "yd" and units.from_si(behind, "yd") < FELT
             code = f"fitting-certain{'-but-small' * little}"
-        yield note(code, worse=describe(found[1]), behind=judge.show(behind))
-    now = as_it_is(of)[judge.name]
+        yield note(code, worse=describe(combinations[1]), behind=judge.show(behind))
+    now = as_it_is(fitting)[judge.name]
     if not math.isnan(now):
-        ball = "the same ball" if of.balls[0] is None else f"the ball {of.balls[0].name}"
-        yield note("fitting-unchanged", club=of.clubs[0].name, ball=ball, value=judge.show(now))
+        ball = "the same ball" if fitting.balls[0] is None else f"the ball {fitting.balls[0].name}"
+        yield note("fitting-unchanged", club=fitting.clubs[0].name, ball=ball, value=judge.show(now))
 
 
-def _notes(of: Fitting, found: Sequence[Combination]) -> Iterator[Note]:
-    yield note("fitting-shots", combinations=len(found), shots=of.shots, golfers=len(of.golfers), club=of.clubs[0].name)
-    if any(math.isnan(each.error) for each in found):
+def _notes(fitting: Fitting, combinations: Sequence[Combination]) -> Iterator[Note]:
+    yield note(
+        "fitting-shots",
+        combinations=len(combinations),
+        shots=fitting.shots,
+        golfers=len(fitting.golfers),
+        club=fitting.clubs[0].name,
+    )
+    if any(math.isnan(each.error) for each in combinations):
         yield note("fitting-errors-missing")
-    if close := sum(abs(each.value - found[0].value) <= CERTAIN * each.error for each in found[1:]):
+    if close := sum(abs(each.value - combinations[0].value) <= CERTAIN * each.error for each in combinations[1:]):
         yield note("fitting-close", close=close)
-    if ends := [name for name, limits in of.bounds.items() if _is_at_an_end(found[0].changes.get(name), limits)]:
+    if ends := [
+        name for name, limits in fitting.bounds.items() if _is_at_an_end(combinations[0].changes.get(name), limits)
+    ]:
         yield note("fitting-at-an-end", names=ends)
-    if len(found) > SHOWN:
-        yield note("fitting-not-shown", hidden=len(found) - SHOWN)
+    if len(combinations) > SHOWN:
+        yield note("fitting-not-shown", hidden=len(combinations) - SHOWN)
 
 
 def _is_at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
@@ -97,39 +108,41 @@ def _is_at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
     return value is not None and min(value - low, high - value) < 1e-3 * (high - low)
 
 
-def fitting_picture(of: Fitting, found: Sequence[Combination]) -> Picture:
+def fitting_picture(fitting: Fitting, combinations: Sequence[Combination]) -> Picture:
     """Return landings and ellipses of the best combinations, and how far behind the best the others are."""
-    best = enumerate(found[:LANDINGS], 1)
-    landed = {f"{rank}": np.concatenate(landings(of, each), axis=1) for rank, each in best}
+    best = enumerate(combinations[:LANDINGS], 1)
+    landed = {f"{rank}": np.concatenate(landings(fitting, each), axis=1) for rank, each in best}
     return Picture(
         "fitting", "Landings with the best parts, and how far behind the others are",
-        [[landings_panel(landed), _behind_panel(of, found[:BARS])]], widths=[1.0, 1.1],
-        height=max(3.2, 0.8 + 0.42 * min(len(found), BARS)),
+        [[landings_panel(landed), _behind_panel(fitting, combinations[:BARS])]], widths=[1.0, 1.1],
+        height=max(3.2, 0.8 + 0.42 * min(len(combinations), BARS)),
     )  # fmt: skip
 
 
-def _behind_panel(of: Fitting, found: Sequence[Combination]) -> Panel:
-    judge = of.judge(of.objective)
-    behind = np.array([judge.sign * (each.value - found[0].value) for each in found])
-    errors = ERRORS * np.array([each.error for each in found])
-    rows = np.arange(len(found))
+def _behind_panel(fitting: Fitting, combinations: Sequence[Combination]) -> Panel:
+    judge = fitting.judge(fitting.objective)
+    behind = np.array([judge.sign * (each.value - combinations[0].value) for each in combinations])
+    errors = ERRORS * np.array([each.error for each in combinations])
+    rows = np.arange(len(combinations))
     marks = [
         Mark("bars", behind[row : row + 1], rows[row : row + 1], style=row if row < LANDINGS else -1, size=0.6)
-        for row in range(len(found))
+        for row in range(len(combinations))
     ]
     known = np.isfinite(errors)
     marks.append(Mark("intervals", behind[known], rows[known], x0=(behind - errors)[known], x1=(behind + errors)[known],
                       symbol="", style=-2))  # fmt: skip
-    labels = [_label(place + 1, each) for place, each in enumerate(found)]
+    labels = [_label(place + 1, each) for place, each in enumerate(combinations)]
     low = 1.05 * min(0.0, float(np.nanmin(behind - errors)))
     return Panel(
         marks, Axis(judge.quantity, "behind the best", limits=(low, None)),
-        axis(names=labels, reversed=True, limits=(len(found) - 0.4, -0.6)),
+        axis(names=labels, reversed=True, limits=(len(combinations) - 0.4, -0.6)),
         textwrap.fill(f"By the {judge.meaning}", LETTERS),
     )  # fmt: skip
 
 
-def _label(number: int, of: Combination) -> str:
-    parts = textwrap.wrap(", ".join(each for each in (of.club, of.ball, of.setting) if each), LETTERS)
-    changes = textwrap.wrap(describe_changes(of.changes), LETTERS)
+def _label(number: int, combination: Combination) -> str:
+    parts = textwrap.wrap(
+        ", ".join(each for each in (combination.club, combination.ball, combination.setting) if each), LETTERS
+    )
+    changes = textwrap.wrap(describe_changes(combination.changes), LETTERS)
     return "\n".join([f"{number}: {parts[0]}", *parts[1:], *changes])

@@ -17,7 +17,7 @@ from clubface.design.optimisation.study import fitting
 from clubface.design.optimisation.variables import Variables
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.jobs.engine import Job, run
 from clubface.jobs.store import Finished, store_for
 from clubface.shots.tables.writer import csv_lines
@@ -39,7 +39,7 @@ class _Tried(NamedTuple):
 
 
 def fit(
-    of: Fitting | str | os.PathLike[str],
+    subject: Fitting | str | os.PathLike[str],
     *,
     output: str | Path | None = None,
     resume: bool = False,
@@ -52,7 +52,7 @@ def fit(
 
     Parameters
     ----------
-    of
+    subject
         The parts, for whom, and what is judged; or its file.
     output
         The CSV file to which all combinations are written. Beside it, in a folder, each is kept as soon as it is
@@ -60,75 +60,75 @@ def fit(
     resume
         Whether to refuse to begin anew where a run of another fitting was interrupted; that of the same one goes on.
     progress
-        Told of what is done and of the whole.
+        Wording of what is done and of the whole.
 
     Raises
     ------
     InputError
         The file is none of a fitting, or some club can play no shot of the golfers.
     """
-    of = fitting(of)
-    with store_for(output, _content(of), resume=resume) as store:
-        found = _ranked(of, _all(of, store, progress))
+    subject = fitting(subject)
+    with store_for(output, _content(subject), resume=resume) as store:
+        result = _ranked(subject, _all(subject, store, progress))
         if output is not None:
             store.write_result(
-                Path(output), lambda file: file.write(csv_lines(combinations_table(of, found).csv_rows(), ","))
+                Path(output), lambda file: file.write(csv_lines(combinations_table(subject, result).csv_rows(), ","))
             )
             store.remove()
-    return found
+    return result
 
 
-def _ranked(of: Fitting, tried: list[_Tried]) -> list[Combination]:
+def _ranked(fitting: Fitting, tried: list[_Tried]) -> list[Combination]:
     """Return combinations from the best to the worst."""
-    judge = of.judge(of.objective)
+    judge = fitting.judge(fitting.objective)
     order = sorted(range(len(tried)), key=lambda place: judge.sign * tried[place].values[judge.name])
-    first, weights = tried[order[0]], [weight for _, weight in of.golfers]
-    found = []
+    first, weights = tried[order[0]], [weight for _, weight in fitting.golfers]
+    result = []
     for place in order:
-        one, (head, _, setting) = tried[place], of.names()[place]
+        one, (head, _, setting) = tried[place], fitting.names()[place]
         error = 0.0 if place == order[0] else _error(weights, one, first)
         others = {name: value for name, value in one.values.items() if name != judge.name}
-        found.append(
+        result.append(
             Combination(head.name, one.ball, setting, one.changes, one.values[judge.name], others, error, place)
         )
-    return found
+    return result
 
 
-def _content(of: Fitting) -> dict[str, Any]:
+def _content(fitting: Fitting) -> dict[str, Any]:
     """Return all that a result depends on."""
-    found = {name: getattr(of, name) for name in of.__dataclass_fields__ if name != "golfers"}
-    found["golfers"] = [(each.content(), weight) for each, weight in of.golfers]
-    return {"study": found, "order of the settings": list(of.settings)}
+    result = {name: getattr(fitting, name) for name in fitting.__dataclass_fields__ if name != "golfers"}
+    result["golfers"] = [(each.content(), weight) for each, weight in fitting.golfers]
+    return {"study": result, "order of the settings": list(fitting.settings)}
 
 
-def _all(of: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
-    combinations, samples = of.names(), of.samples()
+def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
+    combinations, samples = fitting.names(), fitting.samples()
 
     def compute(place: int) -> list[Any]:
         head, ball, setting = combinations[place]
-        return list(_tried(of, head, ball, setting, samples))
+        return list(_tried(fitting, head, ball, setting, samples))
 
     job = Job("combinations", range(len(combinations)), compute, lambda place: f"combination {place}")
     return [_Tried(*each) for each in run(job, store=store, progress=progress).values()]
 
 
-def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
+def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
     """Judge one combination, after what can be set freely is set as well as it can be."""
-    judge, golfers = of.judge(of.objective), golfer_landings(of, head, ball, samples)
-    changes = dict(of.settings[setting]) if setting else {}
-    club = of.set(head, setting)
-    if of.bounds:
+    judge, golfers = fitting.judge(fitting.objective), golfer_landings(fitting, head, ball, samples)
+    changes = dict(fitting.settings[setting]) if setting else {}
+    club = fitting.set(head, setting)
+    if fitting.bounds:
         moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
-        problem = _Adjusted(Variables(base=moved, bounds=of.free(head, club)), golfers, judge, club)
-        found = best([solve(problem, each) for each in starts(problem, STARTS, of.seed)])
-        if found is None:
+        problem = _Adjusted(Variables(base=moved, bounds=fitting.free(head, club)), golfers, judge, club)
+        result = best([solve(problem, each) for each in starts(problem, STARTS, fitting.seed)])
+        if result is None:
             raise _impossible(head, setting)
-        club |= problem.variables.club(found.point)
-        changes |= {name: club[name] - (0.0 if name == "lie" else getattr(head, name)) for name in of.bounds}
+        club |= problem.variables.club(result.point)
+        changes |= {name: club[name] - (0.0 if name == "lie" else getattr(head, name)) for name in fitting.bounds}
     landed = [each.of(club) for each, _ in golfers]
     if any(np.isnan(each).any() for each in landed):
         raise _impossible(head, setting)
-    values = judged_values(of, [(one, weight) for one, (_, weight) in zip(landed, golfers, strict=True)])
+    values = judged_values(fitting, [(one, weight) for one, (_, weight) in zip(landed, golfers, strict=True)])
     parts = [
         [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
         for one in landed
@@ -139,7 +139,7 @@ def _tried(of: Fitting, head: Club, ball: Ball | None, setting: str, samples: An
 def _impossible(head: Club, setting: str) -> InputError:
     setting_words = f" with the setting {setting}" if setting else ""
     return InputError(
-        "fit", Told(f"without result for {head.name}{setting_words}"), "one whose shots can all be computed"
+        "fit", Wording(f"without result for {head.name}{setting_words}"), "one whose shots can all be computed"
     )
 
 
@@ -154,8 +154,8 @@ class _Adjusted(Problem):
 class _Held(Landings):
     """Landings with a club some fields of which are set."""
 
-    def __init__(self, of: Landings, held: Mapping[str, float]) -> None:
-        self.__dict__ |= of.__dict__
+    def __init__(self, landings: Landings, held: Mapping[str, float]) -> None:
+        self.__dict__ |= landings.__dict__
         self._held = held
 
     def _inputs(self, club: Mapping[str, float]) -> list[Any]:

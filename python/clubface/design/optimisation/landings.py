@@ -129,17 +129,19 @@ class Landings:
         self.base, self.setting = base, setting
         with_, self._parameters = equipped(setting.model, base, setting.ball, setting.parameters)
         values = {"loft": base.loft, "lie": 0.0, **deliveries}
-        hit, parameters = broadcast(
+        setup, parameters = broadcast(
             shots(with_, values), self._parameters.columns(), tuple(self._parameters.values), len(outputs())
         )
-        (number,) = hit.shape or (1,)
-        found, problems = core.impact(setting.model, hit.columns, parameters, number, None, setting.threads)
-        good = ~np.isnan(found[0])
+        (number,) = setup.shape or (1,)
+        result, problems = core.impact(setting.model, setup.columns, parameters, number, None, setting.threads)
+        good = ~np.isnan(result[0])
         self.missed = int(number - good.sum())
         if not good.any():
             name, message = problems[0][1:]
             raise InputError("golfer", name, f"one whose shots can be computed: {message}")
-        self._columns = [each if isinstance(each, float) else np.ascontiguousarray(each[good]) for each in hit.columns]
+        self._columns = [
+            each if isinstance(each, float) else np.ascontiguousarray(each[good]) for each in setup.columns
+        ]
         self._own = parameters
         self.count = int(good.sum())
         self.ball = with_.ball
@@ -178,9 +180,9 @@ class Landings:
         All are NaN if there is no such club.
         """
         columns = self._inputs(club)
-        found, _ = core.impact(self.setting.model, columns, self._own, self.count, None, self.setting.threads)
+        result, _ = core.impact(self.setting.model, columns, self._own, self.count, None, self.setting.threads)
         names = list(outputs())
-        launches = found[[names.index(name) for name in LAUNCH]]
+        launches = result[[names.index(name) for name in LAUNCH]]
         if np.isnan(launches).any():
             return np.full((len(LANDING), self.count), np.nan)
         flown, _ = core.fly(self._flights(launches, columns), self.count, self.setting.threads)
@@ -194,11 +196,11 @@ class Landings:
             wanted[name] = [(place[each], factor) for each, factor in self._driven(name, club, columns)]
         flat = [column for each in wanted.values() for column, _ in each]
         names = list(outputs())
-        found, _ = core.sensitivities(
+        result, _ = core.sensitivities(
             self.setting.model, columns, self._own, self.count, [names.index(name) for name in LAUNCH], flat, None,
             self.setting.threads,
         )  # fmt: skip
-        table = found.reshape(len(LAUNCH), 1 + len(flat), self.count)
+        table = result.reshape(len(LAUNCH), 1 + len(flat), self.count)
         launch = np.empty((len(LAUNCH), len(variables), self.count))
         start = 1
         for index, each in enumerate(wanted.values()):

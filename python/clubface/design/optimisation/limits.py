@@ -144,21 +144,21 @@ class Buildable:
 
     def values(self, state: State) -> NDArray[Any]:
         """Return the mass properties of a head, in the order of ``MASS_PROPERTIES``."""
-        found = self._values.copy()
+        result = self._values.copy()
         for place, row in self._changing:
-            found[place] = state.club[self._fields[row]]
-        return found
+            result[place] = state.club[self._fields[row]]
+        return result
 
     def margins(self, state: State) -> NDArray[Any]:
         """Return the traces, the rest of the budget and, where it may be negative, every principal moment."""
         placed = self.envelope.placed(pseudo_inertia(self.values(state)))
-        found = [np.einsum("fij,ij->f", self._forms, placed) / self.envelope.budget]
+        result = [np.einsum("fij,ij->f", self._forms, placed) / self.envelope.budget]
         if self._mass_changes:
-            found.append(np.array([1.0 - placed[3, 3] / self.envelope.budget]))
+            result.append(np.array([1.0 - placed[3, 3] / self.envelope.budget]))
         if not self._distributed:
             scale = np.outer(self.envelope.scale, self.envelope.scale)
-            found.append(np.linalg.eigvalsh(placed * scale))
-        return np.concatenate(found)
+            result.append(np.linalg.eigvalsh(placed * scale))
+        return np.concatenate(result)
 
     def describe(self, state: State) -> tuple[str, str]:
         """Return that it cannot be built, and what is wrong with it, in words."""
@@ -171,12 +171,12 @@ class Buildable:
         by_values = pseudo_inertia_derivatives(values)
         by_numbers = sum(by_values[place][..., None] * state.slopes[row] for place, row in self._changing)
         assert isinstance(by_numbers, np.ndarray)  # there is at least one mass property that changes
-        found = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]
+        result = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]
         if self._mass_changes:
-            found.append(-by_numbers[3, 3][None] / budget)
+            result.append(-by_numbers[3, 3][None] / budget)
         if not self._distributed:
             scale = self.envelope.scale
             placed = self.envelope.placed(pseudo_inertia(values)) * np.outer(scale, scale)
             vectors = np.linalg.eigh(placed)[1] * scale[:, None]
-            found.append(np.einsum("ik,ijn,jk->kn", vectors, by_numbers, vectors))
-        return np.concatenate(found)
+            result.append(np.einsum("ik,ijn,jk->kn", vectors, by_numbers, vectors))
+        return np.concatenate(result)

@@ -37,24 +37,25 @@ DRAWN_POINTS = 400
 """Shots of a golfer that are drawn."""
 
 
-def optimum_result(of: Optimum) -> Result:
+def optimum_result(optimum: Optimum) -> Result:
     """Return an optimum as a result."""
-    tables = [_club_table(of), _fresh_table(of), _limits_table(of)]
-    if masses := of.placed():
+    tables = [_club_table(optimum), _fresh_table(optimum), _limits_table(optimum)]
+    if masses := optimum.placed():
         tables.append(placement_table(masses))
-    if of.front:
-        tables.append(_front_table(of))
+    if optimum.front:
+        tables.append(_front_table(optimum))
     counts = {
-        "starts": of.starts, "starts_alike": of.alike, "steps": of.steps, "shots": of.shots, "missed": of.missed,
-        "fresh_shots": of.fresh.shots,
+        "starts": optimum.starts, "starts_alike": optimum.alike, "steps": optimum.steps, "shots": optimum.shots,
+        "missed": optimum.missed,
+        "fresh_shots": optimum.fresh.shots,
     }  # fmt: skip
-    provenance = study_provenance(of.study, [of.study.club, of.built])
+    provenance = study_provenance(optimum.study, [optimum.study.club, optimum.built])
     return Result(
-        kind="optimum", title=of.study.title, tables=tuple(tables),
+        kind="optimum", title=optimum.study.title, tables=tuple(tables),
         values=tuple(text(name, [value], printed=False) for name, value in counts.items()),
-        summary=tuple(_summary(of)), notes=tuple(_notes(of)),
-        provenance=provenance + Provenance(descriptions={"the-best-club.toml": of.built.to_toml()}),
-        draw=lambda: [optimum_picture(of)],
+        summary=tuple(_summary(optimum)), notes=tuple(_notes(optimum)),
+        provenance=provenance + Provenance(descriptions={"the-best-club.toml": optimum.built.to_toml()}),
+        draw=lambda: [optimum_picture(optimum)],
     )  # fmt: skip
 
 
@@ -83,45 +84,51 @@ def study_provenance(
     )
 
 
-def _club_table(of: Optimum) -> Table:
+def _club_table(optimum: Optimum) -> Table:
     """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
-    kinds = [field_quantity(name) for name in of.club]
-    bounds = [of.study.bounds.get(name, (None, None)) for name in of.club]
+    kinds = [field_quantity(name) for name in optimum.club]
+    bounds = [optimum.study.bounds.get(name, (None, None)) for name in optimum.club]
     columns = (
-        text("field", list(of.club)),
-        Column("start", [own_value(of.study.club, name) for name in of.club], kinds, digits=-4),
-        Column("nominal", [of.nominal.get(name) for name in of.club], kinds, "best for the mean delivery", digits=-4),
-        Column("optimum", list(of.club.values()), kinds, digits=-4),
+        text("field", list(optimum.club)),
+        Column("start", [own_value(optimum.study.club, name) for name in optimum.club], kinds, digits=-4),
+        Column(
+            "nominal",
+            [optimum.nominal.get(name) for name in optimum.club],
+            kinds,
+            "best for the mean delivery",
+            digits=-4,
+        ),
+        Column("optimum", list(optimum.club.values()), kinds, digits=-4),
         Column("least", [low for low, _ in bounds], kinds, "least allowed", digits=-4),
         Column("most", [high for _, high in bounds], kinds, "most allowed", digits=-4),
     )
     return Table("club", columns)
 
 
-def _fresh_table(of: Optimum) -> Table:
+def _fresh_table(optimum: Optimum) -> Table:
     """Return what the clubs are judged by on fresh shots, and what the optimum gains on either."""
-    judges = of.study.known()
+    judges = optimum.study.known()
     kinds = [each.quantity for each in judges]
-    values = {club: [of.fresh.value(club, each.name) for each in judges] for club in of.fresh.clubs}
+    values = {club: [optimum.fresh.value(club, each.name) for each in judges] for club in optimum.fresh.clubs}
     labels = {"start": "start", "nominal": "best for the mean delivery", "optimum": "optimum"}
     columns = [
         text("objective", [each.name for each in judges], printed=False),
         text("what", [each.label for each in kinds], in_files=False),
         *(Column(club, each, kinds, labels[club]) for club, each in values.items()),
     ]
-    for club in of.fresh.clubs[:2]:
+    for club in optimum.fresh.clubs[:2]:
         gains = [best - other for best, other in zip(values["optimum"], values[club], strict=True)]
-        errors = [of.fresh.error(club, each.name) for each in judges]
+        errors = [optimum.fresh.error(club, each.name) for each in judges]
         columns += [
             Column(f"gain_on_{club}", gains, kinds, f"against {labels[club]}", difference=True),
             Column(f"error_of_gain_on_{club}", errors, kinds, "±"),
         ]
-    solved = [of.judged.get(each.name) for each in judges]
+    solved = [optimum.judged.get(each.name) for each in judges]
     return Table("fresh", (*columns, Column("on_solved_shots", solved, kinds, printed=False)), "On fresh shots")
 
 
-def _limits_table(of: Optimum) -> Table:
-    verdicts = of.verdicts()
+def _limits_table(optimum: Optimum) -> Table:
+    verdicts = optimum.verdicts()
     kinds = [each.quantity for each in verdicts]
     ends = [[end if math.isfinite(end) else None for end in (each.least, each.most)] for each in verdicts]
     columns = (
@@ -159,23 +166,25 @@ def placement_table(masses: Sequence[Any]) -> Table:
     )  # fmt: skip
 
 
-def _front_table(of: Optimum) -> Table:
-    judges = [of.study.objective(name) for name in of.study.objectives]
-    columns = [Column(each.name, [point.values[each.name] for point in of.front], each.quantity) for each in judges]
-    columns += [Column(name, [point.club[name] for point in of.front], field_quantity(name), digits=-4)
-                for name in of.club]  # fmt: skip
+def _front_table(optimum: Optimum) -> Table:
+    judges = [optimum.study.objective(name) for name in optimum.study.objectives]
+    columns = [
+        Column(each.name, [point.values[each.name] for point in optimum.front], each.quantity) for each in judges
+    ]
+    columns += [Column(name, [point.club[name] for point in optimum.front], field_quantity(name), digits=-4)
+                for name in optimum.club]  # fmt: skip
     return Table("front", tuple(columns), "Pareto front")
 
 
-def _summary(of: Optimum) -> Iterator[Note]:
+def _summary(optimum: Optimum) -> Iterator[Note]:
     yield note("optimum-on-fresh-shots")
-    for judge in of.study.known():
-        before, after = (judge.show(of.fresh.value(club, judge.name)) for club in ("start", "optimum"))
+    for judge in optimum.study.known():
+        before, after = (judge.show(optimum.fresh.value(club, judge.name)) for club in ("start", "optimum"))
         yield note("optimum-change", meaning=judge.meaning, before=before, after=after)
     moved = {
-        name: of.club[name] - own_value(of.study.club, name)
+        name: optimum.club[name] - own_value(optimum.study.club, name)
         for name in ("cg_x", "cg_y", "cg_z")
-        if name in of.club
+        if name in optimum.club
     }  # fmt: skip
     words = change_words(moved)
     if "cg_x" in words:
@@ -183,25 +192,32 @@ def _summary(of: Optimum) -> Iterator[Note]:
     if words:
         yield note("optimum-cg-moved", moved=list(words.values()))
     for name, meaning in (("iyy", "moment of inertia about the vertical axis"), ("bulge", "bulge"), ("roll", "roll")):
-        if name in of.club:
-            ends = own_value(of.study.club, name), of.club[name]
+        if name in optimum.club:
+            ends = own_value(optimum.study.club, name), optimum.club[name]
             before, after = (units.show(each, UNITS[name], 4) for each in ends)
             if before != after:
                 yield note("optimum-change", meaning=meaning, before=before, after=after)
-    if angles := [name for name in ("loft", "lie") if name in of.club and name in of.study.bounds]:
-        yield note("optimum-angles", angles=[f"a {name} of {units.fixed(of.club[name], 'deg', 1)}" for name in angles])
+    if angles := [name for name in ("loft", "lie") if name in optimum.club and name in optimum.study.bounds]:
+        yield note(
+            "optimum-angles", angles=[f"a {name} of {units.fixed(optimum.club[name], 'deg', 1)}" for name in angles]
+        )
 
 
-def _notes(of: Optimum) -> Iterator[Note]:
-    study = of.study
-    yield note("optimum-starts", alike=of.alike, starts=of.starts, meaning=study.objective(study.objectives[0]).meaning)
-    yield note("optimum-shots", shots=of.shots, fresh=of.fresh.shots)
-    if of.missed:
-        yield note("optimum-missed", missed=of.missed)
-    yield _against_nominal(of)
-    if stopping := [each.limit for each in of.verdicts() if each.state == "kept, at the limit"]:
+def _notes(optimum: Optimum) -> Iterator[Note]:
+    study = optimum.study
+    yield note(
+        "optimum-starts",
+        alike=optimum.alike,
+        starts=optimum.starts,
+        meaning=study.objective(study.objectives[0]).meaning,
+    )
+    yield note("optimum-shots", shots=optimum.shots, fresh=optimum.fresh.shots)
+    if optimum.missed:
+        yield note("optimum-missed", missed=optimum.missed)
+    yield _against_nominal(optimum)
+    if stopping := [each.limit for each in optimum.verdicts() if each.state == "kept, at the limit"]:
         yield note("optimum-stopped-by", limits=stopping)
-    beyond = [each for each in study.rule_values(of.built) if each.conforms and each.value > each.rule.most]
+    beyond = [each for each in study.rule_values(optimum.built) if each.conforms and each.value > each.rule.most]
     if study.conform and beyond:
         rules = [
             f"{each.rule.title} {units.show(each.value, each.rule.unit, 4)}, limit "
@@ -215,38 +231,38 @@ def _notes(of: Optimum) -> Iterator[Note]:
             [f"{1e3 * each:.0f}" for each in values] for values in (envelope.volume.size, envelope.volume.centre)
         )
         yield note("optimum-ellipsoid", club=study.club.name, size=size, centre=centre)
-    if study.moves_mass and not of.placed():
+    if study.moves_mass and not optimum.placed():
         yield note("optimum-not-placed")
-    if "lie" in of.club:
+    if "lie" in optimum.club:
         yield note("optimum-lie")
     if "mass" in study.bounds:
         yield note("optimum-speed", exponent=study.setting.speed_exponent)
-    if "loft" in of.club:
+    if "loft" in optimum.club:
         yield note("optimum-loft")
 
 
-def _against_nominal(of: Optimum) -> Note:
+def _against_nominal(optimum: Optimum) -> Note:
     """Return whether the optimum is better than the club that is best for the mean delivery alone."""
-    name = of.study.objectives[0]
-    if any(each not in FREE for each in of.study.limits):
+    name = optimum.study.objectives[0]
+    if any(each not in FREE for each in optimum.study.limits):
         return note("optimum-limits-of-shots")
-    robust, nominal = (of.fresh.value(club, name) for club in ("optimum", "nominal"))
-    gain, error = of.study.objective(name).sign * (nominal - robust), of.fresh.error("nominal", name)
+    robust, nominal = (optimum.fresh.value(club, name) for club in ("optimum", "nominal"))
+    gain, error = optimum.study.objective(name).sign * (nominal - robust), optimum.fresh.error("nominal", name)
     if abs(gain) <= CERTAIN * error:
         return note("optimum-nominal-like")
     return note("optimum-nominal-worse" if gain > 0.0 else "optimum-nominal-better")
 
 
-def optimum_picture(of: Optimum) -> Picture:
+def optimum_picture(optimum: Optimum) -> Picture:
     """Return the landings with the start and with the optimum, and the front or every field in its bounds."""
-    golfers = of.study.landings(of.study.shots, seed=of.study.seed + 1)
-    clubs: dict[str, Any] = {"start": {}, "optimum": of.club}
+    golfers = optimum.study.landings(optimum.study.shots, seed=optimum.study.seed + 1)
+    clubs: dict[str, Any] = {"start": {}, "optimum": optimum.club}
     landed = {name: np.concatenate([each.of(club) for each, _ in golfers], axis=1) for name, club in clubs.items()}
     panels: list[Panel | None] = [landings_panel(landed)]
-    if of.front:
-        panels.append(_front_panel(of))
-    elif any(name in of.study.bounds for name in of.club):
-        panels.append(_bounds_panel(of))
+    if optimum.front:
+        panels.append(_front_panel(optimum))
+    elif any(name in optimum.study.bounds for name in optimum.club):
+        panels.append(_bounds_panel(optimum))
     return Picture(
         "optimum", "Landings with the club at the start and with the optimum, and what changed", [panels],
         widths=[1.0, 1.2][: len(panels)], height=3.4,
@@ -287,11 +303,11 @@ def _ellipse(side: NDArray[Any], down: NDArray[Any]) -> NDArray[Any]:
     return np.array([[side.mean()], [down.mean()]]) + around
 
 
-def _front_panel(of: Optimum) -> Panel:
-    one, other = (of.study.objective(name) for name in of.study.objectives)
-    x, y = ([point.values[each.name] for point in of.front] for each in (one, other))
+def _front_panel(optimum: Optimum) -> Panel:
+    one, other = (optimum.study.objective(name) for name in optimum.study.objectives)
+    x, y = ([point.values[each.name] for point in optimum.front] for each in (one, other))
     # The start is judged on the same shots as the front only nearly: on fresh ones.
-    start = [[of.fresh.value("start", each.name)] for each in (one, other)]
+    start = [[optimum.fresh.value("start", each.name)] for each in (one, other)]
     marks = [
         Mark("line", x, y, style=1, dash=0), Mark("points", x, y, style=1, label="front"),
         Mark("points", x=start[0], y=start[1], symbol="s", label="start, on fresh shots"),
@@ -300,12 +316,12 @@ def _front_panel(of: Optimum) -> Panel:
     return Panel(marks, x_axis, y_axis, "Pareto front", legend=True)
 
 
-def _bounds_panel(of: Optimum) -> Panel:
-    bounds = of.study.bounds
-    names = [name for name in of.club if name in bounds]
+def _bounds_panel(optimum: Optimum) -> Panel:
+    bounds = optimum.study.bounds
+    names = [name for name in optimum.club if name in bounds]
     marks = [Mark("line", [0.0, 1.0], [row, row], style=-1, size=3.0) for row in range(len(names))]
     for style, (label, symbol, away) in enumerate((("start", "s", 0.3), ("optimum", "o", -0.3))):
-        values = [own_value(of.study.club, name) if label == "start" else of.club[name] for name in names]
+        values = [own_value(optimum.study.club, name) if label == "start" else optimum.club[name] for name in names]
         shares = [(value - bounds[name][0]) / (bounds[name][1] - bounds[name][0])
                   for name, value in zip(names, values, strict=True)]  # fmt: skip
         texts = [f"{units.from_si(value, UNITS[name]):.4g}" for name, value in zip(names, values, strict=True)]

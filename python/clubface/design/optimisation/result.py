@@ -179,21 +179,21 @@ class Optimum(Described):
         """Return what the optimum has of every limit: rules, what can be built, bounds, and limits of the shots."""
         study = self.study
         with without_warnings(RuleWarning):
-            found = [_of_rule(each, study.tolerance) for each in study.rule_values(self.built)]
+            result = [_of_rule(each, study.tolerance) for each in study.rule_values(self.built)]
         envelope = study.variables.envelope
         if envelope is not None:
             pseudo = feasibility.pseudo_inertia(feasibility.of_club(self.built))
             margins = envelope.margins(pseudo)
             if "mass" not in study.bounds:
                 margins.pop()  # the budget limits nothing where the mass is given
-            found += _of_margins(margins)
+            result += _of_margins(margins)
         for name, (low, high) in (*study.bounds.items(), *study.limits.items()):
             if name in FREE:
-                found.append(_of_range(name, self.club[name], low, high, field_quantity(name)))
+                result.append(_of_range(name, self.club[name], low, high, field_quantity(name)))
             else:
                 judge = study.objective(name)
-                found.append(_of_range(judge.meaning, self.judged[name], low, high, judge.quantity))
-        return found
+                result.append(_of_range(judge.meaning, self.judged[name], low, high, judge.quantity))
+        return result
 
 
 def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None = None) -> Club:

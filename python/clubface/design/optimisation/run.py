@@ -55,10 +55,10 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
             solved(f"front {end.name} {place}", "finding the ends of the front", problem, point)
             for place, point in enumerate(starts(problem, STARTS, study.seed))
         ]
-        found = best(tried)
-        if found is None:
+        result = best(tried)
+        if result is None:
             raise refused(problem, tried)
-        ends.append((problem, found.point))
+        ends.append((problem, result.point))
     points = [_point(problem, point, study) for problem, point in ends]
     first, last = (each.values[other.name] for each in points)
     found_points, before = [points[0]], ends[0][1]
@@ -73,9 +73,9 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
         tried = [
             solved(f"front {place} {start}", "following the front", problem, point) for start, point in enumerate(mixed)
         ]
-        found = best(tried)
-        if found is not None:
-            before = found.point
+        result = best(tried)
+        if result is not None:
+            before = result.point
             found_points.append(_point(problem, before, study))
     return tuple(_not_dominated([*found_points, points[1]], one.sign, other.sign, study.objectives))
 
@@ -117,7 +117,7 @@ FRESH_SEED = 1_000_003
 """What seeds of fresh shots are beyond that of the study."""
 
 Progress = Callable[[int, int, str], object]
-"""Told of what is done, of the whole, and in words."""
+"""Wording of what is done, of the whole, and in words."""
 
 
 def optimise(
@@ -139,7 +139,7 @@ def optimise(
     resume
         Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.
     progress
-        Told of what is done, of the whole, and in words.
+        Wording of what is done, of the whole, and in words.
 
     Returns
     -------
@@ -155,18 +155,18 @@ def optimise(
     study = design_study(study)
     store = store_for(output, {"study": _content(study)}, resume=resume)
     with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
-        found = _Run(study, kept, progress).result()
+        result = _Run(study, kept, progress).result()
         if output is not None:
-            kept.write_result(Path(output), lambda file: file.write(found.built.to_toml().encode()))
+            kept.write_result(Path(output), lambda file: file.write(result.built.to_toml().encode()))
             kept.remove()
-        return found
+        return result
 
 
 def _content(study: DesignStudy) -> Any:
     """Return all that a result depends on."""
-    found = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
-    found["golfers"] = [(each.content(), weight) for each, weight in study.golfers]
-    return found
+    result = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
+    result["golfers"] = [(each.content(), weight) for each, weight in study.golfers]
+    return result
 
 
 class _Run:
@@ -198,21 +198,21 @@ class _Run:
         if first is None:
             raise refused(coarse, tried)
         alike = agreeing(tried, first)
-        whole, found = coarse, first
+        whole, result = coarse, first
         for shots in _levels(study.shots):
             whole = study.problem(study.landings(shots, seed=study.seed), name)
-            found = self._solved(f"{shots} shots", f"solving on {shots} shots", whole, found.point)
-        if not found.allowed:
-            raise refused(whole, [found])
-        club = whole.variables.club(found.point)
+            result = self._solved(f"{shots} shots", f"solving on {shots} shots", whole, result.point)
+        if not result.allowed:
+            raise refused(whole, [result])
+        club = whole.variables.club(result.point)
         nominal = self._nominal(name)
         fresh = self._fresh({"start": {}, "nominal": nominal, "optimum": club})
         points = self._front() if len(study.objectives) == 2 else ()
         missed = sum(each.missed for each, _ in whole.golfers)
         return Optimum(
-            study=study, club=club, nominal=nominal, starts=study.starts, alike=alike, steps=found.steps,
+            study=study, club=club, nominal=nominal, starts=study.starts, alike=alike, steps=result.steps,
             shots=whole.shots, missed=missed, fresh=fresh, front=points,
-            judged=dict(whole.values(found.point).judged), message=found.message,
+            judged=dict(whole.values(result.point).judged), message=result.message,
         )  # fmt: skip
 
     def _refuse_an_impossible_start(self) -> None:
@@ -222,8 +222,8 @@ class _Run:
 
     def _solved(self, name: str, words: str, problem: Problem, start: NDArray[Any]) -> Solution:
         def compute() -> dict[str, Any]:
-            found = solve(problem, start)
-            return {**found._asdict(), "point": found.point.tolist()}
+            result = solve(problem, start)
+            return {**result._asdict(), "point": result.point.tolist()}
 
         kept = self._once(name, words, compute)
         return Solution(**{**kept, "point": np.array(kept["point"])})
@@ -237,8 +237,8 @@ class _Run:
             self._solved(f"nominal {place}", "solving for the mean delivery", single, point)
             for place, point in enumerate(starts(single, NOMINAL_STARTS, study.seed))
         ]
-        found = best(tried)
-        return {} if found is None else single.variables.club(found.point)
+        result = best(tried)
+        return {} if result is None else single.variables.club(result.point)
 
     def _fresh(self, clubs: Mapping[str, Mapping[str, float]]) -> Fresh:
         """Judge clubs on shots that no solver has seen, in independent sets."""
@@ -278,11 +278,11 @@ def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapp
 
 def _levels(shots: int) -> list[int]:
     """Return numbers of shots from few to all: an optimum on few is near that on five times as many."""
-    found, count = [], COARSE * MORE
+    result, count = [], COARSE * MORE
     while count < shots:
-        found.append(count)
+        result.append(count)
         count *= MORE
-    return [*found, shots] if shots > COARSE else []
+    return [*result, shots] if shots > COARSE else []
 
 
 def _error(differences: NDArray[Any]) -> NDArray[Any]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from clubface.design.optimisation.landings import Landings, Objective
 from clubface.design.optimisation.variables import Variables
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 
 REMEMBERED = 4
 """Points whose values are kept: an optimiser asks for objective, limits and gradients one after another."""
@@ -124,12 +124,12 @@ class Problem:
         if key not in self._slopes:
             self.differentiations += 1
             club, slopes = self.variables.club(point), self.variables.slopes(point)
-            found = [each.differentiated(club, self.variables.fields) for each, _ in self.golfers]
+            result = [each.differentiated(club, self.variables.fields) for each, _ in self.golfers]
             judged, gradients = {}, {}
             for name, each in self.judges.items():
-                values = [each.judge(landed) for landed, _ in found]
+                values = [each.judge(landed) for landed, _ in result]
                 judged[name] = self._mean([value for value, _ in values])
-                each_by_fields = [by.gradient(weights) for (_, weights), (_, by) in zip(values, found, strict=True)]
+                each_by_fields = [by.gradient(weights) for (_, weights), (_, by) in zip(values, result, strict=True)]
                 gradients[name] = self._mean(each_by_fields) @ slopes
             _keep(self._slopes, key, State(np.array(point), club, slopes, judged, gradients))
         return self._slopes[key]
@@ -222,8 +222,8 @@ def solve(problem: Problem, start: NDArray[Any]) -> Solution:
     scale = max(abs(problem.cost(start)), 1e-6) if np.isfinite(problem.cost(start)) else 1.0
 
     def cost(point: NDArray[Any]) -> float:
-        found = problem.cost(point) / scale
-        return found if np.isfinite(found) else REFUSED
+        result = problem.cost(point) / scale
+        return result if np.isfinite(result) else REFUSED
 
     def slope(point: NDArray[Any]) -> NDArray[Any]:
         broken = max(-float(margins(point).min()), 0.0) if limited else 0.0
@@ -239,12 +239,12 @@ def solve(problem: Problem, start: NDArray[Any]) -> Solution:
     limited = problem.margins(start).size > 0
     box = problem.variables.box
     try:
-        found = minimize(
+        result = minimize(
             cost, start, jac=slope, method="SLSQP", bounds=box,
             constraints=[{"type": "ineq", "fun": margins, "jac": margin_slopes}] if limited else [],
             options={"maxiter": MOST_STEPS, "ftol": problem.objective.precision},
         )  # fmt: skip
-        point, steps, message = found.x, int(found.nit), str(found.message)
+        point, steps, message = result.x, int(result.nit), str(result.message)
     except _StalledError:
         point, steps, message = best_yet.point, best_yet.steps, "no more progress"
     point = np.clip(point, *box.T)
@@ -276,36 +276,38 @@ class _Best:
         if broken <= 0.5 * SLACK and cost < self.cost:
             self._idle = 0 if cost < self.cost - precision else self._idle
             self.point, self.cost = np.array(point), cost
-        found = np.isfinite(self.cost)
-        if not found:
+        result = np.isfinite(self.cost)
+        if not result:
             self.point = np.array(point)  # where it looks for one within all limits
-        if self._idle > (PATIENCE if found else 8 * PATIENCE):
+        if self._idle > (PATIENCE if result else 8 * PATIENCE):
             raise _StalledError
 
 
-def best(found: Sequence[Solution]) -> Solution | None:
+def best(solutions: Sequence[Solution]) -> Solution | None:
     """Return the best of those that break no limit."""
-    allowed = [each for each in found if each.allowed and np.isfinite(each.cost)]
+    allowed = [each for each in solutions if each.allowed and np.isfinite(each.cost)]
     return min(allowed, key=lambda each: each.cost) if allowed else None
 
 
-def refused(problem: Problem, found: Sequence[Solution]) -> InputError:
+def refused(problem: Problem, solutions: Sequence[Solution]) -> InputError:
     """Return the error that no start reached a club within all limits, with what the nearest breaks the most."""
-    known = [each for each in found if np.isfinite(each.cost)]
+    known = [each for each in solutions if np.isfinite(each.cost)]
     if not known:
-        return InputError("variables", Told("without result"), "bounds within which the golfers' shots can be computed")
+        return InputError(
+            "variables", Wording("without result"), "bounds within which the golfers' shots can be computed"
+        )
     nearest = max(known, key=lambda each: each.least_margin)
     state = problem.values(nearest.point)
     worst = min(problem.limits, key=lambda each: float(each.margins(state).min()))
     value, allowed = worst.describe(state)
     return InputError(
         worst.name,
-        Told(f"{value} in the nearest club that was found"),
+        Wording(f"{value} in the nearest club that was found"),
         f"{allowed}, and no start reached a club that keeps all limits",
     )
 
 
-def agreeing(found: Sequence[Solution], chosen: Solution) -> int:
+def agreeing(solutions: Sequence[Solution], chosen: Solution) -> int:
     """Return how many solutions are as good as the chosen one."""
     near = ALIKE * max(abs(chosen.cost), 1e-12)
-    return sum(each.allowed and each.cost <= chosen.cost + near for each in found)
+    return sum(each.allowed and each.cost <= chosen.cost + near for each in solutions)

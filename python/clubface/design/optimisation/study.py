@@ -59,7 +59,7 @@ from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.errors import FileError, InputError, Told
+from clubface.errors import FileError, InputError, Wording
 from clubface.fem.heads.meshed import mesh_of
 from clubface.quantities import Quantity as ShownQuantity, Reading, quantity as quantity_named
 from clubface.schema.document import Document
@@ -205,7 +205,7 @@ class DesignStudy:
             raise InputError("head", None, problem)
         for name in self.limits:
             if name in FREE and name not in self.variables.fields:
-                raise InputError(f"limits.{name}", Told("given"), f"leave it out, since {name} does not change")
+                raise InputError(f"limits.{name}", Wording("given"), f"leave it out, since {name} does not change")
         check_bounds(self.club, self.bounds, "variables")
         self._refuse_rules_that_are_broken_for_good()
 
@@ -237,12 +237,12 @@ class DesignStudy:
 
     def mean_shots(self) -> list[tuple[Landings, float]]:
         """Return the mean delivery of every golfer, as one shot each."""
-        found = []
+        result = []
         for each, weight in self.golfers:
             own = each.for_hand(self.club.hand)
             mean = {name: np.array([value]) for name, value in zip(own.variables, own.mean, strict=True)}
-            found.append((Landings(self.club, mean, self.setting), weight))
-        return found
+            result.append((Landings(self.club, mean, self.setting), weight))
+        return result
 
     def problem(
         self,
@@ -264,9 +264,9 @@ class DesignStudy:
 
     def design_limits(self) -> list[Limit]:
         """Return the limits that are of the club and not of its shots."""
-        turned, found = self.variables, []
+        turned, result = self.variables, []
         if turned.envelope is not None:
-            found.append(
+            result.append(
                 Buildable(
                     self.club, turned.envelope, turned.fields, distributed=self.distributed,
                     mass_changes="mass" in self.bounds,
@@ -277,11 +277,11 @@ class DesignStudy:
                 for name, of in RULED.items():
                     if of == rule.name and name in turned.fields:
                         most = rule.limit if self.tolerance else rule.most
-                        found.append(self._field_limit(name, -math.inf, most, f"rules: {rule.title}"))
+                        result.append(self._field_limit(name, -math.inf, most, f"rules: {rule.title}"))
         for name, (low, high) in self.limits.items():
             if name in FREE:
-                found.append(self._field_limit(name, low, high, name))
-        return found
+                result.append(self._field_limit(name, low, high, name))
+        return result
 
     def _field_limit(self, name: str, low: float, high: float, called: str) -> FieldLimit:
         finite = [abs(each) for each in (low, high) if math.isfinite(each)]
@@ -494,20 +494,20 @@ def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
     """Return a study, or that of a file; the file of a fitting is an :class:`InputError`."""
     if isinstance(given, DesignStudy):
         return given
-    found = read(given)
-    if isinstance(found, Fitting):
+    result = read(given)
+    if isinstance(result, Fitting):
         raise InputError("study", given, "a study with variables; fit takes a fitting, which has a table [fit]")
-    return found
+    return result
 
 
 def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
     """Return a fitting, or that of a file; the file of a study is an :class:`InputError`."""
     if isinstance(given, Fitting):
         return given
-    found = read(given)
-    if isinstance(found, DesignStudy):
+    result = read(given)
+    if isinstance(result, DesignStudy):
         raise InputError("fitting", given, "one with a table [fit]; optimise takes a study, which has variables")
-    return found
+    return result
 
 
 def from_text(text: str) -> DesignStudy | Fitting:

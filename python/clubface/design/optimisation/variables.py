@@ -83,40 +83,40 @@ class Variables:
     @property
     def box(self) -> NDArray[Any]:
         """Bounds of the numbers, shape (count, 2)."""
-        found = np.tile([0.0, 1.0], (self.count, 1))
+        result = np.tile([0.0, 1.0], (self.count, 1))
         if self.distributed:
-            found[-PLACED:] = [-2.0, 2.0]
-        return found
+            result[-PLACED:] = [-2.0, 2.0]
+        return result
 
     def club(self, point: NDArray[Any]) -> dict[str, float]:
         """Return the fields that may change, by name [SI]."""
-        found = {name: self._field(name, at) for name, at in zip(self.bounds, point, strict=False)}
+        result = {name: self._field(name, at) for name, at in zip(self.bounds, point, strict=False)}
         if self.distributed:
-            mass = found.get("mass", self.base.mass)
+            mass = result.get("mass", self.base.mass)
             values = mass_properties(self._shell() + self._placed(mass, point[-PLACED:]))
-            found |= dict(zip(MASS_PROPERTIES, map(float, values), strict=True))
-        return {name: found[name] for name in self.fields}
+            result |= dict(zip(MASS_PROPERTIES, map(float, values), strict=True))
+        return {name: result[name] for name in self.fields}
 
     def slopes(self, point: NDArray[Any]) -> NDArray[Any]:
         """Return the derivatives of the fields by the numbers, shape (fields, count)."""
-        found, fields = np.zeros((len(self.fields), self.count)), self.fields
+        result, fields = np.zeros((len(self.fields), self.count)), self.fields
         own = {name: self._slope(name, at) for name, at in zip(self.bounds, point, strict=False)}
         for column, (name, slope) in enumerate(own.items()):
             if not self.distributed or name not in MASS_PROPERTIES:
-                found[fields.index(name), column] = slope
+                result[fields.index(name), column] = slope
         if self.distributed:
-            self._add_placed(found, point, own.get("mass"))
-        return found
+            self._add_placed(result, point, own.get("mass"))
+        return result
 
     def at(self, club: Mapping[str, float]) -> NDArray[Any]:
         """Return the numbers of a club, held within their bounds; an undistributed one only."""
-        found = []
+        result = []
         for name, (low, high) in self.bounds.items():
             value = club[name]
             if name in RADII:
                 low, high, value = 1.0 / high, 1.0 / low, 1.0 / value
-            found.append((value - low) / (high - low))
-        return np.clip(found, 0.0, 1.0)
+            result.append((value - low) / (high - low))
+        return np.clip(result, 0.0, 1.0)
 
     def start(self) -> NDArray[Any]:
         """Return the numbers of the base club, or the nearest within the bounds."""
@@ -134,12 +134,12 @@ class Variables:
         """
         from scipy.special import ndtri
 
-        found = np.array(uniform[: self.count], dtype=float)
+        result = np.array(uniform[: self.count], dtype=float)
         if self.distributed:
-            direction = ndtri(np.clip(found[-PLACED:], 1e-9, 1.0 - 1e-9))
+            direction = ndtri(np.clip(result[-PLACED:], 1e-9, 1.0 - 1e-9))
             radius = 0.9 * float(uniform[-1]) ** (1.0 / PLACED)
-            found[-PLACED:] = radius * direction / np.linalg.norm(direction)
-        return found
+            result[-PLACED:] = radius * direction / np.linalg.norm(direction)
+        return result
 
     def _field(self, name: str, at: float) -> float:
         low, high = self.bounds[name]
@@ -163,10 +163,10 @@ class Variables:
     def _frame(self) -> NDArray[Any]:
         """From parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
         volume = self._envelope().volume
-        found = np.eye(4)
-        found[:3, :3] = np.diag(0.5 * np.array(volume.size))
-        found[:3, 3] = volume.centre
-        return found
+        result = np.eye(4)
+        result[:3, :3] = np.diag(0.5 * np.array(volume.size))
+        result[:3, 3] = volume.centre
+        return result
 
     def _placed(self, mass: float, numbers: NDArray[Any]) -> NDArray[Any]:
         """Return the pseudo-inertia about the face centre of the discretionary mass of a head of some mass."""
@@ -184,7 +184,7 @@ class Variables:
         root = np.linalg.cholesky(spread)
         return np.array([*first, *(root[place] for place in _ROOT)])
 
-    def _add_placed(self, found: NDArray[Any], point: NDArray[Any], by_mass: float | None) -> None:
+    def _add_placed(self, result: NDArray[Any], point: NDArray[Any], by_mass: float | None) -> None:
         """Add the derivatives of the mass properties to those of the fields."""
         mass = self.club(point)["mass"]
         numbers, frame = point[-PLACED:], self._frame()
@@ -199,7 +199,7 @@ class Variables:
             columns.append(list(self.bounds).index("mass"))
         wanted = np.array([[each[entry] for each in changes] for entry in _ENTRIES])
         places = [self.fields.index(name) for name in MASS_PROPERTIES]
-        found[np.ix_(places, columns)] = _solved(forward, wanted)
+        result[np.ix_(places, columns)] = _solved(forward, wanted)
 
 
 def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: str) -> None:
@@ -229,12 +229,12 @@ def _solved(forward: NDArray[Any], wanted: NDArray[Any]) -> NDArray[Any]:
 
 def _rows(numbers: NDArray[Any]) -> NDArray[Any]:
     """Return a root of the pseudo-inertia of a mass of 1, shape (4, 4): its CG, and the root of moments about it."""
-    found = np.zeros((4, 4))
-    found[:3, 0] = numbers[:3]
+    result = np.zeros((4, 4))
+    result[:3, 0] = numbers[:3]
     for number, place in zip(numbers[3:], _ROOT, strict=True):
-        found[place[0], 1 + place[1]] = number
-    found[3, 0] = 1.0
-    return found
+        result[place[0], 1 + place[1]] = number
+    result[3, 0] = 1.0
+    return result
 
 
 def _row_slopes() -> list[NDArray[Any]]:
@@ -331,8 +331,8 @@ def _least_missed(parts: NDArray[Any], own: NDArray[Any]) -> tuple[NDArray[Any],
     free = np.eye(len(pairs))[:, :-1]
     equal = np.hstack([moments, free, -free])
     cost = np.concatenate([np.zeros(len(parts)), np.ones(2 * free.shape[1])])
-    found = linprog(cost, A_eq=equal, b_eq=wanted, bounds=(0.0, None), method="highs-ds")
-    if found.status != 0:
+    result = linprog(cost, A_eq=equal, b_eq=wanted, bounds=(0.0, None), method="highs-ds")
+    if result.status != 0:
         return np.zeros(len(parts)), np.inf
-    masses = found.x[: len(parts)]
+    masses = result.x[: len(parts)]
     return masses, float(np.abs(moments @ masses - wanted).max())

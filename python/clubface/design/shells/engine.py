@@ -116,32 +116,32 @@ class Engine:
             assert blow is not None
             frames = {"frames": SHAPES, "fields": True} if kind == "blow" else {}
             settings = Settings(until_separation=True, threads=threads, **frames)
-            found = strike(
+            result = strike(
                 head, ball=study.ball, settings=settings, progress=going, **blow.at(blow.points[place])
             )  # fmt: skip
         except RunError:
             return {}
-        if found.interrupted:
+        if result.interrupted:
             raise KeyboardInterrupt
-        if found.stopped is not None:
+        if result.stopped is not None:
             return {}
         if kind == "blow":
-            return {"stress": face_stress(found, head)}
-        launch = found.launch
+            return {"stress": face_stress(result, head)}
+        launch = result.launch
         assert launch is not None
-        return {"ball_speed": float(launch.get("ball_speed")), "carry": found.flown()["carry"]}
+        return {"ball_speed": float(launch.get("ball_speed")), "carry": result.flown()["carry"]}
 
 
-def face_stress(found: Any, head: ShellHead) -> float:
+def face_stress(result: Any, head: ShellHead) -> float:
     """Return the greatest stress of von Mises in the face [Pa], on either side, over the shapes that a run kept."""
-    return float(found.head_fields.von_mises[:, on_face(head)].max())
+    return float(result.head_fields.von_mises[:, on_face(head)].max())
 
 
 def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
     """Return all quantities: means of the shots, the greatest stress of the blows."""
     collected: dict[str, list[float]] = {}
-    for found in runs:
-        for name, value in found.items():
+    for result in runs:
+        for name, value in result.items():
             collected.setdefault(name, []).append(value)
     values = {name: max(each) if name == "stress" else fmean(each) for name, each in collected.items()}
     values |= rigid_values(head)

@@ -41,13 +41,13 @@ class Goal:
 
     def excess(self, values: Values) -> NDArray[Any]:
         """Return by how much every limit is broken, relatively; negative where it is kept."""
-        found = []
+        result = []
         for name, (least, most) in self.limits.items():
             if least > 0.0:
-                found.append(math.log(least / values[name]))
+                result.append(math.log(least / values[name]))
             if most < math.inf:
-                found.append(math.log(values[name] / most))
-        return np.array(found)
+                result.append(math.log(values[name] / most))
+        return np.array(result)
 
     def violation(self, values: Values) -> float:
         """Return the largest relative excess over a limit; 0 within all, infinity for a design that failed."""

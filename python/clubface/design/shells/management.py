@@ -75,12 +75,12 @@ def propose(
 
     low, high = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)
     slack = goal.violation(model(place)) + 2.0 * INSIDE
-    found = minimize(
+    result = minimize(
         cost, np.append(place, slack), method="SLSQP", bounds=[*zip(low, high, strict=True), (0.0, 10.0)],
         constraints=[{"type": "ineq", "fun": room}] if goal.limits else [],
         options={"maxiter": 60, "ftol": 1e-7, "eps": 1e-5},
     )  # fmt: skip
-    at = np.clip(found.x[:count], low, high)
+    at = np.clip(result.x[:count], low, high)
     return at, model(at)
 
 
@@ -268,9 +268,9 @@ class _Search:
 
 def _neighbours(place: NDArray[Any], far: float) -> list[NDArray[Any]]:
     """Return a neighbour along each variable, on the side with more room."""
-    found = []
+    result = []
     for variable, share in enumerate(place):
         other = place.copy()
         other[variable] += far if share <= 0.5 else -far
-        found.append(other)
-    return found
+        result.append(other)
+    return result

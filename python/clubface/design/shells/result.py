@@ -25,33 +25,35 @@ if TYPE_CHECKING:
 SYMBOLS = {"start": "s", "neighbour": "^", "proposal": "o"}
 
 
-def search_result(of: Improved) -> Result:
+def search_result(improved: Improved) -> Result:
     """Return what a study of a head of shells found as a result."""
-    several = len(of.searches) > 1
-    tables = [_best_table(of)]
-    if any(each.goal.limits for each in of.searches):
-        tables.append(_limits_table(of))
-    tables += [_metals_table(of, printed=several), _designs_table(of)]
+    several = len(improved.searches) > 1
+    tables = [_best_table(improved)]
+    if any(each.goal.limits for each in improved.searches):
+        tables.append(_limits_table(improved))
+    tables += [_metals_table(improved, printed=several), _designs_table(improved)]
     provenance = Provenance(
-        inputs={"runs of finite elements": str(of.runs), **flight_conditions()},
-        sources=tuple(f"Metal {each.metal.name}: {each.metal.source}" for each in of.searches if each.metal.source),
-        descriptions={"the-best-head.toml": driver.text(of.head)},
+        inputs={"runs of finite elements": str(improved.runs), **flight_conditions()},
+        sources=tuple(
+            f"Metal {each.metal.name}: {each.metal.source}" for each in improved.searches if each.metal.source
+        ),
+        descriptions={"the-best-head.toml": driver.text(improved.head)},
     )
     return Result(
-        kind="shell-design", title=of.study.title, tables=tuple(tables),
+        kind="shell-design", title=improved.study.title, tables=tuple(tables),
         values=(
-            text("objective", [of.study.objective], printed=False),
-            text("metal", [of.chosen.metal.name], printed=False), text("runs", [of.runs], printed=False),
+            text("objective", [improved.study.objective], printed=False),
+            text("metal", [improved.chosen.metal.name], printed=False), text("runs", [improved.runs], printed=False),
         ),
-        summary=tuple(_summary(of)), notes=tuple(_notes(of)), provenance=provenance,
-        draw=lambda: [search_picture(of)],
+        summary=tuple(_summary(improved)), notes=tuple(_notes(improved)), provenance=provenance,
+        draw=lambda: [search_picture(improved)],
     )  # fmt: skip
 
 
-def _best_table(of: Improved) -> Table:
+def _best_table(improved: Improved) -> Table:
     """Return variables and quantities of the head to start from and of the best one."""
-    start, best = of.chosen.start.values, of.chosen.best.values
-    rows = [(name, of.study.start_value(name), of.best_value(name)) for name in of.study.bounds]
+    start, best = improved.chosen.start.values, improved.chosen.best.values
+    rows = [(name, improved.study.start_value(name), improved.best_value(name)) for name in improved.study.bounds]
     rows += [(name, start[name], best[name]) for name in QUANTITIES if name in best]
     kinds = [design_quantity(name) for name, _, _ in rows]
     columns = (
@@ -62,9 +64,9 @@ def _best_table(of: Improved) -> Table:
     return Table("best", columns)
 
 
-def _limits_table(of: Improved) -> Table:
+def _limits_table(improved: Improved) -> Table:
     """Return every limit with what start and best have of it, and the verdict."""
-    rows = [(search, name) for search in of.searches for name in search.goal.limits]
+    rows = [(search, name) for search in improved.searches for name in search.goal.limits]
     ends = [search.goal.limits[name] for search, name in rows]
     kinds = [design_quantity(name) for _, name in rows]
     best = [search.best.values[name] for search, name in rows]
@@ -77,7 +79,7 @@ def _limits_table(of: Improved) -> Table:
         Column("start", [search.start.values[name] for search, name in rows], kinds), Column("best", best, kinds),
         text("verdict", [verdict(value, *each) for value, each in zip(best, ends, strict=True)]),
     )  # fmt: skip
-    shown = [place for place, (search, _) in enumerate(rows) if search is of.chosen]
+    shown = [place for place, (search, _) in enumerate(rows) if search is improved.chosen]
     return Table("limits", columns, "Limits", shown_rows=shown)
 
 
@@ -88,25 +90,27 @@ def verdict(value: float, least: float, most: float) -> str:
     return "binds" if value >= 0.995 * most or value <= 1.005 * least else "kept"
 
 
-def _metals_table(of: Improved, *, printed: bool) -> Table:
+def _metals_table(improved: Improved, *, printed: bool) -> Table:
     """Return the best head of every metal."""
-    objective = design_quantity(of.study.objective)
+    objective = design_quantity(improved.study.objective)
     columns = (
-        text("metal", [each.metal.name for each in of.searches]),
-        column("yield_stress", [each.metal.metal.yield_stress for each in of.searches], "Pa", unit="MPa", digits=0),
-        Column(objective.name, [each.best.values[objective.name] for each in of.searches], objective),
-        text("within", [each.within for each in of.searches], label="within limits"),
-        text("designs", [len(each.found.steps) for each in of.searches]),
-        text("ended", [each.found.ended for each in of.searches], printed=False),
-        text("source", [each.metal.source for each in of.searches]),
+        text("metal", [each.metal.name for each in improved.searches]),
+        column(
+            "yield_stress", [each.metal.metal.yield_stress for each in improved.searches], "Pa", unit="MPa", digits=0
+        ),
+        Column(objective.name, [each.best.values[objective.name] for each in improved.searches], objective),
+        text("within", [each.within for each in improved.searches], label="within limits"),
+        text("designs", [len(each.result.steps) for each in improved.searches]),
+        text("ended", [each.result.ended for each in improved.searches], printed=False),
+        text("source", [each.metal.source for each in improved.searches]),
     )
     return Table("metals", columns, "The best head of each metal", printed=printed)
 
 
-def _designs_table(of: Improved) -> Table:
+def _designs_table(improved: Improved) -> Table:
     """Return every design that the engine judged: what was promised, what was found, and what became of it."""
-    objective = of.study.objective
-    steps = [(search, place, step) for search in of.searches for place, step in enumerate(search.found.steps, 1)]
+    objective = improved.study.objective
+    steps = [(search, place, step) for search in improved.searches for place, step in enumerate(search.result.steps, 1)]
     beyond = [search.goal.violation(step.values) for search, _, step in steps]
 
     def values(key: str, name: str) -> list[float | None]:
@@ -125,14 +129,14 @@ def _designs_table(of: Improved) -> Table:
         text("accepted", [step.accepted for _, _, step in steps], printed=False),
         text("radius", [step.radius for _, _, step in steps], printed=False),
         *(text(name.replace(".", "_"), [step.place[row] for _, _, step in steps], printed=False)
-          for row, name in enumerate(of.study.bounds)),
+          for row, name in enumerate(improved.study.bounds)),
         *(Column(f"{'found' if key == 'values' else key}_{name}", values(key, name), design_quantity(name),
                  printed=False) for key, name in other),
     )  # fmt: skip
-    metal = f" of {of.chosen.metal.name}" if len(of.searches) > 1 else ""
+    metal = f" of {improved.chosen.metal.name}" if len(improved.searches) > 1 else ""
     return Table(
         "designs", columns, f"Designs{metal} that finite elements judged",
-        shown_rows=[row for row, (search, _, _) in enumerate(steps) if search is of.chosen],
+        shown_rows=[row for row, (search, _, _) in enumerate(steps) if search is improved.chosen],
     )  # fmt: skip
 
 
@@ -142,9 +146,9 @@ def _verdict_of(step: Step) -> str:
     return "refused" if step.kind == "proposal" else ""
 
 
-def _summary(of: Improved) -> Iterator[Note]:
-    start, best = of.chosen.start.values, of.chosen.best.values
-    for name in dict.fromkeys((of.study.objective, "characteristic_time", "stress", "mass")):
+def _summary(improved: Improved) -> Iterator[Note]:
+    start, best = improved.chosen.start.values, improved.chosen.best.values
+    for name in dict.fromkeys((improved.study.objective, "characteristic_time", "stress", "mass")):
         if name in best:
             kind = design_quantity(name)
             before, after = (units.fixed(each[name], kind.golf.unit, kind.golf.digits) for each in (start, best))
@@ -152,36 +156,36 @@ def _summary(of: Improved) -> Iterator[Note]:
                 yield note("shells-change", meaning=kind.label, before=before, after=after)
 
 
-def _notes(of: Improved) -> Iterator[Note]:
-    designs = sum(len(each.found.steps) for each in of.searches)
-    yield note("shells-effort", designs=designs, runs=of.runs, reason=of.chosen.found.ended)
-    if ends := [design_quantity(name).label for name in of.study.bounds if _is_at_an_end(of, name)]:
+def _notes(improved: Improved) -> Iterator[Note]:
+    designs = sum(len(each.result.steps) for each in improved.searches)
+    yield note("shells-effort", designs=designs, runs=improved.runs, reason=improved.chosen.result.ended)
+    if ends := [design_quantity(name).label for name in improved.study.bounds if _is_at_an_end(improved, name)]:
         yield note("shells-at-an-end", names=ends)
-    if of.study.hardest is not None:
+    if improved.study.hardest is not None:
         yield note("shells-stress")
 
 
-def _is_at_an_end(of: Improved, name: str) -> bool:
+def _is_at_an_end(improved: Improved, name: str) -> bool:
     """Return whether the best head has the least or the greatest value of a variable."""
-    low, high = of.study.bounds[name]
-    value = of.best_value(name)
+    low, high = improved.study.bounds[name]
+    value = improved.best_value(name)
     return min(value - low, high - value) < 1e-3 * (high - low)
 
 
-def search_picture(of: Improved) -> Picture:
+def search_picture(improved: Improved) -> Picture:
     """Return the objective of every design, promised and found, and what it has of each limit."""
     return Picture(
-        "search", "Every design that finite elements judged", [[_objective_panel(of), _shares_panel(of)]], height=4.2,
-        legend=True,
+        "search", "Every design that finite elements judged", [[_objective_panel(improved), _shares_panel(improved)]],
+        height=4.2, legend=True,
     )  # fmt: skip
 
 
-def _objective_panel(of: Improved) -> Panel:
-    steps, objective = of.chosen.found.steps, of.study.objective
+def _objective_panel(improved: Improved) -> Panel:
+    steps, objective = improved.chosen.result.steps, improved.study.objective
     numbers, values = np.arange(1, len(steps) + 1), np.array([step.values[objective] for step in steps])
     last = np.maximum.accumulate([row if step.accepted else 0 for row, step in enumerate(steps)])
     marks = [Mark("line", np.repeat(numbers, 2)[1:], np.repeat(values[last], 2)[:-1], label="best so far")]
-    within = np.array([of.chosen.goal.violation(step.values) == 0.0 for step in steps])
+    within = np.array([improved.chosen.goal.violation(step.values) == 0.0 for step in steps])
     for kind, symbol in SYMBOLS.items():
         for kept in (True, False):
             rows = [row for row, step in enumerate(steps) if step.kind == kind and within[row] == kept]
@@ -195,8 +199,8 @@ def _objective_panel(of: Improved) -> Panel:
     return Panel(marks, axis(label="design"), Axis(design_quantity(objective)))
 
 
-def _shares_panel(of: Improved) -> Panel:
-    steps, limits = of.chosen.found.steps, of.chosen.goal.limits
+def _shares_panel(improved: Improved) -> Panel:
+    steps, limits = improved.chosen.result.steps, improved.chosen.goal.limits
     marks = [Mark("rule", y=1.0, style=-2, size=1.0)]
     for style, (name, (least, most)) in enumerate(limits.items()):
         shares = [step.values[name] / (most if most < math.inf else least) for step in steps]

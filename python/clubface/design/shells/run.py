@@ -43,17 +43,17 @@ class Search:
 
     metal: NamedMetal
     goal: Goal
-    found: SearchResult
+    result: SearchResult
 
     @property
     def start(self) -> Step:
         """The head to start from."""
-        return self.found.steps[0]
+        return self.result.steps[0]
 
     @property
     def best(self) -> Step:
         """The best head."""
-        return self.found.steps[self.found.best]
+        return self.result.steps[self.result.best]
 
     @property
     def within(self) -> bool:
@@ -177,7 +177,7 @@ def _search(
             progress(number * study.designs + done, whole)
 
     try:
-        found = trust_region_search(
+        result = trust_region_search(
             lambda place: fast(study.at(place, metal)),
             lambda places: engine([as_written(study.at(place, metal)) for place in places]),
             study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, progress=count,
@@ -186,4 +186,4 @@ def _search(
         raise RunError(
             f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest blow"
         ) from error
-    return Search(metal=metal, goal=goal, found=found)
+    return Search(metal=metal, goal=goal, result=result)

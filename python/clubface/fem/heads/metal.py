@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from clubface import units
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.fem import core
 from clubface.schema import Choice, Place, Quantity, Table, Value, check_values, count, file_key
 from clubface.support.checks import check_count
@@ -145,7 +145,7 @@ class Metal:
             if table and self.yield_stress is None:
                 object.__setattr__(self, "yield_stress", table[0][1])
             if self.yield_stress is None:
-                raise InputError("hardening", Told("without yield"), "give yield as well, or leave hardening out")
+                raise InputError("hardening", Wording("without yield"), "give yield as well, or leave hardening out")
             if table and self.yield_stress != table[0][1]:
                 shown = units.show(self.yield_stress, "MPa")
                 raise InputError("yield", shown, "leave it out, or give the stress of the first point of hardening")

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError, RangeWarning, Told
+from clubface.errors import InputError, RangeWarning, Wording
 from clubface.inference.evaluation import noise as noises
 from clubface.inference.evaluation.result import Evaluation
 from clubface.inference.evaluation.statistics import (
@@ -121,7 +121,7 @@ def evaluate(
     source = shots if isinstance(shots, RecordedShots) else read(shots)
     if groups is not None and source is not shots:
         advice = "give RecordedShots, to which groups can belong, one to each shot"
-        raise InputError("groups", Told("for a file"), advice)
+        raise InputError("groups", Wording("for a file"), advice)
     taken = measured_shots(source, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
     # Only the players among the shots taken count: those of one player chosen from a file of several are no group.
     labels = source.select(taken.places).groups() if groups is None else group_labels(groups, len(source))[taken.places]

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.support.arrays import Floats
 
 CONFIDENCE = 0.95
@@ -157,7 +157,7 @@ def group_labels(groups: Any, shots: int) -> NDArray[Any]:
     """Return the labels of groups, of which there must be one for each shot."""
     labels = np.asarray(groups)
     if labels.shape != (shots,):
-        raise InputError("groups", Told(f"of shape {labels.shape}"), f"one for each shot: ({shots},)")
+        raise InputError("groups", Wording(f"of shape {labels.shape}"), f"one for each shot: ({shots},)")
     return labels
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from clubface.equipment.backends import MODULES
-from clubface.errors import InputError, Told
+from clubface.errors import InputError, Wording
 from clubface.schema import Quantity, Record, Simple
 from clubface.simulation.impact import Tally
 from clubface.studies.axes import Swept, inputs_named, number
@@ -62,7 +62,7 @@ def _second(study: DescribedStudy) -> DescribedStudy:
     for name, place in own.items():
         if name in swept and place.count(".") == 2:
             wanted = "given in one of both places alone, or for all models"
-            raise InputError(name, Told(f"in [sweep] and for one model as {OTHER}.{place}"), wanted)
+            raise InputError(name, Wording(f"in [sweep] and for one model as {OTHER}.{place}"), wanted)
     design = DesignWithout(study.design, replaced_by(own))
     sweep = {each.name: study.sweep.get(each.name) for each in design.axes}
     if isinstance(given := other.get("parameters"), str) and (both := [*filter(is_parameter, sweep)]):
@@ -158,7 +158,7 @@ def _task(study: DescribedStudy) -> OneByOne:
     if not scatters and (named := [name for name in columns if name not in FACE]):
         raise InputError("spread_toe", None, f'give it and spread_high, as in spread_toe = "10 mm", for {named[0]}')
     if not scatters and (idle := [each for each in PLACE if each != "share" and each in {*table, *study.sweep}]):
-        raise InputError(idle[0], Told("given"), "left out unless both spread_toe and spread_high are given")
+        raise InputError(idle[0], Wording("given"), "left out unless both spread_toe and spread_high are given")
     if (grid := table.get("grid")) is not None:
         grid = checked_grid(grid)
 
