@@ -1,4 +1,4 @@
-"""What can go wrong, told so that a person can mend it: the parameter, its value, what is allowed, the line.
+"""Errors, worded so that a person can mend them: the parameter, its value, what is allowed, the line.
 
 Every error of the package is a :class:`ClubfaceError`; those about a value are a ``ValueError`` as well, so
 that code which knows nothing of clubface still catches them.
@@ -34,7 +34,7 @@ _ADVICE = ("give ", "leave ", "use ", "keep ")
 
 
 _MOST, _FIRST = 60, 10
-"""How many names are told at most, and how many where there are more."""
+"""How many names are listed at most, and how many where there are more."""
 
 
 class Wording(str):

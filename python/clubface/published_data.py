@@ -1,6 +1,6 @@
 """Published figures to hold a model against: tables in SI, each with where it was printed and what is in doubt.
 
-The files are ``clubface/data/measurements/*.toml``, one for each subject, with long tables as CSV files beside them. A
+The files are ``clubface/data/measurements/*.toml``, one for each subject, with long tables as CSV files next to them. A
 column is headed by its name and unit, as in ``spin [rpm]``; a column without a unit holds words.
 
 ``names()`` lists the tables, and ``table("pga-2019")["ball_speed"]`` is a column in m/s.
@@ -118,7 +118,9 @@ class TableEntry:
     def __post_init__(self) -> None:
         for key, value in {"columns": self.columns, "rows": self.rows}.items():
             if (value is None) == (self.file is None):
-                raise InputError(key, value, "give it, or a file" if value is None else "left out beside a file")
+                raise InputError(
+                    key, value, "give it, or a file" if value is None else "leave it out where a file is given"
+                )
 
     def table(self, path: str, line: int | None) -> PublishedTable:
         """Return the table of a file at ``path``, whose rows begin in a line."""

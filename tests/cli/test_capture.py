@@ -203,5 +203,5 @@ def test_without_matplotlib_the_table_is_written_all_the_same(clubface_, folder,
     monkeypatch.setattr(capture, "find_spec", lambda name: None)
     ran = clubface_(*arguments(folder), "-o", str(folder / "shots.csv"))
     assert ran.status == 0
-    assert "no picture is written beside the table" in ran.err
+    assert "no picture is written next to the table" in ran.err
     assert not list(folder.glob("*.pdf"))

@@ -237,7 +237,7 @@ def _frames(times: Array, followed: Track, where: str) -> Drop:
     reason = "too few frames show the clubhead"
     if len(known) >= 2 * FEWEST:
         lost, speed, misfit = _losses(times[known], middle, known)
-        # Beside a spike speeds are on no line, however far apart the lines are.
+        # Next to a spike speeds are on no line, however far apart the lines are.
         usual = float(np.median(misfit[np.isfinite(misfit)])) if np.isfinite(misfit).any() else 0.0
         with np.errstate(invalid="ignore"):  # where there is no loss
             clear = misfit < np.fmax(CLEAR * lost * speed, TIMES_USUAL * usual)
@@ -299,7 +299,7 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
     (before, after), (earlier, later) = levels, speeds
     with np.errstate(invalid="ignore", divide="ignore"):
         lost = 1.0 - after / before
-        # Speeds beside a spike are off for some frames, those of a longer time before and after are not.
+        # Speeds next to a spike are off for some frames, those of a longer time before and after are not.
         stays = _quantile(later, 0.75) < (1.0 - 0.5 * LOST) * np.minimum(before, _quantile(earlier, 0.75))
         came = (_quantile(earlier, 0.5) > SUDDEN * before) & (_quantile(earlier, 0.75) < TOP * before)
         top = np.max(before, initial=0.0, where=came & np.isfinite(before))

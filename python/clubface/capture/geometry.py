@@ -20,9 +20,9 @@ from clubface.schema import Quantity, check_values, file_key, quantities
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
 GIVEN = 1.0 * _MM
-"""Of a given position whose accuracy is not told: what a calliper on a rounded head gives."""
+"""Of a given position whose accuracy is not given: what a calliper on a rounded head gives."""
 GUESSED = 10.0 * _MM
-"""Of a given place of the ball whose accuracy is not told: a ball that somebody puts down again and again."""
+"""Of a given place of the ball whose accuracy is not given: a ball that somebody puts down again and again."""
 
 
 class Known(NamedTuple):
@@ -84,7 +84,7 @@ class Assumed:
         check_values(self)
 
     def stated(self) -> dict[str, float]:
-        """Return those that are not as they are unless told."""
+        """Return those that differ from their defaults."""
         usual = Assumed()
         return {name: getattr(self, name) for name in DIMENSIONS if getattr(self, name) != getattr(usual, name)}
 

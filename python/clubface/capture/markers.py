@@ -63,8 +63,8 @@ class Markers:
         Height of the ground along the axis that points up [m], in laboratory axes. None: not known, and the sole says
         nothing about where the markers sit.
     accuracy
-        Standard deviation along each axis [m] of a given position, of a cluster marker or a face point. None: not told;
-        1 mm is taken.
+        Standard deviation along each axis [m] of a given position, of a cluster marker or a face point. None: not
+        given; 1 mm is taken.
     assumed
         Standard deviations of what is assumed.
     ball
@@ -75,8 +75,8 @@ class Markers:
     ball_position
         Position of the ball [m] in the axes of the laboratory, instead of a marker.
     ball_accuracy
-        Standard deviation of that position along each axis [m]. None: not told; that of the other positions if it is
-        told, else 10 mm.
+        Standard deviation of that position along each axis [m]. None: not given; that of the other positions if it is
+        given, else 10 mm.
     target
         Axis of the laboratory that points to the target, such as "+y"; or two markers, where the second lies in the
         direction of the target from the first.

@@ -27,9 +27,9 @@ CG_DEVIATION = 3e-3
 SURE = 5e-3
 """Metres; a given ball known so well tells the instant of impact as well as the blow does, 0.1 ms of a drive."""
 ANYWHERE = 1.0
-"""Metres; of a ball of which nothing is told."""
+"""Metres; of a ball of which nothing is known."""
 SURPRISING = 2.5
-"""Standard deviations beyond which a given ball is told not to lie where the head is slowed."""
+"""Standard deviations beyond which a warning says that a given ball does not lie where the head is slowed."""
 
 
 class Meeting(NamedTuple):
@@ -66,7 +66,7 @@ class Meeting(NamedTuple):
     geometry: tuple[Known, ...]
 
     def notes(self, surprise: float) -> list[str]:
-        """Return what a reader should know; ``surprise`` as of :class:`Reduced`."""
+        """Return warnings about the meeting of head and ball; ``surprise`` as in :class:`Reduced`."""
         notes = list(self.remarks)
         if surprise > SURPRISING:
             notes.append(

@@ -44,7 +44,7 @@ UNITS = {
     name: "m/s" if name == "speed" else display_unit(name, units.SI_UNITS[dimension])
     for name, dimension in OF_CLUB.items()
 }
-"""In which errors are told: m/s, deg, mm, deg/s."""
+"""In which errors are shown: m/s, deg, mm, deg/s."""
 DRAWN = ("speed", "attack", "path", "loft", "face", "toe", "high", "closure")
 REMEDY = "finish that study, or name another folder"
 
@@ -166,7 +166,7 @@ def study_picture(studies: Mapping[str, Study]) -> Picture:
     Parameters
     ----------
     studies
-        The studies by the text written beside each group, such as "no noise".
+        The studies by the text written next to each group, such as "no noise".
     """
     groups = Axis(names=list(studies), reversed=True, limits=(-0.6, len(studies) - 0.4))
     panels = [Panel(list(_error_marks(studies, name)), axis(name, unit=UNITS[name]), groups) for name in DRAWN]

@@ -242,7 +242,7 @@ class CapturedSwings(Described):
         return self._table("c3d standard deviations", deviations, [each.launch_uncertainty for each in self.captured])
 
     def write(self, path: str | os.PathLike[str]) -> list[Path]:
-        """Write the shots to a CSV or Parquet file, and their standard deviations beside it: ``shots.sd.csv``."""
+        """Write the shots to a CSV or Parquet file, and their standard deviations next to it: ``shots.sd.csv``."""
         target = Path(path)
         sibling_file = target.with_name(f"{target.stem}.sd{target.suffix}")
         self.shots.write(target)

@@ -38,7 +38,7 @@ def best_loft(
     ] = None,
     **texts: Any,
 ) -> None:
-    """Find the dynamic loft of the longest carry; by club speed, or beside a published chart."""
+    """Find the dynamic loft of the longest carry; by club speed, or compared with a published chart."""
     from clubface.design.best_loft import CHARTS, best_loft as find_best_loft, compare_with_chart
 
     output = show.Output.check(texts, (club,))

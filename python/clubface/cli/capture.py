@@ -14,7 +14,7 @@ from clubface.cli.failures import Interrupted, print_note
 from clubface.cli.output import progress_bar
 from clubface.errors import InputError
 
-PICTURES = "path, face and residuals; beside the table of -o unless given"
+PICTURES = "path, face and residuals; next to the table of -o unless given"
 FILE = "FILE"
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
@@ -122,7 +122,7 @@ def read(
 def _picture_file(picture: str | None, table: str | None, files: list[str], mapping: str) -> str | None:
     """Return the file for the pictures, or None.
 
-    A table that is kept gets the pictures by which it can be judged beside it, a page a swing. A command that prints
+    A table that is kept gets the pictures by which it can be judged next to it, a page a swing. A command that prints
     leaves no file behind unless it is asked to.
     """
     inputs = [*files, mapping]
@@ -134,7 +134,7 @@ def _picture_file(picture: str | None, table: str | None, files: list[str], mapp
     if table is None:
         return None
     if find_spec("matplotlib") is None:
-        print_note('no picture is written beside the table: pip install "clubface[plots]"')
+        print_note('no picture is written next to the table: pip install "clubface[plots]"')
         return None
     sibling_file = str(Path(table).with_suffix(".pdf"))
     output.check_picture(sibling_file, inputs)

@@ -1,4 +1,4 @@
-"""How a mistake is told: one message on the error stream and exit status 2; and notes that stop nothing."""
+"""How a mistake is reported: one message on the error stream and exit status 2; and notes that stop nothing."""
 
 from __future__ import annotations
 

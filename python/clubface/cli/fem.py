@@ -124,7 +124,7 @@ def paper(
     ] = True,
     as_json: options.Json = False,
 ) -> None:
-    """Run the case of Roh and Lee by both methods of contact, beside their figures; with --output redraw theirs."""
+    """Run the case of Roh and Lee by both methods of contact; compare with their figures; --output redraws them."""
     from clubface.fem import case as cases, paper as published
     from clubface.fem.impact_result import paper_result
 

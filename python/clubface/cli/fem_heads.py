@@ -16,7 +16,7 @@ def ball(
     name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="A ball made of pieces.")],
     as_json: options.Json = False,
 ) -> None:
-    """Mesh a ball and report mass, diameter and inertia beside what was asked for and the rules."""
+    """Mesh a ball; compare mass, diameter and inertia with what was asked for and with the rules."""
     from clubface import fem
 
     show.Output(as_json).show(fem.ball(name).to_result())
@@ -29,7 +29,7 @@ def head(
     ] = False,
     blow: Annotated[
         str | None,
-        options.option("--blow", metavar='"125 mph"', text="Also simulate a blow: stress beside where it yields."),
+        options.option("--blow", metavar='"125 mph"', text="Also simulate a blow: the stress, and where it yields."),
     ] = None,
     toe: Annotated[
         str | None, options.option("--toe", metavar='"8 mm"', text="With these two: where, to the toe.")

@@ -30,7 +30,7 @@ Group = Mapping[str, tuple[Any, Any]]
 
 
 def option(*names: str, metavar: str, text: str, panel: str | None = None) -> Any:
-    """Return an option whose default is told, if at all, in its help ``text``."""
+    """Return an option whose default is named, if at all, in its help ``text``."""
     return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=False)
 
 
@@ -211,7 +211,7 @@ USUAL = {
     "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
     "angular rate": (0.0, 2000.0, "rpm"), "temperature": (200.0, 330.0, "degC"), "pressure": (4e4, 1.2e5, "hPa"),
 }  # fmt: skip
-"""Least and most [SI] of a dimension in golf, whatever the sign, and the unit in which it is told."""
+"""Least and most [SI] of a dimension in golf, whatever the sign, and the unit in which it is shown."""
 USUAL_OF = {
     "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
     **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),

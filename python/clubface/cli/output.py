@@ -89,7 +89,7 @@ def check_report(target: str | None, inputs: Iterable[str | None] = ()) -> None:
 def check_resume(resume: bool, target: str | None) -> None:
     """Refuse to go on with work of which nothing was kept, as no file is written."""
     if resume and target is None:
-        raise ClubfaceError("--output is missing; what is finished is kept beside it, so --resume needs it")
+        raise ClubfaceError("--output is missing; what is finished is kept next to it, so --resume needs it")
 
 
 def prepare_folder(folder: str | None) -> None:
@@ -110,14 +110,14 @@ def write_template(text: str, target: str | None, then: str) -> None:
 
 
 Update = Callable[..., object]
-"""Takes what is done, the whole of it, and what else the text beside the bar tells of."""
+"""Takes what is done, the whole of it, and what else the text next to the bar says."""
 
 
 @contextmanager
 def progress_bar(text: str | Callable[..., str]) -> Iterator[Update | None]:
     """Show a bar on the error stream where that is a terminal.
 
-    The ``text`` beside it is made of what the bar is given; a word names what is counted.
+    The ``text`` next to it is made of what the bar is given; a word names what is counted.
     """
     if not sys.stderr.isatty():
         yield None

@@ -1,4 +1,4 @@
-"""``clubface tour``: every club of the published tour averages by every model, beside what was published."""
+"""``clubface tour``: every club of the published tour averages by every model, compared with what was published."""
 
 from __future__ import annotations
 

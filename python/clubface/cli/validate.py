@@ -1,4 +1,4 @@
-"""``clubface validate``: models beside published figures, with tolerances."""
+"""``clubface validate``: models compared with published figures, with tolerances."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _MODEL_TEXT = (
 )
 _MODEL = options.option("--model", metavar="NAME", text=_MODEL_TEXT)
 _CHECK_TEXT = "Only this check, or several with commas or repeated, with every figure and its source."
-_WITH_TEXT = "A monitor's file whose spins are set beside the model and both camps of published irons. Repeatable."
+_WITH_TEXT = "A monitor's file whose spins are compared with the model and both camps of published irons. Repeatable."
 _WITH = options.option("--with", metavar="FILE", text=_WITH_TEXT)
 _CHECK = options.option("--check", metavar="NAME", text=_CHECK_TEXT)
 _CAUSES_TEXT = "Also strikes off the centre with one thing changed: closure, inertia or depth of the mass centre."

@@ -1,4 +1,4 @@
-"""The dynamic loft of the longest carry, by club speed and attack angle, beside the charts that fitters use.
+"""The dynamic loft of the longest carry, by club speed and attack angle, compared with the charts that fitters use.
 
 Total distances have no such optimum here: on level ground a ball that is hardly lifted rolls farthest.
 """

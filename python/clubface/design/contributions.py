@@ -26,7 +26,7 @@ from clubface.support.checks import check_choice
 CURVED = ("bulge", "roll")
 """The line goes along their curvature, so that a flat face is one like any other."""
 FACE = {"included_time": "characteristic_time"}
-"""What is told under another name: both say how much more the face gives than the one that the parameters include."""
+"""What has another name: both say how much more the face gives than the one that the parameters include."""
 UNMOVED = ("face_width", "face_height")
 """They bound the face; no launch depends on them."""
 

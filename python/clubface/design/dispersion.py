@@ -295,7 +295,7 @@ class ImpactSetup(NamedTuple):
 
     def _strike(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
         """Return launches and, if the balls fly, flights."""
-        with without_warnings(RangeWarning):  # it is told of all shots together
+        with without_warnings(RangeWarning):  # the warning is for all shots together
             launch = impact(
                 self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
                 threads=self.threads, accuracy=self.accuracy, on_error=on_error,
@@ -315,7 +315,7 @@ DRAWN = 2**11
 MOST = 2**32
 COUNT = 2**14
 SHARES = (0.5, 0.9)
-"""What the landing ellipses hold of the shots unless told otherwise."""
+"""What the landing ellipses hold of the shots unless given."""
 
 
 class Ellipse(NamedTuple):

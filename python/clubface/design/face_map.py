@@ -185,7 +185,7 @@ class _Mapped(Described):
 
 
 class FaceMap(_Mapped):
-    """Launch and flight over a face, SI; arrays have the shape (high, toe), NaN beside the face.
+    """Launch and flight over a face, SI; arrays have the shape (high, toe), NaN outside the face.
 
     Attributes
     ----------
@@ -323,7 +323,7 @@ def map_face(
     air, wind, ground
         Of the flights, as for :func:`clubface.fly`.
     output
-        For a model that takes long: a file. What is finished is kept in a folder beside it until the file is written,
+        For a model that takes long: a file. What is finished is kept in a folder next to it until the file is written,
         and the same call goes on after it.
     workers
         For a model that takes long: points at a time; left out, one for each core.
@@ -450,7 +450,7 @@ class FaceMapDifference(_Mapped):
         return result if unit is None else result / units.size(symbol(name, unit))
 
     def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Return what :meth:`FaceMap.box` does of the difference; NaN beside a second face of another outline."""
+        """Return what :meth:`FaceMap.box` does of the difference; NaN outside a second face of another outline."""
         check_choice("quantity", name, QUANTITIES)
         toe, high, values = self.first.box(name)
         across, up = np.meshgrid(toe, high)

@@ -104,7 +104,7 @@ def run_points(
     toe, high
         Points [m].
     output
-        A file. What is finished is kept in a folder beside it, and the same call goes on after it.
+        A file. What is finished is kept in a folder next to it, and the same call goes on after it.
     workers
         Points at a time; left out, one for each core.
     progress

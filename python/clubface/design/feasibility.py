@@ -169,7 +169,7 @@ def room_inside(places: NDArray[Any], volume: Volume) -> Volume:
     places
         Of a mesh, seen from the face centre [m], shape (n, 3).
     volume
-        Where mass may be beside that.
+        Where else mass may be.
 
     Raises
     ------
@@ -268,7 +268,7 @@ class Envelope:
         return self._scale(self.budget)
 
     def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
-        """Return all conditions on a head with this pseudo-inertia, beside the whole head's."""
+        """Return all conditions on a head with this pseudo-inertia, besides the whole head's."""
         placed = self.placed(pseudo)
         result = [_positive("the mass of the head", pseudo, self._scale(max(pseudo[3, 3], 1e-6)))]
         result += _inside("the head", pseudo, self.whole or self.volume, pseudo[3, 3])

@@ -59,7 +59,7 @@ MIXTURES = [(0.0, 1.0), *product((0.03, 0.08, 0.15, 0.25), (1.5, 2.0, 3.0, 4.5))
 NO_MISHITS = 0.15
 """How likely the first of these is before any shot is seen; the others are all alike."""
 EFFECTIVE_SHARE = 2 / 3
-"""What differences of successive shots tell, in shots: each of these is in two of them. Beside 1/2 about the mean, the
+"""What differences of successive shots tell, in shots: each of these is in two of them. Besides 1/2 about the mean, the
 variance of a spread is 3/4 (``STANDARD_ERROR``)."""
 BLOCKS = 20
 """Parts of a longer session, of which each is left out once to see how sure the spreads are (jackknife)."""

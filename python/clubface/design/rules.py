@@ -162,7 +162,7 @@ def check_rules(club: str | Club, *, volume: Any = None, size: tuple[Any, Any, A
     verdicts = [RuleVerdict(rule, values[rule.name], unknown.get(rule.name, NOT_KNOWN)) for rule in rules_of(head)]
     if head.kind != "iron" and size:
         source = rules()["heel_to_toe"].source
-        longer = Rule("face_to_back", "face to back, beside heel to toe", length, 0.0, "in", source)
+        longer = Rule("face_to_back", "face to back, no longer than heel to toe", length, 0.0, "in", source)
         verdicts.append(RuleVerdict(longer, depth))
     return verdicts
 

@@ -148,9 +148,9 @@ def _gradients(at: Floats, golfer: Golfer, setup: ImpactSetup) -> tuple[dict[str
 
 
 COUNT = 2**10
-"""Shots for each set of variables, unless told otherwise."""
+"""Shots for each set of variables, unless given."""
 ORDERS = 32
-"""Orders in which variables are told, half of them the others reversed; all orders where they are as few."""
+"""Orders in which variables become known, half of them the others reversed; all orders where they are as few."""
 CORRELATED = 1e-9
 Places = NDArray[np.intp]
 Function = Callable[[Floats], Floats]

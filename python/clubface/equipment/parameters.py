@@ -124,7 +124,7 @@ RANGES: Mapping[str, Range] = {
 }
 """Ranges by model: the strikes from which its parameters come for every ball. The strikes by finite elements to which
 ``response`` is fitted are made from its range. Places on the face are not bounded: off centre a head gives way more
-easily, and the small heads among the strikes do so as much as the built-in clubs 30 mm beside the face centre."""
+easily, and the small heads among the strikes do so as much as the built-in clubs 30 mm off the face centre."""
 
 
 RANGE = Record(
@@ -217,8 +217,8 @@ class ParameterSet:
         Whether this is the set used where none is named.
     includes_face
         Whether the values describe ball and face together, as all do that were found from shots of a club: its
-        characteristic time must not count twice, see :meth:`beside`. False if they describe the ball alone. The sets of
-        finite elements never include the face.
+        characteristic time must not count twice, see :meth:`with_included_face`. False if they describe the ball
+        alone. The sets of finite elements never include the face.
     characteristic_time
         That of the face which the values include [s]; None where nobody said, and where they include none.
     range

@@ -209,7 +209,7 @@ class Ball:
         return core.fem_mesh(self.values())
 
     def to_result(self) -> Result:
-        """Return the meshed ball beside what was asked for and the rules."""
+        """Return the meshed ball compared with what was asked for and the rules."""
         # Found by name, since it also knows what is struck with the ball.
         return import_module("clubface.fem.impact_result").ball_result(self)
 

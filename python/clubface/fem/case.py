@@ -112,7 +112,7 @@ class Case:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Case:
-        """Read a case from a TOML file; balls and clubs that it names by path are looked for beside it."""
+        """Read a case from a TOML file; balls and clubs that it names by path are looked for next to it."""
         return from_document(Document.read(path))
 
 

@@ -199,7 +199,7 @@ LABELS = {
 
 
 def paper_result(runs: Mapping[str, Impact]) -> Result:
-    """Return runs of the case by the method of contact beside the figures of Roh and Lee, as a result."""
+    """Return runs of the case by the method of contact and the figures of Roh and Lee, as a result."""
     rows = [PUBLISHED, *(paper_table(run) for run in runs.values())]
     first = next(iter(runs.values()))
     factors = [SPIN_FACTOR, *(spin_factor(run) for run in runs.values())]
@@ -226,7 +226,7 @@ def paper_result(runs: Mapping[str, Impact]) -> Result:
 
 
 def reference_result(impact: Impact, *, published: bool) -> Result:
-    """Return the reference case as a result, beside what other solvers gave if ``published``."""
+    """Return the reference case as a result, with what other solvers gave if ``published``."""
     names, others = other_solvers() if published else ([], {})
     own = {
         "normal_velocity_mps": impact.normal_velocity, "tangential_velocity_mps": impact.tangential_velocity,
@@ -236,7 +236,7 @@ def reference_result(impact: Impact, *, published: bool) -> Result:
         "tangential_min_n": impact.tangential_min, "reversal_time_s": impact.reversal_time,
     }  # fmt: skip
     rows = [own, *({key: of[place] for key, of in others.items() if place < len(of)} for place in range(len(names)))]
-    title = "Reference case, beside other solvers" if published else "Reference case, varied"
+    title = "Reference case, compared with other solvers" if published else "Reference case, varied"
     columns = (text("solver", ["clubface", *names]), *columns_of(rows, own, unit="m/s"))
     return impact_result(impact).replace(
         kind="reference", title=title, values=(), tables=(Table("reference", columns, title, "transposed"),)
@@ -248,7 +248,7 @@ RULES = {"mass": 0.04593, "diameter": 0.04267}
 
 
 def ball_result(ball: Ball) -> Result:
-    """Return a meshed ball beside what was asked for and the rules."""
+    """Return a meshed ball compared with what was asked for and the rules."""
     meshed = ball.properties()
     diameter, solid = 2.0 * meshed["radius"], 0.4 * meshed["mass"] * meshed["radius"] ** 2
     conforms = meshed["mass"] <= RULES["mass"] and diameter >= RULES["diameter"]

@@ -78,7 +78,7 @@ def laws() -> Mapping[str, Law]:
 
 @dataclass(frozen=True)
 class Maxwell:
-    """One viscoelastic branch beside the elastic law."""
+    """One viscoelastic branch, parallel to the elastic law."""
 
     modulus: float = file_key(
         Quantity("1", above=0, upper=1e3, allowed="above 0 and at most 1000 times that of the elastic law"),

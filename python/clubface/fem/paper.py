@@ -103,7 +103,7 @@ def fitted_spin(impact: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], ND
 
 
 def table(impact: Impact) -> dict[str, float]:
-    """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``, and some beside them.
+    """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``, and some more.
 
     ``spin_rpm`` is that of the launch, which is angular momentum over inertia; ``ball_spin_rpm`` and
     ``section_spin_rpm`` fit the nodes of ball and section at take-off (the latter is left out of a run without frames),

@@ -1,4 +1,4 @@
-"""A finite element impact beside the simple models, and beside Arakawa's friction with its term of contact area."""
+"""A finite element impact compared with the simple models and with Arakawa's friction by contact area."""
 
 from __future__ import annotations
 

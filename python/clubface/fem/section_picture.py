@@ -181,7 +181,7 @@ def _tractions(impact: Impact, time: float) -> list[Mark]:
 
 
 def moving_section(impact: Impact) -> list[Picture]:
-    """Return the deforming section beside the forces up to each moment, a picture a kept shape."""
+    """Return the deforming section next to the forces up to each moment, a picture a kept shape."""
     section, contact = Section(impact), impact.contact
     most = section.most(range(len(section.times)))
     time = axis("time", unit="us", limits=(0.0, float(section.times[-1]) or None))

@@ -1,4 +1,4 @@
-"""The strength of a head: the largest stress of each part under a hard blow, beside the stress at which it yields."""
+"""The strength of a head: the largest stress of each part under a hard blow, and the stress at which it yields."""
 
 from __future__ import annotations
 
@@ -336,6 +336,6 @@ def stress_picture(blow: BlowStress, loft: float) -> Picture:
     return Picture(
         "stress",
         f"The stress of the surface {units.fixed(surface.time, 'us', 0)} after first touch, a cross where it is "
-        "largest; and the largest stress of every part beside where its metal yields",
+        "largest; and the largest stress of every part and where its metal yields",
         [views, [Panel(bars, largest, names)]], heights=[2.6, below], height=2.6 + below,
     )  # fmt: skip

@@ -35,7 +35,7 @@ P = TypeVar("P")
 class ResumableTable:
     """Rows by their first two columns, in a CSV file where one is given; its first line has a fingerprint of the case.
 
-    Rows that are finished are kept in a store beside the file until all are, and then written together, those of the
+    Rows that are finished are kept in a store next to the file until all are, and then written together, those of the
     file that were not asked for this time after them.
 
     Parameters

@@ -16,7 +16,7 @@ Where a posterior lies: its most probable point, and coordinates in which it is 
 Few numbers are measured, far more exactly than the prior knows them. The posterior is therefore a thin sheet that bends
 through the many dimensions of a delivery: thin along the directions that the measurement knows, broad along the others.
 A normal distribution fits it badly. Coordinates that bend with it fit well: those along the sheet are drawn first, and
-the others are measured from the place on the sheet beside them, in units of how thin the sheet is there. Two steps of
+the others are measured from the place on the sheet next to them, in units of how thin the sheet is there. Two steps of
 Broyden's method find both. Whatever they find, the density of such draws is known exactly.
 """
 
@@ -383,7 +383,7 @@ class Sheet:
         return base + sibling @ self._across, np.broadcast_to(volume, len(coordinates))
 
     def _next_places(self, base: Floats) -> tuple[Floats, list[list[Floats]]]:
-        """Return the places of the sheet beside ``base``, shape (n, sharp), and the factor of the curvature there.
+        """Return the places of the sheet next to ``base``, shape (n, sharp), and the factor of the curvature there.
 
         The latter is that of minus the logarithm of the posterior, its lower factor by rows. Where the place at which a
         step begins is impossible, nothing is known of the sheet, and that of the peak stands for it.

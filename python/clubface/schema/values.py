@@ -452,7 +452,7 @@ class FilePath(Simple):
 
 @dataclass(repr=False, eq=False)
 class Either(Value):
-    """A value of one of several kinds, told apart by their type in the file; ``allowed`` names them in messages."""
+    """A value of one of several kinds, distinguished by their type in the file; ``allowed`` names them in messages."""
 
     kinds: Mapping[type, Value]
     allowed: str

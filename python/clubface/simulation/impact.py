@@ -137,7 +137,7 @@ def backend_of(model: str) -> Backend:
 WITHOUT_GEAR_EFFECT = ("jorgensen",)
 """The models in which a head that turns back does not turn the ball."""
 OFF_CENTRE = "off centre"
-"""What stands for a quantity where a ball is struck beside the face centre by a model without gear effect."""
+"""What stands for a quantity where a ball is struck off the face centre by a model without gear effect."""
 FITTED_TO_A_BALL = ("response",)
 """The models whose parameters are coefficients for the ball ``DEFAULT_BALL``, unless another ball has its own."""
 OTHER_BALL = "ball"
@@ -184,7 +184,7 @@ class Tally:
     def remark(self, *, counted: bool = True) -> str:
         """Return what a reader must know in one line, "" if no shot is outside.
 
-        One shot is told with its values, several with their number, or without where they are not ``counted``.
+        One shot is reported with its values, several with their number, or without where they are not ``counted``.
         """
         alike: dict[str, list[str]] = {}
         for model in self._shots:
@@ -240,7 +240,7 @@ def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
                 result[name] = (math.prod(launch.shape), value)
         elif value.size and not (value.min() >= least - margin and value.max() <= most + margin):
             out = (value < least - margin) | (value > most + margin)
-            out &= launch.ball_speed.reshape(-1) > 0.0  # a shot that cannot be computed is told otherwise
+            out &= launch.ball_speed.reshape(-1) > 0.0  # a shot that cannot be computed has its own message
             if out.any():
                 result[name] = (int(out.sum()), float(value[out][0]))
     if launch.model in WITHOUT_GEAR_EFFECT and _any(launch.input("toe"), launch.input("high")):

@@ -391,7 +391,7 @@ def forget_parameters() -> None:
 
 
 def _values_of(ball: Ball, chosen: ParameterSet) -> dict[str, float]:
-    """Return the values that belong to a ball: its own for the model, and its friction where no shots told another."""
+    """Return the values that belong to a ball: its own for the model, and its friction where no shots gave another."""
     takes_friction = "friction" in chosen.values and not chosen.includes_face and ball.friction is not None
     return {**({"friction": ball.friction} if takes_friction else {}), **ball.parameters.get(chosen.model, {})}  # pyright: ignore[reportReturnType]
 

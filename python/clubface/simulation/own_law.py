@@ -256,7 +256,7 @@ MOST_EVALUATIONS = 50_000
 
 
 class Touch(NamedTuple):
-    """What a law of contact is told of one instant.
+    """What a law of contact receives at one instant.
 
     Attributes
     ----------

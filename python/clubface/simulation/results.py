@@ -319,7 +319,7 @@ class Series:
         return {name: each.unit for name, each in self.quantities.items()}
 
     def _second(self, name: str) -> str:
-        """Return the dimension of an array beside time."""
+        """Return the dimension of an array besides time."""
         return "axis"
 
     def to_pandas(self) -> pandas.DataFrame:

@@ -174,7 +174,7 @@ class Sensitivity:
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a variable and one column an output, in the units shown, which stand in the labels.
 
-        An entry is column per row: under ``backspin [rpm]`` beside ``toe [mm]`` it is rpm per mm. Of many shots it is
+        An entry is column per row: under ``backspin [rpm]`` in the row ``toe [mm]`` it is rpm per mm. Many shots give
         one row a derivative in SI, under the names of output, variable and shot.
         """
         import pandas

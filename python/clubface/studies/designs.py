@@ -198,7 +198,7 @@ def table_columns(
         for heading in columns.passed:
             if plain_name(heading) in known:  # of names, which rows of numbers do not hold
                 name = plain_name(heading)
-                message = f'this column is not read; sweep it beside the table, as in {name} = ["..."], or rename it'
+                message = f'this column is not read; sweep it next to the table, as in {name} = ["..."], or rename it'
                 raise FileError(str(path), reader.header_line, message, heading)
         if not used:
             raise FileError(str(path), reader.header_line, "no column of this table is an input that can be swept")

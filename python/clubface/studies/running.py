@@ -117,7 +117,7 @@ def run(
     study
         The file of the study, or a :class:`StudyFile`.
     store
-        The folder of what is finished; beside the file, with the ending ".store", unless given. All who share a study
+        The folder of what is finished; next to the file, with the ending ".store", unless given. All who share a study
         name the same folder.
     workers
         Processes at a time on this machine; left out, one for each processor that this process may use.

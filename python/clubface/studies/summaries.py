@@ -18,7 +18,7 @@ from clubface.studies.store import Names, open_store
 from clubface.support.checks import check_names
 
 MOST_LEVELS = 40
-"""Different values of an input that are told one by one; more are put together in classes."""
+"""Different values of an input that are listed one by one; more are put together in classes."""
 CLASSES = 10
 
 

@@ -34,7 +34,7 @@ from clubface.support.checks import check_choice
 
 
 def prepared_folder(folder: str | os.PathLike[str]) -> Path:
-    """Make the folder; one that cannot be made is told before any work is done."""
+    """Make the folder; report one that cannot be made before any work is done."""
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -445,7 +445,7 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
     path
         The name in the end. A link is followed; a device or a pipe is refused.
     folder
-        Where the file lies until then, on the same disk: beside ``path`` unless given.
+        Where the file lies until then, on the same disk: next to ``path`` unless given.
     new
         Whether a file that has the name already is an error.
 

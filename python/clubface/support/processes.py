@@ -30,7 +30,7 @@ from clubface.errors import InputError
 
 SCRIPT = Path(__file__).with_name("isolated_script.py")
 LEAST_MEMORY = 2 * 2**30
-"""Bytes that a library may ask for beside what a file needs: it, Python and NumPy are among them."""
+"""Bytes that a library may ask for besides what a file needs: it, Python and NumPy are among them."""
 LEAST_TIME = 30.0
 """Seconds that it may take for the smallest file; a whole session is read in a few."""
 
@@ -209,7 +209,7 @@ def _of_container() -> list[int]:
 
 
 def processors() -> int:
-    """Return how many processors this process may use, which a job of a cluster is told in this way."""
+    """Return how many processors this process may use, which the scheduler of a cluster sets in this way."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # not Linux

@@ -1,4 +1,4 @@
-"""Validation: what a model makes of published deliveries, plates and heads, beside what was published of them.
+"""Validation: what a model makes of published deliveries, plates and heads, compared with what was published of them.
 
 Each check compares published figures with the same figures computed from the published conditions, with built-in clubs
 and one ball. A tolerance says how close is good enough, and why. Averages are intervals of what they leave open.

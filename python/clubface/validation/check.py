@@ -1,4 +1,4 @@
-"""One published figure beside what a model computes, checks made of such figures, and the model that is judged."""
+"""One published figure and what a model computes for it, checks made of such figures, and the model that is judged."""
 
 from __future__ import annotations
 
@@ -180,7 +180,7 @@ class Check:
 
     @property
     def measured(self) -> bool:
-        """Whether it was measured: what another model computed is shown beside a model, and judges none."""
+        """Whether it was measured: what another model computed is shown next to a model, and judges none."""
         return self.certainty != A_MODEL
 
     def figures(self, judged: Judged) -> list[Figure]:

@@ -1,4 +1,4 @@
-"""Launches beside published ones: spin, start direction, irons, optima, and what an average leaves open.
+"""Launches compared with published ones: spin, start direction, irons, optima, and what an average leaves open.
 
 Radar monitors compute the dynamic loft from the ball by a model of their own. A model that is given such a loft and
 judged by its spin is judged by the monitor's model. At the measured launch angle it is judged by what was measured.

@@ -108,7 +108,7 @@ class OwnMonitor(Described):
     def to_result(self) -> Result:
         """Return it as a result: a row a club, and the camps."""
         return Result(
-            kind="own-monitor", title=f"{self.source} beside {self.model} at its own measured launch",
+            kind="own-monitor", title=f"{self.source} compared with {self.model} at its own measured launch",
             tables=(self._club_table(), camp_table(self.model, self.ball)), notes=tuple(self._notes()),
         )  # fmt: skip
 
@@ -131,7 +131,7 @@ class OwnMonitor(Described):
                 for place, name in enumerate(_SHARE_ENDS)
             ),
             *_camp_columns([each.camps for each in clubs]), text("resembles", [each.resembles for each in clubs]),
-            title=f"{self.source} beside {self.model} at its own measured launch",
+            title=f"{self.source} compared with {self.model} at its own measured launch",
         )  # fmt: skip
 
     def _notes(self) -> Iterator[Note]:

@@ -109,7 +109,7 @@ def _mean(values: Sequence[float]) -> float:
 
 @dataclass(frozen=True)
 class Validation(Described):
-    """Models beside published figures.
+    """Models compared with published figures.
 
     Attributes
     ----------

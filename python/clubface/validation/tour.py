@@ -4,7 +4,7 @@ Each club is delivered at its published speed and attack angle. Where its dynami
 that. For every other club each model gets the loft with which it launches the ball at the published angle: its launch
 angle is then no prediction, but ball speed, spin and carry are, and the loft carries no other model's errors.
 
-The spin of a ball beside its speed along the face: I w / (m R v_t), angular over linear momentum and radius.
+The spin of a ball relative to its speed along the face: I w / (m R v_t), angular over linear momentum and radius.
 
 A force along the face that acts at the distance R from the centre of a resting ball gives it m v_t along the face and I
 w = R m v_t: the ratio is 1, whether the ball slides, sticks or rolls off. The centre of a ball that is flattened is
@@ -334,7 +334,7 @@ FLIGHT_ONLY = "flight only"
 
 
 def tour_result(tours: Sequence[Tour]) -> Result:
-    """Return one or several tables of averages beside models as a result."""
+    """Return one or several tables of averages and models as a result."""
     first = first_model(tours[0])
     titles = " and ".join(each.table.title for each in tours)
     return Result(
@@ -402,7 +402,7 @@ def _club_table(tours: Sequence[Tour], first: str) -> Table:
                              for each, model, place in rows], printed=False),
         *launches,
         column("published_launch_carry", by_club(lambda each, model: each.carry_of_published), "carry", printed=False),
-        title=f"By {first}, beside what is published",
+        title=f"By {first}, compared with what is published",
         shown_rows=[place for place, (_, model, _) in enumerate(rows) if model == first],
     )  # fmt: skip
 
@@ -524,7 +524,7 @@ def _loft_marks(tour: Tour) -> list[Mark]:
 
 
 def error_picture(tour: Tour) -> Picture:
-    """Return the signed error of every model and club, and beside it each model's mean absolute error.
+    """Return the signed error of every model and club, and each model's mean absolute error.
 
     A launch angle from which the loft was solved is hollow and has no part in the mean; where all are, there is no row.
     """

@@ -147,7 +147,7 @@ WORDS = {
     "cg_x": ("back", "forward"), "cg_y": ("lower", "higher"),
     "cg_z": ("closer to the heel", "closer to the toe"),
 }  # fmt: skip
-"""What a positive and a negative change of a setting mean; the CG is told by where the face centre is from it."""
+"""What a positive and a negative change of a setting mean; the CG is given by the way from it to the face centre."""
 
 
 class Combination(NamedTuple):

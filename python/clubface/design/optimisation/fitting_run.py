@@ -55,7 +55,7 @@ def fit(
     subject
         The parts, for whom, and what is judged; or its file.
     output
-        The CSV file to which all combinations are written. Beside it, in a folder, each is kept as soon as it is
+        The CSV file to which all combinations are written. Next to it, in a folder, each is kept as soon as it is
         judged, until the file is written; without it, nothing is.
     resume
         Whether to refuse to begin anew where a run of another fitting was interrupted; that of the same one goes on.

@@ -28,7 +28,7 @@ from clubface.jobs.store import Finished, store_for
 from clubface.support.checks import without_warnings
 
 STARTS = 6
-"""Starts of every point, beside its neighbours: a front may jump from one kind of club to another."""
+"""Starts of every point, besides its neighbours: a front may jump from one kind of club to another."""
 MARGIN = 1e-9
 """Part by which a front may be worse and still be no step back."""
 
@@ -134,7 +134,7 @@ def optimise(
     study
         What may change, what is best, for whom, and within which limits; or its file.
     output
-        The TOML file to which the best club is written. Beside it, in a folder, what is finished is kept until the run
+        The TOML file to which the best club is written. Next to it, in a folder, what is finished is kept until the run
         ends; without it, nothing is.
     resume
         Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.

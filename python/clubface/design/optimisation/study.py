@@ -252,7 +252,7 @@ class DesignStudy:
         limits: tuple[ShotLimit, ...] = (),
         others: tuple[Objective, ...] = (),
     ) -> Problem:
-        """Return the problem for an objective; ``limits`` stand beside those of the study; ``others`` are known."""
+        """Return the problem for an objective; ``limits`` are added to those of the study; ``others`` are known."""
         own = tuple(
             ShotLimit(objective=self.objective(name), least=low, most=high)
             for name, (low, high) in self.limits.items()
@@ -486,7 +486,7 @@ OTHERS = {
 
 
 def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
-    """Read a study, or a fitting if the file has a table ``[fit]``; files that it names are looked for beside it."""
+    """Read a study, or a fitting if the file has a table ``[fit]``; files that it names are looked for next to it."""
     return from_document(Document.read(path))
 
 

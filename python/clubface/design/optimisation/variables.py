@@ -246,7 +246,7 @@ def _row_slopes() -> list[NDArray[Any]]:
 STEPS = 13
 """Places along each axis of the volume, both ends among them."""
 ROUNDS = 20
-"""How often the grid is made finer by half, at most: places are then told apart by a millionth of the volume's size."""
+"""How often the grid is halved, at most: places are then distinguished by a millionth of the volume's size."""
 NEAR = 1e-6
 """Greatest error of a moment, in parts of mass and half size, with which masses count as a solution."""
 NEGLIGIBLE = 1e-9

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 Values = dict[str, float]
 """The quantities of a design by name, all positive."""
 PENALTY = 10.0
-"""Weight of the largest relative violation beside the relative change of the objective. No limit of a head is worth
+"""Weight of the largest relative violation against the relative change of the objective. No limit of a head is worth
 more to its objective: 1% of characteristic time is worth 0.1% of ball speed."""
 
 

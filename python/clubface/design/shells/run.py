@@ -110,7 +110,7 @@ def improve(
     study
         What may change, what is best, and within which limits; or its file.
     output
-        The TOML file to which the best head is written. Beside it, in a folder, every run is kept that has finished,
+        The TOML file to which the best head is written. Next to it, in a folder, every run is kept that has finished,
         until the study ends.
     resume
         Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.

@@ -3,7 +3,7 @@
 A study::
 
     title = "A face within the rules"
-    head = "driver.toml"                 # a driver of walls, beside this file
+    head = "driver.toml"                 # a driver of walls, next to this file
     objective = "ball_speed"             # or carry, characteristic_time, wall_mass (the least)
     safety = 1.1                         # by what the yield stress is divided
 
@@ -278,7 +278,7 @@ POINTS = Items(
 )  # fmt: skip
 _BLOW = {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
 BLOW = Record(_BLOW)
-"""A delivery; where it strikes is told by points."""
+"""A delivery; ``points`` say where it strikes."""
 WALL_BOUNDS = Interval(Quantity("mm"), '["2.4 mm", "4.2 mm"]')
 VARIABLE_TABLES = {
     "thickness": Record(dict.fromkeys(WALLS, WALL_BOUNDS)),
@@ -377,7 +377,7 @@ def _delivered(table: str, given: Mapping[str, Any]) -> dict[str, float]:
 
 
 def read(path: str | os.PathLike[str]) -> ShellStudy:
-    """Read a study; files that it names are looked for beside it."""
+    """Read a study; files that it names are looked for next to it."""
     return from_document(Document.read(path))
 
 

@@ -65,7 +65,7 @@ class Group:
 
 
 def _made_group(values: dict[str, Any], place: Place) -> Group:
-    """Return the group of a table [[groups]], in which values of its metal stand beside its own."""
+    """Return the group of a table [[groups]], which may give values of its metal next to its own."""
     metal = {each.attribute: values.pop(key) for key, each in entries(Metal).items() if key in values}
     return Group(metal=metal, **values)
 

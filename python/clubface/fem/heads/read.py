@@ -52,7 +52,7 @@ def design_of(head: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -
 
 
 def from_toml(path: str | os.PathLike[str]) -> Design:
-    """Read the design of a head from a TOML file; a mesh that it names by path is looked for beside it."""
+    """Read the design of a head from a TOML file; a mesh that it names by path is looked for next to it."""
     return _design(Document.read(path))
 
 

@@ -216,7 +216,7 @@ class MeshBuilder:
         self.walls[name] = replace(metal, thickness=thickness, source=source, material=material)
 
     def note_offsets(self, count: int, noun: str) -> None:
-        """Say that walls lie beside the nodes, if some do."""
+        """Warn of walls that do not lie at the nodes, if there are any."""
         if count:
             text = f"{count} {noun} have an offset from the nodes, which is not used: nodes are on the middle surface"
             self.notes.append(text)

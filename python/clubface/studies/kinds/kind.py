@@ -2,7 +2,7 @@
 
 A study names its kind, gives it a table of its own, and sweeps what the kind says may be swept. From the study the kind
 makes a task, whose columns at any index follow from the study and the index alone. Another kind is a ``Kind`` in a
-module beside this one, and a line in ``KINDS``.
+module next to this one, and a line in ``KINDS``.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Computed(NamedTuple):
 
 
 class Task(Protocol):
-    """What is computed: its columns, and what beside study and version may change bits of them, as the processor."""
+    """What is computed: its columns, and what besides study and version may change bits of them, as the processor."""
 
     columns: Mapping[str, Column]
     depends_on: Mapping[str, str]
@@ -196,7 +196,7 @@ class OneByOne:
         self.depends_on = {"processor": vector_units()} if elements else {}
 
     def run(self, indices: range) -> Computed:
-        """Compute one task after the other; why one has no result is told."""
+        """Compute one task after the other; the reason why one has no result is kept."""
         values = {name: each.tolist() for name, each in self._design.values(indices).items()}
         columns = {name: np.full(len(indices), math.nan) for name in self.columns}
         failed: list[tuple[int, str]] = []
