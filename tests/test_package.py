@@ -44,6 +44,7 @@ def test_no_module_hides_a_public_function_of_its_package():
         public = re.findall(r"\b(\w+) as \1\b|^def (\w+)", (package / "__init__.py").read_text(), re.MULTILINE)
         for exported in modules & {each for pair in public for each in pair}:
             assert isinstance(getattr(import_module(name), exported), ModuleType), f"{name}.{exported}"
+        assert not modules & set(getattr(import_module(name), "_HOME", ())), name
 
 
 def test_public_names_are_listed():

@@ -52,13 +52,13 @@ def join(
     """Pair captured deliveries with the launches of a monitor, in the order in which the shots were hit."""
     from clubface.capture import join as join_shots
     from clubface.shots.reading import read as read_shots
-    from clubface.shots.recorded_result import recorded_result
+    from clubface.shots.recorded_result import shots_result
     from clubface.shots.tables.writer import KINDS
 
     shown = show.Output.check(texts | {"target": target}, [captured, session, mapping], KINDS)
     shots = join_shots(read_shots(captured), read_shots(session, format=format_, mapping=mapping))
     shots.write(target)
-    shown.show(recorded_result(shots), table=None)
+    shown.show(shots_result(shots), table=None)
 
 
 @app.command()

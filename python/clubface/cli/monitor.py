@@ -202,7 +202,7 @@ def read(
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
     from clubface.present.files import write_table
-    from clubface.shots.recorded_result import recorded_result, rejected_table
+    from clubface.shots.recorded_result import rejected_table, shots_result
 
     read_files = [*files, texts["mapping"]]
     shown = show.Output.check(texts | {"unit": None}, read_files)
@@ -214,7 +214,7 @@ def read(
         shots.write(shown.target)
     if rejects is not None:
         write_table(rejected_table(shots.rejected), rejects)
-    shown.show(recorded_result(shots), table=None, more=[] if rejects is None else [rejects])
+    shown.show(shots_result(shots), table=None, more=[] if rejects is None else [rejects])
 
 
 @app.command()

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
         assume_values as assume_values,
         join_sessions as join_sessions,
     )
-    from clubface.shots.recorded_result import recorded_result as recorded_result
+    from clubface.shots.recorded_result import shots_result as shots_result
     from clubface.shots.reference_points import refer as refer
     from clubface.shots.session_summary import (
         ClubSummary as ClubSummary,
@@ -46,7 +46,7 @@ _HOME = {
     **dict.fromkeys(("FORMATS", "format_result", "formats_result"), "monitors"),
     "read": "reading",
     **dict.fromkeys(("RejectedRow", "assume_values", "join_sessions"), "recorded"),
-    "recorded_result": "recorded_result",
+    "shots_result": "recorded_result",
     "refer": "reference_points",
     **dict.fromkeys(("ClubSummary", "session_result", "summarize_clubs"), "session_summary"),
 }

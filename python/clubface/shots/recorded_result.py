@@ -14,13 +14,13 @@ from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, RejectedRow
 
-__all__ = ["recorded_result", "rejected_table", "session_table"]
+__all__ = ["rejected_table", "session_table", "shots_result"]
 
 SHOWN = 10
 """Rejected rows that are printed; files have all."""
 
 
-def recorded_result(shots: RecordedShots) -> Result:
+def shots_result(shots: RecordedShots) -> Result:
     """Return what was read: the quantities, the clubs, where lofts come from, and the rows that give no shot."""
     names = [] if shots.clubs is None else shots.clubs.tolist()
     clubs = {name: names.count(name) for name in dict.fromkeys(names)}

@@ -272,7 +272,7 @@ def sensitivity(
     Returns
     -------
     Sensitivity
-        A table with labels and units; of many shots an array, shape (outputs, variables, *shots).
+        A table with labels and units; of many shots an array, shape (outputs, variables, ...).
     """
     check_on_error(on_error)
     accuracy, cores = tolerance(accuracy), thread_count(threads)
