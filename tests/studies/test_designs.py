@@ -202,7 +202,7 @@ def test_the_rows_of_a_table_are_computed_for_every_name(write):
         ("club_speed_mph\n", "no row"),
         ("weather\nfine\n", "no column"),
         ("club_speed_mph,attack_deg\n90\n", "1 cell where there are 2 columns"),
-        ("club_speed_mph,Model\n90,area\n", "this column is not read; sweep it beside the table, as in model"),
+        ("club_speed_mph,Model\n90,area\n", "this column is not read; sweep it next to the table, as in model"),
     ],
 )
 def test_a_table_with_a_row_that_cannot_be_used_is_refused(write, text, words):
