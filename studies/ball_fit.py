@@ -1,7 +1,7 @@
 """Fit the core of the ball `modern-2026` to published plate tests, and tell what they leave open: `make ball-fit`.
 
 Free are the modulus c10 of the core, and the modulus and time of its Maxwell branch; all else is as in the ball's file.
-Printed are figures beside targets, the standard deviations and correlations of the fit, and the spins that a cover at
+It prints figures next to targets, the standard deviations and correlations of the fit, and the spins that a cover at
 the ends of its published range gives, since no plate test determines it. No shot is used.
 """
 
@@ -40,12 +40,12 @@ DIMENSIONS = {"restitution": units.DIMENSIONLESS, "contact time": "time", "peak 
 
 def targets() -> list[dict[str, Any]]:
     """Return the targets, SI."""
-    found = Document.read(Path(__file__).with_suffix(".toml")).data["target"]
-    for each in found:
+    rows = Document.read(Path(__file__).with_suffix(".toml")).data["target"]
+    for each in rows:
         each["speed"] = units.parse(each["speed"], "speed")
         for key in ("value", "deviation"):
             each[key] = units.parse(each[key], DIMENSIONS[each["quantity"]])
-    return found
+    return rows
 
 
 def ball(values: Any, cover: float = COVER_MIDDLE) -> fem.Ball:
@@ -64,18 +64,18 @@ def ball(values: Any, cover: float = COVER_MIDDLE) -> fem.Ball:
     )
 
 
-def hit(made: fem.Ball, against: str, speed: float) -> dict[str, float]:
+def run_impact(made: fem.Ball, against: str, speed: float) -> dict[str, float]:
     """Run one normal impact; return its figures, SI."""
     if against == "plate":
-        found = fem.throw(made, speed=speed, settings=END)
-        parted = found.normal_velocity
+        result = fem.throw(made, speed=speed, settings=END)
+        rebound = result.normal_velocity
     else:
-        found = fem.strike(HEAD, ball=made, speed=speed, settings=END)
-        parted = found.launch.ball_speed - found.launch.club_velocity_x
+        result = fem.strike(HEAD, ball=made, speed=speed, settings=END)
+        rebound = result.launch.ball_speed - result.launch.club_velocity_x
     return {
-        "restitution": float(parted / speed),
-        "contact time": found.contact_time,
-        "peak force": found.peak_force,
+        "restitution": float(rebound / speed),
+        "contact time": result.contact_time,
+        "peak force": result.peak_force,
     }
 
 
@@ -83,8 +83,8 @@ def figures(made: fem.Ball, wanted: list[dict[str, Any]]) -> list[float]:
     """Return what the ball gives for each target, one run a core at a time."""
     runs = list(dict.fromkeys((each["against"], each["speed"]) for each in wanted))
     with ThreadPoolExecutor() as pool:
-        found = dict(zip(runs, pool.map(lambda run: hit(made, *run), runs), strict=True))
-    return [found[each["against"], each["speed"]][each["quantity"]] for each in wanted]
+        results = dict(zip(runs, pool.map(lambda run: run_impact(made, *run), runs), strict=True))
+    return [results[each["against"], each["speed"]][each["quantity"]] for each in wanted]
 
 
 def main() -> None:
@@ -92,8 +92,8 @@ def main() -> None:
     wanted = targets()
 
     def misfit(logarithms: Any) -> Any:
-        found = figures(ball(np.exp(logarithms)), wanted)
-        return [(value - each["value"]) / each["deviation"] for value, each in zip(found, wanted, strict=True)]
+        fitted = figures(ball(np.exp(logarithms)), wanted)
+        return [(value - each["value"]) / each["deviation"] for value, each in zip(fitted, wanted, strict=True)]
 
     fit = least_squares(misfit, np.log(list(NAMES.values())), diff_step=0.03, max_nfev=6)
     values = np.exp(fit.x)
@@ -114,7 +114,7 @@ def main() -> None:
     print("\nwith a cover of, MPa      " + "".join(f"{name:>16}" for name in ("restitution", *SHOTS)))
     for cover in (COVER_RANGE[0], COVER_MIDDLE, COVER_RANGE[1]):
         made = ball(values, cover)
-        restitution = hit(made, "plate", 38.1)["restitution"]
+        restitution = run_impact(made, "plate", 38.1)["restitution"]
         spins = [fem.strike(CLUBS[name], shot, ball=made, settings=END).launch.get("backspin", "rpm")
                  for name, shot in SHOTS.items()]  # fmt: skip
         print(f"{cover:18.0f}        {restitution:16.3f}" + "".join(f"{spin:12.0f} rpm" for spin in spins))

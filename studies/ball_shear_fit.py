@@ -3,8 +3,8 @@
 Normal impacts (`ball_fit.py`) say nothing of the shear of a ball, and an elastic cover gives back too much of it. Here
 the cover has a Maxwell branch too, which takes away from what the ball gives back of the shear it stores. Published
 spins at one launch differ by more than their noise from source to source, so each source has an unknown error of its
-own. Printed are figures beside targets, the posterior of Laplace's approximation, and how the spin of an iron moves
-without one of the sources.
+own. It prints figures next to targets, the posterior of Laplace's approximation, and how the spin of an iron
+moves without one of the sources.
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ FREE = {
 """What is free: where the search begins, and the prior deviation of the logarithm. The modulus of the cover is
 published as 200 to 450 MPa for ionomers; the other priors are wide."""
 GROUP_DEVIATION = 0.12
-"""Of the logarithm of the spins of one source: robots, golfers and tours differ by 26% at the same launch and speed."""
+"""Deviation of the logarithm of the spins of one source: robots, golfers and tours differ by 26% at the same launch and
+speed."""
 SLIP = {"speed": "88 mph", "attack": "-4 deg", "loft": "25 deg"}
 """A 7-iron shot like those of Caldwell and McPhee, whose `slip` parameters give the spin that they measured."""
 SLIP_DEVIATION = 0.09

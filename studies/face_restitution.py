@@ -33,7 +33,7 @@ if __name__ == "__main__":
     gain, *_ = np.linalg.lstsq(powers[1:], values[1:] - values[0], rcond=None)
     off = values - values[0] - powers @ gain
     for time, value, misfit in zip(TIMES, values, off, strict=True):
-        print(f"{time:3d} us: {value:.5f}, beside the fit {misfit:+.5f}")
+        print(f"{time:3d} us: {value:.5f}, off the fit by {misfit:+.5f}")
     print(f"RIGID = {values[0]:.4f}")
     print("GAIN = (" + ", ".join(f"{each:.3e}" for each in gain) + ")", f"to {abs(off).max():.5f}")
     for time, rule in RULES.items():

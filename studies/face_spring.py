@@ -50,15 +50,19 @@ def compared() -> Iterator[tuple[int, str, dict[str, float]]]:
                                     (("spring", time), ("rigid", 0.0))}}  # fmt: skip
         for loft in LOFTS:
             for name, club in kinds.items():
-                found = fem.strike(club, speed="100 mph", loft=f"{loft} deg", settings=SETTINGS)
-                launch = found.launch
+                result = fem.strike(club, speed="100 mph", loft=f"{loft} deg", settings=SETTINGS)
+                launch = result.launch
                 assert launch is not None
-                told = {key: float(launch.get(key, unit)) for key, unit in
+                figures = {key: float(launch.get(key, unit)) for key, unit in
                         (("ball_speed", "mph"), ("launch", "deg"), ("backspin", "rpm"))}  # fmt: skip
-                yield loft, name, {**told, "contact time": found.contact_time * 1e6, "characteristic time": time * 1e6}
+                yield (
+                    loft,
+                    name,
+                    {**figures, "contact time": result.contact_time * 1e6, "characteristic time": time * 1e6},
+                )
 
 
 if __name__ == "__main__":
-    for loft, name, told in compared():
-        figures = "  ".join(f"{key} {value:.4g}" for key, value in told.items())
-        print(f"{loft} deg  {name:7s} {figures}", flush=True)
+    for loft, name, figures in compared():
+        text = "  ".join(f"{key} {value:.4g}" for key, value in figures.items())
+        print(f"{loft} deg  {name:7s} {text}", flush=True)

@@ -4,7 +4,7 @@
 second time by SIGKILL and otherwise by SIGINT, at moments drawn over the time that the whole command takes. Some are
 also run three at a time, as often, and of some an input is edited while they run: the results are those of one of both
 inputs, or none. ``--seconds 3600`` ends after that time, when every command has had about as many kills. It exits with
-1 if any result differs or anything is left beside the results.
+1 if any result differs or anything but the results is left.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ EXAMPLES = Path(__file__).parents[1] / "examples"
 MAIN = "from clubface.cli import main; main()"
 FINDINGS = """
 import sys
-from clubface.inference.findings import __main__ as program, study
+from clubface.inference import findings
 
 def untimed(value):
     if isinstance(value, dict):
         return {key: untimed(each) for key, each in value.items() if key not in ("seconds", "wall_s")}
     return [untimed(each) for each in value] if isinstance(value, list) else value
 
-study.MODELS, study.OWN, study.RESAMPLES = ("standard", "slip"), ("slip",), 400
-study.FREE = {"standard": study.FREE["standard"]}
-study.EVERY = {f"{club}-slip": 20 for club in study.CLUBS}
-study.BOOTSTRAP = dict.fromkeys(study.MODELS, 10)
-run = study.run
-program.run = lambda *given, **options: untimed(run(*given, **options))
-sys.exit(program.main(sys.argv[1:]))
+findings.MODELS, findings.OWN, findings.RESAMPLES = ("standard", "slip"), ("slip",), 400
+findings.FREE = {"standard": findings.FREE["standard"]}
+findings.EVERY = {f"{club}-slip": 20 for club in findings.CLUBS}
+findings.BOOTSTRAP = dict.fromkeys(findings.MODELS, 10)
+run = findings.run
+findings.run = lambda *given, **options: untimed(run(*given, **options))
+sys.exit(findings.main(sys.argv[1:]))
 """
 """The findings on the benchmark shots, which take hours, of two models only, one of them on a part of the shots, and
 without the times that it took, which differ from run to run."""
@@ -258,9 +258,9 @@ def undisturbed(command: Command, folder: Path) -> tuple[dict[str, bytes], float
     """Run a command; return its results and the time it took [s]."""
     begun = time.monotonic()
     child = start(command, folder, False)
-    _, said = child.communicate()
+    _, message = child.communicate()
     if child.returncode:
-        raise RuntimeError(f"{command.name} failed: {said}")
+        raise RuntimeError(f"{command.name} failed: {message}")
     return results(command, folder), time.monotonic() - begun
 
 
@@ -288,25 +288,25 @@ def disturbed(
         child = start(command, folder, again)
         kill = signal.SIGKILL if tries % 2 else signal.SIGINT
         try:
-            _, said = child.communicate(timeout=random_.uniform(0.0, 1.1 * seconds))
+            _, message = child.communicate(timeout=random_.uniform(0.0, 1.1 * seconds))
         except subprocess.TimeoutExpired:
             child.send_signal(kill)
-            _, said = child.communicate()
+            _, message = child.communicate()
             done += 1
-        if half := [name for name, found in results(command, folder).items() if found != whole[name]]:
+        if half := [name for name, content in results(command, folder).items() if content != whole[name]]:
             wrong.append(f"{command.name}: {', '.join(half)} differ after a kill")
-        if child.returncode == 1 and said.startswith(UNSTARTED):
+        if child.returncode == 1 and message.startswith(UNSTARTED):
             continue
         if child.returncode not in (0, 130, -signal.SIGKILL, -signal.SIGINT):
-            wrong.append(f"{command.name}: status {child.returncode}: {said.strip()}")
+            wrong.append(f"{command.name}: status {child.returncode}: {message.strip()}")
             return wrong
         again = child.returncode != 0
         if not again:
             remove(command, folder)
     child = start(command, folder, again)
-    _, said = child.communicate()
+    _, message = child.communicate()
     if child.returncode or results(command, folder) != whole:
-        wrong.append(f"{command.name}: the last run is not as the undisturbed one: {said.strip()}")
+        wrong.append(f"{command.name}: the last run is not as the undisturbed one: {message.strip()}")
     left = [each.name for each in folder.rglob("*") if each.name.endswith((".unfinished", ".checkpoint", "kept"))]
     return [*wrong, *(f"{command.name}: {name} is left" for name in left)]
 
@@ -322,11 +322,13 @@ def together(
     killed = random_.choice([None, *children])
     if killed is not None:
         killed.send_signal(signal.SIGKILL)
-    said = {child: child.communicate()[1] for child in children}
+    messages = {child: child.communicate()[1] for child in children}
     wrong = [
-        f"{command.name}, three at a time: status {child.returncode}: {said[child].strip()}"
+        f"{command.name}, three at a time: status {child.returncode}: {messages[child].strip()}"
         for child in children
-        if child is not killed and child.returncode and not (child.returncode == 2 and "is writing this" in said[child])
+        if child is not killed
+        and child.returncode
+        and not (child.returncode == 2 and "is writing this" in messages[child])
     ]
     if results(command, folder) != whole:  # where the one that was killed was the one that wrote
         start(command, folder, False).communicate()
@@ -361,15 +363,15 @@ def edited(
     child = start(command, folder, False)
     time.sleep(random_.uniform(0.0, seconds))
     (folder / name).write_text(change(before), encoding="utf-8")
-    said = child.communicate()[1].strip()
+    message = child.communicate()[1].strip()
     (folder / name).write_text(before, encoding="utf-8")
     made, wrong = results(command, folder), []
-    if child.returncode not in (0, 2) or "Traceback" in said:
-        wrong.append(f"{command.name}, {name} edited: status {child.returncode}: {said}")
+    if child.returncode not in (0, 2) or "Traceback" in message:
+        wrong.append(f"{command.name}, {name} edited: status {child.returncode}: {message}")
     elif child.returncode == 0 and made not in (whole, other):
-        wrong.append(f"{command.name}, {name} edited: the results are of neither: {said}")
+        wrong.append(f"{command.name}, {name} edited: the results are of neither: {message}")
     elif child.returncode == 2 and any(each not in (whole.get(file), other.get(file)) for file, each in made.items()):
-        wrong.append(f"{command.name}, {name} edited: what is left is of neither: {said}")
+        wrong.append(f"{command.name}, {name} edited: what is left is of neither: {message}")
     start(command, folder, False).communicate()  # what is unfinished
     remove(command, folder)
     return wrong
@@ -394,16 +396,16 @@ def study(commands: Sequence[Command], kills: int, seed: int = 1, seconds: float
                     known[command.name] = undisturbed(command, prepared(folder))
                     remove(command, folder)
                 whole, long = known[command.name]
-                found = disturbed(command, folder, whole, long, random_, some)
+                faults = disturbed(command, folder, whole, long, random_, some)
                 remove(command, folder)
                 for _ in range(some if command.at_once else 0):
-                    found += together(command, folder, whole, long, random_)
+                    faults += together(command, folder, whole, long, random_)
                 for _ in range(1 if command.edits else 0):
-                    found += edited(command, folder, whole, long, random_)
-                print(f"{command.name}: {long:.1f} s undisturbed, {done + some} kills, {len(found)} wrong", flush=True)
-                if found:
-                    print("\n".join(found), flush=True)
-                wrong += found
+                    faults += edited(command, folder, whole, long, random_)
+                print(f"{command.name}: {long:.1f} s undisturbed, {done + some} kills, {len(faults)} wrong", flush=True)
+                if faults:
+                    print("\n".join(faults), flush=True)
+                wrong += faults
     return wrong
 
 

@@ -104,18 +104,18 @@ def spinning_clubs(count: int, seed: int) -> list[Strike]:
     return _spinning(_clubs(points), points[:, 10:])
 
 
-def _spinning(of: list[Strike], shares: NDArray[Any]) -> list[Strike]:
+def _spinning(strikes: list[Strike], shares: NDArray[Any]) -> list[Strike]:
     """Return strikes with a spin of the ball, given as shares of its range about the three axes."""
-    found = []
-    for each, u in zip(of, shares, strict=True):
+    spinning = []
+    for each, u in zip(strikes, shares, strict=True):
         spin = {name: float(_between(name, share)) for name, share in zip(SPINS, u, strict=True)}
-        found.append(each._replace(delivery={**each.delivery, **spin}))
-    return found
+        spinning.append(each._replace(delivery={**each.delivery, **spin}))
+    return spinning
 
 
 def _heads(points: NDArray[Any]) -> list[Strike]:
     """Return strikes with free heads from points of the unit cube."""
-    found = []
+    made = []
     slowest, fastest = RANGE["speed"]
     lightest, heaviest = RANGE["club_mass"]
     softest = RANGE["characteristic_time"][1]
@@ -150,10 +150,10 @@ def _heads(points: NDArray[Any]) -> list[Strike]:
             "face": (u[11] - 0.5) * math.radians(20.0) if u[12] < 0.5 else 0.0,
             "closure": (u[13] - 0.5) * 110.0 if u[12] > 0.4 else 0.0,
         }
-        found.append(
+        made.append(
             Strike(head, {key: float(value) for key, value in delivery.items()}, float(_between("friction", u[2])))
         )
-    return found
+    return made
 
 
 def _between(name: str, share: float) -> float:
@@ -169,7 +169,7 @@ def clubs(count: int, seed: int) -> list[Strike]:
 
 def _clubs(points: NDArray[Any]) -> list[Strike]:
     """Return strikes with the built-in clubs, one after the other, from points of the unit cube."""
-    found = []
+    made = []
     for number, u in enumerate(points):
         head = club(CLUBS[number % len(CLUBS)])
         wood = head.kind == "wood"
@@ -184,8 +184,8 @@ def _clubs(points: NDArray[Any]) -> list[Strike]:
             "face": math.radians(8.0 * (u[6] - 0.5)),
             "closure": math.radians(3000.0 * u[7]),
         }
-        found.append(Strike(head, {key: float(value) for key, value in delivery.items()}, float(0.15 + 0.35 * u[3])))
-    return found
+        made.append(Strike(head, {key: float(value) for key, value in delivery.items()}, float(0.15 + 0.35 * u[3])))
+    return made
 
 
 def _sequence(dimensions: int, count: int, seed: int) -> NDArray[Any]:
@@ -223,8 +223,8 @@ TARGETS = (
 )  # fmt: skip
 """What the model must give, SI."""
 COLUMNS = ("part", "number", *TARGETS, "stopped", "inputs")
-"""Of the table: which strike it is (the design tells how it is delivered), its results, and a sum of its inputs, by
-which a row is run again where the design gives its number to another strike."""
+"""Columns of the table: the strike (the design gives its delivery), its results, and a checksum of its inputs: the row
+is run again where the design gives its number to another strike."""
 DIGITS = 9
 _SETTINGS = Settings(duration=2.5e-3, interval=2e-5, until_separation=True, threads=1)
 
@@ -240,14 +240,14 @@ class Strikes(NamedTuple):
         Inputs in the order of the core, shape (strikes, inputs).
     friction
         Coefficients of friction.
-    found
+    results
         ``TARGETS`` by the finite elements, shape (strikes, targets).
     """
 
     part: NDArray[Any]
     inputs: NDArray[Any]
     friction: NDArray[Any]
-    found: NDArray[Any]
+    results: NDArray[Any]
 
     def where(self, chosen: NDArray[Any]) -> Strikes:
         """Return the chosen rows."""
@@ -300,14 +300,14 @@ def run(
     )
 
 
-def in_fit(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
+def in_fit(strikes: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     """Return which strikes the coefficients are fitted to: those that are not held out."""
-    return np.isin(of.part, [place for place, part in enumerate(parts.values()) if not part.held_out])
+    return np.isin(strikes.part, [place for place, part in enumerate(parts.values()) if not part.held_out])
 
 
-def of_clubs(of: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
+def of_clubs(strikes: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     """Return which strikes are with built-in clubs."""
-    return np.isin(of.part, [place for place, part in enumerate(parts.values()) if part.built_in])
+    return np.isin(strikes.part, [place for place, part in enumerate(parts.values()) if part.built_in])
 
 
 def _sum(values: Iterable[float]) -> str:
@@ -318,10 +318,10 @@ def _sum(values: Iterable[float]) -> str:
 def _row(place: tuple[int, int], planned: Strike, ball: Ball, keep_going: Any) -> dict[str, Any]:
     club, delivery, friction = planned
     with without_warnings():
-        found = strike(club, delivery, ball=ball, friction=friction, settings=_SETTINGS, progress=keep_going)
-    out = found.outcome()
+        impact = strike(club, delivery, ball=ball, friction=friction, settings=_SETTINGS, progress=keep_going)
+    out = impact.outcome()
     results = {name: float(f"{out[name]:.{DIGITS}g}") for name in TARGETS}
-    return {"part": float(place[0]), "number": float(place[1]), **results, "stopped": found.stopped or ""}
+    return {"part": float(place[0]), "number": float(place[1]), **results, "stopped": impact.stopped or ""}
 
 
 MODEL = "response"
@@ -330,9 +330,9 @@ GIVEN = "friction"
 SPEED_SHARE, SPIN_SHARE, SPIN_LEAST, TIME_SHARE, FORCE_SHARE = 0.003, 0.01, 2.0, 0.05, 0.03
 """Deviations that count alike: of velocity and spin as shares of their size, with a least one of spin [rad/s]."""
 RIDGE = 0.02
-"""What a coefficient of one costs, in these deviations: keeps those that no strike determines near zero."""
+"""Residual of a coefficient of one, in these deviations: keeps those that no strike determines near zero."""
 CLUB_WEIGHT = 2.5
-"""Of a strike with a built-in club, beside one with any head."""
+"""Weight of a strike with a built-in club; that of one with any head is 1."""
 CONVERGED = 1e-7
 """Share of the cost by which a search must lower it at least: one that repeats another gives the same coefficients."""
 LIGHT = 0.12
@@ -363,10 +363,10 @@ def simulated(values: Mapping[str, float], strikes: Strikes, variables: list[str
 
 def scales(strikes: Strikes) -> NDArray[Any]:
     """Return the deviations that count alike, shape (strikes, targets)."""
-    found = strikes.found
-    speed, spin = (np.linalg.norm(found[:, part], axis=1) for part in (slice(0, 3), slice(3, 6)))
+    results = strikes.results
+    speed, spin = (np.linalg.norm(results[:, part], axis=1) for part in (slice(0, 3), slice(3, 6)))
     spin = np.maximum(SPIN_SHARE * spin, SPIN_LEAST)
-    each = [SPEED_SHARE * speed] * 3 + [spin] * 3 + [TIME_SHARE * found[:, 6], FORCE_SHARE * found[:, 7]]
+    each = [SPEED_SHARE * speed] * 3 + [spin] * 3 + [TIME_SHARE * results[:, 6], FORCE_SHARE * results[:, 7]]
     return np.stack(each, axis=1)
 
 
@@ -378,23 +378,23 @@ def weights(strikes: Strikes, of_clubs: NDArray[Any]) -> NDArray[Any]:
 def effective_mass(strikes: Strikes) -> NDArray[Any]:
     """Return the masses [kg] as which the heads resist the ball, from the impulse that the ball took at a flat face."""
     names = list(inputs())
-    found = []
+    masses = []
     for row in strikes.inputs:
-        of = dict(zip(names, row, strict=True))
-        turn = turn_to_sole(of["static_loft"])
+        head = dict(zip(names, row, strict=True))
+        turn = turn_to_sole(head["static_loft"])
         inertia = np.array(
             [
-                [of["ixx"], of["ixy"], of["ixz"]],
-                [of["ixy"], of["iyy"], of["iyz"]],
-                [of["ixz"], of["iyz"], of["izz"]],
+                [head["ixx"], head["ixy"], head["ixz"]],
+                [head["ixy"], head["iyy"], head["iyz"]],
+                [head["ixz"], head["iyz"], head["izz"]],
             ]
         )
         inertia = turn.T @ inertia @ turn
-        lever = turn.T @ np.array([of["cg_x"], of["cg_y"], of["cg_z"]])
-        point = face_point(of["toe"], of["high"], of["bulge"], of["roll"])
-        arm = np.cross(lever + point, nearest(point, of["bulge"], of["roll"])[1])
-        found.append(1.0 / (1.0 / of["club_mass"] + arm @ np.linalg.solve(inertia, arm)))
-    return np.array(found)
+        lever = turn.T @ np.array([head["cg_x"], head["cg_y"], head["cg_z"]])
+        point = face_point(head["toe"], head["high"], head["bulge"], head["roll"])
+        arm = np.cross(lever + point, nearest(point, head["bulge"], head["roll"])[1])
+        masses.append(1.0 / (1.0 / head["club_mass"] + arm @ np.linalg.solve(inertia, arm)))
+    return np.array(masses)
 
 
 def fit(
@@ -418,7 +418,7 @@ def fit(
         if x.tobytes() not in kept:
             kept.clear()
             values, slopes = simulated(dict(zip(names, map(float, x), strict=True)), strikes, names)
-            residual = np.concatenate([((values - strikes.found) / scale).ravel(), RIDGE * x[terms]])
+            residual = np.concatenate([((values - strikes.results) / scale).ravel(), RIDGE * x[terms]])
             slope = (slopes / scale[:, :, None]).reshape(-1, len(names))
             kept[x.tobytes()] = residual, np.concatenate([slope, RIDGE * np.eye(len(names))[terms]])
             if progress is not None:
@@ -435,15 +435,15 @@ def fit(
         bounds=(lower, upper), x_scale=size, loss="soft_l1", max_nfev=60,
     )  # fmt: skip
     first = cost(at(start)[0])
-    found = best.x if cost(best.fun) < (1.0 - CONVERGED) * first else start
-    return dict(zip(names, map(float, found), strict=True))
+    chosen = best.x if cost(best.fun) < (1.0 - CONVERGED) * first else start
+    return dict(zip(names, map(float, chosen), strict=True))
 
 
 RESIDUAL_SPIN_SHARE, RESIDUAL_SPIN_LEAST = 0.02, 40.0 * math.pi / 30.0
 """A spin is met within this share of itself, or within this much [rad/s]."""
 PERCENTILES = (50, 95, 100)
 MASSES = (0.0, 0.12, 0.2, math.inf)
-"""Ends of the classes of effective mass [kg] by which differences with any heads are told, too."""
+"""Ends of the classes of effective mass [kg] by which differences with any heads are listed, too."""
 
 
 def differences(values: Mapping[str, float], strikes: Strikes) -> dict[str, NDArray[Any]]:
@@ -454,9 +454,9 @@ def differences(values: Mapping[str, float], strikes: Strikes) -> dict[str, NDAr
     ``contact_time`` and ``peak_force`` [1].
     """
     got, _ = simulated(values, strikes, fitted()[:1])
-    want = strikes.found
+    want = strikes.results
     size = np.linalg.norm
-    speeds, spins = (tuple(size(of[:, part], axis=1) for of in (got, want)) for part in (slice(0, 3), slice(3, 6)))
+    speeds, spins = (tuple(size(each[:, part], axis=1) for each in (got, want)) for part in (slice(0, 3), slice(3, 6)))
     cosine = np.einsum("ij,ij->i", got[:, :3], want[:, :3]) / (speeds[0] * speeds[1])
     allowed = np.maximum(RESIDUAL_SPIN_SHARE * spins[1], RESIDUAL_SPIN_LEAST)
     return {
@@ -473,7 +473,7 @@ def summary(
     values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]
 ) -> dict[str, dict[str, list[float]]]:
     """Return the percentiles of the differences by part and quantity, for held-out heads also by effective mass."""
-    found = {}
+    percentiles = {}
     for place, (name, part) in enumerate(parts.items()):
         of_part = strikes.where(strikes.part == place)
         each, groups = differences(values, of_part), {name: np.arange(len(of_part.friction))}
@@ -482,8 +482,10 @@ def summary(
             for least, most in pairwise(MASSES):
                 groups[f"{name}, {_class(least, most)}"] = np.flatnonzero((masses >= least) & (masses < most))
         for group, chosen in groups.items():
-            found[group] = {key: [float(np.percentile(of[chosen], p)) for p in PERCENTILES] for key, of in each.items()}
-    return found
+            percentiles[group] = {
+                key: [float(np.percentile(column[chosen], p)) for p in PERCENTILES] for key, column in each.items()
+            }
+    return percentiles
 
 
 def _class(least: float, most: float) -> str:
@@ -496,7 +498,7 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
     """Draw what share of the held-out strikes is within a difference, for ball speed, direction and spin."""
     drawn = Figure(figsize=(9.0, 3.4), layout="constrained")
     panels = drawn.subplots(1, 3, sharey=True)
-    told = {
+    quantities = {
         "speed": ("difference of ball speed, %", 100.0, 0.5),
         "direction": ("angle between launches, degrees", 180.0 / math.pi, 0.2),
         "spin": ("difference of spin over 2% or 40 rpm", 1.0, 1.0),
@@ -504,12 +506,12 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
     for place, (name, part) in enumerate(parts.items()):
         if not part.held_out:
             continue
-        found = differences(values, strikes.where(strikes.part == place))
-        for panel, (key, (_, size, _)) in zip(panels, told.items(), strict=True):
-            ordered = np.sort(found[key]) * size
+        off = differences(values, strikes.where(strikes.part == place))
+        for panel, (key, (_, size, _)) in zip(panels, quantities.items(), strict=True):
+            ordered = np.sort(off[key]) * size
             panel.plot(ordered, np.arange(1, len(ordered) + 1) / len(ordered), label=name)
     legend_above(drawn, panels[0].get_lines())
-    for panel, (text, _, asked) in zip(panels, told.values(), strict=True):
+    for panel, (text, _, asked) in zip(panels, quantities.values(), strict=True):
         panel.axvline(asked, color="0.6", linewidth=0.8)
         panel.axhline(0.95, color="0.6", linewidth=0.8)
         panel.set_xlim(0.0, 4.0 * asked)
@@ -523,14 +525,14 @@ def main(arguments: list[str]) -> int:
     if len(arguments) != 2:
         print("usage: python studies/response_fit.py BALL FOLDER", file=sys.stderr)
         return 2
-    which, folder = arguments[0], Path(arguments[1])
+    name, folder = arguments[0], Path(arguments[1])
 
     def tell(done: int, whole: int) -> None:
         if done % 100 == 0 or done == whole:
             print(f"{done} of {whole} strikes", file=sys.stderr, flush=True)
 
     try:
-        meshed, described = ball(which), rigid_ball(which)
+        meshed, described = ball(name), rigid_ball(name)
         strikes = run(meshed, PARTS, folder / f"{meshed.name}.csv", progress=tell)
         used = strikes.where(in_fit(strikes, PARTS))
         values = fit(used, weights(used, of_clubs(used, PARTS)))
@@ -547,8 +549,8 @@ def main(arguments: list[str]) -> int:
         print(f"response_fit: {error}", file=sys.stderr)
         return 2
     for part, quantities in left.items():
-        told = "  ".join(f"{name} {'/'.join(f'{each:.4f}' for each in of)}" for name, of in quantities.items())
-        print(f"{part}, percentiles {PERCENTILES}: {told}")
+        text = "  ".join(f"{name} {'/'.join(f'{each:.4f}' for each in row)}" for name, row in quantities.items())
+        print(f"{part}, percentiles {PERCENTILES}: {text}")
     print(folder / f"{meshed.name}.toml")
     return 0
 

@@ -144,10 +144,10 @@ def test_the_fit_finds_the_coefficients_from_strikes_by_the_model(table):
         **{name: DEFAULTS[name] * (1.0 + 0.02 * each) for name, each in zip(fitted(), shift, strict=True)},
     }
     made, _ = simulated(truth, few, fitted()[:1])
-    found = fit(few._replace(found=made), np.ones(len(made)))
+    found = fit(few._replace(results=made), np.ones(len(made)))
     got, _ = simulated(found, few, fitted()[:1])
     # The ridge on the coefficients leaves a hundredth of what counts as one.
-    assert np.sqrt(np.mean(((got - made) / scales(few._replace(found=made))) ** 2)) < 0.02
+    assert np.sqrt(np.mean(((got - made) / scales(few._replace(results=made))) ** 2)) < 0.02
 
 
 def test_derivatives_by_the_coefficients_are_those_of_differences(table):
@@ -190,4 +190,4 @@ def test_the_differences_are_drawn_and_the_table_has_its_columns(table, tmp_path
     pytest.importorskip("matplotlib")
     figure(DEFAULTS, table, PARTS).savefig(tmp_path / "left.svg")
     assert (STUDY / "modern.csv").read_text(encoding="utf-8").splitlines()[1] == ",".join(COLUMNS)
-    assert table.found.shape[1] == len(TARGETS)
+    assert table.results.shape[1] == len(TARGETS)

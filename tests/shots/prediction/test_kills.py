@@ -1,6 +1,7 @@
 """A small version of ``make kills``: a run killed at random moments ends with the bytes of an undisturbed one."""
 
 import random
+import subprocess
 import sys
 from pathlib import Path
 
@@ -22,3 +23,10 @@ def test_other_bytes_are_seen(tmp_path):
     whole = {"out.csv": b"other", "out.rejects.csv": b"other"}
     (told,) = kills.disturbed(kills.SMALL, folder, whole, 0.0, random.Random(1), 0)
     assert "the last run is not as the undisturbed one" in told
+
+
+def test_the_program_of_the_findings_starts():
+    # Without arguments it prints its usage: every name that it replaces is there.
+    child = subprocess.run([sys.executable, "-c", kills.FINDINGS], capture_output=True, text=True)
+    assert child.returncode == 2
+    assert child.stderr.startswith("usage: ")
