@@ -197,7 +197,7 @@ class Impact(Described):
         shots: Shots | None = None,
         head: MeshedHead | None = None,
     ) -> None:
-        for name in (*FIGURES, *HISTORIES):
+        for name in Impact.__annotations__:
             setattr(self, name, getattr(record, name))
         frames = record.frames
         self.frames: NDArray[Any] = frames[:, : record.ball_nodes]
@@ -294,7 +294,7 @@ class Impact(Described):
 
     def to_result(self) -> Result:
         """Return launch, contact, histories and pictures as a result."""
-        # Found by name, since it knows all that can be struck.
+        # Imported by name, since impact_result imports this module.
         return import_module("clubface.fem.impact_result").impact_result(self)
 
     def relative_velocity(self) -> NDArray[Any]:
@@ -331,10 +331,6 @@ class Impact(Described):
     def __repr__(self) -> str:
         state = f", stopped: {self.stopped}" if self.stopped else ""
         return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"
-
-
-_NAMES = tuple(Impact.__annotations__)
-FIGURES, HISTORIES = _NAMES[: _NAMES.index("stopped")], _NAMES[_NAMES.index("stopped") :]
 
 
 def _fields(
