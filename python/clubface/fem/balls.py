@@ -105,7 +105,7 @@ PIECE = Record(_piece_keys, ("name", "law", "layers", "poisson"), make=_made_pie
 
 
 FRICTION = 0.35
-"""Of a ball whose file gives none: measured are 0.3 to 0.4."""
+"""Friction of a ball whose file gives none; measurements are 0.3 to 0.4."""
 MODEL_NAME = "fem"
 MAX_PIECES = 5
 ELEMENTS = ("one-point", "full")
@@ -210,7 +210,7 @@ class Ball:
 
     def to_result(self) -> Result:
         """Return the meshed ball compared with what was asked for and the rules."""
-        # Found by name, since it also knows what is struck with the ball.
+        # Imported by name, since impact_result imports this module.
         return import_module("clubface.fem.impact_result").ball_result(self)
 
     def values(self) -> dict[str, Any]:

@@ -57,22 +57,22 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
     ball = impact.ball.mesh
     shapes = impact.world_positions()
     cells: list[Any] = [("hexahedron", np.asarray(ball["elements"], dtype=np.int32))]
-    of_cells: dict[str, list[Any]] = {
+    cell_data: dict[str, list[Any]] = {
         "piece": [np.asarray(ball["piece"], dtype=np.int32)],
         "thickness": [np.zeros(len(ball["elements"]))],
     }
     if impact.head is not None:
         kind, corners, parts, thickness = _cells(impact.head)
         cells.append((kind, corners.astype(np.int32) + len(ball["nodes"])))
-        of_cells["piece"].append((parts + len(impact.ball.pieces)).astype(np.int32))
-        of_cells["thickness"].append(thickness)
+        cell_data["piece"].append((parts + len(impact.ball.pieces)).astype(np.int32))
+        cell_data["thickness"].append(thickness)
         shapes = np.concatenate([shapes, impact.world_positions(impact.head_frames)], axis=1)
     target, stem = Path(folder), file_stem(name)
     written = []
     for number, shape in enumerate(shapes):
         moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
         path = target / f"{stem}-{number:04d}.vtu"
-        data = of_cells | _felt(impact, number)
+        data = cell_data | _cell_stress(impact, number)
         with whole_file(path) as file:
             grid = meshlane.Mesh(shapes[0], cells, point_data=moved, cell_data=data)
             meshlane.write(file.name, grid, file_format="vtu")
@@ -89,7 +89,7 @@ def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
     return "hexahedron", head.hexahedra, none, none
 
 
-def _felt(impact: Impact, frame: int) -> dict[str, list[Any]]:
+def _cell_stress(impact: Impact, frame: int) -> dict[str, list[Any]]:
     """Return stress and strain of all cells in a frame, a list of the bodies' arrays each."""
     data: dict[str, list[Any]] = {}
     for fields in (impact.fields, impact.head_fields):

@@ -36,11 +36,11 @@ __all__ = ["characteristic_time", "face_map", "face_picture", "face_result", "re
 COR_SPEED = "160 ft/s"
 """Speed of the ball in the test of restitution that the rules had before the pendulum."""
 STRIKER_DIAMETER = 0.0365
-"""Of the steel sphere that stands for the pendulum [m]; it weighs 200 g. The mass of the pendulum was not to be found.
-With this one drivers of usual size have up to 0.010 less restitution, by the ball ``modern``, than the rules pair with
-their time; with 227 g it would be another 0.003."""
+"""Diameter of the steel sphere that stands for the pendulum [m]; it weighs 200 g. The mass of the pendulum could not
+be found. With this one drivers of usual size have up to 0.010 less restitution, by the ball ``modern``, than the rules
+pair with their time; with 227 g it would be another 0.003."""
 STRIKER_SPEED = "0.6 m/s"
-"""Of the sphere: the time hardly depends on it, since a mesh gives as a whole and its local indentation is small."""
+"""Speed of the sphere; the time hardly depends on it, since a mesh gives as a whole, with little local indentation."""
 
 
 def restitution(
@@ -248,7 +248,7 @@ def face_map(
         except RunError as error:
             return _row(point, math.nan, math.nan, str(error))
 
-    # What the tests are of is part of what a row means.
+    # Rows are only reused if the tests were the same.
     tests = [COR_SPEED, STRIKER_SPEED, striker().values()]
     content = {"head": made, "ball": struck.values(), "test": tests}
     table = ResumableTable(output, content, COLUMNS, {"stopped": str})

@@ -38,7 +38,7 @@ _STYLES: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 """How quantities are printed where that is not how the registry has them."""
 _HISTORIES = {"toe": "toe_force", "strain": "strain_energy", "friction": "friction_energy", "damping": "damping_energy"}
-"""Quantities of histories whose names are those of another."""
+"""Quantities of histories by key, where the key is the name of another quantity."""
 ROWS_SHOWN = 12
 
 
@@ -86,7 +86,7 @@ def column_of(name: str, values: Any, like: str | None = None, **options: Any) -
 
 
 _UNITS = {"mps": "m/s", "deg": "deg", "rpm": "rpm", "n": "N", "s": "s", "mm": "mm", "us": "us"}
-"""Of numbers in rows, by the ending of their keys."""
+"""Units of numbers in rows, by the ending of their keys."""
 
 
 def columns_of(
@@ -122,7 +122,7 @@ def columns_of(
 
 
 def cost_note(impact: Impact) -> Note:
-    """Return what a run took, and how well its energies balance."""
+    """Return the cost of a run, and how well its energies balance."""
     data = {"elements": impact.elements, "steps": impact.steps, "safety": impact.settings.safety, "wall": impact.wall,
             "energy_error": impact.energy_error}  # fmt: skip
     if impact.stopped and not impact.unfinished:
@@ -151,12 +151,12 @@ def _history(name: str, arrays: dict[str, Any]) -> Table:
     """Return arrays over the same records as a table, a vector as three columns."""
     columns = []
     for each, values in arrays.items():
-        of = _HISTORIES.get(each, each)
+        known = _HISTORIES.get(each, each)
         if values.ndim == 1:
-            columns.append(column(of, values))
+            columns.append(column(known, values))
         else:
             axes = zip(("normal", "up", "toe"), values.T, strict=True)
-            columns += [column(f"{of}_{axis}", along, of) for axis, along in axes]
+            columns += [column(f"{known}_{axis}", along, known) for axis, along in axes]
     shown = range(0, len(columns[0].values), max(len(columns[0].values) // ROWS_SHOWN, 1))
     return table(name, *columns, title=f"{name.capitalize()} over time", printed=False, shown_rows=shown)
 
@@ -183,9 +183,9 @@ def materials_table(ball: Ball) -> Table:
     rows += [("whole ball", name, float(value), whole[name]) for name, value in ball.properties().items()]
     rows.append(("whole ball", "elements along an edge of the cube inside the core", float(ball.cube), "1"))
     pieces, names, numbers, unit = zip(*rows, strict=True)
-    of = [quantity("value", each)._replace(name=name) for name, each in zip(names, unit, strict=True)]
+    quantities = [quantity("value", each)._replace(name=name) for name, each in zip(names, unit, strict=True)]
     return table(
-        "materials", text("piece", pieces), text("value of", names), Column("value", numbers, of, digits=-5),
+        "materials", text("piece", pieces), text("value of", names), Column("value", numbers, quantities, digits=-5),
         title=f"The ball {ball.name}", printed=False,
     )  # fmt: skip
 
@@ -235,7 +235,9 @@ def reference_result(impact: Impact, *, published: bool) -> Result:
         "contact_time_s": impact.contact_time, "tangential_max_n": impact.tangential_max,
         "tangential_min_n": impact.tangential_min, "reversal_time_s": impact.reversal_time,
     }  # fmt: skip
-    rows = [own, *({key: of[place] for key, of in others.items() if place < len(of)} for place in range(len(names)))]
+    rows = [own]
+    for solver in range(len(names)):
+        rows.append({key: values[solver] for key, values in others.items() if solver < len(values)})
     title = "Reference case, compared with other solvers" if published else "Reference case, varied"
     columns = (text("solver", ["clubface", *names]), *columns_of(rows, own, unit="m/s"))
     return impact_result(impact).replace(

@@ -116,9 +116,9 @@ def _spellings(value: float) -> Iterator[str]:
 HEAD_PART, HEAD_SECTION = 101, 2
 HEAD_HOURGLASS = 2
 USUAL_POINTS = 5
-"""Through the thickness of a shell, unless its metal gives the number."""
+"""Points through the thickness of a shell, unless its metal gives the number."""
 STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
-"""Of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
+"""Material of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
 SHELL = 1e-3
 """Thickness of these shells [m]."""
 FACE_ELEMENT = 2.5e-3
@@ -358,8 +358,8 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("CONTROL_ENERGY", [2, 2, 2, 2], names="hgen rwen slnten rylen")
     # A zero would mean the default.
     deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, max(how.bulk_viscosity, 1e-6), 1], names="q1 q2 type")
-    of_head = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), MESHED: ("RCFORC",)}[head]
-    outputs = ("GLSTAT", "MATSUM", *of_head)
+    head_outputs = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), MESHED: ("RCFORC",)}[head]
+    outputs = ("GLSTAT", "MATSUM", *head_outputs)
     for name in outputs:
         deck.keyword(f"DATABASE_{name}", [how.interval], names="dt")
     deck.keyword("DATABASE_BINARY_D3PLOT", [how.duration / max(how.frames - 1, 50)], names="dt")

@@ -56,8 +56,8 @@ class Law(NamedTuple):
         try:
             core.fem_check_law(self.name, list(constants.values()))
         except ValueError as error:
-            of, _, allowed = error.args
-            name = of.removesuffix(f" of {self.name}")
+            label, _, allowed = error.args
+            name = label.removesuffix(f" of {self.name}")
             # The shear modulus is no constant: the material has limits of its own for it.
             if name in constants:
                 pressure = self.constants[name] == "pressure"

@@ -19,7 +19,9 @@ __all__ = ["AreaTerm", "Equivalent", "area_term", "equivalent"]
 LAWS = {"volumetric": ("stiffness", "damping"), "rings": ("shear_modulus", "damping")}
 """Reduced models whose normal force has a stiffness and a damping, and the names of these."""
 ROUNDS = 12
+"""Most Newton steps."""
 ACCURACY = 1e-6
+"""Relative difference of ball speed and peak force that counts as none."""
 
 
 class Equivalent(NamedTuple):
@@ -125,8 +127,9 @@ def _normal_force(run: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
 SLIDES = 0.1
 """The ball slides where its surface moves faster than this along the face [m/s]; the law's tanh is then 1."""
 WITHIN = (0.05, 0.95)
-"""Share of the contact that is looked at: at both ends a few nodes make the area."""
+"""Share of the contact that is used: at both ends a few nodes make the area."""
 LEAST = 20
+"""Fewest steps of sliding to which the law is fitted."""
 
 
 class AreaTerm(NamedTuple):

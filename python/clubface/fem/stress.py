@@ -31,16 +31,16 @@ __all__ = ["BlowStress", "PartStress", "SurfaceStress", "blow_stress", "peak_str
 BLOW = "125 mph"
 """Speed of the club where none is given: about the most that professionals on tour reach with a driver."""
 DURATION = 0.8e-3
-"""Of the run [s]: longer than any contact with a ball."""
+"""Duration of the run [s]: longer than any contact with a ball."""
 INTERVAL = 5e-6
-"""Between the shapes whose stress is looked at [s]; the slowest vibrations of a face, which carry its stress, take a
+"""Time between the shapes whose stress is kept [s]; the slowest vibrations of a face, which carry its stress, take a
 hundred times as long."""
 
 
 FINER = (1.0, 1.25, 1.5)
 """Numbers of elements along each edge of the meshes of a convergence, over those of the head."""
 MOST_ELEMENTS = 400
-"""Along an edge of a head that is made from dimensions."""
+"""Most elements along an edge of a head that is made from dimensions."""
 
 
 @dataclass(frozen=True)

@@ -43,8 +43,8 @@ class ResumableTable:
     path
         The file; None keeps the rows for this run alone.
     content
-        What the rows are of, by what a person calls it: numbers, texts, arrays, data classes, and lists and mappings of
-        these. A table of anything else is refused.
+        The inputs that the rows depend on, by the names that messages use: numbers, texts, arrays, data classes, and
+        lists and mappings of these. A table of anything else is refused.
     columns
         Names of the columns.
     kinds

@@ -63,7 +63,7 @@ MOST_CHANGE = 0.2
 TRIES, STEEPEST = 40, 2.0
 """Newton steps for the shares of nodes, and the most that a step changes the logarithm of one."""
 NEGLIGIBLE = 1e-3
-"""Part of a moment of inertia, and a hundredth of it in metres of the CG, below which nothing is said."""
+"""Part of a moment of inertia, and a hundredth of it in metres of the CG, below which no note is made."""
 
 
 class Spread(NamedTuple):

@@ -112,10 +112,10 @@ class DriverHead:
             report=report,
             asked=target,
         )
-        self._tell_missed(made)
+        self._warn_missed(made)
         return made
 
-    def _tell_missed(self, made: ShellHead) -> None:
+    def _warn_missed(self, made: ShellHead) -> None:
         """Warn of targets that walls and trim masses do not allow."""
         reached = made.reached
         missed = [

@@ -46,7 +46,7 @@ class Group:
     face
         Whether the ball may touch them.
     sets
-        The sets of the file that it is made of, where it is not the one of its name.
+        The sets of the file that belong to it, unless it is the set of its name.
     """
 
     name: str
@@ -223,7 +223,7 @@ YOUNGS, DENSITY = (5e9, 6e11), (1e3, 25e3)
 MASSES = (2e-4, 0.3)
 """What the point masses of a file may add up to [kg]."""
 CLOSE = 0.01
-"""Part by which a value of the head's file may differ from that of a card without a word."""
+"""Part by which a value of the head's file may differ from that of a card without a note."""
 METAL = ("youngs", "poisson", "density")
 _UNITS = {"youngs": "GPa", "density": "kg/m3", "poisson": "1"}
 
@@ -234,7 +234,7 @@ def walls(
     """Return the thickness of each element [m] and the metal of each group.
 
     What a group gives counts. For the rest the cards of the file do, with the thickness of an element by itself before
-    that of its section. Where both say something else, or neither says of what metal a group is, a note tells.
+    that of its section. A note is added where the two differ, or where neither gives the metal of a group.
 
     Raises
     ------

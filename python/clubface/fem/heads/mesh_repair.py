@@ -26,7 +26,7 @@ SAMPLE = 500
 WINDOW = 200
 """Most neighbours along a line that are compared with a node."""
 DIRECTION = (0.4815, 0.6297, 0.6098)
-"""Of that line: no edge of a head lies across it."""
+"""Direction of that line: no edge of a head lies across it."""
 
 
 @dataclass

@@ -125,7 +125,7 @@ class MeshedClub(Club):
 
 
 OF_THE_MESH = set(CLUB_PROPERTIES) - {"characteristic_time", "cor"}
-"""What a mesh says of a club."""
+"""Fields of a club that its mesh determines."""
 
 
 def mesh_of(club: Any) -> MeshedHead | None:

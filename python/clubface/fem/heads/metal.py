@@ -98,7 +98,7 @@ HARDENING = HardeningValue()
 RULES = {"gauss": 2, "lobatto": 3}
 """Rules of points through the thickness, and the fewest points of each."""
 POINTS = 8
-"""Of a curve of hardening that is no table."""
+"""Number of points of a hardening curve that is not given as a table."""
 MAX_POINTS = 31
 
 

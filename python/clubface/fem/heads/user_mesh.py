@@ -34,9 +34,9 @@ AT_NODE = 2e-5
 REACHED = 0.012
 """Radius about the face centre that a ball touches in a fast drive [m]."""
 FLUSH_COSINE = math.cos(math.radians(20.0))
-"""Of the angle to the face normal up to which another group continues the face."""
+"""Cosine of the angle to the face normal up to which another group continues the face."""
 FACE_COSINE = math.cos(math.radians(45.0))
-"""Of the angle to the face normal up to which an element of a face group is one that the ball may touch."""
+"""Cosine of the angle to the face normal up to which the ball may touch an element of a face group."""
 
 
 RADIUS = Quantity("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})

@@ -21,7 +21,7 @@ SOLIDS = {4: "tetrahedra", 5: "hexahedra", 6: "wedges", 7: "pyramids", 11: "tetr
 NODES = {1: 2, 4: 4, 5: 8, 6: 6, 7: 5, 8: 3, 11: 10, 12: 27, 13: 18, 14: 14, 15: 1, 17: 20, 18: 15, 19: 13, **SHELLS}
 """Numbers of nodes of every type that may stand in a file of a head."""
 MOST_TAGS = 99
-"""Of an element: its physical and geometrical group, and parts of a partition."""
+"""Most tags of an element: its physical and geometrical group, and parts of a partition."""
 
 
 class _TextRows:

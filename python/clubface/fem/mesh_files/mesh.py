@@ -15,7 +15,7 @@ from clubface.errors import FileError, shortened
 from clubface.support.files import read_input
 
 LARGEST_NUMBER = 999_999_999
-"""Of a node or an element; numbering is free, and only what is there takes memory."""
+"""Largest number of a node or an element; numbering is free, and only what is there takes memory."""
 FARTHEST = 1e6
 """Largest coordinate, in whatever unit: a head in um has 1e5."""
 CORNERS = {3: 3, 6: 3, 7: 3, 4: 4, 8: 4, 9: 4}
