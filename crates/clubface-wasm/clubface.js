@@ -11,8 +11,8 @@ export async function load(source, progress = () => true) {
       progress: (time, duration) => (progress(time, duration) === false ? 0 : 1),
     },
   };
-  const found = await WebAssembly.instantiate(source, imports);
-  const core = (found.instance ?? found).exports;
+  const compiled = await WebAssembly.instantiate(source, imports);
+  const core = (compiled.instance ?? compiled).exports;
   const decoder = new TextDecoder();
 
   const text = () =>

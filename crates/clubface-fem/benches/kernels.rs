@@ -1,5 +1,5 @@
-//! Cost of the kernels of solid elements, by element and law, in nanoseconds per element, compared with a sum of what
-//! they computed.
+//! Cost of the kernels of solid elements, by element and law, in nanoseconds per element, next to a sum of what they
+//! computed.
 //!
 //! `cargo bench -p clubface-fem --bench kernels`: the least time of many, on one thread.
 

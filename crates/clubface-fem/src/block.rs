@@ -22,18 +22,18 @@ impl<R: Real> Eight<R> {
         (0..BLOCK).for_each(|lane| eight.set(lane, number));
         eight
     }
-    /// That of an element.
+    /// The number of an element.
     pub fn get(&self, lane: usize) -> R {
         assert!(lane < BLOCK);
         // SAFETY of these: eight numbers for each part.
         unsafe { R::from_parts(std::ptr::from_ref(self).cast::<f64>().add(lane), BLOCK) }
     }
-    /// Sets that of an element.
+    /// Sets the number of an element.
     pub fn set(&mut self, lane: usize, number: R) {
         assert!(lane < BLOCK);
         unsafe { number.put_parts(std::ptr::from_mut(self).cast::<f64>().add(lane), BLOCK) };
     }
-    /// Those of a pack of elements, which begins with the element `first`.
+    /// The numbers of a pack of elements, which begins with the element `first`.
     #[inline(always)]
     pub fn load<P: Pack<Real = R>>(&self, first: usize) -> P {
         assert!(first + P::LANES <= BLOCK);

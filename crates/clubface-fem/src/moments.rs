@@ -40,7 +40,7 @@ pub struct Moments<P> {
 }
 
 impl<P: Scalar> Moments<P> {
-    /// Of no node.
+    /// Moments of no nodes.
     #[inline(always)]
     pub fn zero() -> Self {
         let o = Vec3::zero();
@@ -61,7 +61,7 @@ impl<P: Scalar> Moments<P> {
             *sum += product;
         }
     }
-    /// Those of other nodes added, about the same origin.
+    /// The sum with the moments of other nodes about the same origin.
     #[must_use]
     pub fn plus(mut self, more: &Self) -> Self {
         self.mass += more.mass;
@@ -77,7 +77,7 @@ impl<P: Scalar> Moments<P> {
 }
 
 impl<P: Pack> Moments<P> {
-    /// Of all lanes.
+    /// The sum over all lanes.
     #[inline(always)]
     pub fn total(&self) -> Moments<P::Real> {
         #[inline(always)]

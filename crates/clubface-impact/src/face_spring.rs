@@ -27,7 +27,7 @@ pub struct FaceSpring<S> {
 }
 
 impl<S: Scalar> FaceSpring<S> {
-    /// Of a face with a characteristic time (s): 0 is rigid.
+    /// Spring of a face with a characteristic time (s); 0 is rigid.
     #[inline(always)]
     pub fn new(characteristic_time: S) -> Self {
         let gives = characteristic_time.gt(S::zero());

@@ -17,7 +17,7 @@ pub struct FirstTouch<S> {
     pub face: Face<S>,
     /// Characteristic time of the face, s; 0 is rigid.
     pub characteristic_time: S,
-    /// That of the face which the parameters of the model include, s.
+    /// Characteristic time of the face that the parameters of the model include, s.
     pub included_time: S,
     /// Mass and spring behind the face.
     pub spring: FaceSpring<S>,

@@ -39,7 +39,7 @@ pub struct GivingFace<S> {
 }
 
 impl<S: Scalar> GivingFace<S> {
-    /// That of a shot.
+    /// The giving face of a shot.
     #[inline(always)]
     pub fn from_touch(touch: &FirstTouch<S>) -> Self {
         let [own, included] = [touch.characteristic_time, touch.included_time].map(Scalar::squared);

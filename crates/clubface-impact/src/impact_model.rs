@@ -31,7 +31,7 @@ pub struct Kernels {
 }
 
 impl Kernels {
-    /// Those of a model.
+    /// The kernels of a model.
     #[must_use]
     pub const fn for_model<M: Describe>() -> Self {
         assert!(M::INFO.parameters.len() <= MOST_PARAMETERS, "a model has too many parameters");

@@ -96,7 +96,7 @@ pub(crate) fn deformable_head_in_steps<R: Kernels>(
     let gap = contact.clearance(&positions);
     if !gap.re().is_finite() {
         let allowed = "it must be on the face; the origin of the mesh must be the face centre, and normals must point outwards";
-        return Err(FemError::input("point of first touch", "beside the face", allowed));
+        return Err(FemError::input("point of first touch", "off the face", allowed));
     }
     for row in &mut positions[..balls] {
         row.add(touch.normal * -gap);

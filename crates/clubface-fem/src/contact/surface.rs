@@ -54,7 +54,7 @@ pub struct Normals<R> {
 }
 
 impl<R: Real> Normals<R> {
-    /// Of a surface with a number of nodes.
+    /// Normals of a surface with `count` nodes.
     pub fn new(count: usize) -> Self {
         Self { normals: vec![Vec3::zero(); count], computed_at: vec![0; count], step: 0 }
     }

@@ -13,7 +13,7 @@ pub const RATIOS: (f64, f64) = (0.3, 2.5);
 pub struct Energy {
     /// Elastic.
     pub strain: f64,
-    /// Of the hourglass modes, in which the point of one-point elements has no strain.
+    /// Energy of the hourglass modes, in which the point of one-point elements has no strain.
     pub hourglass: f64,
     /// Done on viscoelastic branches: stored there or turned into heat.
     pub viscous: f64,
@@ -128,12 +128,12 @@ pub struct Ratios<P> {
 }
 
 impl<P: Pack> Ratios<P> {
-    /// Of undeformed elements.
+    /// Ratios of undeformed elements: 1.
     #[inline(always)]
     pub fn new() -> Self {
         Self { least: P::one(), most: P::one() }
     }
-    /// With those of a pack.
+    /// The same, with the ratios of a pack included.
     #[inline(always)]
     pub fn and(self, ratio: P) -> Self {
         Self { least: self.least.min(ratio), most: self.most.max(ratio) }

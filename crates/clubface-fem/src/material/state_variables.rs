@@ -15,7 +15,7 @@ pub struct Numbers<'a, R: Real> {
 }
 
 impl<'a, R: Real> Numbers<'a, R> {
-    /// Of some of eight points.
+    /// Numbers of a pack of points, which begins with the point `first` of eight.
     #[inline(always)]
     pub fn new(all: &'a mut [Eight<R>], first: usize) -> Self {
         Self { all, first }

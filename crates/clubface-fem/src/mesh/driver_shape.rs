@@ -57,11 +57,11 @@ pub struct DriverThickness {
     pub face_centre: f64,
     /// At the edge of the face.
     pub face_edge: f64,
-    /// Of the crown.
+    /// Crown.
     pub crown: f64,
-    /// Of the sole.
+    /// Sole.
     pub sole: f64,
-    /// Of sides and back.
+    /// Sides and back.
     pub skirt: f64,
 }
 

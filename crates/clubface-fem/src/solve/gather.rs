@@ -142,7 +142,7 @@ impl<R: Real> Forces<R> {
     pub(super) fn none() -> Self {
         Self(std::ptr::null())
     }
-    /// Of a slice that must have `count` rows.
+    /// Forces in a slice that must have `count` rows.
     pub(super) fn new(rows: &[Row<R>], count: usize) -> Self {
         assert_eq!(rows.len(), count, "a patch has as many forces as nodes");
         Self(rows.as_ptr())

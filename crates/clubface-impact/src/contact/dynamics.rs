@@ -25,7 +25,7 @@ pub struct Contact<S, L> {
     pub(super) surface_inertia: S,
     pub(super) inverse_surface_inertia: S,
     pub(super) core: Option<Core<S>>,
-    /// Of the core; zero if there is none.
+    /// One over the inertia of the core, 1/(kg m2); zero if there is none.
     pub(super) inverse_core_inertia: S,
 }
 

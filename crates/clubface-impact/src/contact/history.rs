@@ -17,7 +17,7 @@ pub struct History {
 }
 
 impl History {
-    /// Of a contact that has not begun.
+    /// History of a contact that has not begun.
     #[must_use]
     pub fn new(touch: FirstTouch<f64>) -> Self {
         Self { frames: Vec::new(), rings: Vec::new(), touch }

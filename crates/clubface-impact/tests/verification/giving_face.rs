@@ -113,7 +113,7 @@ fn restitution_of_ball_and_face_is_that_of_finite_elements() {
     }
 }
 
-/// Of the finite element ball at other speeds, with 250 us, by `response`.
+/// At other speeds `response` stands for the finite element ball, on faces of 150 and 250 us.
 #[test]
 fn restitution_of_ball_and_face_is_that_of_response_at_other_speeds() {
     let response = RESPONSE.info().defaults();

@@ -226,6 +226,6 @@ pub trait Part<P: Pack>: Pack {
     unsafe fn coefficient(value: *const f64, derivative: *const f64) -> Self;
     /// Result of a pass.
     fn into_value(self) -> P::Value;
-    /// What adds up to something found: with pairs, its value does not count.
+    /// A value to add to a result; with pairs, only the derivative counts.
     fn from_value(value: P::Value) -> Self;
 }

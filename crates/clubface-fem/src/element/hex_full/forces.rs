@@ -24,7 +24,7 @@ pub struct ElementPoints<P> {
 }
 
 impl<P: Pack> ElementPoints<P> {
-    /// Of no element yet.
+    /// The points before any element is loaded.
     #[inline(always)]
     pub fn empty() -> Self {
         let unit = Mat3::diagonal(P::one());

@@ -45,12 +45,12 @@ pub struct Shape<'a, P, G> {
 }
 
 impl<'a, R: Real, const SLOPES: bool> Constants<'a, R, SLOPES> {
-    /// Of a block with its number, from lane `first` on.
+    /// Constants of a block with its number, from lane `first` on.
     #[inline(always)]
     pub fn new(shapes: &'a Shapes<R>, number: usize, block: &'a Block<R>, first: usize) -> Self {
         Self { shapes, number, block, first }
     }
-    /// Of a pack from a lane on, counted over all blocks.
+    /// Constants of a pack from a lane on, counted over all blocks.
     #[inline(always)]
     pub fn at(shapes: &'a Shapes<R>, lane: usize) -> Self {
         let number = lane / BLOCK;
@@ -133,8 +133,7 @@ impl<P: Pack, G: Part<P>> Shape<'_, P, G> {
 }
 
 impl<R: Real> Shapes<R> {
-    /// Of some elements by their corners, in some blocks: given the slots of the elements. Slots of no element have no
-    /// volume.
+    /// Shapes of elements, given by slot and corners, in a number of blocks. Slots without an element have no volume.
     pub fn new(elements: &[(usize, [Vec3<R>; CORNERS])], blocks: usize, shear: R) -> Self {
         let varies: Vec<bool> = (1..R::PARTS)
             .map(|part| !elements.iter().all(|(_, corners)| keeps_shape(corners, part - 1)))
@@ -189,7 +188,7 @@ impl<R: Real> Shapes<R> {
                 (one, other) => one.is_none() && other.is_none(),
             })
     }
-    /// Those of the blocks but for their derivatives by variables.
+    /// The blocks, without their derivatives by variables.
     #[inline(always)]
     pub fn blocks(&self) -> &[Block<R>] {
         &self.blocks

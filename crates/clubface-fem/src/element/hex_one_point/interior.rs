@@ -13,7 +13,7 @@ pub struct Interior<R> {
     /// The others in the planes between the first and the last: places, and where the first component stands in a
     /// field.
     boundary: Vec<(u32, u32)>,
-    /// Of all nodes.
+    /// Positions of all nodes.
     positions: Storage<R>,
     /// Zero but inside.
     velocities: Storage<R>,

@@ -25,7 +25,7 @@ pub struct Lattice<R: Real> {
     layout: Layout,
     /// Forces by node, with room for a pack to overrun.
     rows: Vec<Row<R>>,
-    /// Of the nodes inside, if the lattice moves them itself.
+    /// The nodes inside, if the lattice moves them itself.
     pub interior: Option<Interior<R>>,
 }
 

@@ -15,7 +15,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// Of a lattice of the given shape.
+    /// Places in a lattice of the given shape.
     pub fn new(shape: [usize; 3]) -> Self {
         Self { unbroken: unbroken(shape) }
     }

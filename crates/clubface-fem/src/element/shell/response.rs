@@ -8,14 +8,14 @@ use clubface_math::Pack;
 
 /// The response of the sections of a patch.
 pub enum Response<'a, P> {
-    /// Of resultants.
+    /// By stress resultants.
     Elastic,
-    /// Of points through the thickness.
+    /// At points through the thickness.
     Points(Layers<'a, P>),
 }
 
 impl<'a, P: Pack> Response<'a, P> {
-    /// Of a material with some points (places from -1 to 1, weights whose sum is 2), or none.
+    /// Response of a material with points through the thickness (places from -1 to 1, weights whose sum is 2), or none.
     #[inline(always)]
     pub fn new(points: &'a [(f64, f64)], material: &ShellMaterial<P::Real>) -> Self {
         if points.is_empty() { Self::Elastic } else { Self::Points(Layers::new(points, material)) }

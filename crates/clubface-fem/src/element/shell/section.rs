@@ -49,7 +49,7 @@ pub struct Section<P> {
 }
 
 impl<P: Scalar> Section<P> {
-    /// Of a thickness, m.
+    /// A section with a thickness, m.
     #[inline(always)]
     pub fn new(elastic: Isotropic<P>, plate: P, shear: P, thickness: P) -> Self {
         let moment = thickness.product(thickness).product(thickness) * (1.0 / 12.0);

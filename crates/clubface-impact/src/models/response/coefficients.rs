@@ -54,13 +54,13 @@ response_functions! {
             "the same for its change",
             FITTED;
         twist_before ["1"] = 1.03389 in -5.0 ..= 5.0,
-            "weight of the head's spin before impact beside its change, in the ball's spin about the normal",
+            "weight of the head's spin before impact over that of its change, in the ball's spin about the normal",
             FITTED;
         twist_spin ["1"] = 2.49753 in -5.0 ..= 5.0,
             "the same for the ball's spin before impact",
             FITTED;
         rolling_gained ["1"] = 1.0771 in -5.0 ..= 5.0,
-            "weight of the change of the spins beside the spins before impact, in the rolling of the ball",
+            "weight of the change of the spins over that of the spins before impact, in the rolling of the ball",
             FITTED;
         twist_arm ["1"] = 0.270366 in 0.0 ..= 1.0,
             "arm of friction against twisting over the radius of the ball",
