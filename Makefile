@@ -74,7 +74,7 @@ wasm-check: build ## the core in WebAssembly: built, run in Node, compared with 
 	cargo build --release --locked --package clubface-wasm --target wasm32-unknown-unknown
 	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface_wasm.wasm
 
-bench: dev ## speed, printed beside the computed results
+bench: dev ## speed, printed next to the computed results
 	cargo bench $(RUST_TESTED)
 	$(PYTHON) -m pytest benchmarks --benchmark-only
 
@@ -95,7 +95,7 @@ benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole ident
 fem-figures: dev ## the figures of docs/finite-elements, computed again; some three minutes
 	$(PYTHON) benchmarks/fem_figures.py
 
-validation: build ## models beside published figures: the picture and the finite elements of docs/which-model.md; minutes
+validation: build ## models compared with published figures: the picture and the finite elements of docs/which-model.md; minutes
 	$(PYTHON) docs/figures/validation.py
 
 ball-fit: dev ## fit the core of the ball modern-2026 to published plate tests again, with intervals; a minute or two

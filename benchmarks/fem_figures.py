@@ -19,45 +19,49 @@ END = fem.Settings(until_separation=True)
 BALLS = ("reference", "paper", "modern")
 
 
-def say(what: str, **figures: float) -> None:
+def print_figures(what: str, **figures: float) -> None:
     """Print a line of figures."""
     print(f"{what:34}", "  ".join(f"{name} {value:.6g}" for name, value in figures.items()), flush=True)
 
 
-def plate(found: Impact) -> dict[str, float]:
+def plate(impact: Impact) -> dict[str, float]:
     """Return the figures of a throw at a plane."""
     return {
-        "normal": found.normal_velocity,
-        "tangential": found.tangential_velocity,
-        "rpm": found.backspin * RPM,
-        "most_rpm": found.spin_max * RPM,
-        "peak": found.peak_force,
-        "at_us": found.peak_force_time * 1e6,
-        "forward": found.tangential_max,
-        "back": found.tangential_min,
-        "reversal_us": found.reversal_time * 1e6,
-        "contact_us": found.contact_time * 1e6,
-        "energies": found.energy_error,
+        "normal": impact.normal_velocity,
+        "tangential": impact.tangential_velocity,
+        "rpm": impact.backspin * RPM,
+        "most_rpm": impact.spin_max * RPM,
+        "peak": impact.peak_force,
+        "at_us": impact.peak_force_time * 1e6,
+        "forward": impact.tangential_max,
+        "back": impact.tangential_min,
+        "reversal_us": impact.reversal_time * 1e6,
+        "contact_us": impact.contact_time * 1e6,
+        "energies": impact.energy_error,
     }
 
 
-def flat_top(found: Impact, within: float) -> dict[str, float]:
+def flat_top(impact: Impact, within: float) -> dict[str, float]:
     """Return from when to when the force is nearly at its peak, once single nodes no longer show."""
-    force, time = found.contact["normal"], found.contact["time"]
+    force, time = impact.contact["normal"], impact.contact["time"]
     high = time[force > (1.0 - within) * force.max()]
     return {"from_us": high[0] * 1e6, "to_us": high[-1] * 1e6}
 
 
 def the_reference() -> None:
     """The reference case, by elements and contact."""
-    found = fem.reference()
-    say("reference", **plate(found), restitution=found.normal_velocity / (35.0 * math.cos(math.radians(11.5))))
-    say("top within 5%", **flat_top(found, 0.05))
-    say("eight-point", **plate(fem.reference(element="full")))
+    impact = fem.reference()
+    print_figures(
+        "reference", **plate(impact), restitution=impact.normal_velocity / (35.0 * math.cos(math.radians(11.5)))
+    )
+    print_figures("top within 5%", **flat_top(impact, 0.05))
+    print_figures("eight-point", **plate(fem.reference(element="full")))
     lagrange = fem.reference(settings=fem.Settings(contact="augmented-lagrange"))
-    say("augmented Lagrange", **plate(lagrange))
-    for name, run in (("penalty", found), ("augmented Lagrange", lagrange)):
-        say(f"energy of contact, {name}", **{key: max(abs(run.energy[key])) for key in ("contact", "damping")})
+    print_figures("augmented Lagrange", **plate(lagrange))
+    for name, run in (("penalty", impact), ("augmented Lagrange", lagrange)):
+        print_figures(
+            f"energy of contact, {name}", **{key: max(abs(run.energy[key])) for key in ("contact", "damping")}
+        )
 
 
 def assumed_head() -> Club:
@@ -80,9 +84,9 @@ def thin_middle() -> fem.MeshedHead:
 
 def the_paper() -> None:
     """Roh and Lee's case and its variations."""
-    found = paper.paper()
+    impact = paper.paper()
     variations = {
-        "paper": found,
+        "paper": impact,
         "rigid head": paper.paper("paper-rigid"),
         "rigid head with assumed CG": paper.paper(case("paper-rigid").replace(club=assumed_head())),
         "friction 0.35": paper.paper(case("paper").replace(friction=0.35)),
@@ -91,10 +95,12 @@ def the_paper() -> None:
         "face of 1.6 to 2.1 mm": paper.paper(case("paper").replace(club=thin_middle())),
     }
     for name, run in variations.items():
-        say(name, **paper.table(run), f_of_spin=paper.spin_factor(run), energies=run.energy_error)
-    say("top within 2%", **flat_top(found, 0.02))
+        print_figures(name, **paper.table(run), f_of_spin=paper.spin_factor(run), energies=run.energy_error)
+    print_figures("top within 2%", **flat_top(impact, 0.02))
     head = fem.head("paper")
-    say("its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6)
+    print_figures(
+        "its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6
+    )
 
 
 def the_sweep() -> None:
@@ -108,17 +114,17 @@ def the_sweep() -> None:
         for name in ("ball_speed_mps", "spin_rpm", "launch_deg", "f")
     }
     by_speed = np.diff(at["ball_speed_mps"], axis=0) / 5.0
-    say("ball speed by club speed", first=by_speed[0].mean(), last=by_speed[-1].mean())
+    print_figures("ball speed by club speed", first=by_speed[0].mean(), last=by_speed[-1].mean())
     by_loft = np.diff(at["ball_speed_mps"], axis=1)
-    say("ball speed by loft, m/s/deg", least=by_loft.min(), most=by_loft.max())
+    print_figures("ball speed by loft, m/s/deg", least=by_loft.min(), most=by_loft.max())
     by_loft = np.diff(at["launch_deg"], axis=1)
-    say(
+    print_figures(
         "launch angle by loft",
         least=by_loft.min(),
         most=by_loft.max(),
         with_speed=np.ptp(at["launch_deg"], axis=0).max(),
     )
-    say(
+    print_figures(
         "f",
         slow_least=at["f"][0].min(),
         slow_most=at["f"][0].max(),
@@ -131,24 +137,24 @@ def the_sweep() -> None:
         for x, lines in ((speeds, spin.T), (lofts, spin))
         for line in lines
     ]
-    say("spin beside a line, of its range", most=max(off))
+    print_figures("spin off a line, of its range", most=max(off))
 
 
 def modern() -> None:
     """What `modern` was fitted to, and what it predicts."""
     for speed in (10.0, 30.0, 38.1, 43.6, 50.0, 57.0):
-        found = fem.throw("modern", speed=speed, settings=END)
-        force, time = found.contact["normal"], found.contact["time"]
+        impact = fem.throw("modern", speed=speed, settings=END)
+        force, time = impact.contact["normal"], impact.contact["time"]
         lasting = np.ptp(time[force > 0.01 * force.max()]) * 1e6
-        deflection = found.contraction * 0.5 * found.ball.diameter * 1e3
-        restitution = found.normal_velocity / speed
-        say(
+        deflection = impact.contraction * 0.5 * impact.ball.diameter * 1e3
+        restitution = impact.normal_velocity / speed
+        print_figures(
             f"{speed} m/s",
             restitution=restitution,
-            peak=found.peak_force,
+            peak=impact.peak_force,
             mm=deflection,
             us=lasting,
-            last_us=found.contact_time * 1e6,
+            last_us=impact.contact_time * 1e6,
         )
 
 
@@ -166,13 +172,13 @@ def steps() -> None:
                 "spin": rests.backspin / none.backspin - 1.0,
                 "peak": rests.peak_force / none.peak_force - 1.0,
             }
-            say(f"{name}, {speed} m/s: rest changes", **changes)
+            print_figures(f"{name}, {speed} m/s: rest changes", **changes)
         hard = fem.throw(name, speed=80.0, settings=END)
-        say(f"{name}, 80 m/s", safety=hard.settings.safety or math.nan, energies=hard.energy_error)
+        print_figures(f"{name}, 80 m/s", safety=hard.settings.safety or math.nan, energies=hard.energy_error)
 
 
 def derivatives() -> None:
-    """Derivatives of a drive beside differences."""
+    """Derivatives of a drive compared with differences."""
     given = {"speed": 45.0, "loft": 0.2}
 
     def launch(**changes: float) -> dict[str, float]:
@@ -185,7 +191,7 @@ def derivatives() -> None:
             for width in widths:
                 high, low = (launch(**{name: given[name] + sign * width}) for sign in (0.5, -0.5))
                 slopes[f"over_{width}"] = (high[quantity] - low[quantity]) / width
-            say(f"{quantity} by {name}", exact=exact.by(quantity, name), **slopes)
+            print_figures(f"{quantity} by {name}", exact=exact.by(quantity, name), **slopes)
 
 
 def meshes() -> None:
@@ -196,22 +202,24 @@ def meshes() -> None:
         pieces = tuple(replace(piece, layers=count) for piece, count in zip(made.pieces, layers, strict=True))
         balls.append(replace(made, cube=cube, pieces=pieces))
     for ball in [*balls, made.refined(2), made.refined(3)]:
-        found = fem.reference(ball=ball, settings=END)
-        angle = math.degrees(math.atan2(found.tangential_velocity, found.normal_velocity))
-        speed = math.hypot(found.normal_velocity, found.tangential_velocity)
-        say(f"{found.elements} elements", speed=speed, rpm=found.backspin * RPM, angle=angle)
+        impact = fem.reference(ball=ball, settings=END)
+        angle = math.degrees(math.atan2(impact.tangential_velocity, impact.normal_velocity))
+        speed = math.hypot(impact.normal_velocity, impact.tangential_velocity)
+        print_figures(f"{impact.elements} elements", speed=speed, rpm=impact.backspin * RPM, angle=angle)
 
 
 def models() -> None:
     """Agreement with the reduced models, and launches of a driver."""
     for club, given in (("driver", {"speed": 50.0, "loft": "12 deg"}), ("7-iron", {"speed": 38.0, "loft": "28 deg"})):
-        found = fem.strike(club, given, ball="modern", settings=END)
+        impact = fem.strike(club, given, ball="modern", settings=END)
         for model in reduced.LAWS:
-            same = reduced.equivalent(found, model)
-            say(f"{club}, {model}", error=same.error, longer=same.contact_time / same.reference_contact_time - 1.0)
+            same = reduced.equivalent(impact, model)
+            print_figures(
+                f"{club}, {model}", error=same.error, longer=same.contact_time / same.reference_contact_time - 1.0
+            )
     for name in ("reference", "modern"):
         launch = fem.strike("driver", ball=name, settings=END, speed=45.0).outcome()
-        say(f"driver at 45 m/s, {name}", smash=launch["ball_speed"] / 45.0, rpm=launch["backspin"] * RPM)
+        print_figures(f"driver at 45 m/s, {name}", smash=launch["ball_speed"] / 45.0, rpm=launch["backspin"] * RPM)
 
 
 SECTIONS = {

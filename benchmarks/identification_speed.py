@@ -1,6 +1,6 @@
 """Time of the whole published identification: 200 by 100 sets of parameters on 550 drives, and five refinements.
 
-Prints wall and processor time and memory beside what they bought: cost and parameters.
+Prints wall and processor time and memory next to what they bought: cost and parameters.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ def main() -> None:
     chosen = parser.parse_args()
     shots = clubface.validation.benchmark_data.load("driver").measured
     began, processor = time.perf_counter(), time.process_time()
-    found = clubface.identify(
+    fit = clubface.identify(
         shots, club="driver-as-printed", model=chosen.model, threads=chosen.threads, folds=0, bootstrap=0, profiles=()
     )
     wall, processor = time.perf_counter() - began, time.process_time() - processor
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
-    print(f"{found.model}: {found.shots} drives, {found.evaluations:,} sets of parameters, {found.impacts:,} impacts")
+    print(f"{fit.model}: {fit.shots} drives, {fit.evaluations:,} sets of parameters, {fit.impacts:,} impacts")
     print(f"wall {wall:.1f} s, processor {processor:.1f} s, memory {memory:.0f} MB at most")
-    print(f"cost (22) {found.cost:.6f}; the refinements ended at {', '.join(f'{cost:.6f}' for cost in found.refined)}")
-    for name in found.free:
-        print(f"  {name:<18} {found.shown(name, float(found.parameters.values[name]), 5)}")
+    print(f"cost (22) {fit.cost:.6f}; the refinements ended at {', '.join(f'{cost:.6f}' for cost in fit.refined)}")
+    for name in fit.free:
+        print(f"  {name:<18} {fit.shown(name, float(fit.parameters.values[name]), 5)}")
     if chosen.model == "volumetric":
-        days = found.impacts * PUBLISHED_SECONDS / 86400.0
+        days = fit.impacts * PUBLISHED_SECONDS / 86400.0
         print(f"at the published processor time of an impact, {PUBLISHED_SECONDS} s: {days:.1f} days")
 
 

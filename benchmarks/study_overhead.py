@@ -1,4 +1,4 @@
-"""What a study costs beside the work itself, and how it grows: the figures of docs/studies.md.
+"""What a study costs besides the work itself, and how it grows: the figures of docs/studies.md.
 
 ``python benchmarks/study_overhead.py [CHUNKS]`` takes two to five minutes; CHUNKS empty chunks are written (2000 unless
 given). On a machine that does other work, the times of a processor still hold, those of a clock do not.
@@ -57,7 +57,7 @@ def measured(run: Callable[[], object]) -> tuple[float, float]:
 
 def _used() -> float:
     each = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(of.ru_utime + of.ru_stime for of in each)
+    return sum(usage.ru_utime + usage.ru_stime for usage in each)
 
 
 def empty(folder: Path, name: str, count: int, seconds: float) -> Path:
@@ -111,11 +111,11 @@ def shots(folder: Path) -> None:
     path = folder / "shots.toml"
     path.write_text(SHOTS)
     _, used = measured(lambda: studies.run(path, workers=2))
-    found = open_store(path)
-    print(f"{found.count} shots with flight, {found.record['chunk']} a chunk: {1e6 * used / found.count:.1f} us of a")
-    print(f"  processor each, {found.size() / found.count:.0f} bytes")
+    store = open_store(path)
+    print(f"{store.count} shots with flight, {store.record['chunk']} a chunk: {1e6 * used / store.count:.1f} us of a")
+    print(f"  processor each, {store.size() / store.count:.0f} bytes")
     _, used = measured(lambda: studies.join(path, folder / "shots.parquet"))
-    print(f"  joined: {1e6 * used / found.count:.2f} us each")
+    print(f"  joined: {1e6 * used / store.count:.2f} us each")
 
 
 def full_count() -> None:

@@ -1,4 +1,4 @@
-"""Time at the Python boundary, beside the results it computes."""
+"""Time at the Python boundary, next to the results it computes."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ def test_a_million_impulse_shots(benchmark, threads):
 
 def test_a_map_of_a_face(benchmark):
     """A driver struck at 101 by 101 points by the default model, flights and all."""
-    found = benchmark.pedantic(clubface.map_face, args=("driver", DRIVE), rounds=10, warmup_rounds=1)
-    print(f"\n{found}")
+    face_map = benchmark.pedantic(clubface.map_face, args=("driver", DRIVE), rounds=10, warmup_rounds=1)
+    print(f"\n{face_map}")
 
 
 @pytest.mark.parametrize(

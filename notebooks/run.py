@@ -101,14 +101,14 @@ def _near(one: str, other: str) -> bool:
 
 def differences(stored: nbformat.NotebookNode, ran: nbformat.NotebookNode) -> list[Differs]:
     """Return the cells of code that print something else than they hold, or draw more or fewer pictures."""
-    found = []
+    differences = []
     pairs = ((a, b) for a, b in zip(stored.cells, ran.cells, strict=True) if a.cell_type == "code")
     for number, (a, b) in enumerate(pairs, 1):
         one, other = texts(a), texts(b)
         drawn = [sum("image/png" in output.get("data", {}) for output in cell.outputs) for cell in (a, b)]
         if not agree(one, other) or drawn[0] != drawn[1]:
-            found.append(Differs(number, f"{one}({drawn[0]} pictures)", f"{other}({drawn[1]} pictures)"))
-    return found
+            differences.append(Differs(number, f"{one}({drawn[0]} pictures)", f"{other}({drawn[1]} pictures)"))
+    return differences
 
 
 def main() -> int:

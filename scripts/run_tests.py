@@ -32,7 +32,7 @@ def run(command: list[str]) -> tuple[int, list[str]]:
 
 def count_rust(lines: list[str]) -> tuple[int, int]:
     """Add up the passed and failed tests of every test binary, documentation tests included."""
-    counts = [tuple(map(int, found.groups())) for line in lines if (found := RUST_RESULT.match(line))]
+    counts = [tuple(map(int, match.groups())) for line in lines if (match := RUST_RESULT.match(line))]
     return sum(passed for passed, _ in counts), sum(failed for _, failed in counts)
 
 

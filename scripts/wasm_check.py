@@ -120,28 +120,28 @@ def main(module: str) -> int:
     if ran.returncode != 0:
         print(ran.stderr, file=sys.stderr)
         return 1
-    found = json.loads(ran.stdout)
+    answer = json.loads(ran.stdout)
 
     report = Report()
-    report.line("description", found["description"] == description, f"{len(models)} models")
+    report.line("description", answer["description"] == description, f"{len(models)} models")
     for name, (outputs, rejects) in native.items():
-        there = found["launches"][name]
+        there = answer["launches"][name]
         difference = _difference(np.asarray(outputs), _array(there["outputs"]))
         same = [[r["row"], r["input"], r["message"]] for r in there["rejects"]] == [list(r) for r in rejects]
         values, jacobian = _core.sensitivity(name, [column[0] for column in inputs], models[name])
-        by = found["derivatives"][name]
+        by = answer["derivatives"][name]
         exact = [_difference(values[:, None], _array([by[0]]).T), _difference(jacobian, _array(by[1]))]
         difference = max(difference, *exact)
         text = f"largest difference {difference:.1e}, {there['seconds'] / SHOTS * 1e9:.0f} ns a shot"
         report.line(name, same and difference <= TOLERANCES.get(name, 0.0), text)
-    difference = _difference(np.asarray(flown[0]), _array(found["flights"]["outputs"]))
-    seconds = found["flights"]["seconds"] / len(flights[0])
+    difference = _difference(np.asarray(flown[0]), _array(answer["flights"]["outputs"]))
+    seconds = answer["flights"]["seconds"] / len(flights[0])
     good = difference <= TOLERANCES["flight"]
     report.line("flight", good, f"largest difference {difference:.1e}, {seconds * 1e6:.1f} us a flight")
-    refusals = found["refusals"]
+    refusals = answer["refusals"]
     report.line("refusals", "no such model" in refusals[0] and "accuracy" in refusals[1], "; ".join(refusals))
 
-    reference = found["reference"]
+    reference = answer["reference"]
     pairs = {
         "normal velocity": (thrown.normal_velocity, reference["velocity"][0], "m/s"),
         "tangential velocity": (thrown.tangential_velocity, reference["velocity"][1], "m/s"),
@@ -155,9 +155,9 @@ def main(module: str) -> int:
     each = reference["wall"] * 1e9 / (reference["elements"] * reference["steps"])
     speed = f"{each:.1f} ns an element and step, {reference['steps']} steps in {reference['wall']:.2f} s"
     report.line("finite elements", reference["steps"] == thrown.steps, speed)
-    interrupted = "by request" in (found["stopped"] or "")
-    report.line("progress", found["seen"] > 100 and interrupted, f"{found['seen']} calls; {found['stopped']}")
-    print(f"     {'size':<22} {found['size'] / 1e3:.0f} kB, {found['compressed'] / 1e3:.0f} kB compressed by gzip")
+    interrupted = "by request" in (answer["stopped"] or "")
+    report.line("progress", answer["seen"] > 100 and interrupted, f"{answer['seen']} calls; {answer['stopped']}")
+    print(f"     {'size':<22} {answer['size'] / 1e3:.0f} kB, {answer['compressed'] / 1e3:.0f} kB compressed by gzip")
     return int(report.failed)
 
 

@@ -80,15 +80,15 @@ class ModelParameters(CoreTable):
 
     def table(self) -> list[str]:
         """Values in SI."""
-        found = model(self.arguments[0])
+        chosen = model(self.arguments[0])
         meanings = markdown_table(
             ("parameter", "unit", "meaning", "allowed"),
-            ((f"`{p.name}`", p.unit, p.meaning, f"{p.lower:.6g} to {p.upper:.6g}") for p in found.parameters),
+            ((f"`{p.name}`", p.unit, p.meaning, f"{p.lower:.6g} to {p.upper:.6g}") for p in chosen.parameters),
         )
-        sets = builtin_sets(found.name)
+        sets = builtin_sets(chosen.name)
         values = markdown_table(
             ("published value", *(f"[{index}]" for index, _ in enumerate(sets, 1))),
-            ((f"`{p.name}`", *(f"{one.values[p.name]:.6g}" for one in sets)) for p in found.parameters),
+            ((f"`{p.name}`", *(f"{one.values[p.name]:.6g}" for one in sets)) for p in chosen.parameters),
         )
         lines = [*meanings, "", *values, ""]
         for index, one in enumerate(sets, 1):
@@ -159,7 +159,7 @@ class TourSummary(CoreTable):
 
 
 class BenchmarkMeans(CoreTable):
-    """``{benchmark-means}``: the mean launches of the benchmark shots, beside those published."""
+    """``{benchmark-means}``: the mean launches of the benchmark shots, next to the published ones."""
 
     def table(self) -> list[str]:
         """One row a launch quantity."""

@@ -42,7 +42,7 @@ class Contradictions(CoreTable):
 
 
 class LayerSpinTable(CoreTable):
-    """``{layer-spins}``: the spins of the two-layer ball at take-off, beside the published mean."""
+    """``{layer-spins}``: the spins of the two-layer ball at take-off, next to the published mean."""
 
     def table(self) -> list[str]:
         """One row a reading."""
@@ -51,10 +51,10 @@ class LayerSpinTable(CoreTable):
             history = clubface.history(
                 HEADS[club], mean_delivery(club), model="volumetric", accuracy=1e-10, ball=published_ball()
             )
-            of = published()["volumetric", club]
+            accuracy = published()["volumetric", club]
             columns[club] = [history.launch.total_spin]
             columns[club] += [float(np.linalg.norm(spin[-1])) for spin in (history.cover_spin, history.core_spin)]
-            columns[club] += [of.mean["backspin"], of.mae["backspin"]]
+            columns[club] += [accuracy.mean["backspin"], accuracy.mae["backspin"]]
         words = (
             "all angular momentum over the inertia", "the cover alone", "the core alone", "published mean",
             "published mean absolute error",

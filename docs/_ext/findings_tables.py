@@ -1,4 +1,4 @@
-"""Tables of what the study of the benchmark shots found, made from its results when the pages are built."""
+"""Tables of the study of the benchmark shots, made from its results when the pages are built."""
 
 from __future__ import annotations
 
@@ -33,23 +33,23 @@ EFFECTS = {
 
 
 class Errors(CoreTable):
-    """``{findings-errors} driver``: errors of the identified models with intervals, beside the published ones."""
+    """``{findings-errors} driver``: errors of the identified models with intervals, next to the published ones."""
 
     required_arguments = 1
 
     def table(self) -> list[str]:
         """One row a model, and the published one below it."""
         club = self.arguments[0]
-        found = results()["clubs"][club]["errors"]
-        rows = [["*mean magnitude*", *(f"*{shown(found['mean'][name], name)}*" for name in QUANTITIES), ""]]
+        result = results()["clubs"][club]["errors"]
+        rows = [["*mean magnitude*", *(f"*{shown(result['mean'][name], name)}*" for name in QUANTITIES), ""]]
         for model in results()["models"]:
-            sizes = {name: found["sizes"][name][model] for name in QUANTITIES}
+            sizes = {name: result["sizes"][name][model] for name in QUANTITIES}
             cells = [
-                f"{shown(each['mae'], name)} ({percent(each['mae'], found['mean'][name])})"
+                f"{shown(each['mae'], name)} ({percent(each['mae'], result['mean'][name])})"
                 f" [{', '.join(shown(end, name) for end in each['mae_interval'])}]"
                 for name, each in sizes.items()
             ]
-            rows.append([f"`{model}`", *cells, duration(found["seconds"][model])])
+            rows.append([f"`{model}`", *cells, duration(result["seconds"][model])])
             given = published().get((model, club))
             if given:
                 cells = [
@@ -58,7 +58,7 @@ class Errors(CoreTable):
                 ]
                 # Printed times are those of ten shots.
                 rows.append(["*published*", *cells, f"*{duration(given.cpu / 10)}*" if given.cpu else ""])
-        floor = [shown(found["floor"].get(name), name) for name in QUANTITIES]
+        floor = [shown(result["floor"].get(name), name) for name in QUANTITIES]
         return markdown_table([*heads("MAE"), "time a shot"], [*rows, ["noise of the monitor", *floor, ""]])
 
 
@@ -70,10 +70,10 @@ class Spreads(CoreTable):
     def table(self) -> list[str]:
         """One row a model, and the published one below it."""
         club = self.arguments[0]
-        found, rows = results()["clubs"][club]["errors"]["sizes"], []
+        result, rows = results()["clubs"][club]["errors"]["sizes"], []
         for model in results()["models"]:
             cells = [
-                f"{shown(found[name][model]['bias'], name, '+')} ± {shown(found[name][model]['std'], name)}"
+                f"{shown(result[name][model]['bias'], name, '+')} ± {shown(result[name][model]['std'], name)}"
                 for name in QUANTITIES
             ]
             rows.append([f"`{model}`", *cells])
@@ -89,8 +89,8 @@ class Effects(CoreTable):
     def table(self) -> list[str]:
         """One row a club and effect."""
         rows = [
-            [f"{club}: {words}", *(shown(found["effects"][effect][name], name) for name in QUANTITIES)]
-            for club, found in results()["clubs"].items()
+            [f"{club}: {words}", *(shown(result["effects"][effect][name], name) for name in QUANTITIES)]
+            for club, result in results()["clubs"].items()
             for effect, words in EFFECTS.items()
         ]
         return markdown_table(heads("mean change of the launch"), rows)
@@ -104,8 +104,8 @@ class Best(CoreTable):
         rows = []
         for name in QUANTITIES:
             row = [TITLES[name].lower()]
-            for found in results()["clubs"].values():
-                best = found["errors"]["best"][name]
+            for result in results()["clubs"].values():
+                best = result["errors"]["best"][name]
                 equal = [f"`{each['model']}`" for each in best["rivals"] if each["p"] >= 0.05]
                 row += [f"`{best['model']}`", ", ".join(equal) or "none"]
             rows.append(row)
@@ -115,15 +115,15 @@ class Best(CoreTable):
 
 
 class Costs(CoreTable):
-    """``{findings-costs}``: the cost on the shots of the fit and on shots held out, beside the published one."""
+    """``{findings-costs}``: the cost on the shots of the fit and on shots held out, next to the published one."""
 
     def table(self) -> list[str]:
         """One row a model."""
         rows = []
         for model in results()["models"]:
             row: list[object] = [f"`{model}`", len(next(iter(results()["clubs"].values()))["fits"][model]["free"])]
-            for club, found in results()["clubs"].items():
-                fit = found["fits"][model]
+            for club, result in results()["clubs"].items():
+                fit = result["fits"][model]
                 given = published().get((model, club))
                 # Two of the ten are printed; this is what the printed errors and means add up to.
                 cost = sum(given.mae[name] / given.mean[name] for name in QUANTITIES) if given else None
@@ -141,8 +141,8 @@ class Leads(CoreTable):
         rows = []
         for model in results()["models"]:
             row = [f"`{model}`"]
-            for found in results()["clubs"].values():
-                each = found["held_out"][model]
+            for result in results()["clubs"].values():
+                each = result["held_out"][model]
                 low, high = each["interval"]
                 best = each["than"] == model
                 row.append("least" if best else f"{each['more']:+.4f} [{low:+.4f}, {high:+.4f}]")
@@ -153,7 +153,7 @@ class Leads(CoreTable):
 class Parameters(CoreTable):
     """``{findings-parameters} volumetric``: identified parameters, intervals, whether the shots determine them.
 
-    Of models that made shots, the true values and those identified on their own shots stand beside.
+    For models that made shots, it also gives the true values and those identified on their own shots.
     """
 
     required_arguments = 1
@@ -162,8 +162,8 @@ class Parameters(CoreTable):
         """One row a club and parameter."""
         model = self.arguments[0]
         rows, has_own = [], False
-        for club, found in results()["clubs"].items():
-            fit, own = found["fits"][model], found["own"].get(model)
+        for club, result in results()["clubs"].items():
+            fit, own = result["fits"][model], result["own"].get(model)
             printed = ParameterSet.builtin(model, club).values
             has_own = own is not None
             for name in fit["free"]:
@@ -172,8 +172,10 @@ class Parameters(CoreTable):
                 def write(value: float, unit: str = unit) -> str:
                     return f"{float(units.from_si(value, unit)):.4g}"
 
-                def with_ends(of: dict[str, Any], name: str = name, write: Callable[[float], str] = write) -> str:
-                    return f"{write(of['parameters'][name])} [{', '.join(write(end) for end in of['intervals'][name])}]"
+                def with_ends(fit: dict[str, Any], name: str = name, write: Callable[[float], str] = write) -> str:
+                    return (
+                        f"{write(fit['parameters'][name])} [{', '.join(write(end) for end in fit['intervals'][name])}]"
+                    )
 
                 row = [f"{club}: `{name}`" + ("" if unit == "1" else f", {unit}")]
                 row += [write(own["true"][name]), with_ends(own)] if own else [write(float(printed[name]))]
@@ -190,8 +192,8 @@ class Budget(CoreTable):
     def table(self) -> list[str]:
         """One row a source."""
         club, model = self.arguments
-        found = results()["clubs"][club]["budget"][model]
-        rows = [[SOURCES[source], *(shown(each[name], name) for name in QUANTITIES)] for source, each in found.items()]
+        result = results()["clubs"][club]["budget"][model]
+        rows = [[SOURCES[source], *(shown(each[name], name) for name in QUANTITIES)] for source, each in result.items()]
         given = published().get((model, club))
         if given:
             rows.append(["*published, everything*", *(f"*{shown(given.mae[name], name)}*" for name in QUANTITIES)])
@@ -229,8 +231,8 @@ class Effort(CoreTable):
         rows = []
         for model in results()["models"]:
             row = [f"`{model}`"]
-            for found in results()["clubs"].values():
-                fit = found["fits"][model]
+            for result in results()["clubs"].values():
+                fit = result["fits"][model]
                 row += [str(fit["shots"]), f"{fit['impacts'] / 1e6:.1f}"]
             rows.append(row)
         columns = [text for club in results()["clubs"] for text in (f"{club}: shots", "million impacts")]

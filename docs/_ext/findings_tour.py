@@ -16,9 +16,9 @@ from clubface.inference.findings import FREE
 from clubface.quantities import display_unit
 
 
-def tour_means(of: dict[str, Any], kind: str) -> dict[str, float]:
+def tour_means(result: dict[str, Any], kind: str) -> dict[str, float]:
     """Return mean absolute errors over the clubs; the launch angle over those with a published loft."""
-    values = {name: np.array(each, dtype=float) for name, each in of[kind].items()}
+    values = {name: np.array(each, dtype=float) for name, each in result[kind].items()}
     return {name: float(np.nanmean(np.abs(each))) for name, each in values.items()}
 
 
@@ -29,13 +29,13 @@ class TourSets(CoreTable):
         """One row a model."""
         rows = []
         for model in FREE:
-            found = results()["tour"][model]
-            fit, left = tour_means(found, "errors"), tour_means(found, "left_out")
+            result = results()["tour"][model]
+            fit, left = tour_means(result, "errors"), tour_means(result, "left_out")
             values = []
-            for name in found["free"]:
+            for name in result["free"]:
                 unit = display_unit(name, model_named(model).parameter(name).unit)
-                values.append(f"{name} {units.show(found['parameters'][name], unit, 3)}")
-            carry = float(np.mean(np.abs(found["carry"])))
+                values.append(f"{name} {units.show(result['parameters'][name], unit, 3)}")
+            carry = float(np.mean(np.abs(result["carry"])))
             rows.append(
                 [f"`{model}`", ", ".join(values)]
                 + [f"{shown(fit[name], name)} ({shown(left[name], name)})" for name in ("ball_speed", "launch", "spin")]
@@ -52,15 +52,15 @@ class TourClubs(CoreTable):
 
     def table(self) -> list[str]:
         """One row a club."""
-        found = results()["tour"][self.arguments[0]]
+        result = results()["tour"][self.arguments[0]]
         rows = []
-        for place, club in enumerate(found["clubs"]):
-            errors = [(name, found["errors"][name][place]) for name in ("ball_speed", "launch", "spin")]
-            left = found["left_out"]["spin"][place]
+        for place, club in enumerate(result["clubs"]):
+            errors = [(name, result["errors"][name][place]) for name in ("ball_speed", "launch", "spin")]
+            left = result["left_out"]["spin"][place]
             rows.append(
-                [club, f"{math.degrees(found['lofts'][place]):.1f}"]
+                [club, f"{math.degrees(result['lofts'][place]):.1f}"]
                 + [shown(value, name, "+") for name, value in errors]
-                + [shown(left, "spin", "+"), shown(found["carry"][place], "carry", "+")]
+                + [shown(left, "spin", "+"), shown(result["carry"][place], "carry", "+")]
             )
         columns = [
             "dynamic loft, deg",

@@ -1,4 +1,4 @@
-"""Tables of flights and runs beside published ones, computed when the pages are built."""
+"""Tables of flights and runs compared with published ones, computed when the pages are built."""
 
 from __future__ import annotations
 

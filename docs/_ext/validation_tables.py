@@ -1,4 +1,4 @@
-"""Models beside published figures, computed when the pages are built; the finite elements are read from a file."""
+"""Models compared with published figures, computed when the pages are built; finite elements come from a file."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ SHOWN = tuple(dict.fromkeys((DEFAULT_MODEL, "fem", "standard", "slip", "rings"))
 @cache
 def validation() -> Validation:
     """Return all checks of all models; ``docs/figures/validation.py`` wrote what finite elements compute."""
-    found = validate(models())
+    result = validate(models())
     stored = json.loads(STORED.read_text(encoding="utf-8"))
-    beside = found.figures[DEFAULT_MODEL]
-    found.figures["fem"] = {
+    default_figures = result.figures[DEFAULT_MODEL]
+    result.figures["fem"] = {
         check: [each._replace(computed=_number(stored[check][f"{each.case}: {each.quantity}"])) for each in figures]
-        for check, figures in beside.items()
+        for check, figures in default_figures.items()
     }
-    return found
+    return result
 
 
 def _number(value: float | None) -> float:
@@ -46,18 +46,18 @@ class Checks(CoreTable):
 
     def table(self) -> list[str]:
         """One row a check and quantity; a mean within the tolerance is bold, behind it how many are inside."""
-        found = validation()
-        wanted = self.arguments[0].split() if self.arguments else [each.name for each in found.checks]
-        names = SHOWN if self.arguments else found.models
+        result = validation()
+        wanted = self.arguments[0].split() if self.arguments else [each.name for each in result.checks]
+        names = SHOWN if self.arguments else result.models
         rows = []
-        for check in found.checks:
+        for check in result.checks:
             if check.name not in wanted:
                 continue
-            for place, first in enumerate(found.summary(names[0], check.name)):
+            for place, first in enumerate(result.summary(names[0], check.name)):
                 name = check.title if self.arguments else f"`{check.name}`"
                 row = [name, first.quantity, check.certainty, tolerance_text(first)]
                 for name in names:
-                    each = found.summary(name, check.name)[place]
+                    each = result.summary(name, check.name)[place]
                     mean = mean_text(each)
                     inside = f" · {each.inside}/{each.intervals}" if each.intervals else ""
                     row.append(f"**{mean}**{inside}" if each.met else f"{mean}{inside}" if mean else "—")
@@ -122,17 +122,17 @@ class Verdicts(CoreTable):
 
     def table(self) -> list[str]:
         """One row a model."""
-        found = validation()
+        result = validation()
         rows = [
             [f"`{name}`", f"{each.met} of {each.of}", each.every]
-            for name in found.models
-            for each in [found.verdict(name)]
+            for name in result.models
+            for each in [result.verdict(name)]
         ]
         return markdown_table(["", "mean error within the tolerance", "every error"], rows)
 
 
 class Camps(CoreTable):
-    """``{published-camps}``: spin of published irons by an index and beside the default model, tours and others."""
+    """``{published-camps}``: spin of published irons by an index and over the default model, tours and others."""
 
     def table(self) -> list[str]:
         """One row a club of the tours."""

@@ -14,10 +14,10 @@ COUNT = 200
 LAUNCHES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
 
 
-def cell(found: Study, name: str, quantity: str) -> str:
+def cell(result: Study, name: str, quantity: str) -> str:
     """Write bias and spread."""
     digits = 0 if UNITS[quantity] == "deg/s" else 3
-    bias, spread = found.bias(name)[quantity], found.spread(name)[quantity]
+    bias, spread = result.bias(name)[quantity], result.spread(name)[quantity]
     return f"{bias:+.{digits}f} ± {spread:.{digits}f}"
 
 
@@ -26,8 +26,8 @@ def launch_table(club: str) -> None:
     cells: dict[str, list[str]] = {quantity: [] for quantity in LAUNCHES}
     for name in ("linear", "smoother"):
         for noise in (0.0, 1e-4, 3e-4, 5e-4):
-            found = study(120, club=club, cameras=Cameras(noise=noise), estimators=(name,), seed=2)
-            for quantity, errors in found.launch_errors(name, model="standard").items():
+            result = study(120, club=club, cameras=Cameras(noise=noise), estimators=(name,), seed=2)
+            for quantity, errors in result.launch_errors(name, model="standard").items():
                 error = units.from_si(np.abs(errors).mean(), LAUNCHES[quantity])
                 cells[quantity].append(f"{error:.0f}" if LAUNCHES[quantity] == "rpm" else f"{error:.2f}")
     for quantity, row in cells.items():
@@ -39,9 +39,9 @@ def main() -> None:
     warnings.simplefilter("ignore")
     exact = study(COUNT, cameras=Cameras(), seed=1)
     noisy = study(COUNT, cameras=Cameras(noise=3e-4), seed=2)
-    print("| | " + " | ".join(f"{name}" for found in (exact, noisy) for name in found.errors) + " | covers |")
+    print("| | " + " | ".join(f"{name}" for result in (exact, noisy) for name in result.errors) + " | covers |")
     for quantity, unit in UNITS.items():
-        cells = [cell(found, name, quantity) for found in (exact, noisy) for name in found.errors]
+        cells = [cell(result, name, quantity) for result in (exact, noisy) for name in result.errors]
         covers = f"{100.0 * noisy.coverage('smoother')[quantity]:.1f}%"
         print(f"| {quantity.replace('_', ' ')}, {unit} | {' | '.join(cells)} | {covers} |")
     print("largest errors without noise:", {key: f"{value:.2g}" for key, value in exact.worst("smoother").items()})

@@ -41,20 +41,20 @@ def row(*cells: object) -> None:
 
 
 @styled
-def area_figure(found: AreaTerm, friction: float, radius: float, thrown: dict[float, list[AreaTerm]]) -> Figure:
+def area_figure(term: AreaTerm, friction: float, radius: float, thrown: dict[float, list[AreaTerm]]) -> Figure:
     """Draw one contact through the law, its area, and the eta of throws over angle and friction."""
     figure = Figure(figsize=(WIDTH, 2.6), layout="constrained")
     force, area, eta = figure.subplots(1, 3)
-    time = units.from_si(found.time, "us")
-    force.plot(time, found.tangential, color=COLOURS[0], label="finite elements")
-    force.plot(time, friction * found.normal, color="0.5", linestyle=DASHES[2], label="$\\mu F_N$")
-    law = found.free_friction * (found.normal + found.free_damping * found.rate)
+    time = units.from_si(term.time, "us")
+    force.plot(time, term.tangential, color=COLOURS[0], label="finite elements")
+    force.plot(time, friction * term.normal, color="0.5", linestyle=DASHES[2], label="$\\mu F_N$")
+    law = term.free_friction * (term.normal + term.free_damping * term.rate)
     force.plot(time, law, color=COLOURS[1], linestyle=DASHES[1], label="the law, fitted")
     force.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
-    force.set_ylim(top=1.75 * float(np.max(friction * found.normal)))
-    area.plot(time, found.area * 1e6, color=COLOURS[0], label="finite elements")
-    area.plot(time, math.pi * radius * found.sinking * 1e6, color=COLOURS[1], linestyle=DASHES[1], label="$\\pi R d$")
-    area.set_ylim(bottom=0.0, top=1.35e6 * float(np.max(found.area)))
+    force.set_ylim(top=1.75 * float(np.max(friction * term.normal)))
+    area.plot(time, term.area * 1e6, color=COLOURS[0], label="finite elements")
+    area.plot(time, math.pi * radius * term.sinking * 1e6, color=COLOURS[1], linestyle=DASHES[1], label="$\\pi R d$")
+    area.set_ylim(bottom=0.0, top=1.35e6 * float(np.max(term.area)))
     for index, (mu, terms) in enumerate(thrown.items()):
         style = {"color": COLOURS[index], "linestyle": DASHES[index], "marker": MARKERS[index]}
         eta.plot(ANGLES, [term.free_damping for term in terms], label=f"friction {mu:g}", **style)
@@ -74,20 +74,21 @@ def the_area() -> Figure:
     """Hold Arakawa's law against the case of Roh and Lee and against throws at a plane."""
     row("case", "sliding", "eta, sliding", "explained", "mu, free", "eta, free", "explained", "A / (pi R d)")
 
-    def told(name: str, found: Impact) -> AreaTerm:
-        term, radius = area_term(found), 0.5 * found.ball.diameter
+    def print_term(name: str, impact: Impact) -> AreaTerm:
+        term, radius = area_term(impact), 0.5 * impact.ball.diameter
         deepest = int(term.sinking.argmax())
         row(name, *term[:6], float(term.area[deepest] / (math.pi * radius * term.sinking[deepest])))
         return term
 
     struck = case("paper").run()
-    drawn = told("Roh and Lee", struck)
+    drawn = print_term("Roh and Lee", struck)
     thrown = {
-        mu: [told(f"{mu:g}, {angle:g} deg", throw(35.0, angle, mu)) for angle in ANGLES] for mu in (0.1, 0.2, 0.35)
+        mu: [print_term(f"{mu:g}, {angle:g} deg", throw(35.0, angle, mu)) for angle in ANGLES]
+        for mu in (0.1, 0.2, 0.35)
     }
     for speed in (20.0, 50.0):
-        told(f"{FRICTION:g}, 11.5 deg, {speed:g} m/s", throw(speed, 11.5, FRICTION))
-    told("reference case", fem.reference(settings=END))
+        print_term(f"{FRICTION:g}, 11.5 deg, {speed:g} m/s", throw(speed, 11.5, FRICTION))
+    print_term("reference case", fem.reference(settings=END))
     return area_figure(drawn, struck.friction, 0.5 * struck.ball.diameter, thrown)
 
 
@@ -108,15 +109,15 @@ def displacement_figure(curves: dict[str, tuple[list[float], list[Displacement]]
     panels: list[Axes] = list(figure.subplots(1, 3))
     shown = (("normal", "along the normal (mm)"), ("up", "up the face (mm)"), ("moment", "both in one (mm)"))
     for panel, (key, label) in zip(panels, shown, strict=True):
-        for index, (name, (speeds, found)) in enumerate(curves.items()):
-            values = [units.from_si(getattr(each, key), "mm") for each in found]
+        for index, (name, (speeds, displacements)) in enumerate(curves.items()):
+            values = [units.from_si(getattr(each, key), "mm") for each in displacements]
             colour = COLOURS[index // 2] if index < 4 else "0.6"
             style = {"color": colour, "linestyle": DASHES[index % 2], "marker": MARKERS[index], "markersize": 3.0}
             panel.plot(speeds, values, label=name, **style)
         for index, club in enumerate(MEAN):
-            speed, told = published(club)
+            speed, displacement = published(club)
             mark = {"color": COLOURS[index], "marker": "x", "linestyle": "none", "markersize": 6.0}
-            panel.plot([speed], [units.from_si(getattr(told, key), "mm")], label=f"{club}, published", **mark)
+            panel.plot([speed], [units.from_si(getattr(displacement, key), "mm")], label=f"{club}, published", **mark)
         panel.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
         panel.set_title(label, loc="left")
         panel.set_xlabel("clubhead speed (m/s)")
@@ -129,24 +130,24 @@ def the_displacement() -> Figure:
     row("case", "speed", "normal", "up", "toe", "moment, all mm")
     curves: dict[str, tuple[list[float], list[Displacement]]] = {}
 
-    def add(name: str, speed: float, found: Displacement) -> None:
+    def add(name: str, speed: float, displacement: Displacement) -> None:
         speeds, values = curves.setdefault(name, ([], []))
         speeds.append(speed)
-        values.append(found)
-        row(name, speed, *(float(units.from_si(each, "mm")) for each in found))
+        values.append(displacement)
+        row(name, speed, *(float(units.from_si(each, "mm")) for each in displacement))
 
     for club, loft, least, largest in SWINGS:
         for speed in SPEEDS:
             if least <= speed <= largest:
                 delivery = {"speed": speed, "loft": math.radians(loft)}
                 rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
-                found = fem.strike(rigid, delivery, ball=BALL, friction=FRICTION, settings=END)
-                add(f"{club}, {loft:g}°", speed, displaced_centre(found))
+                impact = fem.strike(rigid, delivery, ball=BALL, friction=FRICTION, settings=END)
+                add(f"{club}, {loft:g}°", speed, displaced_centre(impact))
     for speed in SPEEDS:
         add("plane, 12°", speed, displaced_centre(throw(speed, 12.0, FRICTION)))
     for club in MEAN:
-        speed, told = published(club)
-        row(f"{club}, published", speed, *(float(units.from_si(each, "mm")) for each in told))
+        speed, displacement = published(club)
+        row(f"{club}, published", speed, *(float(units.from_si(each, "mm")) for each in displacement))
     return displacement_figure(curves)
 
 

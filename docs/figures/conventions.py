@@ -1,4 +1,4 @@
-"""Draw the axes, angles and signs of the conventions page; writes conventions.svg beside this file."""
+"""Draw the axes, angles and signs of the conventions page; writes conventions.svg next to this file."""
 
 from pathlib import Path
 

@@ -37,22 +37,22 @@ def draw_section(panel: plt.Axes, section: Section, frame: int) -> None:
 
 def main() -> None:
     """Run the impact and draw it."""
-    found = struck()
-    section = Section(found)
+    impact = struck()
+    section = Section(impact)
     with plt.rc_context(SETTINGS):
         figure = plt.figure(figsize=(10, 4.3), layout="constrained")
         grid = figure.add_gridspec(2, 5, height_ratios=[1.5, 1])
-        for column, moment in enumerate(np.linspace(0.02, 0.98, 5) * found.last_touch):
+        for column, moment in enumerate(np.linspace(0.02, 0.98, 5) * impact.last_touch):
             frame = int(np.argmin(abs(section.times - moment)))
             draw_section(figure.add_subplot(grid[0, column]), section, frame)
         force = figure.add_subplot(grid[1, :])
-        time = found.contact["time"] * 1e6
-        force.fill_between(time, found.contact["normal"] / 1e3, color=FORCE, alpha=0.15, linewidth=0)
-        force.plot(time, found.contact["normal"] / 1e3, color=FORCE)
-        force.set(xlabel="time (µs)", xlim=(0, found.last_touch * 1e6), ylim=(0, None))
+        time = impact.contact["time"] * 1e6
+        force.fill_between(time, impact.contact["normal"] / 1e3, color=FORCE, alpha=0.15, linewidth=0)
+        force.plot(time, impact.contact["normal"] / 1e3, color=FORCE)
+        force.set(xlabel="time (µs)", xlim=(0, impact.last_touch * 1e6), ylim=(0, None))
         force.set_ylabel("force on the ball (kN)", color=FORCE)
         spin = force.twinx()
-        spin.plot(found.motion["time"] * 1e6, found.motion["spin"][:, 2] * 60 / (2 * np.pi), color=SPIN)
+        spin.plot(impact.motion["time"] * 1e6, impact.motion["spin"][:, 2] * 60 / (2 * np.pi), color=SPIN)
         spin.set_ylim(0, None)
         spin.set_ylabel("backspin (rpm)", color=SPIN)
         for axes in (force, spin):
@@ -60,12 +60,12 @@ def main() -> None:
         target = Path(__file__).with_name("impact.png")
         figure.savefig(target, dpi=170)
     figures = {
-        "mph": found.launch.ball_speed / 0.44704,
-        "kN": found.peak_force / 1e3,
-        "rpm": found.backspin * 60 / (2 * np.pi),
-        "rpm at most": found.spin_max * 60 / (2 * np.pi),
-        "% of the radius": 100 * found.contraction,
-        "s": found.wall,
+        "mph": impact.launch.ball_speed / 0.44704,
+        "kN": impact.peak_force / 1e3,
+        "rpm": impact.backspin * 60 / (2 * np.pi),
+        "rpm at most": impact.spin_max * 60 / (2 * np.pi),
+        "% of the radius": 100 * impact.contraction,
+        "s": impact.wall,
     }
     print(target, *(f"{value:.1f} {unit}" for unit, value in figures.items()), sep=", ")
 

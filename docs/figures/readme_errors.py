@@ -20,8 +20,8 @@ def main() -> None:
     _, rows = headings_and_rows(mean_table([tour.tour(table=name) for name in tour.TABLES]))
     rows = [row[1:] for row in rows if row[0] == "all"]
     lines = ["| --- | --- | --- | --- | --- |", *(f"| {' | '.join(row)} |" for row in rows)]
-    text, found = ROWS.subn("\n".join(lines) + "\n", README.read_text(encoding="utf-8"))
-    if not found:
+    text, count = ROWS.subn("\n".join(lines) + "\n", README.read_text(encoding="utf-8"))
+    if not count:
         raise SystemExit("the README has no table of errors")
     README.write_text(text, encoding="utf-8")
 

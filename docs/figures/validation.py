@@ -1,4 +1,4 @@
-"""Models beside published figures: writes validation.svg, and what the finite elements make of them as a file.
+"""Models compared with published figures: writes validation.svg, and what the finite elements make of them as a file.
 
 The finite elements take some minutes, too long for every build of the pages, which compute the other models themselves.
 ``--fem CHECK ...`` computes them for these checks alone, and for none of them without a name; the others stay stored.
@@ -51,15 +51,15 @@ def main() -> None:
         by_fem = validate("fem", checks=wanted, progress=progress).figures["fem"]
         computed |= {check: stored(figures) for check, figures in by_fem.items()}
     STORED.write_text(json.dumps({name: computed[name] for name in names}, indent=1) + "\n", encoding="utf-8")
-    found = validate(DRAWN)
-    found.figures["fem"] = {
+    result = validate(DRAWN)
+    result.figures["fem"] = {
         check: [
             each._replace(computed=math.nan if (value := computed[check][key(each)]) is None else value)
             for each in figures
         ]
-        for check, figures in found.figures[DEFAULT_MODEL].items()
+        for check, figures in result.figures[DEFAULT_MODEL].items()
     }
-    print("wrote", STORED, plots.save(draw(validation_picture(found)), HERE / "validation.svg"))
+    print("wrote", STORED, plots.save(draw(validation_picture(result)), HERE / "validation.svg"))
 
 
 if __name__ == "__main__":

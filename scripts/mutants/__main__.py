@@ -53,7 +53,7 @@ def candidates(only: str) -> list[Planted]:
     """Return every error that can be planted in the files that match ``only``, but for those that change nothing."""
     same = tomllib.loads((Path(__file__).parent / "equivalent.toml").read_text(encoding="utf-8"))["equivalent"]
     known = {(each["path"], each["line"], each["change"]) for each in same}
-    found = []
+    planted_errors = []
     for path in sorted((ROOT / PACKAGE).rglob("*.py")):
         name = path.relative_to(ROOT).as_posix()
         if any(fnmatch(name, each) for each in LEFT_OUT) or not fnmatch(name, only):
@@ -64,8 +64,8 @@ def candidates(only: str) -> list[Planted]:
             planted = Planted(name, each, lines[each.line - 1].strip())
             if (what := (name, planted.text, str(each))) not in known:
                 known.add(what)  # the same error twice in a line, or in lines that are alike, is planted once
-                found.append(planted)
-    return found
+                planted_errors.append(planted)
+    return planted_errors
 
 
 def copy_sources(target: Path) -> Path:
@@ -113,9 +113,11 @@ class Records:
         self.lines: dict[str, dict[int, list[str]]] = {}
         self.rooms: dict[str, list[str]] = {}
         if kept is not None and kept.exists():
-            told = json.loads(kept.read_text(encoding="utf-8"))
-            self.times = told["times"]
-            self.lines = {path: {int(line): each for line, each in of.items()} for path, of in told["lines"].items()}
+            records = json.loads(kept.read_text(encoding="utf-8"))
+            self.times = records["times"]
+            self.lines = {
+                path: {int(line): tests for line, tests in lines.items()} for path, lines in records["lines"].items()
+            }
             self._take_newer(kept.stat().st_mtime)
         else:
             self._make(copy, folder, workers)
@@ -135,17 +137,17 @@ class Records:
         paths = f"{copy / 'python'}{os.pathsep}{Path(__file__).parent}"
         status = pytest_in(copy, "-p", "recorder", "-n", str(workers), **env | {"PYTHONPATH": paths})
         if status != 0:
-            told = (copy / "tests.log").read_text(encoding="utf-8").splitlines()[-20:]
-            sys.exit("\n".join([*told, "the tests must pass before errors are planted"]))
+            last_lines = (copy / "tests.log").read_text(encoding="utf-8").splitlines()[-20:]
+            sys.exit("\n".join([*last_lines, "the tests must pass before errors are planted"]))
         for path in folder.glob("times-*.json"):
             self.times |= json.loads(path.read_text(encoding="utf-8"))
         for part in folder.glob("lines.*"):
             data = CoverageData(str(part))
             data.read()
             for file in data.measured_files():
-                of = self.lines.setdefault(Path(file).relative_to(copy).as_posix(), {})
+                by_line = self.lines.setdefault(Path(file).relative_to(copy).as_posix(), {})
                 for line, tests in data.contexts_by_lineno(file).items():
-                    of.setdefault(line, []).extend(filter(None, tests))
+                    by_line.setdefault(line, []).extend(filter(None, tests))
 
     def tests_of(self, planted: Planted) -> Iterator[list[str]]:
         """Yield the tests that run a line, then those that run anything of its file, then all of its room and of none.
@@ -190,7 +192,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="mutants", description=__doc__.partition("\n")[0])
     parser.add_argument("--count", type=int, default=150, help="errors to plant")
     parser.add_argument("--seed", type=int, default=1, help="which errors the sample holds")
-    parser.add_argument("--only", default="*", help="files in which to plant, as python/clubface/tables/*")
+    parser.add_argument("--only", default="*", help="files in which to plant, as python/clubface/shots/*")
     parser.add_argument("--records", type=Path, help="file that keeps which tests run a line, for further runs")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="errors tried at a time")
     given = parser.parse_args()

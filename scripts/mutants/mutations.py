@@ -58,8 +58,8 @@ def mutations(source: str) -> Iterator[Mutation]:
         first = at(left.end_lineno or 0, left.end_col_offset or 0)
         text = source[first : at(right.lineno, right.col_offset)]
         word = r"\b" if old.isalpha() else ""
-        if old and (found := re.search(word + re.escape(old).replace(r"\ ", r"\s+") + word, text)):
-            yield edit(left.end_lineno or 0, first + found.start(), first + found.end(), new)
+        if old and (match := re.search(word + re.escape(old).replace(r"\ ", r"\s+") + word, text)):
+            yield edit(left.end_lineno or 0, first + match.start(), first + match.end(), new)
 
     for node in _code(ast.parse(source)):
         match node:
