@@ -342,7 +342,7 @@ def marker_map(name: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
 
 TEMPLATE = """\
 # Which marker is what. A length is text with its unit. Put names with a colon or a blank into quotes: "Subject:CLUB1".
-club = "driver"               # optional: refuses swings said to be of another club
+club = "driver"               # optional: refuses swings recorded for another club
 
 [cluster]                     # markers on the clubhead and no others, three or more, not on a line
 {cluster}
