@@ -26,7 +26,7 @@ GRID, HYPERCUBE, SOBOL, TABLE = DESIGNS = ("grid", "latin-hypercube", "sobol", "
 MOST_HYPERCUBE = 1_000_000
 """Samples of a Latin hypercube, which is drawn as a whole by every worker."""
 BITS = 32
-"""Of a coordinate of a Sobol point: the sequence has 2**32 points. SciPy passes over points of no more bits."""
+"""Bits of a coordinate of a Sobol point: the sequence has 2**32 points. SciPy fast-forwards no more."""
 
 
 class Design(Protocol):
@@ -173,7 +173,7 @@ def _checked(count: int) -> int:
 
 
 AT_A_TIME = 100_000
-"""Rows."""
+"""Rows of a table read at a time."""
 
 
 def table_columns(

@@ -52,9 +52,9 @@ from clubface.support.files import InputRecord, absolute
 
 SAMPLED = (HYPERCUBE, SOBOL)
 MOST_ROWS = 500_000
-"""Tasks of a chunk."""
+"""Largest number of tasks of a chunk."""
 SECONDS = 2.0
-"""A chunk takes about that time [s] where nothing is said."""
+"""Time that a chunk takes by default [s], about."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -30,7 +30,7 @@ from clubface.studies.kinds.kind import (
     chosen_columns,
     loaded,
 )
-from clubface.support.checks import MOST_SEED, check_choice
+from clubface.support.checks import MOST_SEED
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
 UNITS = {"rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
@@ -60,9 +60,6 @@ def _task(study: DescribedStudy) -> OneByOne:
     held |= {"estimator": next(iter(ESTIMATORS))}
     held |= {name: held_number(name, table[name], each) for name, each in NUMBERS.items() if name in table}
     held |= {name: table[name] for name in NAMES if name in table}
-    check_choice("estimator", held["estimator"], ESTIMATORS)
-    if held["hand"] is not None:
-        check_choice("hand", held["hand"], HANDS)
     if "swing" not in {*held, *(each.name for each in study.design.axes)}:
         raise InputError("swing", None, "sweep it, as in swing = { from = 0, to = 199, step = 1 }")
 

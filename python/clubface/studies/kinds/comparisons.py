@@ -26,7 +26,6 @@ from clubface.studies.kinds.kind import (
     chosen_columns,
 )
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
-from clubface.support.checks import check_names
 
 OTHER = "other"
 """The table of what is different in the second shot."""
@@ -53,9 +52,8 @@ def _first(study: DescribedStudy) -> DescribedStudy:
 def _second(study: DescribedStudy) -> DescribedStudy:
     """Return the second shot: what it has itself is not swept in it."""
     other = study.table.get(OTHER)
-    if not isinstance(other, Mapping) or not other:
+    if not other:
         raise InputError(OTHER, other, 'a table of what is different, as in other = { club = "3-wood" }')
-    check_names(f"key of {OTHER}", other, KEYS)
     table = changed_table(_first(study).table, other)
     swept = {each.name for each in study.design.axes}
     own = {name: place for name, place, _ in inputs_named(other, swept)}
@@ -81,7 +79,7 @@ class Comparisons:
         try:
             self._both = (first, Impacts(_second(study)))
         except InputError as error:
-            if error.parameter in (study.table[OTHER] if isinstance(study.table.get(OTHER), Mapping) else ()):
+            if error.parameter in study.table.get(OTHER, ()):
                 raise InputError(f"{OTHER}.{error.parameter}", error.value, error.allowed) from None
             raise
         self._names = tuple(self._both[0].columns)

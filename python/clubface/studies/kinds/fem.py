@@ -72,8 +72,8 @@ def _swept_cases(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
 
 
 def _case_task(study: DescribedStudy) -> OneByOne:
-    if not isinstance(study.table.get("case"), str):
-        raise InputError("case", study.table.get("case"), 'a case of finite elements, as in case = "paper"')
+    if "case" not in study.table:
+        raise InputError("case", None, 'a case of finite elements, as in case = "paper"')
     base = case_of(resolved(study.table["case"], study.folder))
     launched = {name: Column(each.unit, each.meaning) for name, each in outputs().items()}
     every = {**(THROWN if base.head == PLANE else launched), **CONTACT}
@@ -143,8 +143,8 @@ def _swept_heads(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
 def _head_task(study: DescribedStudy) -> OneByOne:
     table, designed = study.table, _design_units()
     swept = {each.name for each in study.design.axes}
-    if "head" not in swept and not isinstance(table.get("head"), str):
-        raise InputError("head", table.get("head"), 'give it, as in head = "paper"')
+    if "head" not in {*swept, *table}:
+        raise InputError("head", None, 'give it, as in head = "paper"')
     designs = loaded(study, "head", lambda each: from_toml(path_of("head", each, FOLDER)))
     for each in designs.values():
         if isinstance(each, MeshHead):

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.design.dispersion import MOST as MOST_SHOTS
+from clubface.design.dispersion import COUNT, FLOWN, LAUNCHED, MOST as MOST_SHOTS, dispersion
 from clubface.design.golfer import Golfer, golfer as golfer_of
 from clubface.design.optimisation.landings import FREE
 from clubface.design.optimisation.run import optimise
@@ -101,8 +101,6 @@ ON_A_HOLE = ("strokes", "gained", "green", "fairway", "rough", "recovery")
 
 
 def _columns(percentiles: tuple[int, ...]) -> dict[str, Column]:
-    from clubface.design.dispersion import FLOWN, LAUNCHED
-
     every = {**outputs(), **flight_outputs()}
     columns: dict[str, Column] = {}
     for name in (*LAUNCHED, *FLOWN):
@@ -132,9 +130,6 @@ def _of_golfer(name: str, value: Any) -> InputError:
 
 
 def _dispersion_task(study: DescribedStudy) -> OneByOne:
-    from clubface.design.dispersion import COUNT, dispersion
-    from clubface.design.golfer import golfer as golfer_of
-
     table = study.table
     swept = {each.name: each for each in study.design.axes}
     shot_inputs = ShotInputs(study, needs=())
@@ -196,7 +191,7 @@ READERS: Mapping[str, Callable[[Any], Any]] = {"golfer": golfer_of, "club": club
 """What is named by a file or by a name, and what reads it."""
 NAMED = (*READERS, "model")
 COUNTED = ("shots", "seed", "starts")
-"""Of the numbers of ``COUNTS``, those that may be swept."""
+"""The numbers of ``COUNTS`` that may be swept."""
 
 
 def _swept_optimisations(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
@@ -215,8 +210,8 @@ def _unit(dimension: str) -> str:
 
 
 def _optimisation_task(study: DescribedStudy) -> OneByOne:
-    if not isinstance(study.table.get("file"), str):
-        raise InputError("file", study.table.get("file"), 'the file of an optimisation, as in file = "better.toml"')
+    if "file" not in study.table:
+        raise InputError("file", None, 'the file of an optimisation, as in file = "better.toml"')
     asked = read(study.folder / study.table["file"])
     if not isinstance(asked, DesignStudy):
         raise InputError("file", study.table["file"], "one with variables: a fitting chooses among parts")

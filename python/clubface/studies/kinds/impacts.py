@@ -30,7 +30,7 @@ from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.checks import without_warnings
 
 USUAL = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
-"""The quantities that are kept where nothing is said."""
+"""The quantities kept by default."""
 
 
 class Impacts:
@@ -163,10 +163,7 @@ def _swept_empty(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
 
 
 def _empty_task(study: DescribedStudy) -> Empty:
-    seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
-    if not 0.0 <= seconds <= 3600.0:
-        raise InputError("seconds", seconds, "from 0 to 3600 s")
-    return Empty(study, seconds)
+    return Empty(study, units.parse(study.table.get("seconds", 0.0), "time", name="seconds"))
 
 
-EMPTY = Kind(name="empty", keys={"seconds": Quantity("s")}, swept=_swept_empty, task=_empty_task)
+EMPTY = Kind(name="empty", keys={"seconds": Quantity("s", 0.0, 3600.0)}, swept=_swept_empty, task=_empty_task)

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.errors import ClubfaceError, FileError
 from clubface.schema import TEXT, Items, Simple, Value
 from clubface.studies.axes import Swept
 from clubface.studies.designs import Design
@@ -128,8 +128,6 @@ def resolved(named: Any, folder: Path) -> Any:
 def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
     """Return the columns that the table of a kind asks for by ``outputs``, or the usual ones."""
     names = table.get("outputs", usual)
-    if not isinstance(names, list | tuple) or not names:
-        raise InputError("outputs", names, f'a list of quantities, as in ["{usual[0]}"]')
     for place, name in enumerate(names):
         check_choice(f"outputs[{place}]", name, every)
     return {name: every[name] for name in names}
