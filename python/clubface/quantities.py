@@ -24,6 +24,7 @@ __all__ = [
     "quantities",
     "quantity",
     "register_quantity",
+    "unit_text",
 ]
 
 
@@ -150,9 +151,8 @@ def file_unit(name: str, unit: str) -> str:
 def _reading_of(name: str, unit: str) -> Quantity:
     if unit == "m" and (name.startswith(_HEAD_PREFIXES) or name.endswith(("_toe", "_high"))):
         return quantity("toe")
-    base = quantities().get(
-        name.rpartition("_")[0]
-    )  # what is computed of a quantity, such as toe_mean, is read as it is
+    # What is computed of a quantity, such as toe_mean, is read as it is.
+    base = quantities().get(name.rpartition("_")[0])
     known = quantity(name, unit)
     return base if known.name == name and name not in quantities() and base and base.unit == unit else known
 
@@ -172,6 +172,11 @@ def format_value(value: float, quantity: Quantity, unit: str | None = None, digi
     unit = quantity.golf.unit if unit is None else unit
     digits = quantity.digits(unit) if digits is None else digits
     return f"{format_number(float(units.from_si(value, unit)), digits)}{'' if unit == '1' else f' {unit}'}"
+
+
+def unit_text(unit: str) -> str:
+    """Return a unit as people read it: nothing for "1", "µs" for "us"."""
+    return {"1": "", "us": "µs"}.get(unit, unit)
 
 
 def convert(value: Any, unit: str, *, difference: bool = False) -> Any:

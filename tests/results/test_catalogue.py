@@ -43,13 +43,16 @@ def test_every_note_has_its_sentence_and_gives_it_all_it_needs():
 
 
 def composed_codes():
-    """Patterns of the codes that are put together, such as ``note(f"dispersion-{name}-cause")``."""
+    """Patterns of the codes that are put together, such as ``note(f"dispersion-{name}-cause")``.
+
+    A code begins with its subject, so that a text made of variables alone, which would match any code, is none.
+    """
     for path in ROOT.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.JoinedStr) and any(isinstance(each, ast.FormattedValue) for each in node.values):
                 parts = [each.value if isinstance(each, ast.Constant) else None for each in node.values]
-                if re.fullmatch(r"[a-z0-9-]+", "".join(filter(None, parts)) or " "):
-                    yield "".join("[a-z0-9-]+" if each is None else re.escape(each) for each in parts)
+                if re.match("[a-z]+-", parts[0] or "") and re.fullmatch("[a-z0-9-]+", "".join(filter(None, parts))):
+                    yield "".join("[a-z0-9-]*" if each is None else re.escape(each) for each in parts)
 
 
 def test_no_sentence_is_left_over():

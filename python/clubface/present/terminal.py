@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from clubface.errors import LINES, in_a_line, legible
+from clubface.quantities import unit_text
 from clubface.results.notes import Note
 from clubface.results.result import Result
 from clubface.results.table import Column, Table
@@ -20,8 +21,6 @@ WIDEST = 120
 """Letters of a line of text."""
 NARROWEST = 14
 """Letters to which a column of words is wrapped before a table continues below."""
-_WRITTEN = {"us": "µs"}
-"""Units that people write in another way."""
 
 
 def terminal_width() -> int | None:
@@ -83,12 +82,12 @@ def values_of(columns: Sequence[Column], units: Mapping[str, str] | None = None)
         if not each.printed or not (number := each.shown(0, units)):
             continue
         unit = each.printed_unit_at(0, units)
-        of = each.quantity_at(0)
+        quantity = each.quantity_at(0)
         side = ""
-        if of is not None and of.sides and float(number) != 0.0 and not each.difference:
-            word = of.sides[not number.startswith("-")]
+        if quantity is not None and quantity.sides and float(number) != 0.0 and not each.difference:
+            word = quantity.sides[not number.startswith("-")]
             side = "" if word in each.heading else word
-        after = f"{'' if unit == '1' else _WRITTEN.get(unit, unit)} {side}".strip()
+        after = f"{unit_text(unit)} {side}".strip()
         rows.append((each.heading, number, after))
     return rows
 
@@ -106,7 +105,7 @@ def headings_and_rows(
         rows = []
         for each in numbers:
             unit = each.printed_unit_at(0, units) if len(table) else "1"
-            label = each.heading if unit == "1" else f"{each.heading}, {_WRITTEN.get(unit, unit)}"
+            label = each.heading if unit == "1" else f"{each.heading}, {unit_text(unit)}"
             rows.append([label, *(each.shown(row, units) for row in count)])
         return heads, rows
     if table.layout == "pivot":
@@ -114,14 +113,13 @@ def headings_and_rows(
         heads, lines = (list(dict.fromkeys(each.values[row] for row in count)) for each in (head, line))
         cells = {(line.values[row], head.values[row]): value.shown(row, units) for row in count}
         unit = value.printed_unit_at(0, units) if len(table) else "1"
-        corner = ("", "") if unit == "1" else ("", _WRITTEN.get(unit, unit))
-        return [corner, *((str(each), "") for each in heads)], [
+        return [("", unit_text(unit)), *((str(each), "") for each in heads)], [
             [str(each), *(cells.get((each, other), "") for other in heads)] for each in lines
         ]
     heads = []
     for each in columns:
         unit = "1" if each.is_mixed or not len(table) else each.printed_unit_at(0, units)
-        heads.append((each.heading, "" if unit == "1" else _WRITTEN.get(unit, unit)))
+        heads.append((each.heading, unit_text(unit)))
     rows = [[each.shown(row, units) for each in columns] for row in count]
     before: list[str] = []
     added = 0
@@ -129,7 +127,7 @@ def headings_and_rows(
         if each.is_mixed and (shown := [each.printed_unit_at(row, units) for row in count]) != before:
             heads.insert(place + added, ("unit", ""))
             for unit, cells in zip(shown, rows, strict=True):
-                cells.insert(place + added, "" if unit == "1" else _WRITTEN.get(unit, unit))
+                cells.insert(place + added, unit_text(unit))
             before, added = shown, added + 1
     return heads, rows
 

@@ -9,8 +9,9 @@ from string import Formatter
 from typing import Any, NamedTuple
 
 from clubface.errors import UnknownNameError
-from clubface.quantities import Quantity, format_value, quantity
+from clubface.quantities import Quantity, format_value, quantity as quantity_named
 from clubface.results.catalogue import SENTENCES
+from clubface.results.table import Column
 
 _WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?: (?P<digits>\d+))?")
 
@@ -84,10 +85,10 @@ class _Sentence(Formatter):
             return format_spec[1:].split("/")[given != 1]
         if isinstance(given, int) and not format_spec:
             return str(given)
-        of = _quantity_of(name)
-        if of is None or format_spec[:1] in (".", "+", ","):
+        quantity = _quantity_of(name)
+        if quantity is None or format_spec[:1] in (".", "+", ","):
             return format(given, format_spec) if format_spec else f"{given:g}"
-        return _quantity_text(float(given), of, format_spec)
+        return _quantity_text(float(given), quantity, format_spec)
 
 
 _SENTENCE = _Sentence()
@@ -100,9 +101,8 @@ def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
     kind, _, digits = spec.rpartition(" ") if " " in spec or spec.isdigit() else (spec, "", "")
     places = int(digits) if digits else None
     if kind == "sides":
-        return (
-            f"{format_value(abs(value), quantity, digits=places)} {(quantity.sides or ('below', 'above'))[value > 0.0]}"
-        )
+        side = (quantity.sides or ("below", "above"))[value > 0.0]
+        return f"{format_value(abs(value), quantity, digits=places)} {side}"
     if kind == "bare":
         return format_value(value, quantity, digits=places).split(" ")[0]
     return format_value(value, quantity, kind or None, places)
@@ -110,18 +110,16 @@ def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
 
 def _quantity_of(name: str) -> Quantity | None:
     try:
-        return quantity(name)
+        return quantity_named(name)
     except UnknownNameError:
         return None
 
 
 def _metric(name: str, value: Any) -> tuple[str, Any]:
     """Return a name with the metric unit and the value in it; what is no quantity stays as it is."""
-    if isinstance(value, float) and (of := _quantity_of(name)) is not None:
-        from clubface.results.table import Column
-
-        each = Column(name, [value], of)
-        return each.key, each.exact(0)
+    if isinstance(value, float) and (quantity := _quantity_of(name)) is not None:
+        column = Column(name, [value], quantity)
+        return column.key, column.exact(0)
     if isinstance(value, float) and not math.isfinite(value):
         return name, None
     return name, list(value) if isinstance(value, tuple) else value

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from clubface.quantities import Quantity, quantity as quantity_named
+from clubface.quantities import Quantity, quantity as quantity_named, unit_text
 
 MarkKind = Literal[
     "line", "points", "bars", "intervals", "band", "area", "stack", "steps", "contour", "cells", "outline", "rule",
@@ -64,8 +64,8 @@ class Axis:
     def heading(self) -> str:
         """Its words with the unit."""
         words = self.label or (self.quantity.label if self.quantity is not None else "")
-        unit = self.unit_drawn.replace("us", "µs") if self.unit_drawn == "us" else self.unit_drawn
-        return words if unit == "1" or not words else f"{words} ({unit})"
+        unit = unit_text(self.unit_drawn)
+        return f"{words} ({unit})" if words and unit else words
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from clubface.errors import UnknownNameError
+from clubface.quantities import Quantity
 from clubface.results.notes import Note
 from clubface.results.provenance import Provenance
 from clubface.results.table import Column, Table
@@ -105,17 +106,9 @@ class Result:
         """Return a table (the main one unless named) as a dataset over its rows, SI; variables carry their units."""
         import xarray
 
-        from clubface.quantities import Quantity
-
         chosen = self.table(name)
         variables = {
-            each.name: (
-                "row",
-                list(each.values),
-                _attributes(each.quantity) if isinstance(each.quantity, Quantity) else {},
-            )
-            for each in chosen.columns
-            if each.in_files
+            each.name: ("row", list(each.values), _attributes(each)) for each in chosen.columns if each.in_files
         }
         return xarray.Dataset(variables, attrs={"title": self.title, "kind": self.kind})
 
@@ -153,5 +146,7 @@ class Described:
         return self.to_result()._repr_html_()
 
 
-def _attributes(subject: Any) -> dict[str, str]:
-    return {"units": subject.unit, "long_name": subject.meaning or subject.label}
+def _attributes(column: Column) -> dict[str, str]:
+    if not isinstance(column.quantity, Quantity):
+        return {}
+    return {"units": column.quantity.unit, "long_name": column.quantity.meaning or column.quantity.label}

@@ -91,38 +91,39 @@ class Column:
         value = self.values[row]
         if hasattr(value, "item"):
             value = value.item()
-        of = self.quantity_at(row)
-        if of is not None and value is not None:
+        quantity = self.quantity_at(row)
+        if quantity is not None and value is not None:
             value = (
                 FLAT
-                if value == math.inf and of.dimension == "length"
-                else convert(value, of.metric.unit, difference=self.difference)
+                if value == math.inf and quantity.dimension == "length"
+                else convert(value, quantity.metric.unit, difference=self.difference)
             )
         return None if isinstance(value, float) and not math.isfinite(value) else value
 
     def shown(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
         """Return the value of a row as people read it, without its unit."""
-        value, of = self.values[row], self.quantity_at(row)
-        if value is None or value is math.nan:
+        value, quantity = self.values[row], self.quantity_at(row)
+        if value is None:
             return ""
         if isinstance(value, bool) or type(value).__name__ == "bool":
             return "yes" if value else "no"
         if isinstance(value, str):
             return value
         digits = self.digits if self.digits is None or isinstance(self.digits, int) else self.digits[row]
-        if of is None:
+        if quantity is None:
             whole = float(value).is_integer() and digits is None
             return str(int(value)) if whole else self._number(float(value), digits or 0)
         unit = self.printed_unit_at(row, shown_units)
-        digits = of.digits(unit) if digits is None else digits
+        digits = quantity.digits(unit) if digits is None else digits
         return self._number(float(convert(value, unit, difference=self.difference)), digits)
 
     def printed_unit_at(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
         """Return the unit in which a row is printed; ``shown_units`` are those a person asked for, by quantity."""
-        of = self.quantity_at(row)
-        if of is None:
+        quantity = self.quantity_at(row)
+        if quantity is None:
             return "1"
-        return (shown_units or {}).get(of.name) or (shown_units or {}).get(self.name) or self.unit or of.golf.unit
+        asked = shown_units or {}
+        return asked.get(quantity.name) or asked.get(self.name) or self.unit or quantity.golf.unit
 
     @property
     def _signed(self) -> bool:
@@ -213,9 +214,11 @@ class Table:
         """Return what its columns are: quantity, unit, label and meaning, by the headings of its file."""
         described = {}
         for each in self.file_columns:
-            of = each.quantity if isinstance(each.quantity, Quantity) else None
+            quantity = each.quantity if isinstance(each.quantity, Quantity) else None
             described[each.key] = {"label": each.heading} | (
-                {} if of is None else {"quantity": of.name, "unit": of.metric.unit, "meaning": of.meaning}
+                {}
+                if quantity is None
+                else {"quantity": quantity.name, "unit": quantity.metric.unit, "meaning": quantity.meaning}
             )
         return described
 
@@ -246,10 +249,10 @@ def column(name: str, values: Any, like: str | Quantity | None = None, **options
     ``like`` may be the name of a quantity or a unit of SI, such as "m".
     """
     if like is None or isinstance(like, str):
-        of = quantity_named(name) if like is None else _like(name, like)
+        quantity = quantity_named(name) if like is None else _like(name, like)
     else:
-        of = like
-    return Column(name, _sequence(values), of, **options)
+        quantity = like
+    return Column(name, _sequence(values), quantity, **options)
 
 
 def text(name: str, values: Sequence[Any], **options: Any) -> Column:
@@ -260,8 +263,8 @@ def text(name: str, values: Sequence[Any], **options: Any) -> Column:
 def _like(name: str, like: str) -> Quantity:
     if like in units.SI_UNITS.values():
         return quantity_named(name, like)
-    of = quantity_named(like)
-    return of if name == like else of._replace(name=of.name, label=name.replace("_", " "))
+    quantity = quantity_named(like)
+    return quantity if name == like else quantity._replace(label=name.replace("_", " "))
 
 
 def _sequence(values: Any) -> Sequence[Any]:

@@ -10,10 +10,6 @@ SENTENCES = {
         "CG farther from its axis also adds loft and closes the face before impact; give the delivery that you expect."
     ),
     "outside-aerodynamic-data": "Spin leaves the aerodynamic data in flight: {models}.",
-    "rigid-face": (
-        "{model} takes the face of {club} as rigid; clubface fem head {club} --measure computes how it gives, and a "
-        'line such as characteristic_time = "250 us" in its file states it.'
-    ),
     "run-not-measured": (
         "no measured run of so low or slow a ball is published; the total is {soft_total:bare 0} to {firm_total:0} "
         "from a soft to a firm fairway"
