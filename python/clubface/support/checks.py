@@ -1,12 +1,6 @@
-"""Checks of single values and their errors; mappings that nobody changes, results as JSON, warnings given once.
+"""Checks of single values, each with an error that says what would have been accepted; and what many modules share.
 
-Checks of single values, each with an error that says what would have been accepted.
-
-Mappings that nobody changes after they were made, and that can be copied and sent to other processes.
-
-Results as JSON has them: numbers, texts, lists and mappings, nothing else.
-
-Warnings that are given once, at the line of the caller.
+That is mappings that cannot be changed, values as JSON has them, and warnings that are given once.
 """
 
 from __future__ import annotations

@@ -1,17 +1,11 @@
 """Files: inputs read once and recorded, outputs written whole or not at all, and data that come with the package.
 
-Files that a computation reads: each is read once, where it is first needed, and recorded with its fingerprint.
-
 Every file of a person (clubs, balls, heads, meshes, parameters, golfers, mappings, shots, studies, recordings) is
 opened here and nowhere else. While a :class:`InputRecord` is active, it keeps what was read: a file that is edited
 meanwhile changes nothing, and what a result was computed from is known exactly, without any look at the texts of files.
 A worker is given what its command has read, and reads nothing else.
 
-Files written whole or not at all: under another name until all of it is on the disk, then renamed.
-
-Folders for results.
-
-The files of data that come with the package: where they lie and what they are called.
+An output is written under another name until all of it is on the disk, and then renamed.
 """
 
 from __future__ import annotations

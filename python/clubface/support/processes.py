@@ -1,13 +1,11 @@
-"""Processes of their own for libraries that can crash; how much memory and how many processors there are.
+"""Separate processes for libraries that can crash; how much memory and how many processors there are.
 
-Functions of libraries that damaged files can crash, called in a process of their own, within limits.
+A library that a damaged file can crash is called in a process of its own, within limits: a crash, endless work or a
+request for all memory ends that process and is one error here. The process stays for further calls, so that only the
+first waits for it to start, a tenth of a second; another takes its place after a crash.
 
-A crash, endless work or a request for all memory then ends that process and is one error here. It stays for further
-calls, so that the first alone waits for it to start, a tenth of a second; another takes its place after a crash.
-
-How much memory there is, so that a request too large for it is refused before anything is allocated.
-
-How many processors there are to use, and what of them may change the last bits of a result.
+Memory is looked up so that a request too large for it is refused before anything is allocated; processors, since their
+vector units may change the last bits of a result.
 """
 
 from __future__ import annotations
