@@ -1,7 +1,4 @@
-"""The list of commands, and how a run ends: result, mistake of the user, interruption.
-
-What a person typed, with which another person repeats a run.
-"""
+"""The list of commands, the command line that was typed, and how a run ends: result, mistake, interruption."""
 
 from __future__ import annotations
 

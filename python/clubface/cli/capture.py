@@ -28,8 +28,12 @@ Unit = Annotated[
     options.option("--units", metavar="UNIT", text="Unit of length, in place of the one that the files name."),
 ]
 Roughness = Annotated[float, typer.Option("--roughness", help="How much the path of the smoother may bend.")]
-Noise = Annotated[str, typer.Option("--noise", metavar='"0.3 mm"', help="Deviation of a marker along an axis.")]
-Gaps = Annotated[float, typer.Option("--gaps", metavar="PART", help="Part of the time a marker is hidden, 0 to 0.5.")]
+Noise = Annotated[
+    str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along each axis.")
+]
+Gaps = Annotated[
+    float, typer.Option("--gaps", metavar="SHARE", help="Share of the time that a marker is hidden, 0 to 0.5.")
+]
 Seed = Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")]
 SWINGS: options.Group = {
     "club": (Club, "driver"), "hand": (Hand, None), "noise": (Noise, "0 mm"), "gaps": (Gaps, 0.0), "seed": (Seed, 1),
@@ -58,7 +62,7 @@ def join(
     shown = show.Output.check(texts | {"target": target}, [captured, session, mapping], KINDS)
     shots = join_shots(read_shots(captured), read_shots(session, format=format_, mapping=mapping))
     shots.write(target)
-    shown.show(shots_result(shots), table=None)
+    shown.show(shots_result(shots), write_table=False)
 
 
 @app.command()

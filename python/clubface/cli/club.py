@@ -1,4 +1,4 @@
-"""``clubface club``: start a club file of one's own, and check one."""
+"""``clubface club``: start a club file of your own, and check one."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and what makes the difference.
 
-Compared is every combination of what was given more than once, called by what differs.
+Every combination of what was given more than once is compared, and named by what differs.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ def alternatives_of(
     """
     from clubface.equipment.balls import ball
 
-    heads = _named([(options.club_of(which, texts["hand"], texts.get("model")), which) for which in clubs], "CLUB")
-    balls = _named([(ball(which), which) for which in texts["ball"] or [None]], "--ball")
+    heads = _named([(options.club_of(each, texts["hand"], texts.get("model")), each) for each in clubs], "CLUB")
+    balls = _named([(ball(each), each) for each in texts["ball"] or [None]], "--ball")
     models = options.model_names(texts["model"], DEFAULT_MODEL)
     options.check_accuracy(models, texts["accuracy"])
     swings = _deliveries(changes, file, units or {}, texts)
@@ -75,11 +75,11 @@ def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]
     usual = options.parameter_sets([model], head.parameters)[model]
     fitting = [each for each in settings if each.partition("=")[0].strip() in usual.values]
     chosen = []
-    for which in texts["parameters"] or ():
-        result = options.parameter_sets(models, head.parameters, which)[model]
+    for name in texts["parameters"] or ():
+        result = options.parameter_sets(models, head.parameters, name)[model]
         # One that serves another of the models leaves this one with its own.
         if len(models) == 1 or result != usual:
-            chosen.append((options.parameter_sets([model], head.parameters, which, fitting)[model], which))
+            chosen.append((options.parameter_sets([model], head.parameters, name, fitting)[model], name))
     if not chosen:
         changed = options.parameter_sets([model], head.parameters, None, fitting)[model]
         return {"default parameters": changed if fitting else None}
@@ -161,13 +161,15 @@ def compare(
     clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")],
     delivery: Annotated[
         list[str] | None,
-        options.option("--delivery", metavar='"loft=12 deg, toe=8 mm"', text=f"What a delivery changes. {_REPEATABLE}"),
+        options.option(
+            "--delivery", metavar='"loft=12 deg, toe=8 mm"', text=f"Values that a delivery changes. {_REPEATABLE}"
+        ),
     ] = None,
     deliveries: Annotated[
         str | None,
-        options.option("--deliveries", metavar="FILE", text="CSV or Parquet file of deliveries, a row each."),
+        options.option("--deliveries", metavar="FILE", text="CSV or Parquet file with a delivery in each row."),
     ] = None,
-    split: Annotated[bool, typer.Option("--split/--no-split", help="Tell what makes the differences.")] = True,
+    split: Annotated[bool, typer.Option("--split/--no-split", help="Split the differences into their causes.")] = True,
     nodes: Annotated[
         int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
     ] = None,
@@ -182,7 +184,7 @@ def compare(
     ] = None,
     **texts: Any,
 ) -> None:
-    """Compare clubs, balls, models, parameters or deliveries, and tell what makes the difference."""
+    """Compare clubs, balls, models, parameters or deliveries, and show what makes the difference."""
     from clubface.design.comparison import MOST, compare as computed
     from clubface.design.contributions import QUANTITIES
     from clubface.present.files import write_table
@@ -208,4 +210,4 @@ def compare(
         write_table(compared.all_figures(), output.target)
     clubs_struck = [(compared.launches[name].club, each["delivery"]) for name, each in alternatives.items()]
     hints = options.loft_hints(clubs_struck)
-    output.show(compared.to_result().replace(hints=tuple(hints)), table=None)
+    output.show(compared.to_result().replace(hints=tuple(hints)), write_table=False)

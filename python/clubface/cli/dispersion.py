@@ -43,7 +43,7 @@ def dispersion(
         int | None, typer.Option("--count", metavar="N", help="Number of shots; 16384 unless given.")
     ] = None,
     seed: options.Seed = 0,
-    no_flight: Annotated[bool, typer.Option("--no-flight", help="Count launches alone; no ball flies.")] = False,
+    no_flight: Annotated[bool, typer.Option("--no-flight", help="Compute launches only, without flights.")] = False,
     hole: Annotated[
         str | None,
         options.option(
@@ -63,10 +63,10 @@ def dispersion(
         str | None,
         options.option("--lie", panel=_HOLE, metavar="NAME", text="Where the shot is played from; tee unless given."),
     ] = None,
-    no_shares: Annotated[bool, typer.Option("--no-shares", help="Leave out what spreads the shots.")] = False,
+    no_shares: Annotated[bool, typer.Option("--no-shares", help="Do not compute what spreads the shots.")] = False,
     **texts: Any,
 ) -> None:
-    """Hit many shots of a golfer and sum up where they go."""
+    """Simulate many shots of a golfer and sum up where they go."""
     from clubface.design.dispersion import COUNT, ImpactSetup, dispersion as compute, shots_file
     from clubface.design.dispersion_result import dispersion_result
     from clubface.design.golfer import club_of, golfer as golfer_named
@@ -100,7 +100,7 @@ def dispersion(
     if not (no_shares or no_flight) and shots.golfer.spread.any():
         with progress_bar("orders of what varies") as progress:
             shares = indices(shots.golfer, impact_setup, seed=seed, progress=progress)
-    output.show(dispersion_result(shots, slopes, shares), table=None)
+    output.show(dispersion_result(shots, slopes, shares), write_table=False)
 
 
 def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:

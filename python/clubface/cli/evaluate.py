@@ -17,9 +17,9 @@ EVALUATION = options.group(None, {
     "parameters": (options.Texts, None, "NAME|FILE", "A published parameter set or a TOML file; models that it does not"
                    " fit keep theirs. Repeatable."),
     "noise": (options.Texts, None, "NAME=VALUE",
-              'Of the monitor, standard deviation: "launch=0.2 deg". Repeatable.'),
+              'Standard deviation of the monitor: "launch=0.2 deg". Repeatable.'),
     "delivery_noise": (options.Texts, None, "NAME=VALUE",
-                       'Of the measured delivery: "face=0.3 deg". Repeatable.'),
+                       'Standard deviation of the measured delivery: "face=0.3 deg". Repeatable.'),
     "resamples": (int, 2000, "N", "Number of bootstrap samples."),
 })  # fmt: skip
 

@@ -29,20 +29,26 @@ def head(
     ] = False,
     blow: Annotated[
         str | None,
-        options.option("--blow", metavar='"125 mph"', text="Also simulate a blow: the stress, and where it yields."),
+        options.option(
+            "--blow", metavar='"125 mph"', text="Also simulate a blow: the stress, and where the metal yields."
+        ),
     ] = None,
     toe: Annotated[
-        str | None, options.option("--toe", metavar='"8 mm"', text="With these two: where, to the toe.")
+        str | None, options.option("--toe", metavar='"8 mm"', text="With --measure or --blow: how far towards the toe.")
     ] = None,
     high: Annotated[
-        str | None, options.option("--high", metavar='"3 mm"', text="With these two: where, above the face centre.")
+        str | None,
+        options.option("--high", metavar='"3 mm"', text="With --measure or --blow: how far above the face centre."),
     ] = None,
     ball: Annotated[
-        str | None, options.option("--ball", metavar="NAME|FILE", text="With these two: the ball; modern unless given.")
+        str | None,
+        options.option("--ball", metavar="NAME|FILE", text="With --measure or --blow: the ball; modern unless given."),
     ] = None,
     safety: Annotated[
         float | None,
-        options.option("--safety", metavar="SHARE", text="With these two: the time step over the stable one."),
+        options.option(
+            "--safety", metavar="SHARE", text="With --measure or --blow: the time step over the stable one."
+        ),
     ] = None,
     meshes: Annotated[
         int,
@@ -51,13 +57,13 @@ def head(
             metavar="COUNT",
             min=1,
             max=3,
-            help="With --blow: on how many meshes, to see how far the stress depends on them; 3 unless given.",
+            help="With --blow: number of meshes, to see how far the stress depends on the mesh; 3 unless given.",
         ),
     ] = 3,
     report: options.Report = None,
     as_json: options.Json = False,
 ) -> None:
-    """Mesh a head and report mass, CG, inertia, how it was tuned and, if wanted, how it rebounds and what it bears."""
+    """Mesh a head and report mass, CG, inertia, how it was tuned and, on request, restitution and stress."""
     from clubface import fem
     from clubface.fem import head_tests, stress
     from clubface.fem.head_result import head_result
@@ -100,7 +106,7 @@ def face(
     workers: Annotated[int | None, typer.Option("--workers", help="Points at a time; all cores unless given.")] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Simulate restitution and characteristic time over the face of a head, a point a core."""
+    """Simulate restitution and characteristic time over the face of a head, one point on each core."""
     from clubface.fem import head_tests
     from clubface.fem.sweep import grid
 
@@ -135,4 +141,4 @@ def design(
     output.check_not_read(shown.target)
     with progress_bar("designs") as progress:
         result = improve(asked, output=shown.target, resume=texts["resume"], workers=workers, progress=progress)
-    shown.show(result.to_result(), table=None)
+    shown.show(result.to_result(), write_table=False)

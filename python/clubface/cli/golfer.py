@@ -28,7 +28,7 @@ def list_golfers(**texts: Any) -> None:
 
 
 @app.command("show")
-@options.takes(show.table_option("Write a TOML file to start one's own golfer from."), show.REPORT, show.JSON)
+@options.takes(show.table_option("Write a TOML file to start your own golfer from."), show.REPORT, show.JSON)
 def show_golfer(golfer: GolferArgument, **texts: Any) -> None:
     """Show means, spreads and correlations of a golfer, and where each figure comes from."""
     from clubface.design.golfer import golfer as golfer_named, to_toml
@@ -61,7 +61,7 @@ def estimate(
         options.option(
             "--like",
             metavar="GOLFER",
-            text="The golfer that gives what was not measured; the shipped one of the nearest speed unless given.",
+            text="Golfer that supplies what was not measured; the shipped one nearest in speed unless given.",
         ),
     ] = None,
     **texts: Any,

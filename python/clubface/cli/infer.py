@@ -20,14 +20,14 @@ app = typer.Typer(add_completion=False)
 
 INFERENCE = options.group(None, {
     "prior": (str | None, None, "NAME|FILE",
-              "Deliveries believed before: elite, tour, wide or a TOML file; elite, or else tour, unless given."),
+              "Prior of the deliveries: elite, tour, wide or a TOML file; elite, or else tour, unless given."),
     "noise": (options.Texts, None, "NAME=VALUE",
               'Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'),
     "delivery_noise": (options.Texts, None, "NAME=VALUE",
-                       'The same of measured club data: "attack=2 deg". Repeatable.'),
+                       'The same for measured club data: "attack=2 deg". Repeatable.'),
     "ignore": (options.Texts, None, "NAME",
-               "Club data of a file that is not used, several with commas or repeated, or all."),
-    "samples": (int | None, None, "N", "Number of deliveries drawn; 2000, or 400 a shot of a file."),
+               "Club data in the file to ignore, several with commas or repeated, or all."),
+    "samples": (int | None, None, "N", "Number of deliveries drawn; 2000, or 400 for each shot of a file."),
 })  # fmt: skip
 _OUTPUT = options.output(
     "FILE", "Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each."

@@ -20,7 +20,7 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(
     options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, show.UNITS,
-    show.table_option("Write the map, a row a point, CSV or Parquet."), show.plot_option("contours on the face"),
+    show.table_option("Write the map, a row for each point, CSV or Parquet."), show.plot_option("contours on the face"),
     show.REPORT, show.JSON,
 )  # fmt: skip
 def map_(
@@ -89,14 +89,14 @@ def map_(
     mapped = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
     if output.target is not None:
         write_table(mapped.all_points(), output.target)
-        for each, of in zip((output.target, _second(output.target)), maps, strict=False):
-            if of.interpolated:  # else nothing was kept, and a folder of that name is of something else
-                finished(each)
+        for kept, each in zip((output.target, _second(output.target)), maps, strict=False):
+            if each.interpolated:  # else nothing was kept, and a folder of that name is of something else
+                finished(kept)
     result = mapped.to_result(names, scatter)
     if output.report is not None:
         result = result.replace(tables=(*result.tables, mapped.all_points()))
     hints = (*options.loft_hints([(each.centre.club, delivery) for each in maps]), *result.hints)
-    output.show(result.replace(hints=hints), table=None)
+    output.show(result.replace(hints=hints), write_table=False)
 
 
 def _second(target: str) -> str:

@@ -32,7 +32,6 @@ HAND = options.text_option("--hand", None, "right|left", "Hand of the player.")
 _CLUBS = options.option(
     "--club", metavar="CLUB|NAME=CLUB", text="Refer club data to this club, or NAME=CLUB for each name in the file."
 )
-TABLES = (".csv", ".tsv", ".parquet", ".pq")
 
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Launch monitors: their files, and their shots live."
@@ -43,23 +42,24 @@ app = typer.Typer(
 @options.takes(
     {
         "hand": options.text_option("--hand", None, "right|left", "Hand of the player, sent to the monitor."),
-        "timeout": options.text_option("--timeout", None, '"60 s"', "End when nothing has come for so long."),
+        "timeout": options.text_option("--timeout", None, '"60 s"', "End when nothing has come for this long."),
     },
     show.table_option("Write the shots to a new table, CSV or Parquet, kept up to date."),
 )
 def listen(
     port: Port = 921,
     club: Annotated[str, options.option("--club", metavar="NAME", text="Club that is sent to the monitor: DR.")] = "",
-    count: Annotated[int | None, options.option("--shots", metavar="NUMBER", text="End after so many shots.")] = None,
+    count: Annotated[int | None, options.option("--shots", metavar="NUMBER", text="End after this many shots.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document for each shot.")] = False,
     **texts: Any,
 ) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.shots.open_connect import Listener
     from clubface.shots.open_connect_messages import recorded
+    from clubface.shots.tables.writer import KINDS
 
     target, hand, timeout = (texts[name] for name in ("target", "hand", "timeout"))
-    output.check_target("--output", target, TABLES)
+    output.check_target("--output", target, KINDS)
     if target is not None and Path(target).exists():
         raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
     wait = _seconds("--timeout", timeout, above=0.0) if timeout is not None else None
@@ -168,18 +168,15 @@ def report(
     ] = None,
     **texts: Any,
 ) -> None:
-    """Write for a player, in plain language: what was measured, what it means, and how sure that is."""
+    """Write a report for a player, in plain language: what was measured, what it means, and how sure that is."""
     from dataclasses import replace
 
     import numpy as np
 
     from clubface.inference.player_report import player_result
-    from clubface.present.document import ENDINGS
     from clubface.present.report import write_report
 
-    output.check_target("--output", target, ENDINGS, [*files, texts["mapping"]])
-    import clubface.present.style  # noqa: F401  (a missing library is an error before any work)
-
+    output.check_report(target, [*files, texts["mapping"]], "--output")
     shots = read_shots(files, texts, where=True)
     if club is not None:
         shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
@@ -214,7 +211,7 @@ def read(
         shots.write(shown.target)
     if rejects is not None:
         write_table(rejected_table(shots.rejected), rejects)
-    shown.show(shots_result(shots), table=None, more=[] if rejects is None else [rejects])
+    shown.show(shots_result(shots), write_table=False, more=[] if rejects is None else [rejects])
 
 
 @app.command()

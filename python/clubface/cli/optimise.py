@@ -15,7 +15,7 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(
     show.table_option(
-        "Write the best club to this TOML file, which clubface shot reads; or of a fitting all parts, CSV."
+        "Write the best club to this TOML file, which clubface shot reads; or all combinations of a fitting, CSV."
     ),
     show.plot_option("the landings, and the front, the bounds or the parts"), show.REPORT,
     {"resume": (options.Resume, False)}, show.JSON,
@@ -46,4 +46,4 @@ def optimise(
         output.check_target("--output", shown.target, (".toml",))
         with progress_bar(lambda done, whole, step: step) as progress:
             result = find_optimum(asked, **files, progress=progress).to_result()
-    shown.show(result, table=None)
+    shown.show(result, write_table=False)

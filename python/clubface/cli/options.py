@@ -1,9 +1,4 @@
-"""Options and arguments that commands share, and what their texts mean.
-
-Options and arguments that commands share, in groups a command takes as a whole.
-
-From the texts of options to deliveries, clubs, models, parameter sets and air.
-"""
+"""Options and arguments that commands share, in groups that a command takes as a whole, and what their texts mean."""
 
 from __future__ import annotations
 

@@ -77,12 +77,12 @@ def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None
         check_target("--plot", target, ENDINGS, inputs)
 
 
-def check_report(target: str | None, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse a report to write in the same way."""
+def check_report(target: str | None, inputs: Iterable[str | None] = (), name: str = "--report") -> None:
+    """Refuse a report to write in the same way; ``name`` is that of the option."""
     if target is not None:
         from clubface.present.document import ENDINGS
 
-        check_target("--report", target, ENDINGS, inputs)
+        check_target(name, target, ENDINGS, inputs)
         import clubface.present.style  # noqa: F401  (a missing library is an error before any work)
 
 

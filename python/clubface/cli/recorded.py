@@ -44,7 +44,7 @@ READING: Group = {
 """Options of a command that reads a file of shots."""
 CHOICE: Group = {
     **READING,
-    "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club that the file calls so."),
+    "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club with this name in the file."),
     "mismatch": (Annotated[str, _MISMATCH], "refuse"),
     "assume": (Annotated[list[str] | None, _ASSUME], None),
 }

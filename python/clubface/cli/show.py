@@ -12,10 +12,10 @@ from clubface.cli.failures import print_written
 from clubface.errors import ClubfaceError
 from clubface.quantities import quantities
 from clubface.results.result import Result
+from clubface.support.checks import check_choice
 from clubface.units import unit as unit_named
 
 JSON: options.Group = {"as_json": (options.Json, False)}
-PLOT: options.Group = {"plot": (Annotated[str | None, options.picture("a picture")], None)}
 REPORT: options.Group = {"report": (options.Report, None)}
 FOLDER: options.Group = {"folder": (options.Folder, None)}
 UNITS: options.Group = {
@@ -26,12 +26,6 @@ UNITS: options.Group = {
                 "--unit", metavar="NAME=UNIT", text='The unit of a quantity for people: "carry=m". Repeatable.'
             ),
         ],
-        None,
-    )
-}
-TABLE: options.Group = {
-    "target": (
-        Annotated[str | None, options.output("FILE", "Write the main table, CSV or Parquet by its ending.")],
         None,
     )
 }
@@ -48,6 +42,9 @@ def table_option(words: str) -> options.Group:
     return {"target": (Annotated[str | None, options.output("FILE", words)], None)}
 
 
+TABLE = table_option("Write the main table, CSV or Parquet by its ending.")
+
+
 @dataclass(frozen=True)
 class Output:
     """Where a result goes.
@@ -57,7 +54,7 @@ class Output:
     as_json
         Whether JSON is printed in place of tables.
     target
-        The file of the main table; ``written`` tells that the command writes it itself.
+        The file of the main table.
     plot, report
         Files of picture and report.
     folder
@@ -100,19 +97,18 @@ class Output:
         self,
         result: Result,
         *,
-        table: str | None = "",
+        write_table: bool = True,
         more: Sequence[object] = (),
         parts: Mapping[str, Result] | None = None,
     ) -> None:
         """Print a result, write the files that were asked for, and say which.
 
-        ``table`` names the table that is written to the target, "" being the main one; None if the command has written
-        it. ``more`` are further files that the command wrote. ``parts`` are written into the folder in place of the
-        whole, each into one of its own.
+        ``write_table`` is False where the command has written the target itself. ``more`` are further files that the
+        command wrote. ``parts`` are written into the folder in place of the whole, each into one of its own.
         """
         result = result.replace(provenance=result.provenance.with_files())
         try:
-            more = [*more, *self._write(result, table, {"": result} if parts is None else parts)]
+            more = [*more, *self._write(result, write_table, {"": result} if parts is None else parts)]
         finally:  # what took long is shown even where a disk is full
             if self.as_json:
                 from clubface.present.files import json_text
@@ -124,12 +120,12 @@ class Output:
                 print_result(result, self.units)
         print_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
 
-    def _write(self, result: Result, table: str | None, parts: Mapping[str, Result]) -> list[Path]:
+    def _write(self, result: Result, write_table: bool, parts: Mapping[str, Result]) -> list[Path]:
         """Write the files that were asked for and return those of the folder."""
-        if self.target is not None and table is not None:
-            from clubface.present.files import write_table
+        if self.target is not None and write_table:
+            from clubface.present import files
 
-            write_table(result.table(table or None), self.target)
+            files.write_table(result.table(), self.target)
         if self.plot is not None:
             save_picture(result, self.plot, self.units)
         if self.report is not None:
@@ -159,9 +155,6 @@ def _units(texts: Iterable[str] | None) -> dict[str, str]:
     known = quantities()
     chosen = {}
     for name, symbol in options.pairs(texts or (), "--unit").items():
-        if name not in known:
-            from clubface.support.checks import check_names
-
-            check_names("quantity of --unit", [name], known)
+        check_choice("quantity of --unit", name, known)
         chosen[name] = unit_named(symbol, name="--unit", dimension=known[name].dimension).symbol
     return chosen

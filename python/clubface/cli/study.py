@@ -85,7 +85,7 @@ def join(
     shown = show.Output.check(texts, (study,))
     with progress_bar("parts") as progress:
         joined = put_together(study, shown.target, store=store, progress=progress)
-    shown.show(joined_result(joined), table=None)
+    shown.show(joined_result(joined), write_table=False)
 
 
 @app.command("summary")
