@@ -46,6 +46,7 @@ from clubface.simulation.results import (
     flight_inputs,
     flight_outputs,
     index_of,
+    translate_core_error,
 )
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processes import FAILED, check_request
@@ -233,8 +234,8 @@ def conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = Non
 
 def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> None:
     """Refuse air, wind and ground, single numbers all, that no flight takes."""
-    for name, given in conditions(air, wind, ground).items():
-        value, allowed = _parsed(given, name), flight_inputs()[name]
+    for name, value in conditions(air, wind, ground).items():
+        allowed = flight_inputs()[name]
         if not isinstance(value, float):
             raise InputError(name, "an array", "a single number")
         if not allowed.lower <= value <= allowed.upper:
@@ -248,9 +249,7 @@ def _parsed(value: Any, name: str) -> Any:
 
 def flight_error(error: ValueError, columns: Mapping[str, Any]) -> ShotError:
     """Turn the core's ``ValueError(name, message)`` about one flight into an error of the package."""
-    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
-    value = columns.get(name)
-    return ShotError(name, value if isinstance(value, float) else None, message)
+    return translate_core_error(error, lambda name: value if isinstance(value := columns.get(name), float) else None)
 
 
 def _of_shape(value: Any, shape: tuple[int, ...]) -> Any:

@@ -21,7 +21,7 @@ from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, UnknownNameError, Wording
 from clubface.schema import Choice, Items, Quantity, file_key
-from clubface.simulation.results import input_columns, input_dimensions, inputs
+from clubface.simulation.results import input_columns, input_dimensions, inputs, translate_core_error
 from clubface.support.checks import check_choice, check_names, whole
 from clubface.support.files import is_path
 from clubface.support.processes import FAILED, check_request
@@ -151,9 +151,9 @@ class Shots(NamedTuple):
     Attributes
     ----------
     club, ball
-        What they were hit with.
+        The club and the ball.
     columns
-        One a input: a number, or an array of the shots, flat.
+        One an input: a number, or an array of the shots, flat.
     shape
         The shape the inputs broadcast to; () for a single shot.
     varied
@@ -184,10 +184,9 @@ class Prepared(NamedTuple):
     chosen: ParameterSet
     parameters: list[Any]
 
-    def error(self, error: ValueError) -> InputError:
-        """Turn the core's ``ValueError(name, message)`` about one shot into an :class:`InputError`."""
-        name, message = error.args if len(error.args) == 2 else ("the request", str(error))
-        return ShotError(name, self.value_of(name, 0), message)
+    def error(self, error: ValueError) -> ShotError:
+        """Turn the core's ``ValueError(name, message)`` about one shot into an error of the package."""
+        return translate_core_error(error, lambda name: self.value_of(name, 0))
 
     def value_of(self, name: str, row: int) -> Any:
         """Return the value [SI] of an input or parameter in one row; None of anything else."""
@@ -222,69 +221,64 @@ def prepare(
     """
     setup, chosen = equipped(model_name, club, ball, parameters)
     laid_out = shots(setup, values, hand=hand)
-    columns = chosen.columns()
-    if not laid_out.varied and set(map(type, columns)) <= {float}:
-        return Prepared(laid_out, chosen, columns)
     if single:
         arrays = [*laid_out.varied, *(name for name, each in chosen.values.items() if not isinstance(each, float))]
-        raise InputError(arrays[0], Wording("an array"), f"a single number: {single} is of one shot")
-    laid_out, columns = broadcast(laid_out, columns, tuple(chosen.values), outputs or 0)
+        if arrays:
+            raise InputError(arrays[0], Wording("an array"), f"a single number: {single} is of one shot")
+    laid_out, columns = broadcast(laid_out, chosen.columns(), tuple(chosen.values), outputs or 0)
     return Prepared(laid_out, chosen, columns)
 
 
 def equipment(
-    club_or_name: str | os.PathLike[str] | Club, which_ball: str | os.PathLike[str] | Ball | None
+    club_or_name: str | os.PathLike[str] | Club, ball_or_name: str | os.PathLike[str] | Ball | None
 ) -> Equipment:
     """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
-    which_ball = getattr(which_ball, "rigid", which_ball)
-    if is_path(club_or_name) or is_path(which_ball):
-        return _equip(club(club_or_name), ball(which_ball))
+    ball_or_name = getattr(ball_or_name, "rigid", ball_or_name)
+    if is_path(club_or_name) or is_path(ball_or_name):
+        return _equip(club(club_or_name), ball(ball_or_name))
     try:
-        return _kept(club_or_name, which_ball)
+        return _kept(club_or_name, ball_or_name)
     except TypeError:
         raise InputError("club", club_or_name, "a name, the path of a TOML file or a Club") from None
 
 
 @lru_cache(maxsize=256)
-def _kept(club_or_name: str | Club, which_ball: str | Ball | None) -> Equipment:
-    return _equip(club(club_or_name), ball(which_ball))
+def _kept(club_or_name: str | Club, ball_or_name: str | Ball | None) -> Equipment:
+    return _equip(club(club_or_name), ball(ball_or_name))
 
 
-def _equip(of_club: Club, of_ball: Ball) -> Equipment:
-    values = {**of_club.inputs(), **of_ball.inputs()}
-    values[_LOFT] = of_club.loft
-    return Equipment(of_club, of_ball, tuple(values.get(name, 0.0) for name in inputs()))
+def _equip(club: Club, ball: Ball) -> Equipment:
+    values = {**club.inputs(), **ball.inputs(), _LOFT: club.loft}
+    return Equipment(club, ball, tuple(values.get(name, 0.0) for name in inputs()))
 
 
 def equipped(
     model_name: str,
     club_or_name: str | os.PathLike[str] | Club,
-    which_ball: str | os.PathLike[str] | Ball | None,
+    ball_or_name: str | os.PathLike[str] | Ball | None,
     given: Any,
 ) -> tuple[Equipment, ParameterSet]:
-    """Return club and ball as a model takes them with its parameters, and those (``given`` as for `parameter_set`)."""
-    if given is None and not (is_path(club_or_name) or is_path(which_ball)):
+    """Return club and ball as a model takes them, and its parameters; ``given`` is as for :func:`parameter_set`."""
+    if given is None and not (is_path(club_or_name) or is_path(ball_or_name)):
         try:
-            return _usual(model_name, club_or_name, which_ball)
+            return _usual(model_name, club_or_name, ball_or_name)
         except TypeError:
-            pass  # not hashable, so that it is none: the message is about the club or ball
-    return _equipped(model_name, club_or_name, which_ball, given)
+            pass  # not hashable, and so no club or ball: the message below says which
+    return _equipped(model_name, club_or_name, ball_or_name, given)
 
 
 @lru_cache(maxsize=256)
-def _usual(model_name: str, club_or_name: str | Club, which_ball: str | Ball | None) -> tuple[Equipment, ParameterSet]:
-    return _equipped(model_name, club_or_name, which_ball, None)
+def _usual(model_name: str, name: str | Club, ball_or_name: str | Ball | None) -> tuple[Equipment, ParameterSet]:
+    return _equipped(model_name, name, ball_or_name, None)
 
 
-def _equipped(model_name: str, name: Any, which_ball: Any, given: Any) -> tuple[Equipment, ParameterSet]:
-    setup = equipment(name, which_ball)
+def _equipped(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tuple[Equipment, ParameterSet]:
+    setup = equipment(name, ball_or_name)
     chosen = parameter_set(model_name, setup.club, given, setup.ball)
-    return _with_included_face(setup, chosen) if chosen.includes_face else setup, chosen
-
-
-def _with_included_face(setup: Equipment, chosen: ParameterSet) -> Equipment:
-    columns = chosen.with_included_face(dict(zip(inputs(), setup.columns, strict=True)))
-    return setup._replace(columns=tuple(columns.values()))
+    if chosen.includes_face:
+        columns = chosen.with_included_face(dict(zip(inputs(), setup.columns, strict=True)))
+        setup = setup._replace(columns=tuple(columns.values()))
+    return setup, chosen
 
 
 def shots(setup: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
@@ -343,7 +337,7 @@ def broadcast(shots: Shots, parameters: list[Any], names: tuple[str, ...], outpu
     """Bring array inputs and parameters (called ``names``) to one shape, flat, if there is memory for ``outputs``."""
     import numpy as np
 
-    if not shots.varied and all(type(value) is float for value in parameters):
+    if not shots.varied and set(map(type, parameters)) <= {float}:
         return shots, parameters
     varied = dict(shots.varied)
     for name, value in zip(names, parameters, strict=True):
@@ -431,9 +425,7 @@ def as_values(delivery: Delivery | Mapping[str, Any] | None, values: Mapping[str
 
 
 MOST_THREADS = 1024
-"""More than any machine has cores; a slip of the keyboard shall not start a million."""
-
-
+"""More than any machine has cores, so that a typing error does not start a million threads."""
 FINEST, COARSEST = 1e-13, 1e-2
 """Tolerances of a step that the core takes."""
 

@@ -1,10 +1,10 @@
-"""What launches, flights and histories share: named arrays in SI that know their units and where they come from."""
+"""The common parts of launches, flights and histories: named arrays in SI with units and provenance."""
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -177,7 +177,7 @@ class Batch(Described):
 
     @property
     def provenance(self) -> dict[str, Any]:
-        """What the result was computed from and with."""
+        """The inputs, the models and the version that the result was computed with."""
         raise NotImplementedError
 
     @property
@@ -218,6 +218,14 @@ class Batch(Described):
         value = getattr(self, name)
         return value if unit is None else in_unit(value, self.quantities()[name], unit)
 
+    def _varied_columns(self) -> dict[str, NDArray[Any]]:
+        """Return the inputs given as arrays, a value a shot, without those that are also a quantity of the result."""
+        return {
+            name: np.broadcast_to(each.values, self.shape).reshape(-1)
+            for name, each in self.varied.items()
+            if name not in self.quantities()
+        }
+
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a shot: the inputs given as arrays, then every quantity, SI.
 
@@ -225,13 +233,7 @@ class Batch(Described):
         """
         import pandas
 
-        columns = {
-            name: np.broadcast_to(each.values, self.shape).reshape(-1)
-            for name, each in self.varied.items()
-            if name not in self.quantities()
-        }
-        columns |= dict(zip(self.quantities(), self._values, strict=True))
-        frame = pandas.DataFrame(columns)
+        frame = pandas.DataFrame(self._varied_columns() | dict(zip(self.quantities(), self._values, strict=True)))
         frame.attrs = {
             "units": {name: each.unit for name, each in self.varied.items()} | self.units,
             "provenance": self.provenance,
@@ -265,12 +267,8 @@ class Batch(Described):
 
     def to_result(self) -> Result:
         """Return one row a shot: the inputs given as arrays, then every quantity."""
-        varied = {
-            name: np.broadcast_to(each.values, self.shape).reshape(-1)
-            for name, each in self.varied.items()
-            if name not in self.quantities()
-        }
-        columns = [column(name, values, self.varied[name].unit) for name, values in varied.items()]
+        varied = self.varied
+        columns = [column(name, values, varied[name].unit) for name, values in self._varied_columns().items()]
         columns += [column(name, values) for name, values in zip(self.quantities(), self._values, strict=True)]
         problems = tuple(note("shot-without-result", row=list(each.row), reason=each.reason) for each in self.problems)
         table = Table(f"{self._kind}es" if self._kind == "launch" else f"{self._kind}s", tuple(columns))
@@ -370,9 +368,9 @@ def dimension_names(shape: tuple[int, ...], varied: Mapping[str, Varied]) -> tup
     names = list(plain)
     for axis, dim in enumerate(plain):
         along = {name: dims_of(each.values, plain) for name, each in varied.items()}
-        result = [name for name, own in along.items() if dim in own]
-        if len(result) == 1 and along[result[0]] == (dim,):
-            names[axis] = result[0]
+        varying = [name for name, own in along.items() if dim in own]
+        if len(varying) == 1 and along[varying[0]] == (dim,):
+            names[axis] = varying[0]
     return tuple(names)
 
 
@@ -396,7 +394,16 @@ def index_of(row: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(reversed(index))
 
 
-def first_error(result: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:
+def first_error(problems: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:
     """Return the error about the first of the shots without a result; ``value`` is that of its input at fault."""
-    row, name, reason = result[0]
-    return ShotError(name, value, reason, index_of(row, shape), len(result) - 1)
+    row, name, reason = problems[0]
+    return ShotError(name, value, reason, index_of(row, shape), len(problems) - 1)
+
+
+def translate_core_error(error: ValueError, value_of: Callable[[str], Any]) -> ShotError:
+    """Turn the core's ``ValueError(name, message)`` about one shot into an error of the package.
+
+    ``value_of`` returns the value [SI] of an input by its name, None where there is none.
+    """
+    name, message = error.args if len(error.args) == 2 else ("the request", str(error))
+    return ShotError(name, value_of(name), message)
