@@ -8,15 +8,14 @@ from typing import NamedTuple
 
 from clubface.errors import FileError, shortened
 from clubface.shots.club_names import is_club_name
-from clubface.shots.formats import COMMON, MEASURED, Format, side_of
-from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, unit_in
+from clubface.shots.formats import COMMON, MEASURED, Format, dimension_of, side_of
+from clubface.shots.monitor_cells import SIDES, Heading, Side, unit_in
 from clubface.shots.tables.headings import (
     POINTS,
     given_unit,
     listed,
     missing_units,
     plain,
-    shot_words,
     squeezed,
     unit_of_column,
     unit_symbol,
@@ -163,7 +162,7 @@ def columns_of(
                 remarks.append(EITHER_SPEED.format(shortened(shown, 40)))
             continue
         named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
-        symbol = named or given_unit(units, quantity, _dimension(quantity))
+        symbol = named or given_unit(units, quantity, dimension_of(quantity))
         if symbol is None:
             symbol = layout.field(quantity).unit
             if symbol is None and quantity not in layout.fields:
@@ -171,14 +170,14 @@ def columns_of(
             if symbol is None:
                 without_unit.append((shown, quantity))
                 continue
-            if not layout.needs_units and _dimension(quantity) in ("speed", "length"):
+            if not layout.needs_units and dimension_of(quantity) in ("speed", "length"):
                 assumed.append((shown, symbol))
         side = _side(layout, quantity, each)
         if quantity == "toe" and each.name in UNSIGNED and not (each.positive or layout.field(quantity).positive):
             remarks.append(f"the file does not say the sign of {shortened(shown, 40)}: the toe was taken as positive")
         used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, side, named is not None))
     if without_unit:
-        raise missing_units(without_unit, *place, {name: _dimension(name) for _, name in without_unit})
+        raise missing_units(without_unit, *place, {name: dimension_of(name) for _, name in without_unit})
     if not used and remarks:
         raise FileError(*place, remarks[0])
     if not used:
@@ -263,7 +262,7 @@ def _preferred(layout: Format, heads: Sequence[Heading], with_unit: Collection[s
     for each in heads:
         if each.name in layout.names:
             quantity, rank = layout.names[each.name]
-            lacks_unit = _dimension(quantity) != DIMENSIONLESS and each.name not in with_unit
+            lacks_unit = dimension_of(quantity) != DIMENSIONLESS and each.name not in with_unit
             known[each.name] = quantity, rank + WITHOUT_UNIT * lacks_unit
     best: dict[str, int] = {}
     for quantity, rank in known.values():
@@ -283,17 +282,13 @@ def _named_unit(
     place: tuple[str, int | None],
 ) -> str | None:
     """Return the unit that the file names for a column, in its heading, the row of units or a cell."""
-    dimension = _dimension(quantity)
+    dimension = dimension_of(quantity)
     named = named or _written(units_row, position)
     if named is None:
         named = next(
             (symbol for row in rows if position < len(row) and (symbol := unit_in(row[position], quantity))), None
         )
     return None if named is None else unit_of_column(named, dimension, shown, place)
-
-
-def _dimension(quantity: str) -> str:
-    return shot_words().dimensions["face" if quantity == FACE_TO_PATH else quantity]
 
 
 def _side(layout: Format, quantity: str, head: Heading) -> Side:

@@ -64,8 +64,8 @@ from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_s
 
 __all__ = [
     "CG", "COMMON", "CONTACT", "FACE", "MEASURED", "PLAYER", "POINTS", "UNKNOWN", "Field", "Format", "Mapped",
-    "MappingFile", "common_names", "mapping_of", "side_of", "with_face_and_path", "without_any_sentinels",
-    "without_sentinels",
+    "MappingFile", "common_names", "dimension_of", "mapping_of", "side_of", "with_face_and_path",
+    "without_any_sentinels", "without_sentinels",
 ]  # fmt: skip
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
@@ -118,6 +118,11 @@ class Field:
 COMMON = 100
 """The rank from which the headings of the vocabulary of all tables count."""
 COMMON_FIELD = Field()
+
+
+def dimension_of(quantity: str) -> str:
+    """Return the dimension of a quantity that a monitor measures."""
+    return shot_words().dimensions["face" if quantity == FACE_TO_PATH else quantity]
 
 
 @cache
@@ -311,7 +316,7 @@ def _made_column(name: str, values: dict[str, Any], place: Place) -> tuple[Field
     """Return the column of a quantity, and whether the file may lack it."""
     if not plain(values["heading"]):
         raise place.key("heading").invalid(values["heading"], "text with a word in it")
-    dimension = shot_words().dimensions["face" if name == FACE_TO_PATH else name]
+    dimension = dimension_of(name)
     symbol = values.get("unit", "1" if dimension == DIMENSIONLESS else None)
     if symbol is not None:
         unit(symbol, name="unit", dimension=dimension)

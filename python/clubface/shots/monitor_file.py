@@ -56,7 +56,7 @@ _NUMERIC = frozenset("0123456789+-.,−")
 
 
 @dataclass
-class Shots:
+class ShotBlock:
     """Shots that stand below one another, SI; sides across the target line are in world terms.
 
     Attributes
@@ -120,7 +120,7 @@ class Session:
         Whether the file names clubs and players.
     """
 
-    tables: list[Shots] = field(default_factory=list)
+    tables: list[ShotBlock] = field(default_factory=list)
     rejected: list[RejectedRow] = field(default_factory=list)
     summaries: int = 0
     without_club: int = 0
@@ -443,7 +443,7 @@ class SessionReader:
             self._stripped(cells, place, "" if columns.club else self._club, kept) for place in columns.club or (None,)
         ]
         session.tables.append(
-            Shots(
+            ShotBlock(
                 [lines[row] for row in kept],
                 {name: each[kept] for name, each in values.items()} if gone else values,
                 clubs[0] if len(clubs) == 1 else [next(filter(None, each), "") for each in zip(*clubs, strict=True)],

@@ -106,8 +106,11 @@ SEASONS = {"pga-2019": "PGA Tour 2019", "lpga-2019": "LPGA Tour 2019"}
 """The tour averages, and what they are called here."""
 TOUR_SPEED = units.parse("113 mph", "speed")
 """Golfers on tour, whose scatter is not published, are taken to scatter no more than others who drive as fast."""
-ROBOT = {"club_speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
-"""The swing of the robot of Cool Clubs."""
+COOL_CLUBS: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
+GOLF_DIGEST: dict[str, Any] = {"speed": units.parse("82 mph", "speed"), "attack": units.parse("-3 deg", "angle")}
+"""The swings of the robots that hit the 7-irons of Cool Clubs and of Golf Digest."""
+ROBOT = {"club_speed": COOL_CLUBS["speed"], "attack": COOL_CLUBS["attack"]}
+"""The swing of the robot of Cool Clubs, by the columns of published tables."""
 BLADES = ("Staff MB", "Staff CB")
 """The irons of the robot whose mass centre is as near the face as that of the 7-iron here."""
 
@@ -207,13 +210,11 @@ def deliveries() -> dict[str, dict[str, Any]]:
     drive = next(row for row in rows("drives-by-handicap") if row["group"] == "male, 10")
     wedge = next(row for row in rows("standard-shots-trackman") if row["club"] == "pitching-wedge")
     lofts = [row["dynamic_loft"] for row in rows("robot-7-irons-2026")]
-    iron = {
-        "club_speed": units.parse("82 mph", "speed"), "attack": units.parse("-3 deg", "angle"),
-        "dynamic_loft": float(np.mean(lofts)),
-    }  # fmt: skip
     names = {"speed": "club_speed", "attack": "attack", "loft": "dynamic_loft"}
-    result = {"driver": drive, "7-iron": iron, "pitching-wedge": wedge}
-    return {club: {name: row[column] for name, column in names.items()} for club, row in result.items()}
+    driver, pitching_wedge = ({name: row[column] for name, column in names.items()} for row in (drive, wedge))
+    return {
+        "driver": driver, "7-iron": {**GOLF_DIGEST, "loft": float(np.mean(lofts))}, "pitching-wedge": pitching_wedge,
+    }  # fmt: skip
 
 
 def shares(judged: Judged) -> list[Figure]:
@@ -264,8 +265,6 @@ def head_after_impact(judged: Judged) -> list[Figure]:
     return result
 
 
-GOLF_DIGEST: dict[str, Any] = {"speed": units.parse("82 mph", "speed"), "attack": units.parse("-3 deg", "angle")}
-COOL_CLUBS: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
 SLOPE_TOLERANCE = 0.15
 WEDGE: dict[str, Any] = {"speed": units.parse("46 mph", "speed"), "attack": units.parse("-5 deg", "angle")}
 """The attack angle, which is not published, is that of the pitching wedges of the PGA Tour."""

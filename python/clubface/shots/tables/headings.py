@@ -145,9 +145,9 @@ def delivery_words() -> Vocabulary:
 def shot_words() -> Vocabulary:
     """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
     names, dimensions = delivery_words()
-    result = {**flight_outputs(), **outputs()}
+    variables = {**flight_outputs(), **outputs()}
     own = {name: name for name in LAUNCH_QUANTITIES}
-    launches = {name: result[name].dimension for name in LAUNCH_QUANTITIES}
+    launches = {name: variables[name].dimension for name in LAUNCH_QUANTITIES}
     foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in launches}
     words = {**_reversed(foreign), **names, **own, **_synonyms(LAUNCH_QUANTITIES)}
     return Vocabulary(words, {**dimensions, **launches})
@@ -308,13 +308,13 @@ def missing_units(
 
 def _as_options(units: Mapping[str, str]) -> str:
     given = " ".join(f"--unit {name}={unit}" for name, unit in units.items())
-    return f"{given} (in Python units={units!r} of launch_monitor.read or predict)"
+    return f"{given} (in Python units={units!r} of clubface.shots.read or clubface.predict)"
 
 
-def require_speed(result: Layout, path: str, line: int | None) -> None:
+def require_speed(columns: Layout, path: str, line: int | None) -> None:
     """Refuse a table without the clubhead speed, the one input without a default."""
-    if all(each.quantity != "speed" for each in result.used):
-        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(result.headings)}'
+    if all(each.quantity != "speed" for each in columns.used):
+        message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(columns.headings)}'
         raise FileError(path, line, message, "speed")
 
 
