@@ -1,13 +1,10 @@
 """Published figures to hold a model against: tables in SI, each with where it was printed and what is in doubt.
 
 The files are ``clubface/data/measurements/*.toml``, one for each subject, with long tables as CSV files next to them. A
-column is headed by its name and unit, as in ``spin [rpm]``; a column without a unit holds words.
+column is headed by its name and unit, as in ``spin [rpm]``; a column without a unit holds words. An unknown or missing
+key and an incomplete row are errors.
 
 ``names()`` lists the tables, and ``table("pga-2019")["ball_speed"]`` is a column in m/s.
-
-The files of published tables, read strictly: nothing unknown, nothing missing, no row that is not complete.
-
-A published table in SI, and where it was printed.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
 """Golf balls: from TOML, from code or built in, checked.
 
 One file describes a ball to every model: its mass, radius and inertia; where finite elements are to strike it, the
-pieces it is made of, which stay plain data here; and the values that models take for it.
-
-What a ball weighs, and how its mass is spread, from the pieces its file describes; their materials are not read.
+pieces it is made of, which stay plain data here; and the values that models take for it. Mass and inertia follow from
+the pieces where the file does not give them; the materials of the pieces are not read.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ from clubface.support.files import builtin_names, builtin_path, is_path
 
 @dataclass(frozen=True)
 class Construction:
-    """What the file of a ball says to finite elements alone.
+    """The part of a ball's file that only finite elements use.
 
     Attributes
     ----------
@@ -47,7 +46,7 @@ class Construction:
 
     @classmethod
     def of(cls, document: Document) -> Construction:
-        """Return what a document says of the pieces."""
+        """Return the mesh and the pieces of a document."""
         return cls({key: value for key, value in document.data.items() if key in cls.KEYS}, document)
 
 
@@ -154,9 +153,9 @@ def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Map
 class Ball(Described):
     """A golf ball, SI.
 
-    ``parameters`` stand where nobody chose a set or the value itself. ``construction`` is what finite elements mesh:
-    the pieces as their file has them, or a :class:`clubface.fem.Ball`; or None. ``sources`` say where each value comes
-    from, by field name.
+    ``parameters`` replace the defaults of a model, unless a set or the value itself is given. ``construction`` is what
+    finite elements mesh: the pieces as their file has them, or a :class:`clubface.fem.Ball`; or None. ``sources`` say
+    where each value comes from, by field name.
     """
 
     OTHER_KEYS: ClassVar = dict.fromkeys(Construction.KEYS, Simple())

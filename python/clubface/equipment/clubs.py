@@ -2,8 +2,6 @@
 
 The built-in driver and 7-iron are those of "Three-dimensional golf clubhead-ball impact models for
 drivers and irons", Table 1.
-
-The characteristic time of a face that goes with a coefficient of restitution.
 """
 
 from __future__ import annotations

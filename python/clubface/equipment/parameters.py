@@ -1,11 +1,7 @@
-"""Parameter sets of the models: values with units and bounds, their files, and the strikes they were made for.
+"""Parameter sets of the models, published ones and your own: values, their bounds and files, and the range they cover.
 
-Sets of model parameters: the published ones, and the user's own.
-
-Files of parameter sets, one file a source.
-
-A file names its source and holds one or more ``[[set]]``, each with the model and club it was found for, its
-values with units, and what must be said of them::
+There is one file for each source. It holds one or more ``[[set]]``, each with the model and club that it was fitted to,
+its values with units, and their caveats::
 
     title = "My range session"
     reference = "42 drives, June"
@@ -13,7 +9,7 @@ values with units, and what must be said of them::
     [[set]]
     model = "volumetric"
     club = "driver"                       # driver, 7-iron or any
-    [set.range]                           # optional: the shots it was found from
+    [set.range]                           # optional: the shots it was fitted to
     speed = ["101 mph", "118 mph"]
     [set.values]
     stiffness = "6.25e9 N/m3"
@@ -21,9 +17,7 @@ values with units, and what must be said of them::
     [set.value_caveats]
     stiffness = "not identifiable from launch data"
 
-Values of parameters: texts with units to SI, and their bounds.
-
-The strikes that models and parameter sets were made for; outside, nothing tells how near they are.
+Outside the range of a model or a parameter set, its error is not known.
 """
 
 from __future__ import annotations
@@ -210,7 +204,7 @@ class ParameterSet:
     reference
         The publication.
     caveats
-        What a reader of results must know of the set.
+        Caveats of the set, shown with every result.
     value_caveats
         The same for single parameters, by name.
     default
@@ -220,11 +214,11 @@ class ParameterSet:
         characteristic time must not count twice, see :meth:`with_included_face`. False if they describe the ball
         alone. The sets of finite elements never include the face.
     characteristic_time
-        That of the face which the values include [s]; None where nobody said, and where they include none.
+        That of the face which the values include [s]; None if it is not known, or if they include no face.
     range
         The strikes that the values were made for; that of the model unless given.
     unchosen
-        The parameters whose values nobody chose, neither themselves nor with a set: a ball may have its own.
+        The parameters left at their defaults, for which a ball may have its own values.
     """
 
     model: str
@@ -278,9 +272,9 @@ class ParameterSet:
     def with_included_face(self, club: Mapping[str, T]) -> dict[str, T | float]:
         """Return the inputs of a club as the core takes them together with these parameters.
 
-        Models use what its face gives beyond the one that the values include. Where nobody said which that is, it is
-        the club's own; and of a club whose characteristic time is 0, which is also what a file means that has none, it
-        is taken that it has the included one.
+        Models use how much more the club's face gives than the face that the values include. If the characteristic time
+        of the latter is not known, it is taken to be that of the club. A club whose characteristic time is 0, as it is
+        where a file gives none, is taken to have the included face.
         """
         if not self.includes_face:
             return {**club, "included_time": 0.0}
@@ -313,7 +307,7 @@ class ParameterSet:
         )
 
     def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
-        """Return the set with the values that the ball called ``name`` has for the model, where nobody chose one."""
+        """Return the set with the values of the ball called ``name`` for the parameters left at their defaults."""
         own = {key: value for key, value in values.items() if key in self.unchosen}
         if not own:
             return self

@@ -1,8 +1,6 @@
-"""How files of launch monitors are declared: formats, mapping files, and numbers that stand for nothing.
+"""The formats of launch monitors' files: which heading gives which quantity, in which unit and with which sign.
 
-How the file of a launch monitor is declared: which heading gives which quantity, in which unit and sign.
-
-Mapping files: a TOML file that describes the columns of any CSV, so that it is read like a known format.
+A mapping file is a TOML file that describes the columns of any CSV file, which is then read like a known format.
 
 .. code-block:: toml
 
@@ -25,7 +23,8 @@ Mapping files: a TOML file that describes the columns of any CSV, so that it is 
     positive = "in-out"     # the positive side: right if left out; or left, open, toe, heel, up, toe up, ...
     optional = true         # the file may lack it
 
-Numbers that programs write where nothing was measured, and what follows from face angle, path and face to path.
+Numbers that programs write where nothing was measured are taken out here, and face angle or path completed from face to
+path.
 """
 
 from __future__ import annotations

@@ -1,13 +1,8 @@
-"""Measured shots made ready for comparison with models: of one club, complete, and of the club that was given.
+"""Recorded shots prepared for comparison with models: one club, complete rows, and notes on what was assumed.
 
-Recorded shots prepared for comparison with models: one club, complete rows, and notes on what was assumed.
-
-From a file of shots to the shots of one club that a command works on: the one way that every command goes.
-
-The shots are read, those wanted are chosen, their club is checked, what was not measured gets the values that somebody
-states, and club data that was taken elsewhere on the club is referred to the points of clubface.
-
-Whether shots are of another club than the one given: by the names in their file and by their dynamic loft.
+Every command that works on the shots of one club goes through here. The shots are read and selected, their club is
+checked by its name in the file and by the dynamic lofts, stated values fill in for what was not measured, and club data
+that was taken elsewhere on the club is referred to the points of clubface.
 """
 
 from __future__ import annotations

@@ -2,10 +2,6 @@
 
 :class:`Listener` takes the place of the simulator and yields the shots of a monitor. :class:`Sender` takes the place of
 the monitor and sends launches to a simulator.
-
-The side of the simulator: a socket that receives the shots of launch monitors and answers them.
-
-The side of the launch monitor: shots sent to a simulator, and the answers.
 """
 
 from __future__ import annotations

@@ -1,6 +1,4 @@
-"""The messages of GSPro Open Connect v1: fields, framing, reading and writing.
-
-Messages of GSPro Open Connect v1: from JSON to a shot with the units and signs of clubface.
+"""The messages of GSPro Open Connect v1: fields, framing, reading and writing, with the units and signs of clubface.
 
 The fields are those of the protocol's page (gsprogolf.com, "GSPro Open Connect v1 Documentation"): speeds in mph,
 angles in degrees, spin in rpm, and the carry in yards or metres as ``Units`` says. HLA, spin axis and sidespin are
@@ -10,11 +8,7 @@ and the closure rate is in deg/s. Clients must send a number, so a zero of club 
 both impact offsets, mean not measured. So does a value that no golf shot can have. Total spin and spin axis are
 required, backspin and sidespin are not.
 
-The fields of GSPro Open Connect v1, with the quantity and unit of each.
-
-JSON objects from a stream of bytes, which may be cut anywhere and has no separators.
-
-Outgoing messages of Open Connect: shots and heartbeats of a monitor, answers of a simulator.
+The stream of bytes has no separators and may be cut anywhere, so that the end of each JSON object is found here.
 """
 
 from __future__ import annotations

@@ -4,8 +4,6 @@ Programs of launch monitors write many things where nothing was measured: the le
 greatest, -999, a negative ratio. They do not publish which, so a value is judged by what a golf shot can be. The limits
 are wide: they are no judgement of a player.
 
-Columns whose unit is most likely another one than the file, a mapping or a person says.
-
 Values that no shot can have are the strongest sign of a wrong unit, and so are quantities that contradict each other in
 most shots: a ball faster than any club can send it, a carry longer than any ball of that speed can fly. Where another
 unit would make them those of golf, the column is refused, and the unit is named.

@@ -1,9 +1,4 @@
-"""Reading the file of a launch monitor, whose format is recognised by its columns.
-
-Reading the file of a launch monitor: find its layout, go through its rows, and make shots of them.
-
-Recognition of the launch monitor that wrote a file, by its columns.
-"""
+"""Reading the file of a launch monitor: recognise its format by its columns, go through its rows, return its shots."""
 
 from __future__ import annotations
 

@@ -1,12 +1,7 @@
-"""Recorded shots: one table of deliveries and launches, its sessions, dates, and values stated for what is missing.
+"""Recorded shots: deliveries and launches measured together, one row a shot, whatever they were measured with.
 
-Recorded shots: deliveries and launches measured together, one row a shot, whatever they were measured with.
-
-Sessions: the shots of several files as one, and which shots were hit on the same day.
-
-Values that somebody states for what was not measured: ``{"toe": "0 mm"}``.
-
-Dates as monitors write them, as ISO text: ``05/02/24 10:21:11 AM`` is ``2024-05-02T10:21:11``.
+Several files are joined as sessions. Values can be stated for what was not measured (``{"toe": "0 mm"}``). Dates are
+kept as ISO text: ``05/02/24 10:21:11 AM`` becomes ``2024-05-02T10:21:11``.
 """
 
 from __future__ import annotations

@@ -1,10 +1,4 @@
-"""The flight of the ball through air and wind, bounces and roll: inputs, grounds, results and the path.
-
-Where the ball goes after launch: flight through moist air and wind, bounces and roll.
-
-From launch, air, wind and ground to the columns of the core.
-
-Named grounds on which balls bounce and roll.
+"""The flight of the ball through moist air and wind, its bounces and its roll on grounds that go by name.
 
 How firm a ground is and how its grass slows a rolling ball are independent here. Firmness is the tilt of the effective
 plane of a bounce and a factor on the restitution. The average ground lies between two published readings: runs that a
@@ -14,10 +8,6 @@ of TrackMan's chart of 2010 and of the LPGA Tour's drives; soft differs from the
 Grass is the rolling friction of a slow ball, for fairways that of Penner's average green, on which a ball runs 6 ft off
 a Stimpmeter (0.131), for greens of today that of 10 ft (0.0784), both assumed; and the way over which it slows a fast
 ball, for fairways from low shots that a TrackMan computes, for greens, cut to a quarter, four times as long (assumed).
-
-The air a ball flies through.
-
-The path of one ball through the air.
 """
 
 from __future__ import annotations
@@ -101,11 +91,11 @@ class Air:
     Attributes
     ----------
     temperature
-        [K]; 25 degC where nothing is said, to which published carries are normalised.
+        [K]; 25 degC unless given, to which published carries are normalised.
     pressure
         [Pa]; left out, that of the standard atmosphere at the altitude.
     humidity
-        Relative, 0 to 1; 0.5 where nothing is said.
+        Relative, 0 to 1; 0.5 unless given.
     altitude
         Above the sea [m]; it sets the pressure, not the temperature.
     """
@@ -167,7 +157,7 @@ VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
 SPIN = tuple(f"spin_{axis}" for axis in AXES)
 BALL = ("ball_mass", "ball_radius", "ball_inertia")
 LEVEL = ("wind_speed", "wind_direction")
-"""What says a level wind in place of its components: how fast it blows, and whereto."""
+"""The keys of a level wind, given by its speed and the direction in which it blows, instead of its components."""
 
 
 class FlightColumns(NamedTuple):

@@ -1,7 +1,7 @@
 """From delivery to launch: one call for a shot, a batch or several models, by whatever computes the model.
 
 The compiled core computes the reduced models, a module that is registered for it any other. Shots outside what their
-model or its parameters were made for are counted, and said in one line.
+model or its parameters were made for are counted and reported in one line.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ class Request(NamedTuple):
 
 
 class Backend(Protocol):
-    """What computes the launches of a model."""
+    """Computes the launches of a model."""
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
         """Return the ball that ``given`` means; refuse an accuracy that the backend does not take."""
@@ -114,7 +114,7 @@ class ReducedCore:
         )
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
-        """Return None: :func:`clubface.history` tells more."""
+        """Return None: :func:`clubface.history` returns more."""
         return None
 
     def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
@@ -174,15 +174,15 @@ class Tally:
 
     def add_counts(self, counts: Sequence[Any]) -> None:
         """Add what another tally counted."""
-        shots, result = counts
+        shots, outside = counts
         for model, count in shots.items():
             self._shots[model] = self._shots.get(model, 0) + count
-        for model, name, ends, count, value in result:
+        for model, name, ends, count, value in outside:
             before = self._outside.get((model, name), (ends, 0, value))[1]
             self._outside[model, name] = (ends, before + count, value)
 
     def remark(self, *, counted: bool = True) -> str:
-        """Return what a reader must know in one line, "" if no shot is outside.
+        """Return the warning in one line, "" if no shot is outside.
 
         One shot is reported with its values, several with their number, or without where they are not ``counted``.
         """
@@ -191,10 +191,10 @@ class Tally:
             if words := ", ".join(self._part([model], name, counted=False) for name in self._names(model)):
                 alike.setdefault(words, []).append(model)
         parts = []
-        for words, of_models in alike.items():
-            names = self._names(of_models[0])
-            words = ", ".join(self._part(of_models, name, counted=True) for name in names) if counted else words
-            parts.append(f"outside the range of {', '.join(of_models)}: {words}")
+        for words, alike_models in alike.items():
+            names = self._names(alike_models[0])
+            words = ", ".join(self._part(alike_models, name, counted=True) for name in names) if counted else words
+            parts.append(f"outside the range of {', '.join(alike_models)}: {words}")
         for (model, name), (ball, *_) in self._outside.items():
             if name == OFF_CENTRE:
                 parts.append(f"{model} has no gear effect off centre")
@@ -212,7 +212,7 @@ class Tally:
         return [name for name in QUANTITIES if (model, name) in self._outside]
 
     def _part(self, models: list[str], name: str, *, counted: bool) -> str:
-        """Return what is to be said of one quantity of models with the same range."""
+        """Return the part of the warning on one quantity, for models with the same range."""
         words, unit = QUANTITIES[name]
         ends, _, value = self._outside[models[0], name]
         # The same shots by several models, or else other shots by each.

@@ -1,9 +1,4 @@
-"""Launches: what comes out of an impact, and its terms as launch monitors have them.
-
-The launch of the ball: what comes out of an impact.
-
-From the terms of a launch monitor to the vectors a flight begins with.
-"""
+"""The launch of the ball: the result of an impact, and the vectors that a launch monitor's values stand for."""
 
 from __future__ import annotations
 
@@ -69,7 +64,7 @@ class Launch(Batch):
     parameters
         The parameters used.
     club, ball
-        What they were hit with.
+        The club and the ball.
     shape
         The shape the inputs broadcast to; () for a single shot.
     problems
@@ -229,7 +224,7 @@ def _number(name: str, value: Any, varied: Mapping[str, Any]) -> Any:
 
 
 MONITOR = ("ball_speed", "launch", "azimuth", *SPINS)
-"""What a launch monitor tells, under the names and with the signs of a launch."""
+"""The quantities that a launch monitor reports, under the names and with the signs of a launch."""
 
 
 def vectors(values: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,11 +1,8 @@
-"""A law of contact of one's own, written in Python, and the motion of two bodies under it.
+"""A law of contact of your own, written in Python and used wherever a model is named.
 
-A law of contact of one's own, written in Python and used wherever a model is named.
-
-Clubhead and ball as two free rigid bodies under a law of contact that is written in Python.
-
-The equations are those of Newton and Euler in world axes, with the momentum of both bodies and the angular momentum of
-the head as states: another form than that of the compiled contact models, which checks both.
+Clubhead and ball are two free rigid bodies that move under the law. The equations are those of Newton and Euler in
+world axes, with the momentum of both bodies and the angular momentum of the head as states: another form than that of
+the compiled contact models, which checks both.
 """
 
 from __future__ import annotations
@@ -164,7 +161,7 @@ class OwnLaw:
         return result, sorted(problems)
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> None:
-        """Return None: :func:`clubface.history` tells more."""
+        """Return None: :func:`clubface.history` returns more."""
         return None
 
     def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:

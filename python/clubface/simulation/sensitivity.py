@@ -1,9 +1,4 @@
-"""Exact derivatives of a launch and of the flight after it.
-
-Exact derivatives of a launch, as a table with units.
-
-Exact derivatives of a flight by the launch it begins with, the ball, the air and the ground.
-"""
+"""Exact derivatives of a launch, as a table with units, and of a flight by its launch, ball, air and ground."""
 
 from __future__ import annotations
 
@@ -125,8 +120,8 @@ class Sensitivity:
         derivative = derivative if self.launch.shape else float(derivative)
         if unit is None:
             return derivative
-        upper, result, lower = unit.partition(" per ")
-        if not result:
+        upper, separator, lower = unit.partition(" per ")
+        if not separator:
             raise UnitError("unit", unit, 'of the form "rpm per mm"')
         over, under = _checked(self._rows[output], upper), _checked(self._columns[variable], lower)
         return derivative * units.size(under) / units.size(over)
@@ -317,17 +312,16 @@ def sensitivity(
 
 def _known_outputs(computed: Sequence[float] | NDArray[Any]) -> dict[str, tuple[int, Variable]]:
     """Return row and quantity of the outputs the model gives; those without a value are left out."""
-    result = enumerate(launch_outputs().items())
-    return {name: (row, each) for row, (name, each) in result if computed[row] == computed[row]}
+    rows = enumerate(launch_outputs().items())
+    return {name: (row, each) for row, (name, each) in rows if computed[row] == computed[row]}
 
 
 def _known_variables(model: str) -> dict[str, tuple[int, Variable]]:
     """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
-    given = inputs()
-    result = {name: (column, each) for column, (name, each) in enumerate(given.items()) if each.differentiable}
-    for place, each in enumerate(model_named(model).parameters):
-        result[each.name] = (len(given) + place, Variable(each.name, each.unit, each.meaning, "parameter", True))
-    return result
+    known = {name: (column, each) for column, (name, each) in enumerate(inputs().items()) if each.differentiable}
+    for column, each in enumerate(model_named(model).parameters, len(inputs())):
+        known[each.name] = (column, Variable(each.name, each.unit, each.meaning, "parameter", True))
+    return known
 
 
 def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) -> Sequence[str]:

@@ -83,7 +83,7 @@ class Spins(NamedTuple):
     contradictions
         Those of the shots, in their order.
     notes
-        What else a reader should know: where a topped ball was ruled out, and where the direction stays unknown.
+        Further remarks: where a topped ball was ruled out, and where the direction stays unknown.
     """
 
     values: dict[str, Floats]
@@ -171,7 +171,7 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
 
 
 def notes_of(spins: Spins, places: Iterable[Any], what: str = "line") -> tuple[str, ...]:
-    """Return what a reader of shots should know of their spins; ``places`` say where each shot stands."""
+    """Return the notes on the spins of shots; ``places`` say where each shot stands."""
     at = list(places)
     listed = "; ".join(f"{what} {at[each.place]}: {each}" for each in spins.contradictions[:LISTED])
     more = len(spins.contradictions) - LISTED

@@ -33,7 +33,7 @@ STANDARD = "standard"
 
 
 class Errors(NamedTuple):
-    """How the launches of a model differ from those of the chart: mean, mean magnitude and standard deviation.
+    """Errors of a model against the chart: mean, mean magnitude and standard deviation.
 
     Attributes
     ----------
@@ -54,12 +54,12 @@ class Errors(NamedTuple):
 
 @dataclass(frozen=True)
 class Chart(Described):
-    """What the chart holds.
+    """The chart compared with models.
 
     Attributes
     ----------
     drives
-        How many.
+        Number of drives.
     ratio
         Mean and standard deviation of I w/(m R v_t), v_t being the ball's velocity along the face: 1 for a rigid ball
         that leaves a face at rest rolling.
@@ -76,7 +76,7 @@ class Chart(Described):
     errors: list[Errors]
 
     def to_result(self) -> Result:
-        """Return the errors of the models, and what they say of the chart, as a result."""
+        """Return the errors of the models, with conclusions on the chart in its notes, as a result."""
         table = published_data.table(TABLE)
         ratio, spread = self.ratio
         best = self.errors[0]
@@ -117,7 +117,7 @@ class Chart(Described):
 
 
 def chart() -> Chart:
-    """Return what the chart holds, and how near models come to it."""
+    """Compare the chart with models."""
     table = published_data.table(TABLE)
     with without_warnings():  # the ball is a little smaller than the rules allow
         used = ball(BALL)

@@ -57,7 +57,7 @@ class Figure(NamedTuple):
         The least and the largest value that the publication allows, infinite where there is none: a published range,
         an average with what it leaves open (:mod:`clubface.validation.launches`), or twice the same for a single value.
     computed
-        What the model gives; NaN if it says nothing of the quantity.
+        The model's value; NaN if it does not compute the quantity.
     tolerance
         How far outside the published range a model may be: in SI, or as a share of the published value.
     relative
@@ -148,7 +148,7 @@ class Judged:
 
 @dataclass(frozen=True)
 class Check:
-    """Published figures that belong together, and how a model is asked for them.
+    """Published figures that belong together, and the function that computes them with a model.
 
     Attributes
     ----------
@@ -180,7 +180,7 @@ class Check:
 
     @property
     def measured(self) -> bool:
-        """Whether it was measured: what another model computed is shown next to a model, and judges none."""
+        """Whether the figures were measured; figures that another model computed are shown but judge no model."""
         return self.certainty != A_MODEL
 
     def figures(self, judged: Judged) -> list[Figure]:

@@ -1,4 +1,4 @@
-"""What parts models and published strikes off the centre: closure, the inertia of the head, the depth of its CG.
+"""Causes of differences between models and published strikes off the centre: closure, inertia and depth of the CG.
 
 Each published figure is computed again with one thing changed. A radar reports the path of the geometric centre of the
 head, which is near its mass centre, and cameras report that of the face centre. A face that closes about a mass centre

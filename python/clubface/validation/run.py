@@ -26,7 +26,7 @@ from clubface.validation.check import Check, Figure, Judged, reading
 
 
 class Summary(NamedTuple):
-    """How one model does in one quantity of a check.
+    """The errors of one model in one quantity of a check.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class Summary(NamedTuple):
         How many of the figures are within the tolerance.
     median, mean, bias, worst
         Median and mean of the magnitudes of the errors, their mean, and the error of the largest magnitude, SI or
-        shares; NaN if the model says nothing of the quantity.
+        shares; NaN if the model does not compute the quantity.
     tolerances
         The least and the largest tolerance of the figures, SI or shares.
     scaled
@@ -62,7 +62,7 @@ class Summary(NamedTuple):
 
     @property
     def known(self) -> bool:
-        """Whether the model says anything of the quantity."""
+        """Whether the model computes the quantity."""
         return not math.isnan(self.mean)
 
     @property
@@ -72,7 +72,15 @@ class Summary(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """In how many measured quantities a model is within the tolerance: on average, with every figure, of how many."""
+    """How many measured quantities a model meets.
+
+    Attributes
+    ----------
+    met, every
+        Quantities in which the model is within the tolerance on average, and with every figure.
+    of
+        Quantities that the model computes.
+    """
 
     met: int
     every: int
@@ -341,6 +349,6 @@ def _error_marks(validation: Validation, rows: list[tuple[Check, Summary]]) -> I
 
 
 def mean_text(summary: Summary) -> str:
-    """Write the mean magnitude of the errors of a quantity with its unit; nothing where the model says nothing."""
+    """Write the mean magnitude of the errors of a quantity with its unit; "" if the model does not compute it."""
     quantity = reading(summary.unit)
     return format_value(summary.mean, quantity) if format_number(summary.mean, 1) else ""

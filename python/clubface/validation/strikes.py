@@ -68,7 +68,7 @@ def height(judged: Judged) -> list[Figure]:
 def best_strike(judged: Judged) -> list[Figure]:
     """Return where on its face a driver is fastest at one launch angle, and what 10 mm away from there cost.
 
-    At every strike the loft is solved. Ball speed is a parabola over the face, so that three strikes tell it.
+    At every strike the loft is solved. Ball speed is a parabola over the face, so that three strikes determine it.
     """
     places = np.array([-BEST_STEP, 0.0, BEST_STEP])
     result = []
@@ -173,14 +173,14 @@ def plates(judged: Judged) -> list[Figure]:
     (head,) = rows("head-without-spring")
     (slow,) = rows("plate-granite-2002")
     (oblique,) = rows("tangential-restitution")
-    for what, of, speed, published in (
+    for what, struck, speed, published in (
         ("plate, 143 ft/s", PLATE, least["speed"], (least["restitution_least"], math.inf)),
         ("plate, 125 ft/s", PLATE, most["speed"], (most["restitution_most"], math.inf)),
         ("head without spring, 160 ft/s", HEAD, head["speed"], (head["restitution_least"], head["restitution_most"])),
         ("granite, 4 m/s", PLATE, slow["speed"], slow["restitution"]),
     ):
         allowed = SLOW_TOLERANCE if what.startswith("granite") else RESTITUTION_TOLERANCE
-        result.append(figure(what, "restitution", "1", published, against(of, speed)[0], allowed))
+        result.append(figure(what, "restitution", "1", published, against(struck, speed)[0], allowed))
     gripping = math.nan
     if judged.has("friction"):
         gripping = against(PLATE, slow["speed"], GRIPPING, slow["friction"])[1]

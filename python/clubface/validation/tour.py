@@ -4,8 +4,7 @@ Each club is delivered at its published speed and attack angle. Where its dynami
 that. For every other club each model gets the loft with which it launches the ball at the published angle: its launch
 angle is then no prediction, but ball speed, spin and carry are, and the loft carries no other model's errors.
 
-The spin of a ball relative to its speed along the face: I w / (m R v_t), angular over linear momentum and radius.
-
+The spin of a ball relative to its speed along the face is I w / (m R v_t), angular over linear momentum and radius.
 A force along the face that acts at the distance R from the centre of a resting ball gives it m v_t along the face and I
 w = R m v_t: the ratio is 1, whether the ball slides, sticks or rolls off. The centre of a ball that is flattened is
 nearer to the face while the force acts, which makes it 0.85 to 0.95. That is for a face that does not turn, or nearly
@@ -84,8 +83,8 @@ class Average(NamedTuple):
 
 def averages(table: str = DEFAULT_TABLE) -> list[Average]:
     """Return the rows of a table of ``TABLES``, driver to pitching wedge, for which there is a built-in club."""
-    outcome = published_table(table)
-    rows = zip(*(outcome[name].tolist() for name in Average._fields), strict=True)
+    published = published_table(table)
+    rows = zip(*(published[name].tolist() for name in Average._fields), strict=True)
     return [row for row in map(Average._make, rows) if row.club in TOUR_CLUBS]
 
 
@@ -118,12 +117,12 @@ def solve_loft(
     The ball is struck ``high`` [m] above the face centre. A launch angle out of reach is an :class:`InputError`.
     """
     with without_warnings(RangeWarning):
-        outcome = impact_at_launch(
+        solved = impact_at_launch(
             club, speed=speed, attack=attack, high=high, launch=launch, model=model, ball=ball
         )  # fmt: skip
-    if math.isnan(outcome.loft):
+    if math.isnan(solved.loft):
         raise InputError("launch", units.show(launch, "deg", 4), f"a launch angle {club} can reach at this speed")
-    return outcome.loft
+    return solved.loft
 
 
 RIGID = 1.0
@@ -143,12 +142,12 @@ def loft_of_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, ratio: float) 
     return launch + np.arcsin(np.where(np.abs(share) <= 1.0, share, np.nan))
 
 
-def spin_ratio_of(outcome: Launch, loft: float) -> float:
+def spin_ratio_of(launch: Launch, loft: float) -> float:
     """Return the ratio of one launch over a square face of loft [rad] at first touch, all directions taken together."""
     normal = np.array([np.cos(loft), np.sin(loft), 0.0])
-    velocity = np.array([outcome.velocity_x, outcome.velocity_y, outcome.velocity_z])
+    velocity = np.array([launch.velocity_x, launch.velocity_y, launch.velocity_z])
     along = velocity - normal * (velocity @ normal)
-    return float(rolling_speed(outcome.ball, outcome.total_spin) / np.linalg.norm(along))
+    return float(rolling_speed(launch.ball, launch.total_spin) / np.linalg.norm(along))
 
 
 QUANTITIES = ("ball_speed", "launch", "spin", "carry")
@@ -253,11 +252,11 @@ class Tour(Described):
 def mean_absolute_error(results: Iterable[Tour], model_name: str) -> dict[str, float]:
     """Return the mean absolute error of a model over all rows of several tables, by quantity."""
     results = list(results)
-    outcome = {}
+    means = {}
     for name in QUANTITIES:
         errors = np.concatenate([each.predicted(model_name, name) for each in results])
-        outcome[name] = float(np.abs(errors).mean()) if errors.size else float("nan")
-    return outcome
+        means[name] = float(np.abs(errors).mean()) if errors.size else float("nan")
+    return means
 
 
 def tour(
@@ -289,19 +288,19 @@ def tour(
     lofts: dict[str, Floats] = {}
     launches: dict[str, list[Launch]] = {}
     for place, name in enumerate(names):
-        outcome = []
+        own_lofts = []
         for index, each in enumerate(rows):
-            outcome.append(solve_loft(each.club, each.club_speed, each.attack, each.launch, model=name, ball=ball))
+            own_lofts.append(solve_loft(each.club, each.club_speed, each.attack, each.launch, model=name, ball=ball))
             if progress is not None:
                 progress(place * len(rows) + index + 1, len(names) * len(rows))
-        solved[name] = np.array(outcome)
+        solved[name] = np.array(own_lofts)
         lofts[name] = np.where(np.isnan(given), solved[name], given)
         with without_warnings(RangeWarning):
             launches[name] = [
                 impact(each.club, speed=each.club_speed, attack=each.attack, loft=loft, model=name, ball=ball)
                 for each, loft in zip(rows, lofts[name].tolist(), strict=True)
             ]
-    warn_if_outside(launch for outcome in launches.values() for launch in outcome)
+    warn_if_outside(launch for by_club in launches.values() for launch in by_club)
     return Tour(
         table=published_table(table),
         averages=rows,
@@ -460,7 +459,7 @@ def mean_table(tours: Sequence[Tour]) -> Table:
 
 
 def _notes(tour: Tour) -> Iterator[Note]:
-    """Yield what a reader of the comparison must know."""
+    """Yield the notes on the comparison."""
     name = tour.table.name
     yield note("published-table", title=tour.table.title, source=tour.table.source)
     if tour.table.caveat:

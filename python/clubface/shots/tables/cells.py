@@ -81,8 +81,8 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
 
     "12,5" and "1.234,5" have a decimal comma, "12.5" and "1,234.5" a point. "2.845" is one or the other, which its
     column decides: spins have thousands in rpm, unless some show decimals, as 2845.312 does, and no other quantity
-    reaches them. Most cells win; where there are
-    none but such of unknown columns, a comma between cells is no decimal comma, and a point is a decimal point.
+    reaches them. The majority of the cells decides; where only cells of unknown columns could, a comma between cells is
+    no decimal comma, and a point is a decimal point.
     """
     votes = {",": 0, ".": 0}
     doubtful = {",": "", ".": ""}

@@ -1,12 +1,7 @@
-"""The rows of a table as texts: CSV in any encoding, and Excel workbooks.
+"""The rows of a table as texts, each with the line at which it begins: CSV in any encoding, and Excel workbooks.
 
-Opening the rows of a table, CSV or Excel, by what the file is and not by its name.
-
-CSV text a row at a time: every row with the line it begins at, whatever is in its cells.
-
-The encoding of a table's text: Unicode by its mark or its zero bytes, else what makes words of the other bytes.
-
-The rows of an Excel workbook (.xlsx), read as those of a CSV file are; the only module that needs openpyxl.
+The kind of a file is decided by its content, not by its name. Unicode is recognised by its mark or its zero bytes; any
+other encoding is the one that makes words of the bytes. Only this module needs openpyxl.
 """
 
 from __future__ import annotations
