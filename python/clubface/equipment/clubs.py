@@ -17,7 +17,7 @@ from clubface import units
 from clubface.equipment.backends import CLUB_FILES
 from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
-from clubface.equipment.described import FLAT, HANDS, Described, changed, set_si, sources_of, template_lines, to_toml
+from clubface.equipment.described import FLAT, HANDS, ClubOrBall, changed, set_si, sources_of, template_lines, to_toml
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.schema import NAME, TEXT, Choice, Document, Quantity, file_key, quantities, quoted
 from clubface.support.checks import check_name, warn_once
@@ -82,7 +82,7 @@ RADIUS = Quantity("mm", special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Club(Described):
+class Club(ClubOrBall):
     """A clubhead, SI and radians, described for a right-handed club (its mirror image carries ``hand = -1``).
 
     Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.

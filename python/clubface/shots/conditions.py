@@ -44,7 +44,7 @@ _OPPOSITES = (ast.NotEq, ast.NotIn)
 
 
 class Match(NamedTuple):
-    """Which shots a condition chooses.
+    """The shots that a condition chooses.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ def match_shots(shots: RecordedShots, condition: str) -> Match:
         raise InputError("where", condition[:40] + "...", f"a condition of at most {LONGEST} characters")
     given: dict[str, _Number] = {}
     text = "".join(
-        part if place % 2 else _WITH_UNIT.sub(lambda result: _named(result, given), part)
+        part if place % 2 else _WITH_UNIT.sub(lambda match: _named(match, given), part)
         for place, part in enumerate(_QUOTED.split(condition))
     )
     reader = _Reader(shots, condition, given)
@@ -131,15 +131,15 @@ def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots,
     return replace(result, notes=(*result.notes, note)), np.flatnonzero(mask)
 
 
-def _named(result: re.Match[str], given: dict[str, _Number]) -> str:
+def _named(match: re.Match[str], given: dict[str, _Number]) -> str:
     """Put a name in the place of a number with a unit, and the value under that name."""
-    symbol = unit_symbol(result["unit"])
+    symbol = unit_symbol(match["unit"])
     if symbol is None:
-        return result[0]
+        return match[0]
     name = _UNIT_NAME.format(len(given))
     dimension = unit(symbol).dimension
     given[name] = _Number(
-        to_si(float(result["number"]), symbol), None if dimension == DIMENSIONLESS else dimension, result[0]
+        to_si(float(match["number"]), symbol), None if dimension == DIMENSIONLESS else dimension, match[0]
     )
     return name
 

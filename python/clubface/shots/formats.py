@@ -245,7 +245,7 @@ class Format:
         return result
 
     def by_unit(self, head: Heading, written: str | None) -> Heading:
-        """Return the heading that a short one such as "side" stands for, which its unit, as written, tells."""
+        """Return the heading that a short one such as "side" stands for, given its unit as written."""
         is_own = head.name in self.own_names and not self.all_columns
         if written is None or head.name not in BY_UNIT or is_own or self.only_own:
             return head

@@ -35,7 +35,7 @@ __all__ = [
 ]  # fmt: skip
 
 FEWEST = 5
-"""Shots of a club below which nothing is said."""
+"""Fewest shots of a club from which the origin of its lofts is judged."""
 MEASURED = units.to_si(0.3, "deg")
 """Least standard deviation [rad] of an angle between a measured face and a measured launch, rounding apart."""
 LIKELY = 0.99

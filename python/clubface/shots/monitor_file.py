@@ -51,7 +51,7 @@ HEADINGS = 2
 SHOWN = 3
 """Values that an error names."""
 SAME = 1e-9
-"""Relative difference up to which two cells say the same."""
+"""Relative difference up to which two cells have the same value."""
 _NUMERIC = frozenset("0123456789+-.,−")
 
 
@@ -82,7 +82,7 @@ class ShotBlock:
 
 @dataclass
 class Session:
-    """All that a file says.
+    """The contents of a file.
 
     Attributes
     ----------
@@ -140,7 +140,7 @@ class Session:
 
 
 class _Faults:
-    """What is wrong with some rows.
+    """The faults of some rows.
 
     Attributes
     ----------
@@ -227,14 +227,14 @@ class SessionReader:
         return bool(self._header)
 
     def read(self, rows: Iterable[Row | Reject]) -> Session:
-        """Return what the rows say."""
+        """Return the contents of the rows."""
         for row in rows:
             if isinstance(row, Reject):
                 self._reject(row.line, row.reason)
                 continue
             cells, line, _ = row
             columns = self._columns
-            # Most rows of most files are shots, which the first number tells, if it is no title such as "7 Iron".
+            # Most rows of most files are shots: they begin with a number that is no title such as "7 Iron".
             if (
                 columns
                 and len(cells) == columns.width
@@ -251,7 +251,7 @@ class SessionReader:
         return self.session
 
     def read_columns(self, headings: Sequence[str], parts: Iterable[tuple[Sequence[Any], Sequence[int]]]) -> Session:
-        """Return what a table says whose rows come by column, as texts or numbers, with the line of each row."""
+        """Return the contents of a table that comes by column, as texts or numbers, with the line of each row."""
         self._begin_table(headings, None)
         self._choose_columns(None, [])
         for cells, lines in parts:
@@ -566,7 +566,7 @@ class SessionReader:
             faults.reject(int(row), "nothing was measured: every cell of a delivery or launch is empty")
 
     def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:
-        """Leave out the club data of shots whose club was not measured, which a speed that cannot be tells."""
+        """Leave out the club data of shots whose club was not measured, as an impossible club speed shows."""
         of_club = [name for name in values if name in inputs()]
         if not of_club:
             return

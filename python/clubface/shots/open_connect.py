@@ -85,7 +85,7 @@ class Listener:
     Parameters
     ----------
     port
-        The port. 0 takes a free one; the attribute ``port`` then tells which.
+        The port. 0 takes a free one, which is then the attribute ``port``.
     host
         The address to listen on. Other machines can reach the listener only if this is not the default.
     hand, club
@@ -117,7 +117,7 @@ class Listener:
         check_port(port, 0)
         self._player = player(hand, club) if hand is not None else None
         self._keep = keep or (lambda message: None)
-        self._tell = on_problem or (lambda message: None)
+        self._report = on_problem or (lambda message: None)
         self._selector = selectors.DefaultSelector()
         self._stopped = False
         try:
@@ -177,14 +177,14 @@ class Listener:
             return
         name = f"{address[0]}:{address[1]}"
         if len(self._clients()) >= MOST_CLIENTS and not self._made_room():
-            self._tell(f"{name} was turned away: {MOST_CLIENTS} monitors are connected")
+            self._report(f"{name} was turned away: {MOST_CLIENTS} monitors are connected")
             connection.close()
             return
         connection.setblocking(False)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         client = _Client(connection, name)
         self._selector.register(connection, selectors.EVENT_READ, client)
-        self._tell(f"{name} connected")
+        self._report(f"{name} connected")
         if self._player is not None:
             self._answer(client, reply(PLAYER, "GSPro Player Information", self._player))
 
@@ -208,18 +208,18 @@ class Listener:
                     raise MessageError(received.reason)
                 message = from_json(received)
             except MessageError as error:
-                self._tell(f"{client.name}: {error}")
+                self._report(f"{client.name}: {error}")
                 self._answer(client, reply(FAILED, str(error)))
                 continue
             new = {each: shown(*each) for each in message.impossible.items() if each not in client.reported}
             client.reported |= set(new)
             if new:
                 values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
-                self._tell(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
+                self._report(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
             for note in message.notes:
                 if note not in client.reported:
                     client.reported.add(note)
-                    self._tell(f"shot {message.shot_number}: {note}")
+                    self._report(f"shot {message.shot_number}: {note}")
             if message.kind == "shot":
                 try:
                     self._keep(message)
@@ -239,7 +239,7 @@ class Listener:
     def _leave(self, client: _Client, how: str) -> None:
         with suppress(KeyError, ValueError):
             self._selector.unregister(client.connection)
-            self._tell(f"{client.name} {how}")
+            self._report(f"{client.name} {how}")
         client.connection.close()
 
     def _made_room(self) -> bool:
@@ -261,7 +261,7 @@ class Listener:
         for client in self._clients():
             if client.stream.is_partial and now - client.heard > PARTIAL:
                 client.stream.drop()
-                self._tell(f"{client.name}: a message did not end within {PARTIAL:g} s")
+                self._report(f"{client.name}: a message did not end within {PARTIAL:g} s")
                 self._answer(client, reply(FAILED, "the message did not end"))
 
 
@@ -353,7 +353,7 @@ class Sender:
             raise self._problem("was lost", error) from None
 
     def _receive(self, wait: float) -> list[Reply]:
-        """Return the answers that came within ``wait`` seconds [s]; of the player they say, it is kept."""
+        """Return the answers that came within ``wait`` seconds [s]; the player that they name is kept."""
         self._socket.settimeout(wait)
         try:
             data = self._socket.recv(65_536)

@@ -1,4 +1,4 @@
-"""Which values can have been measured at all: what lies beyond them is a sign for "not measured", or a slip.
+"""The values that can have been measured at all: any other means "not measured", or is a slip.
 
 Programs of launch monitors write many things where nothing was measured: the least whole number that they can hold, the
 greatest, -999, a negative ratio. They do not publish which, so a value is judged by what a golf shot can be. The limits

@@ -101,7 +101,7 @@ class Task:
         self.headings = tuple(prefix + heading for heading in results)
 
     def content_of(self, source: Path) -> dict[str, Any]:
-        """Return what a run is of, by what a person calls it."""
+        """Return what a run depends on, by the names that its errors use."""
         shot, ball = self.shot, self.shot["ball"]
         law = source_of(shot["model"])
         # The club itself and not its inputs: a meshed one is more than the mass and inertia of its mesh.
@@ -163,7 +163,7 @@ class Task:
 
 
 class Outcome(NamedTuple):
-    """What a run has done.
+    """The outcome of a run.
 
     Attributes
     ----------
@@ -290,7 +290,7 @@ MOST_ROWS = 1_000_000
 
 @dataclass(frozen=True, kw_only=True)
 class PredictReport(Described):
-    """What became of a file of deliveries.
+    """The outcome of predicting a file of deliveries.
 
     Attributes
     ----------

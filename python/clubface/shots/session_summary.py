@@ -1,4 +1,4 @@
-"""What a session says of each club of a player: how many shots, means and spreads, and the gaps in carry."""
+"""A summary of each club of a player in a session: number of shots, means and spreads, and the gaps in carry."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Spread(NamedTuple):
 
 
 class Gap(NamedTuple):
-    """How much further a club carries than the next shorter one, and the standard error of that [m]."""
+    """The carry of a club less that of the next shorter one, and the standard error of it [m]."""
 
     length: float
     error: float
@@ -89,7 +89,7 @@ class ClubSummary:
 
     @property
     def title(self) -> str:
-        """The club, and whose it is where that must be said."""
+        """The club, and its player where the file names several."""
         club = self.club or "the shots"
         return f"{self.player}'s {club}" if self.player else club
 

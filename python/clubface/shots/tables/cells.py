@@ -1,4 +1,4 @@
-"""What the cells of a table say: numbers with a point or a decimal comma, hands, nothing measured."""
+"""The contents of cells of a table: numbers with a point or a decimal comma, hands, nothing measured."""
 
 from __future__ import annotations
 
@@ -95,8 +95,8 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
             votes["."] += 1  # as below, but for most cells of most files at a tenth of the cost
             shown["."] |= quantity in LARGE
             continue
-        result = NUMBER.fullmatch(cell.strip())
-        text = "".join(result["number"].split()) if result else ""
+        match = NUMBER.fullmatch(cell.strip())
+        text = "".join(match["number"].split()) if match else ""
         marks = {mark: text.count(mark) for mark in ",." if mark in text}
         if not marks or not any(map(str.isdigit, text)):
             continue
@@ -212,13 +212,13 @@ def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[N
 
 def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
     """Return the number of a cell, which may name a unit of its own, in the unit of its column; else ValueError."""
-    result = NUMBER.fullmatch(text)
-    if result is None or result["before"] or not result["rest"]:
+    match = NUMBER.fullmatch(text)
+    if match is None or match["before"] or not match["rest"]:
         return number(text, decimal_comma)
-    named = unit_symbol(result["rest"])
+    named = unit_symbol(match["rest"])
     if named is None or unit(named).dimension != unit(symbol).dimension:
         raise ValueError
-    value = number(result["number"], decimal_comma)
+    value = number(match["number"], decimal_comma)
     return value if named == symbol else from_si(to_si(value, named), symbol)
 
 

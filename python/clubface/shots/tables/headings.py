@@ -1,4 +1,4 @@
-"""Which column of a table of shots is which quantity, and in which unit: its words, and the unit behind them."""
+"""The quantity and unit of each column of a table of shots, by the words of its heading and the unit behind them."""
 
 from __future__ import annotations
 
@@ -62,10 +62,10 @@ def narrow(text: str) -> str:
 
 
 def bracketed(text: str) -> tuple[str, str | None]:
-    """Return what stands before the brackets at the end of a heading, and what in them; None where there are none."""
+    """Return the text before the brackets at the end of a heading and the text in them, None without brackets."""
     text = narrow(text)
-    result = _BRACKETS.search(text)
-    return (text, None) if result is None else (text[: result.start()], result[1].strip())
+    match = _BRACKETS.search(text)
+    return (text, None) if match is None else (text[: match.start()], match[1].strip())
 
 
 @lru_cache(maxsize=4096)
@@ -175,7 +175,7 @@ class Column(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """What the columns of a file mean.
+    """The columns of a file and their meaning.
 
     Attributes
     ----------
