@@ -103,7 +103,7 @@ def sensitivity(
     Parameters
     ----------
     club, delivery, **values, ball, friction, settings
-        As for :func:`strike`. If left out, the settings end the run soon after the last touch.
+        As for :func:`clubface.fem.strike`. If left out, the settings end the run soon after the last touch.
     by
         Names of variables, see :func:`variables`. Every four of them take one run.
     progress

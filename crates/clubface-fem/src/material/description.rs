@@ -1,4 +1,4 @@
-//! Descriptions of laws, for files, checks and the page of laws.
+//! Descriptions of laws, for files, checks and bindings.
 
 use crate::error::FemError;
 

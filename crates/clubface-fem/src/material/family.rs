@@ -1,8 +1,8 @@
 //! A law as its file declares it, and as materials hold it.
 //!
 //! A law is one file and one line of [`materials!`](crate::materials): the file declares its constants, implements
-//! the stress and the energy (see [`crate::material::OfInvariants`]) and a [`Family`]. Names in files, checks,
-//! the page of laws and the contract tests are all made from the table.
+//! the stress and the energy (see [`crate::material::OfInvariants`]) and a [`Family`]. Names in files, checks
+//! and the contract tests are all made from the table.
 
 use super::description::Description;
 use super::law::PointLaw;
@@ -66,6 +66,6 @@ pub trait Law<R: Real>: Debug + Send + Sync {
     /// # Errors
     /// [`FemError::Input`] that names the first constant that is not allowed.
     fn check(&self, name: &str) -> Result<(), FemError>;
-    /// Fills a [`super::stage::Slot`] with the stage of a step, for packs of the slot's type.
+    /// Fills a `Slot` with the stage of a step, for packs of the slot's type.
     fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any);
 }

@@ -167,7 +167,7 @@ impl<S: Scalar> Stretches<S> {
         Function(self.fourth.product(&even, &z))
     }
 
-    /// `exp(s x)` of a function x without trace whose exponential has stretches up to [`STRETCH`] squared.
+    /// `exp(s x)` of a function x without trace whose exponential has stretches up to `STRETCH` squared.
     #[inline(always)]
     pub fn exponential(&self, x: &Function<S>, s: S) -> Function<S> {
         S::outline(Exponential { stretches: self, x, s })

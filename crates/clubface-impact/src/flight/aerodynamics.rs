@@ -81,7 +81,7 @@ pub struct AirLoad<S> {
     pub decay: S,
 }
 
-/// Load on a ball of `radius` [m] moving through the air with `velocity` [m/s] and spinning with `spin` [rad/s];
+/// Load on a ball of `radius` (m) moving through the air with `velocity` (m/s) and spinning with `spin` (rad/s);
 /// `reynolds_per_speed` is its diameter over the kinematic viscosity, s/m.
 #[inline(always)]
 pub fn air_load<S: Scalar>(

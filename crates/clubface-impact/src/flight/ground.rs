@@ -64,7 +64,7 @@ pub struct Ground<S> {
     pub grass_length: S,
 }
 
-/// Coefficient of rolling friction rho_g of a green on which a ball runs `distance` [m] off a Stimpmeter.
+/// Coefficient of rolling friction rho_g of a green on which a ball runs `distance` (m) off a Stimpmeter.
 ///
 /// The ball leaves it at 1.83 m/s (6.00 ft/s) and rolls v^2 / (2 (5/7) rho_g g).
 #[must_use]

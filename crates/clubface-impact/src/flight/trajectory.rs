@@ -176,7 +176,7 @@ where
     }
 }
 
-/// Flies a ball from the origin to the ground, with steps of at most `longest` [s]; `on_step` sees the time and state
+/// Flies a ball from the origin to the ground, with steps of at most `longest` (s); `on_step` sees the time and state
 /// after every step in the air.
 #[inline(always)]
 pub fn fly_to_ground<S: Scalar>(

@@ -73,12 +73,12 @@ impl Influence {
     pub fn stride(&self) -> usize {
         self.stride
     }
-    /// Mid-radii r_j / a_max, shape [n], increasing.
+    /// Mid-radii r_j / a_max, shape `n`, increasing.
     #[must_use]
     pub fn radius(&self) -> &[f64] {
         &self.radius
     }
-    /// Weights w, shape [n]: the force of tractions q is a_max^2 sum of w_j q_j.
+    /// Weights w, shape `n`: the force of tractions q is a_max^2 sum of w_j q_j.
     #[must_use]
     pub fn force(&self) -> &[f64] {
         &self.force
@@ -88,7 +88,7 @@ impl Influence {
     pub fn displacement(&self) -> &[f64] {
         self.exchanged(0)
     }
-    /// M_jj, shape [n], and ones up to [`Self::stride`].
+    /// M_jj, shape `n`, and ones up to [`Self::stride`].
     #[must_use]
     pub fn diagonal(&self) -> &[f64] {
         &self.diagonal

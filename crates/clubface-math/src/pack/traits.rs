@@ -14,7 +14,7 @@ pub trait Lanes: Primal + Pack<Real = f64> {
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
 }
 
-/// A computation that [`dispatch`] runs with the widest lanes of this CPU.
+/// A computation that [`dispatch`](crate::dispatch) runs with the widest lanes of this CPU.
 pub trait Kernel {
     /// What it returns.
     type Output;

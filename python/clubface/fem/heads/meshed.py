@@ -260,8 +260,8 @@ class ShellHead(MeshedHead):
     report
         What the head took to meet its targets, such as trim masses [kg] by name.
     asked
-        The targets, under the names of :class:`DriverHead`, in SI units. A target that the bounds do not allow is
-        missed.
+        The targets, under the names of :class:`clubface.fem.DriverHead`, in SI units. A target that the bounds do not
+        allow is missed.
     """
 
     name: str
@@ -284,7 +284,7 @@ class ShellHead(MeshedHead):
 
     @property
     def reached(self) -> dict[str, float]:
-        """The values that the head has, under the names of the targets of :class:`DriverHead`, in SI units."""
+        """The values that the head has, under the names of the targets of :class:`clubface.fem.DriverHead`, in SI."""
         names = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")
         return {**{name: float(getattr(self.club, name)) for name in names}, "cg_above": self.cg_above}
 

@@ -186,7 +186,7 @@ class MeshBuilder:
         thickness: float = math.nan,
         key: Hashable = None,
     ) -> None:
-        """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``key`` names it for :meth:`add_to_set`."""
+        """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``key`` names it for ``add_to_set``."""
         corners = CORNERS[len(nodes)]
         self._higher += len(nodes) > 4
         row = len(self._elements)

@@ -74,7 +74,7 @@ impl Friction {
         }
     }
 
-    /// Tractions, in units of mu p0, two components of [n] and padding; zero outside the contact.
+    /// Tractions, in units of mu p0, two components of `n` numbers and padding; zero outside the contact.
     #[must_use]
     pub fn traction(&self) -> &Plane {
         &self.traction

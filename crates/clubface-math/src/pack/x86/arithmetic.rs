@@ -21,10 +21,10 @@ unsafe fn outline_four<C: Computation>(computation: C) -> C::Output {
     computation.run()
 }
 
-/// Four numbers (AVX2). Only for use below [`dispatch`](super::dispatch) or after [`has_four`].
+/// Four numbers (AVX2). Only for use below [`dispatch`](crate::dispatch) or after `has_four`.
 #[derive(Clone, Copy, Debug)]
 pub struct F64x4(pub(super) __m256d);
-/// Eight numbers (AVX-512). Only for use below [`dispatch`](super::dispatch) or after [`has_eight`].
+/// Eight numbers (AVX-512). Only for use below [`dispatch`](crate::dispatch) or after `has_eight`.
 #[derive(Clone, Copy, Debug)]
 pub struct F64x8(pub(super) __m512d);
 
