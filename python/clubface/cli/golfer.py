@@ -73,7 +73,7 @@ def estimate(
     from clubface.equipment.clubs import CLUB_NAMES
     from clubface.support.files import write_text
 
-    shown = show.Output.check(texts | {"unit": None}, [*files, texts["mapping"], texts["club"], like], (".toml",))
+    shown = show.Output.check(texts, [*files, texts["mapping"], texts["club"], like], (".toml",))
     shots = recorded_shots(files, texts)
     estimated = estimate_golfer(shots, name=name, like=like)
     if shown.target is not None:

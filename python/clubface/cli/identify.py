@@ -70,7 +70,7 @@ def identify(
     ties = {name: value.strip() for name, value in options.pairs(texts["tie"] or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)
-    shown = show.Output.check({"plot": texts["plot"], "as_json": texts["as_json"]}, read)
+    shown = show.Output.check(texts, read)
     if texts["model"] is None:
         raise ClubfaceError("--model is missing; name the model whose parameters to find, as in --model slip")
     model = model_named(texts["model"]).name

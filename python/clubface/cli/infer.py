@@ -71,7 +71,7 @@ def infer(
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
     head = options.club_of(texts["club"], texts["hand"], texts.get("model"))
     output.check_target("--output", target, KINDS)
-    shown = show.Output.check({"plot": texts["plot"], "as_json": texts["as_json"]})
+    shown = show.Output.check(texts)
     if not launch:
         measured = ", ".join(f"--{name.replace('_', '-')}" for name in options.MEASURED_LAUNCH)
         raise ClubfaceError(f"no launch is given; give at least one of {measured}")

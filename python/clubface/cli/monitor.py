@@ -152,7 +152,7 @@ def send(
 )
 def summary(files: Files, **texts: Any) -> None:
     """Sum up the shots of each club: counts, means, spreads, and the gaps in carry."""
-    shown = show.Output.check(texts | {"unit": None}, [*files, texts["mapping"]])
+    shown = show.Output.check(texts, [*files, texts["mapping"]])
     from clubface.shots.session_summary import session_result
 
     shown.show(session_result(read_shots(files, texts, where=True)))
@@ -202,7 +202,7 @@ def read(
     from clubface.shots.recorded_result import rejected_table, shots_result
 
     read_files = [*files, texts["mapping"]]
-    shown = show.Output.check(texts | {"unit": None}, read_files)
+    shown = show.Output.check(texts, read_files)
     output.check_target("--rejects", rejects, (".csv",), read_files)
     if shown.target is not None and rejects is not None and same_file(shown.target, rejects):
         raise InputError("--rejects", rejects, "another file than the output")

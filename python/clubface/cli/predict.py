@@ -46,7 +46,7 @@ def predict(
             deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
             accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
             hand=texts["hand"], format=texts["format"], mapping=texts["mapping"],
-            units=options.pairs(texts["unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
+            units=options.pairs(texts["file_unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
             mismatch=texts["mismatch"], assume=assumed(texts),
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip

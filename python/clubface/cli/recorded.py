@@ -36,7 +36,7 @@ _ASSUME = options.option(
 READING: Group = {
     "format": (options.Format, None),
     "mapping": (options.ColumnsFile, None),
-    "unit": (Annotated[list[str] | None, _UNIT], None),
+    "file_unit": (Annotated[list[str] | None, _UNIT], None),
     "where": text_option(
         "--where", _SHOTS, "CONDITION", "Take only these shots: \"ball_speed > 150 mph and club == '7i'\"."
     ),
@@ -71,7 +71,7 @@ def read_shots(
     """Return the shots of files, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
     from clubface.shots.reading import read
 
-    units = options.pairs(texts["unit"] or (), "--unit")
+    units = options.pairs(texts["file_unit"] or (), "--unit")
     shots = read(path, texts["format"], texts["hand"], texts["mapping"], units=units, club=club)
     if not where or texts["where"] is None:
         return shots

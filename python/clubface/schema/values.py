@@ -14,7 +14,7 @@ from typing import Any
 from clubface import units
 from clubface.schema.document import quoted
 from clubface.schema.place import Place
-from clubface.support.checks import check_choice, is_count
+from clubface.support.checks import check_choice, is_count, is_name, is_text
 from clubface.support.files import resolve_name
 
 __all__ = [
@@ -90,18 +90,9 @@ class Simple(Value):
         return self.allowed
 
 
-def _is_text(value: Any) -> bool:
-    """Tell whether a value is text that can be written to a file, which a lone surrogate cannot."""
-    return isinstance(value, str) and not any("\ud800" <= each <= "\udfff" for each in value)
-
-
-def _is_name(value: Any) -> bool:
-    return isinstance(value, str) and value.strip() != "" and value.isprintable()
-
-
 FLAG = Simple("true or false", lambda value: isinstance(value, bool), {"type": "boolean"})
-TEXT = Simple("text in quotes", _is_text, {"type": "string"})
-NAME = Simple("printable text, not empty", _is_name, {"type": "string", "minLength": 1})
+TEXT = Simple("text in quotes", is_text, {"type": "string"})
+NAME = Simple("printable text, not empty", is_name, {"type": "string", "minLength": 1})
 
 
 def count(least: int, most: int) -> Simple:

@@ -20,15 +20,25 @@ from typing import Any, NoReturn, TypeGuard, TypeVar
 from clubface.errors import InputError, UnknownNameError
 
 
+def is_name(value: object) -> bool:
+    """Return whether a value is printable text, not empty."""
+    return isinstance(value, str) and value.strip() != "" and value.isprintable()
+
+
+def is_text(value: object) -> bool:
+    """Return whether a value is text that a file can hold; a lone surrogate cannot be written."""
+    return isinstance(value, str) and not any("\ud800" <= each <= "\udfff" for each in value)
+
+
 def check_name(name: object) -> None:
     """Refuse a name that is empty, not text, or not printable."""
-    if not (isinstance(name, str) and name.strip() and name.isprintable()):
+    if not is_name(name):
         raise InputError("name", name, "printable text, not empty")
 
 
 def check_text(parameter: str, value: object) -> None:
-    """Refuse what is not text that a file can hold (a lone surrogate cannot be written)."""
-    if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
+    """Refuse what is not text that a file can hold."""
+    if not is_text(value):
         raise InputError(parameter, value, "text")
 
 
