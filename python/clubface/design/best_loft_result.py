@@ -36,33 +36,33 @@ def best_loft_result(best_loft: BestLoft) -> Result:
     )  # fmt: skip
 
 
-def chart_result(chart_comparison: ChartComparison) -> Result:
+def chart_result(comparison: ChartComparison) -> Result:
     """Return best lofts with those of a published chart as a result."""
-    best, chart = chart_comparison.best, chart_comparison.chart
+    best, chart = comparison.best, comparison.chart
     columns = _cases(best)
-    for name in chart_comparison.compared:
+    for name in comparison.compared:
         columns += [
             _own(best, name),
-            column(f"published_{name}", chart_comparison.column(name), SHOWN[name], label=chart),
+            column(f"published_{name}", comparison.column(name), SHOWN[name], label=chart),
         ]
-    columns += [_own(best, name, printed=False) for name in SHOWN if name not in chart_comparison.compared]
+    columns += [_own(best, name, printed=False) for name in SHOWN if name not in comparison.compared]
     columns += _other(best, printed=False)
-    published = {chart_comparison.quantity(name): name for name in chart_comparison.published}
+    published = {comparison.quantity(name): name for name in comparison.published}
     columns += [
-        column(f"published_{name}", chart_comparison.published[key], SHOWN.get(name, name), printed=False)
+        column(f"published_{name}", comparison.published[key], SHOWN.get(name, name), printed=False)
         for name, key in published.items()
-        if name not in chart_comparison.compared
+        if name not in comparison.compared
     ]
-    kinds = [quantity(SHOWN[name]) for name in chart_comparison.compared]
-    away = [getattr(best, name) - chart_comparison.column(name) for name in chart_comparison.compared]
+    kinds = [quantity(SHOWN[name]) for name in comparison.compared]
+    away = [getattr(best, name) - comparison.column(name) for name in comparison.compared]
     differences = (
-        text("quantity", chart_comparison.compared, printed=False),
+        text("quantity", comparison.compared, printed=False),
         text("what", [each.label for each in kinds], in_files=False),
         *(Column(word, [float(pick(each)) for each in away], kinds, difference=True)
           for word, pick in (("mean", np.mean), ("least", np.min), ("greatest", np.max))),
     )  # fmt: skip
-    launch = "best-loft-launch-difference" if chart_comparison.compared[0] == "launch" else "best-loft-loft-difference"
-    source = published_data.table(chart_comparison.table).source
+    launch = "best-loft-launch-difference" if comparison.compared[0] == "launch" else "best-loft-loft-difference"
+    source = published_data.table(comparison.table).source
     return Result(
         kind="best-loft", title=f"Best dynamic loft for carry and the chart of {chart}: {best.flown.club.name}, "
         f"{best.flown.model}",
@@ -75,7 +75,7 @@ def chart_result(chart_comparison: ChartComparison) -> Result:
         provenance=provenance_of(
             [best.flown], flight_conditions(best.air, best.wind), [f"Chart of {chart}: {source}"]
         ),
-        draw=lambda: [chart_picture(chart_comparison)],
+        draw=lambda: [chart_picture(comparison)],
     )  # fmt: skip
 
 
@@ -135,20 +135,20 @@ def best_loft_picture(best_loft: BestLoft) -> Picture:
     return Picture("best-loft", "Best loft and its carry over the club speed", [panels], height=3.4, legend=True)
 
 
-def chart_picture(chart_comparison: ChartComparison) -> Picture:
+def chart_picture(comparison: ChartComparison) -> Picture:
     """Return what was found over what a chart has."""
     panels: list[Panel | None] = []
-    for name in chart_comparison.compared:
-        theirs, ours = chart_comparison.column(name), getattr(chart_comparison.best, name)
+    for name in comparison.compared:
+        theirs, ours = comparison.column(name), getattr(comparison.best, name)
         ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
         marks = [Mark("line", ends, ends, style=-1, size=0.8, dash=0), Mark("points", theirs, ours)]
         kind = SHOWN[name]
-        panels.append(Panel(marks, axis(kind, chart_comparison.chart), axis(kind, "found here"), quantity(kind).label))
+        panels.append(Panel(marks, axis(kind, comparison.chart), axis(kind, "found here"), quantity(kind).label))
     panels += [None] * (len(panels) % 2)
     rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
     return Picture(
         "best-loft-chart",
-        f"What was found here over what the chart of {chart_comparison.chart} has",
+        f"What was found here over what the chart of {comparison.chart} has",
         rows,
         height=2.5 * len(rows),
     )

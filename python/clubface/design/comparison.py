@@ -61,12 +61,12 @@ class Alternative:
         taken = {each.name: getattr(self, each.name) for each in fields(self)} | changes
         if not isinstance(taken["model"], str) or taken["model"] == "all":
             raise InputError("model", taken["model"], "the name of one model in each alternative")
-        result = impact(taken.pop("club"), taken.pop("delivery"), **taken)
-        if result.shape:
+        launch = impact(taken.pop("club"), taken.pop("delivery"), **taken)
+        if launch.shape:
             raise InputError(
-                "delivery", Wording(f"a batch of shape {result.shape}"), "a single shot in each alternative"
+                "delivery", Wording(f"a batch of shape {launch.shape}"), "a single shot in each alternative"
             )
-        return result
+        return launch
 
 
 class Compared(Described):
@@ -179,14 +179,14 @@ class Compared(Described):
             rows += _split_rows(name, self.launches[name], each, self._differences(name))
         alone = len(split) == 1
         title = f"What makes {next(iter(split))} differ" if alone else "What makes the differences"
-        of = [each.quantity for each in rows]
+        kinds = [each.quantity for each in rows]
         columns = (
             text("alternative", [each.alternative for each in rows], printed=not alone),
             text("part", [each.part for each in rows], printed=False),
             text("change", [each.change for each in rows], printed=False),
             text("what changes", [each.label for each in rows], in_files=False),
-            Column("from", [each.start for each in rows], of, digits=-6),
-            Column("to", [each.end for each in rows], of, digits=-6),
+            Column("from", [each.start for each in rows], kinds, digits=-6),
+            Column("to", [each.end for each in rows], kinds, digits=-6),
             *_quantity_columns([each.numbers for each in rows], printed=SPLIT),
         )
         return Table(
@@ -245,12 +245,12 @@ def _split_rows(name: str, launch: Launch, made: Contributions, difference: NDAr
     together = np.zeros(len(QUANTITIES))
     coefficients = 0
     for change, numbers in zip(made.changes, made.si, strict=True):
-        of = quantity(change.name, parameters.get(change.name)) if change.derivative else None
+        kind = quantity(change.name, parameters.get(change.name)) if change.derivative else None
         hidden = change.name in fitted
         if hidden:
             together, coefficients = together + numbers, coefficients + 1
-        label = change.name if of is None else of.label
-        yield _Row(name, "contribution", change.name, label, numbers, of, change.start, change.end, hidden)
+        label = change.name if kind is None else kind.label
+        yield _Row(name, "contribution", change.name, label, numbers, kind, change.start, change.end, hidden)
     if coefficients:
         yield _Row(name, "coefficients", "", f"{coefficients} coefficient{'s' * (coefficients > 1)} of {launch.model}",
                    together)  # fmt: skip
@@ -439,12 +439,12 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
     return stages
 
 
-def _meshed(name: Any) -> Any:
+def _meshed(given: Any) -> Any:
     """Return what tells one ball of finite elements from another."""
     from clubface.fem.balls import ball
     from clubface.support.fingerprint import fingerprint
 
-    return fingerprint(ball(name).values())
+    return fingerprint(ball(given).values())
 
 
 NAMES = ("name", "label", "delivery", "shot")

@@ -85,14 +85,14 @@ class Line(NamedTuple):
 
     def rates(self, share: float) -> Mapping[str, float]:
         """Return how fast each input and parameter that differs changes along the way, at a ``share`` of it."""
-        result = {}
+        rates = {}
         for name in self.names:
             first, last = self.start.value(name), self.end.value(name)
             rate = last - first
             if name in CURVED:
                 rate = -(self._value(name, share) ** 2) * (1.0 / last - 1.0 / first)
-            result[name] = rate
-        return result
+            rates[name] = rate
+        return rates
 
     def _value(self, name: str, share: float) -> float:
         first, last = self.start.value(name), self.end.value(name)
@@ -127,12 +127,12 @@ def slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> It
     return _reduced(line, launch, shares)
 
 
-def flown(result: tuple[Array, Array], point: Point, names: Sequence[str], base: Mapping[str, float]) -> Array:
+def flown(launch_slopes: tuple[Array, Array], point: Point, names: Sequence[str], base: Mapping[str, float]) -> Array:
     """Return the slopes of the quantities of the flight, shape (quantities, names), by the chain rule.
 
     Parameters
     ----------
-    result
+    launch_slopes
         Outputs of the launch and their slopes.
     point
         The shot.
@@ -141,7 +141,7 @@ def flown(result: tuple[Array, Array], point: Point, names: Sequence[str], base:
     base
         The inputs of the flight; launch and ball are those of the point instead.
     """
-    values, by_names = result
+    values, by_names = launch_slopes
     places = {name: place for place, name in enumerate(outputs())}
     launched = (*VELOCITY, *SPIN)
     columns = {
@@ -178,7 +178,7 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
             by_names[:, place] = table[:, 1 + by_duals.index(name)]
         else:
             by_names[:, place] = _by_steps(launch, columns, parameters, order.index(name), len(points))
-    return [(table[:, 0, which], by_names[:, :, which]) for which in range(len(points))]
+    return [(table[:, 0, number], by_names[:, :, number]) for number in range(len(points))]
 
 
 def _by_steps(launch: Launch, columns: list[Array], parameters: list[Array], place: int, count: int) -> Array:
@@ -373,12 +373,12 @@ def _integrated(
     launched = [list(outputs()).index(name) for name in LAUNCHED]
     flights = [list(flight_outputs()).index(name) for name in FLOWN]
     total = np.zeros((len(QUANTITIES), len(line.names)))
-    for done, (share, weight, result) in enumerate(
+    for done, (share, weight, launch_slopes) in enumerate(
         zip(shares.tolist(), weights.tolist(), slopes(line, last, shares.tolist(), ball), strict=True), 1
     ):
         rates = np.array(list(line.rates(share).values()))
-        by_flight = flown(result, line.at(share), line.names, base)[flights]
-        total += 0.5 * weight * np.concatenate([result[1][launched], by_flight]) * rates
+        by_flight = flown(launch_slopes, line.at(share), line.names, base)[flights]
+        total += 0.5 * weight * np.concatenate([launch_slopes[1][launched], by_flight]) * rates
         if progress is not None:
             progress(done, nodes)
     return total.T

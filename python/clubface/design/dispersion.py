@@ -64,11 +64,11 @@ def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]
 
 def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:
     dimensions = shot_words().dimensions
-    result = {}
+    columns = {}
     for name, numbers in values.items():
         heading, unit = heading_of(name, SI_UNITS[dimensions[name]])
-        result[heading] = from_si(np.asarray(numbers), unit)
-    return result
+        columns[heading] = from_si(np.asarray(numbers), unit)
+    return columns
 
 
 @contextmanager
@@ -166,12 +166,12 @@ class Tally:
         """Count shots, each quantity of shape (n,)."""
         first = next(iter(self.scales))
         last = "carry" if "carry" in self.scales else first
-        result = np.isfinite(values[last])
-        self.shots += len(result)
-        self.lost += len(result) - int(result.sum())
-        kept = {name: values[name] if result.all() else values[name][result] for name in self.scales}
-        for name, of in self.scales.items():
-            self._bins[name] += _counted(kept[name], of)
+        finite = np.isfinite(values[last])
+        self.shots += len(finite)
+        self.lost += len(finite) - int(finite.sum())
+        kept = {name: values[name] if finite.all() else values[name][finite] for name in self.scales}
+        for name, scale in self.scales.items():
+            self._bins[name] += _counted(kept[name], scale)
             away = kept[name] - self.centre[name]
             # No dot product: its sum may run in an order that threads decide.
             self._sums[name] += away.sum(), (away * away).sum()
@@ -198,8 +198,8 @@ class Tally:
         """Return the value below which the ``share`` of the shots lies, to a part of a bin."""
         check_choice("quantity", name, self.scales)
         check_share(share)
-        of = self.scales[name]
-        return of.least + _crossing(self._bins[name], share) * (of.most - of.least) / of.bins
+        scale = self.scales[name]
+        return scale.least + _crossing(self._bins[name], share) * (scale.most - scale.least) / scale.bins
 
     def landing(self) -> tuple[Floats, Floats]:
         """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings: ahead and to the right."""
@@ -215,14 +215,14 @@ class Tally:
 
     def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:
         """Return edges [SI] and counts of bins about ``width`` wide, from the least shot to the greatest."""
-        of, counts = self.scales[name], self._bins[name]
-        step = (of.most - of.least) / of.bins
+        scale, counts = self.scales[name], self._bins[name]
+        step = (scale.most - scale.least) / scale.bins
         together = max(1, round(width / step))
         filled = np.flatnonzero(counts)
         first, last = (filled[0], filled[-1]) if len(filled) else (0, 0)
         starts = np.arange(first, last + 1, together)
         edges = np.append(starts, starts[-1] + together).astype(np.float64)
-        return of.least + step * edges, np.add.reduceat(counts, starts).astype(np.int64)
+        return scale.least + step * edges, np.add.reduceat(counts, starts).astype(np.int64)
 
 
 def forward(distance: Floats, side: Floats) -> Floats:
@@ -270,10 +270,10 @@ class ImpactSetup(NamedTuple):
                 raise
             # By itself it would be taken for an option of the same name, such as the lie that a shot is played from.
             raise InputError("golfer", golfer.name, f"one whose mean shot has a result: {error}") from None
-        result = {name: float(getattr(launch, name)) for name in LAUNCHED}
+        values = {name: float(getattr(launch, name)) for name in LAUNCHED}
         if flight is not None:
-            result |= {name: float(getattr(flight, name)) for name in FLOWN}
-        return launch, result
+            values |= {name: float(getattr(flight, name)) for name in FLOWN}
+        return launch, values
 
     def __call__(
         self,
@@ -285,13 +285,13 @@ class ImpactSetup(NamedTuple):
         launch, flight = self._strike(deliveries, "nan")
         if outside is not None:
             outside.add(launch)
-        result = {name: getattr(launch, name) for name in LAUNCHED}
+        values = {name: getattr(launch, name) for name in LAUNCHED}
         if flight is not None:
-            result |= {name: getattr(flight, name) for name in FLOWN}
+            values |= {name: getattr(flight, name) for name in FLOWN}
         if reasons is not None and not reasons:
             for problem in (launch if flight is None else flight).problems:
                 reasons.setdefault(problem.parameter, problem.reason)
-        return result
+        return values
 
     def _strike(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
         """Return launches and, if the balls fly, flights."""
@@ -540,8 +540,8 @@ def dispersion(
 
 
 def _landings(carry: Floats, side: Floats) -> Floats:
-    result = np.stack([forward(carry, side), side], axis=1)
-    return result[np.isfinite(result).all(axis=1)]
+    landings = np.stack([forward(carry, side), side], axis=1)
+    return landings[np.isfinite(landings).all(axis=1)]
 
 
 def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int]) -> float:

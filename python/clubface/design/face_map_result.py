@@ -71,8 +71,8 @@ def _value(name: str, kind: str, values: Any, difference: bool) -> Column:
 
 def _finer(name: str, difference: bool) -> Quantity:
     """Return a quantity, with a digit more for differences."""
-    of = quantity(name)
-    return of._replace(golf=of.golf._replace(digits=of.golf.digits + 1)) if difference else of
+    kind = quantity(name)
+    return kind._replace(golf=kind.golf._replace(digits=kind.golf.digits + 1)) if difference else kind
 
 
 def _extremes(mapped: Mapped, names: Sequence[str]) -> Table:
@@ -162,7 +162,7 @@ def _spread_words(forgiveness: Forgiveness) -> str:
 
 def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], listed: Sequence[str]) -> Table:
     names = [*listed, *(name for name in QUANTITIES if name not in listed)]
-    rows = [(of.centre.club.name, each, name) for of, each in zip(maps, spreads, strict=True) for name in names]
+    rows = [(mapped.centre.club.name, each, name) for mapped, each in zip(maps, spreads, strict=True) for name in names]
     kinds, finer = ([_finer(name, more) for _, _, name in rows] for more in (False, True))
     columns = (
         text("club", [club for club, _, _ in rows], printed=len(maps) > 1),
@@ -172,8 +172,8 @@ def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], liste
         Column("deviation", [each.deviation[name] for _, each, name in rows], finer, "standard deviation"),
         Column("loss", [each.loss[name] for _, each, name in rows], finer, "lost by scatter", difference=True),
         *(
-            column(name, [getattr(each, name) for _, each, _ in rows], of, printed=False)
-            for name, of in (("toe", "toe"), ("high", "high"), ("toe_deviation", "m"), ("high_deviation", "m"))
+            column(name, [getattr(each, name) for _, each, _ in rows], kind, printed=False)
+            for name, kind in (("toe", "toe"), ("high", "high"), ("toe_deviation", "m"), ("high_deviation", "m"))
         ),
         text("missed", [each.missed for _, each, _ in rows], printed=False),
     )  # fmt: skip
@@ -200,9 +200,9 @@ def _summary(maps: Sequence[FaceMap]) -> Iterator[Note]:
 
 
 def _notes(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness]) -> Iterator[Note]:
-    for of, each in zip(maps, spreads, strict=False):
+    for mapped, each in zip(maps, spreads, strict=False):
         if each.missed >= LEAST_MISSED:
-            yield note("map-missed", club=of.centre.club.name, missed=each.missed)
+            yield note("map-missed", club=mapped.centre.club.name, missed=each.missed)
     for each in maps:
         yield note("map-outline", club=each.centre.club.name, outline=each.outline.origin)
     if maps[0].interpolated:

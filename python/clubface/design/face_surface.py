@@ -422,10 +422,10 @@ def _greatest(
         near = [np.linspace(middle - width, middle + width, AROUND) for middle, width in zip(point, reach, strict=True)]
         across, up = (each.reshape(-1) for each in np.meshgrid(*near))
         inside = outline.holds(across, up)
-        result = np.where(inside, surface.at(across, up)[quantity], np.nan) if inside.any() else np.array([np.nan])
-        if np.isfinite(result).any() and np.nanmax(result) > best:
-            place = int(np.nanargmax(result))
-            point, best = (float(across[place]), float(up[place])), float(result[place])
+        values = np.where(inside, surface.at(across, up)[quantity], np.nan) if inside.any() else np.array([np.nan])
+        if np.isfinite(values).any() and np.nanmax(values) > best:
+            place = int(np.nanargmax(values))
+            point, best = (float(across[place]), float(up[place])), float(values[place])
         reach = reach / CLOSER
     return (*point, best)
 

@@ -59,8 +59,8 @@ MIXTURES = [(0.0, 1.0), *product((0.03, 0.08, 0.15, 0.25), (1.5, 2.0, 3.0, 4.5))
 NO_MISHITS = 0.15
 """How likely the first of these is before any shot is seen; the others are all alike."""
 EFFECTIVE_SHARE = 2 / 3
-"""What differences of successive shots tell, in shots: each of these is in two of them. Besides 1/2 about the mean, the
-variance of a spread is 3/4 (``STANDARD_ERROR``)."""
+"""Number of independent shots that a difference of successive shots counts as, since each shot is in two of them: the
+variance of a spread is 1/2 about the mean, and 3/4 from differences (``STANDARD_ERROR``)."""
 BLOCKS = 20
 """Parts of a longer session, of which each is left out once to see how sure the spreads are (jackknife)."""
 OF_FEW = 1.07
@@ -181,11 +181,16 @@ def error_of(steps: Floats, covariance: Floats, share: float, scale: float) -> F
 
 def _doubt(steps: Floats, spread: Floats) -> Floats:
     """Return how far off the spreads are in proportion: in the root mean square over mixtures by their likelihood."""
-    result = [covariance_of(steps, *each) for each in MIXTURES]
-    logs = np.array([_weighed(steps, each, *of).likelihood for of, each in zip(MIXTURES, result, strict=True)])
+    covariances = [covariance_of(steps, *each) for each in MIXTURES]
+    logs = np.array(
+        [
+            _weighed(steps, each, share, scale).likelihood
+            for (share, scale), each in zip(MIXTURES, covariances, strict=True)
+        ]
+    )
     before = [NO_MISHITS, *[(1.0 - NO_MISHITS) / (len(MIXTURES) - 1)] * (len(MIXTURES) - 1)]
     chances = before * np.exp(EFFECTIVE_SHARE * (logs - logs.max()))
-    away = np.log(np.sqrt([np.diag(each) for each in result]) / spread)
+    away = np.log(np.sqrt([np.diag(each) for each in covariances]) / spread)
     return np.sqrt(chances @ away**2 / chances.sum())
 
 
@@ -533,9 +538,9 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
         raise InputError("off", off, "a share between 0 and 1")
     player = golfer.for_hand(club.hand)
 
-    def spreads(golfer: Golfer) -> dict[str, float]:
-        result = dispersion(golfer, club, count=count)
-        return {name: result.spread(name) for name in QUANTITIES}
+    def spreads(varied: Golfer) -> dict[str, float]:
+        shots = dispersion(varied, club, count=count)
+        return {name: shots.spread(name) for name in QUANTITIES}
 
     figures = []
     for figure in _varying(player):

@@ -91,8 +91,8 @@ def _moment(golfer: Golfer, part: str, name: str) -> float | None:
 
 def _finer(name: str) -> Quantity:
     """Return a variable as a quantity, speeds and angles with a digit more."""
-    of = quantity(name)
-    return of._replace(golf=of.golf._replace(digits=2)) if of.golf.unit in ("mph", "deg") else of
+    kind = quantity(name)
+    return kind._replace(golf=kind.golf._replace(digits=2)) if kind.golf.unit in ("mph", "deg") else kind
 
 
 def _delivery_table(golfer: Golfer, estimate: Estimate | None) -> Table:

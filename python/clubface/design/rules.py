@@ -133,17 +133,17 @@ def rules_of(club: str | Club) -> tuple[Rule, ...]:
 def check_rules(club: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None) -> list[RuleVerdict]:
     """Return what a club has of every limit that holds for it.
 
+    A characteristic time of 0 stands for a face that nobody has measured: no face is rigid.
+
     Parameters
     ----------
     club
         The club, by name, file or as a :class:`Club`.
     volume
-        Of the head: text with a unit, or m3.
+        Volume of the head: text with a unit, or m3. If left out: that of the mesh of a meshed head.
     size
-        Of the head from face to back, from sole to crown and from heel to toe: texts with units, or m.
-
-    What is left out of these is that of the mesh of a meshed head. A characteristic time of 0 is that of a face which
-    nobody has measured: no face is rigid.
+        Size of the head from face to back, from sole to crown and from heel to toe: texts with units, or m. If left
+        out: that of the mesh of a meshed head.
     """
     head = club_of(club)
     unknown = {"characteristic_time": UNMEASURED}
@@ -175,13 +175,13 @@ def check_result(checked: Club, file: str) -> Result:
         notes.append(note("unmeasured-face" if mesh_of(checked) is None else "unmeasured-mesh", file=file))
     if mesh_of(checked) is not None and len(known) > 1:
         notes.append(note("mesh-dimensions"))
-    of = [_quantity_of(each.rule) for each in known]
+    kinds = [_quantity_of(each.rule) for each in known]
     verdicts = table(
         "rules",
         text("rule", [each.rule.title for each in known]),
-        Column("value", [None if each.conforms is None else each.value for each in known], of, "club", digits=-4),
-        Column("limit", [each.rule.most for each in known], of, digits=-4),
-        Column("tolerance", [each.rule.tolerance for each in known], of, digits=-4),
+        Column("value", [None if each.conforms is None else each.value for each in known], kinds, "club", digits=-4),
+        Column("limit", [each.rule.most for each in known], kinds, digits=-4),
+        Column("tolerance", [each.rule.tolerance for each in known], kinds, digits=-4),
         text("verdict", [each.words for each in known]),
         title="Rules of golf",
     )

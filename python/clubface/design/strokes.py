@@ -70,17 +70,17 @@ class Hole:
 
         Parameters
         ----------
-        ahead, aside
+        ahead, right
             Where, towards the hole from the tee and to the right of the line [m], shape (n,).
         """
         ahead, right = _places(ahead, right)
         left = np.hypot(self.length - ahead, right)
         lies = self.lies(ahead, right)
-        result = np.empty_like(left)
+        strokes = np.empty_like(left)
         for name in np.unique(lies):
             where = lies == name
-            result[where] = expected(str(name), left[where])
-        return result
+            strokes[where] = expected(str(name), left[where])
+        return strokes
 
     def lies(self, ahead: Floats, right: Floats) -> Any:
         """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
@@ -109,12 +109,12 @@ def expected(lie: str, distance: Floats) -> Floats:
 
 
 def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:
-    given = {"ahead": ahead, "aside": right}
-    result = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
-    if result[0].shape != result[1].shape:
-        shapes = Wording(" and ".join(f"of shape {each.shape}" for each in result))
-        raise InputError("ahead and aside", shapes, "of one shape")
-    return result[0], result[1]
+    given = {"ahead": ahead, "right": right}
+    places = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
+    if places[0].shape != places[1].shape:
+        shapes = Wording(" and ".join(f"of shape {each.shape}" for each in places))
+        raise InputError("ahead and right", shapes, "of one shape")
+    return places[0], places[1]
 
 
 @cache

@@ -107,7 +107,7 @@ def by_derivatives(golfer: Golfer, setup: ImpactSetup) -> ByDerivatives:
     ----------
     golfer
         The golfer, of the club's hand.
-    hit
+    setup
         How shots are hit. Its model must be one with derivatives; another is an :class:`InputError`.
     """
     value, gradient = _gradients(golfer.mean, golfer, setup)
@@ -129,16 +129,16 @@ def _gradients(at: Floats, golfer: Golfer, setup: ImpactSetup) -> tuple[dict[str
     values = dict(zip(golfer.variables, map(float, at), strict=True))
     launched = (*VELOCITY, *SPIN)
     with without_warnings(RangeWarning):  # the shots themselves warn
-        result = sensitivity(
+        derivatives = sensitivity(
             setup.club, values, model=setup.model, parameters=setup.parameters,
             ball=getattr(setup.ball, "rigid", setup.ball), accuracy=setup.accuracy,
             outputs=(*LAUNCHED, *launched), variables=golfer.variables,
         )  # fmt: skip
-    rows: dict[str, Floats] = dict(zip(result.outputs, result.si, strict=True))
-    value = {name: float(getattr(result.launch, name)) for name in LAUNCHED}
+    rows: dict[str, Floats] = dict(zip(derivatives.outputs, derivatives.si, strict=True))
+    value = {name: float(getattr(derivatives.launch, name)) for name in LAUNCHED}
     slope = {name: rows[name] for name in LAUNCHED}
     if setup.flight:
-        flown = flight_derivatives(result.launch, air=setup.air, wind=setup.wind, ground=setup.ground)
+        flown = flight_derivatives(derivatives.launch, air=setup.air, wind=setup.wind, ground=setup.ground)
         order = list(flight_outputs())
         columns = [list(flight_inputs()).index(name) for name in launched]
         chain = flown.jacobian[:, columns] @ np.array([rows[name] for name in launched])
@@ -194,7 +194,7 @@ def indices(
     ----------
     golfer
         The golfer, of the club's hand.
-    hit
+    setup
         How shots are hit.
     outcomes
         Quantities of launch or flight. One that does not vary has shares of NaN.
@@ -232,18 +232,18 @@ def indices(
     return Indices("shapley", names, effects, effects)
 
 
-def indices_by_derivatives(by_derivatives: ByDerivatives, outcomes: Sequence[str] = ("carry", "side")) -> Indices:
+def indices_by_derivatives(derivatives: ByDerivatives, outcomes: Sequence[str] = ("carry", "side")) -> Indices:
     """Return the Shapley effects of the outcome that gradient and curvature at the mean describe, in closed form.
 
-    What the variables u tell of a normal distribution has the covariance C_u = C[:, u] C[u, u]^-1 C[u, :], and the
+    The variables u explain of the covariance of a normal distribution C_u = C[:, u] C[u, u]^-1 C[u, :], and the
     expectation of the outcome given them the variance g' C_u g + tr(H C_u H C_u) / 2.
     """
-    golfer = by_derivatives.golfer
+    golfer = derivatives.golfer
     varies = np.flatnonzero(golfer.spread > 0.0)
     covariance = golfer.covariance[np.ix_(varies, varies)]
     effects = {}
     for name in outcomes:
-        slope, second = by_derivatives.gradient[name][varies], by_derivatives.second[name][np.ix_(varies, varies)]
+        slope, second = derivatives.gradient[name][varies], derivatives.second[name][np.ix_(varies, varies)]
 
         def variance(subset: int, slope: Floats = slope, second: Floats = second) -> Floats:
             known = _explained_covariance(covariance, _members(subset, len(varies)))
@@ -345,7 +345,7 @@ def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) ->
 
 
 def _explained_covariance(covariance: Floats, inside: Places) -> Floats:
-    """Return the covariance of what the variables ``inside`` tell of all."""
+    """Return the part of the covariance that the variables ``inside`` explain, C_u, of the shape of the whole."""
     across = covariance[:, inside]
     return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
 

@@ -60,7 +60,7 @@ def fit(
     resume
         Whether to refuse to begin anew where a run of another fitting was interrupted; that of the same one goes on.
     progress
-        Wording of what is done and of the whole.
+        Called with the number of combinations done and that of all.
 
     Raises
     ------
@@ -69,13 +69,13 @@ def fit(
     """
     subject = fitting(subject)
     with store_for(output, _content(subject), resume=resume) as store:
-        result = _ranked(subject, _all(subject, store, progress))
+        ranked = _ranked(subject, _all(subject, store, progress))
         if output is not None:
             store.write_result(
-                Path(output), lambda file: file.write(csv_lines(combinations_table(subject, result).csv_rows(), ","))
+                Path(output), lambda file: file.write(csv_lines(combinations_table(subject, ranked).csv_rows(), ","))
             )
             store.remove()
-    return result
+    return ranked
 
 
 def _ranked(fitting: Fitting, tried: list[_Tried]) -> list[Combination]:
@@ -83,22 +83,22 @@ def _ranked(fitting: Fitting, tried: list[_Tried]) -> list[Combination]:
     judge = fitting.judge(fitting.objective)
     order = sorted(range(len(tried)), key=lambda place: judge.sign * tried[place].values[judge.name])
     first, weights = tried[order[0]], [weight for _, weight in fitting.golfers]
-    result = []
+    ranked = []
     for place in order:
         one, (head, _, setting) = tried[place], fitting.names()[place]
         error = 0.0 if place == order[0] else _error(weights, one, first)
         others = {name: value for name, value in one.values.items() if name != judge.name}
-        result.append(
+        ranked.append(
             Combination(head.name, one.ball, setting, one.changes, one.values[judge.name], others, error, place)
         )
-    return result
+    return ranked
 
 
 def _content(fitting: Fitting) -> dict[str, Any]:
     """Return all that a result depends on."""
-    result = {name: getattr(fitting, name) for name in fitting.__dataclass_fields__ if name != "golfers"}
-    result["golfers"] = [(each.content(), weight) for each, weight in fitting.golfers]
-    return {"study": result, "order of the settings": list(fitting.settings)}
+    content = {name: getattr(fitting, name) for name in fitting.__dataclass_fields__ if name != "golfers"}
+    content["golfers"] = [(each.content(), weight) for each, weight in fitting.golfers]
+    return {"study": content, "order of the settings": list(fitting.settings)}
 
 
 def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
@@ -120,10 +120,10 @@ def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, sample
     if fitting.bounds:
         moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
         problem = _Adjusted(Variables(base=moved, bounds=fitting.free(head, club)), golfers, judge, club)
-        result = best([solve(problem, each) for each in starts(problem, STARTS, fitting.seed)])
-        if result is None:
+        solution = best([solve(problem, each) for each in starts(problem, STARTS, fitting.seed)])
+        if solution is None:
             raise _impossible(head, setting)
-        club |= problem.variables.club(result.point)
+        club |= problem.variables.club(solution.point)
         changes |= {name: club[name] - (0.0 if name == "lie" else getattr(head, name)) for name in fitting.bounds}
     landed = [each.of(club) for each, _ in golfers]
     if any(np.isnan(each).any() for each in landed):

@@ -127,10 +127,10 @@ class Landings:
 
     def __init__(self, base: Club, deliveries: Mapping[str, Any], setting: Setting) -> None:
         self.base, self.setting = base, setting
-        with_, self._parameters = equipped(setting.model, base, setting.ball, setting.parameters)
+        equipment, self._parameters = equipped(setting.model, base, setting.ball, setting.parameters)
         values = {"loft": base.loft, "lie": 0.0, **deliveries}
         setup, parameters = broadcast(
-            shots(with_, values), self._parameters.columns(), tuple(self._parameters.values), len(outputs())
+            shots(equipment, values), self._parameters.columns(), tuple(self._parameters.values), len(outputs())
         )
         (number,) = setup.shape or (1,)
         result, problems = core.impact(setting.model, setup.columns, parameters, number, None, setting.threads)
@@ -144,7 +144,7 @@ class Landings:
         ]
         self._own = parameters
         self.count = int(good.sum())
-        self.ball = with_.ball
+        self.ball = equipment.ball
 
     def _inputs(self, club: Mapping[str, float]) -> list[Any]:
         """Return the columns of the impacts with a club that differs from the base by the fields given."""

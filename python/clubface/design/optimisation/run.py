@@ -55,10 +55,10 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
             solved(f"front {end.name} {place}", "finding the ends of the front", problem, point)
             for place, point in enumerate(starts(problem, STARTS, study.seed))
         ]
-        result = best(tried)
-        if result is None:
+        solution = best(tried)
+        if solution is None:
             raise refused(problem, tried)
-        ends.append((problem, result.point))
+        ends.append((problem, solution.point))
     points = [_point(problem, point, study) for problem, point in ends]
     first, last = (each.values[other.name] for each in points)
     found_points, before = [points[0]], ends[0][1]
@@ -73,9 +73,9 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
         tried = [
             solved(f"front {place} {start}", "following the front", problem, point) for start, point in enumerate(mixed)
         ]
-        result = best(tried)
-        if result is not None:
-            before = result.point
+        solution = best(tried)
+        if solution is not None:
+            before = solution.point
             found_points.append(_point(problem, before, study))
     return tuple(_not_dominated([*found_points, points[1]], one.sign, other.sign, study.objectives))
 
@@ -117,7 +117,7 @@ FRESH_SEED = 1_000_003
 """What seeds of fresh shots are beyond that of the study."""
 
 Progress = Callable[[int, int, str], object]
-"""Wording of what is done, of the whole, and in words."""
+"""Called with the parts done, the number of all parts, and what is being done, in words."""
 
 
 def optimise(
@@ -139,7 +139,7 @@ def optimise(
     resume
         Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.
     progress
-        Wording of what is done, of the whole, and in words.
+        Called with the parts done, the number of all parts, and what is being done, in words.
 
     Returns
     -------
@@ -222,8 +222,8 @@ class _Run:
 
     def _solved(self, name: str, words: str, problem: Problem, start: NDArray[Any]) -> Solution:
         def compute() -> dict[str, Any]:
-            result = solve(problem, start)
-            return {**result._asdict(), "point": result.point.tolist()}
+            solution = solve(problem, start)
+            return {**solution._asdict(), "point": solution.point.tolist()}
 
         kept = self._once(name, words, compute)
         return Solution(**{**kept, "point": np.array(kept["point"])})
@@ -237,8 +237,8 @@ class _Run:
             self._solved(f"nominal {place}", "solving for the mean delivery", single, point)
             for place, point in enumerate(starts(single, NOMINAL_STARTS, study.seed))
         ]
-        result = best(tried)
-        return {} if result is None else single.variables.club(result.point)
+        solution = best(tried)
+        return {} if solution is None else single.variables.club(solution.point)
 
     def _fresh(self, clubs: Mapping[str, Mapping[str, float]]) -> Fresh:
         """Judge clubs on shots that no solver has seen, in independent sets."""
@@ -278,11 +278,11 @@ def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapp
 
 def _levels(shots: int) -> list[int]:
     """Return numbers of shots from few to all: an optimum on few is near that on five times as many."""
-    result, count = [], COARSE * MORE
+    levels, count = [], COARSE * MORE
     while count < shots:
-        result.append(count)
+        levels.append(count)
         count *= MORE
-    return [*result, shots] if shots > COARSE else []
+    return [*levels, shots] if shots > COARSE else []
 
 
 def _error(differences: NDArray[Any]) -> NDArray[Any]:

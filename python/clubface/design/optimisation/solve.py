@@ -276,10 +276,10 @@ class _Best:
         if broken <= 0.5 * SLACK and cost < self.cost:
             self._idle = 0 if cost < self.cost - precision else self._idle
             self.point, self.cost = np.array(point), cost
-        result = np.isfinite(self.cost)
-        if not result:
+        within_limits = np.isfinite(self.cost)
+        if not within_limits:
             self.point = np.array(point)  # where it looks for one within all limits
-        if self._idle > (PATIENCE if result else 8 * PATIENCE):
+        if self._idle > (PATIENCE if within_limits else 8 * PATIENCE):
             raise _StalledError
 
 

@@ -264,9 +264,9 @@ class DesignStudy:
 
     def design_limits(self) -> list[Limit]:
         """Return the limits that are of the club and not of its shots."""
-        turned, result = self.variables, []
+        turned, limits = self.variables, []
         if turned.envelope is not None:
-            result.append(
+            limits.append(
                 Buildable(
                     self.club, turned.envelope, turned.fields, distributed=self.distributed,
                     mass_changes="mass" in self.bounds,
@@ -274,14 +274,14 @@ class DesignStudy:
             )  # fmt: skip
         if self.conform:
             for rule in rules_of(self.club):
-                for name, of in RULED.items():
-                    if of == rule.name and name in turned.fields:
+                for name, ruled in RULED.items():
+                    if ruled == rule.name and name in turned.fields:
                         most = rule.limit if self.tolerance else rule.most
-                        result.append(self._field_limit(name, -math.inf, most, f"rules: {rule.title}"))
+                        limits.append(self._field_limit(name, -math.inf, most, f"rules: {rule.title}"))
         for name, (low, high) in self.limits.items():
             if name in FREE:
-                result.append(self._field_limit(name, low, high, name))
-        return result
+                limits.append(self._field_limit(name, low, high, name))
+        return limits
 
     def _field_limit(self, name: str, low: float, high: float, called: str) -> FieldLimit:
         finite = [abs(each) for each in (low, high) if math.isfinite(each)]

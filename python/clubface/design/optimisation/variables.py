@@ -99,14 +99,14 @@ class Variables:
 
     def slopes(self, point: NDArray[Any]) -> NDArray[Any]:
         """Return the derivatives of the fields by the numbers, shape (fields, count)."""
-        result, fields = np.zeros((len(self.fields), self.count)), self.fields
+        slopes, fields = np.zeros((len(self.fields), self.count)), self.fields
         own = {name: self._slope(name, at) for name, at in zip(self.bounds, point, strict=False)}
         for column, (name, slope) in enumerate(own.items()):
             if not self.distributed or name not in MASS_PROPERTIES:
-                result[fields.index(name), column] = slope
+                slopes[fields.index(name), column] = slope
         if self.distributed:
-            self._add_placed(result, point, own.get("mass"))
-        return result
+            self._add_placed(slopes, point, own.get("mass"))
+        return slopes
 
     def at(self, club: Mapping[str, float]) -> NDArray[Any]:
         """Return the numbers of a club, held within their bounds; an undistributed one only."""
@@ -184,7 +184,7 @@ class Variables:
         root = np.linalg.cholesky(spread)
         return np.array([*first, *(root[place] for place in _ROOT)])
 
-    def _add_placed(self, result: NDArray[Any], point: NDArray[Any], by_mass: float | None) -> None:
+    def _add_placed(self, slopes: NDArray[Any], point: NDArray[Any], by_mass: float | None) -> None:
         """Add the derivatives of the mass properties to those of the fields."""
         mass = self.club(point)["mass"]
         numbers, frame = point[-PLACED:], self._frame()
@@ -199,7 +199,7 @@ class Variables:
             columns.append(list(self.bounds).index("mass"))
         wanted = np.array([[each[entry] for each in changes] for entry in _ENTRIES])
         places = [self.fields.index(name) for name in MASS_PROPERTIES]
-        result[np.ix_(places, columns)] = _solved(forward, wanted)
+        slopes[np.ix_(places, columns)] = _solved(forward, wanted)
 
 
 def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: str) -> None:

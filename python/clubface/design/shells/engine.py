@@ -132,16 +132,16 @@ class Engine:
         return {"ball_speed": float(launch.get("ball_speed")), "carry": result.flown()["carry"]}
 
 
-def face_stress(result: Any, head: ShellHead) -> float:
+def face_stress(impact: Any, head: ShellHead) -> float:
     """Return the greatest stress of von Mises in the face [Pa], on either side, over the shapes that a run kept."""
-    return float(result.head_fields.von_mises[:, on_face(head)].max())
+    return float(impact.head_fields.von_mises[:, on_face(head)].max())
 
 
 def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
     """Return all quantities: means of the shots, the greatest stress of the blows."""
     collected: dict[str, list[float]] = {}
-    for result in runs:
-        for name, value in result.items():
+    for quantities in runs:
+        for name, value in quantities.items():
             collected.setdefault(name, []).append(value)
     values = {name: max(each) if name == "stress" else fmean(each) for name, each in collected.items()}
     values |= rigid_values(head)
