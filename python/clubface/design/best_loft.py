@@ -153,7 +153,7 @@ def best_loft(
             return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
 
     def why_not(case: int) -> None:
-        """Hit a shot of a case of which no loft flies, for the error that tells why."""
+        """Hit a shot of a case in which no loft flies, for the error that explains it."""
         loft = float(np.clip(attacks[case] + BEYOND, LEAST, MOST))
         values = {**delivery, "speed": float(speeds[case]), "attack": float(attacks[case]), "loft": loft}
         fly(impact(club, values, **fixed), air=air, wind=wind)

@@ -136,7 +136,7 @@ def best_loft_picture(best_loft: BestLoft) -> Picture:
 
 
 def chart_picture(comparison: ChartComparison) -> Picture:
-    """Return what was found over what a chart has."""
+    """Return the picture of the computed values over those of a chart."""
     panels: list[Panel | None] = []
     for name in comparison.compared:
         theirs, ours = comparison.column(name), getattr(comparison.best, name)

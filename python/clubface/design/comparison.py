@@ -440,7 +440,7 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
 
 
 def _meshed(given: Any) -> Any:
-    """Return what tells one ball of finite elements from another."""
+    """Return the fingerprint of a ball of finite elements, which may be given by its name."""
     from clubface.fem.balls import ball
     from clubface.support.fingerprint import fingerprint
 
@@ -458,10 +458,10 @@ def read_deliveries(
     *,
     units: Mapping[str, str] | None = None,
 ) -> dict[str, dict[str, float]]:
-    """Read deliveries [SI] from a CSV or Parquet file of at most so many rows, by what its rows are called.
+    """Read deliveries [SI] from a CSV or Parquet file of at most ``most`` rows, by the names of its rows.
 
     A column ``name`` (or label, delivery, shot) names the rows; without one they are called after their lines. ``note``
-    is called with what a reader of the result should know, such as a column whose name is nearly that of an input.
+    is called with every caveat, such as a column whose name is nearly that of an input.
     ``units`` are those of columns that name none, by quantity or dimension.
     """
     given = check_units(units or {}, delivery_words().dimensions)

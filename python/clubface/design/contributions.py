@@ -115,7 +115,7 @@ def slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> It
     line
         Where to go along; the slopes are by its names, in SI.
     launch
-        The launch at the end of the line, which tells model and equipment.
+        The launch at the end of the line, which has model and equipment.
     shares
         Parts of the way.
     ball

@@ -262,7 +262,7 @@ class ImpactSetup(NamedTuple):
     accuracy: float | None = None
 
     def mean(self, golfer: Golfer) -> tuple[Launch, dict[str, float]]:
-        """Return what the mean delivery gives; if nothing, it is an error that says why."""
+        """Return launch and quantities [SI] of the mean delivery; an error with the reason if it has no result."""
         try:
             launch, flight = self._strike(golfer.delivery(), "raise")
         except ShotError as error:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 NODES = 40
-"""Of Gauss's rule across the face and up it."""
+"""Points of Gauss's rule across the face, and as many up it."""
 REACH = 6.0
 """Standard deviations to each side that are counted."""
 
@@ -122,7 +122,7 @@ LEAST, MOST = 3, 2001
 MOST_LONG = 1000
 """Points of a model that takes long."""
 SHARE = 0.98
-"""Of the best ball speed: what is within counts as the effective face."""
+"""Share of the best ball speed from which a point counts as part of the effective face."""
 
 
 class Best(NamedTuple):
@@ -194,7 +194,7 @@ class FaceMap(_Mapped):
     outline
         The outline of the face.
     centre
-        A launch at the face centre, which tells model, parameters, club, ball and delivery.
+        A launch at the face centre, with model, parameters, club, ball and delivery.
     interpolated
         Whether values between the points, the best point, areas and forgiveness are interpolated. They are for a model
         that takes long; any other computes them.

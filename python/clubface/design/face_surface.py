@@ -188,7 +188,7 @@ def _or_none(value: float) -> float | None:
 HEEL_HEIGHT = 30.0 / 54.0
 """Height of an iron's face at the heel over that at the toe: of the blade ``7-iron`` among the meshed heads."""
 CORNERS = 96
-"""Of an ellipse."""
+"""Corners of an ellipse."""
 BETWEEN = 20
 """Points along each straight side of a mesh, so that it can be cut off anywhere."""
 

@@ -145,7 +145,7 @@ def shrinkage(steps: Floats, covariance: Floats, share: float, scale: float) -> 
 
 
 class _Weighed(NamedTuple):
-    """How differences of shots go with a covariance: expected 1 / width, log likelihood, share of mishits they tell."""
+    """How differences of shots fit a covariance: expected 1 / width, log likelihood, estimated share of mishits."""
 
     weights: Floats
     likelihood: float
@@ -248,7 +248,7 @@ class Estimate(NamedTuple):
     like
         The shipped golfer that has what was not measured.
     notes
-        What a reader should know.
+        Caveats of the estimate.
     """
 
     golfer: Golfer

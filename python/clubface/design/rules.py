@@ -23,7 +23,7 @@ STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
 NOT_KNOWN = "not known"
 """What is said of a value that is not given."""
 UNMEASURED = "not measured"
-"""What is said of a face whose characteristic time is not given."""
+"""Verdict on a face whose characteristic time is not given."""
 
 
 class Rule(NamedTuple):

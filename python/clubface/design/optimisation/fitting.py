@@ -8,7 +8,15 @@ from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
-from clubface.design.optimisation.landings import DEFAULT_SETTING, Landings, Objective, Setting, objective, objectives
+from clubface.design.optimisation.landings import (
+    DEFAULT_SETTING,
+    Landings,
+    Objective,
+    Setting,
+    objective,
+    objectives,
+    own_value,
+)
 from clubface.design.optimisation.variables import check_bounds
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
@@ -84,7 +92,7 @@ class Fitting:
 
     def free(self, head: Club, club: Mapping[str, float]) -> dict[str, tuple[float, float]]:
         """Return least and greatest value of what can be set freely [SI], about a head with fields set."""
-        middle = {name: club.get(name, 0.0 if name == "lie" else getattr(head, name)) for name in self.bounds}
+        middle = {name: club.get(name, own_value(head, name)) for name in self.bounds}
         return {name: (middle[name] + low, middle[name] + high) for name, (low, high) in self.bounds.items()}
 
     def samples(self) -> list[tuple[Mapping[str, Any], float]]:
@@ -170,7 +178,7 @@ class Combination(NamedTuple):
     error
         Standard error of the difference from the best [SI], 0 for the best itself.
     place
-        Which of :meth:`Fitting.names` it is.
+        Index of the combination in :meth:`Fitting.names`.
     """
 
     club: str

@@ -24,7 +24,7 @@ assumed: no measurement was found."""
 LANDINGS, BARS = 3, 10
 """The best combinations whose landings are drawn, and that are compared."""
 LETTERS = 36
-"""Of a line of the name of a combination."""
+"""Most letters in a line of the name of a combination."""
 ERRORS = 2.0
 """Standard errors that a bar of uncertainty reaches: about 19 of 20 differences lie within."""
 

@@ -11,9 +11,9 @@ import numpy as np
 
 from clubface.design.optimisation.fitting import Combination, Fitting, golfer_landings, judged_values
 from clubface.design.optimisation.fitting_result import combinations_table
-from clubface.design.optimisation.landings import Landings, Objective
+from clubface.design.optimisation.landings import Landings, Objective, own_value
 from clubface.design.optimisation.solve import Problem, best, solve, starts
-from clubface.design.optimisation.study import fitting
+from clubface.design.optimisation.study import content, fitting
 from clubface.design.optimisation.variables import Variables
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
@@ -25,7 +25,7 @@ from clubface.shots.tables.writer import csv_lines
 STARTS = 3
 """Starts of a combination's adjustment; it has at most two numbers, loft and lie."""
 BLOCKS = 16
-"""Parts of the shots whose differences tell how certain a difference is."""
+"""Parts of the shots; the spread of their differences gives the standard error of a difference."""
 
 
 class _Tried(NamedTuple):
@@ -58,7 +58,8 @@ def fit(
         The CSV file to which all combinations are written. Next to it, in a folder, each is kept as soon as it is
         judged, until the file is written; without it, nothing is.
     resume
-        Whether to refuse to begin anew where a run of another fitting was interrupted; that of the same one goes on.
+        Whether an interrupted run of another fitting is an error; otherwise it is started over. An interrupted run of
+        the same fitting goes on in either case.
     progress
         Called with the number of combinations done and that of all.
 
@@ -68,7 +69,8 @@ def fit(
         The file is none of a fitting, or some club can play no shot of the golfers.
     """
     subject = fitting(subject)
-    with store_for(output, _content(subject), resume=resume) as store:
+    depends_on = {"study": content(subject), "order of the settings": list(subject.settings)}
+    with store_for(output, depends_on, resume=resume) as store:
         ranked = _ranked(subject, _all(subject, store, progress))
         if output is not None:
             store.write_result(
@@ -94,13 +96,6 @@ def _ranked(fitting: Fitting, tried: list[_Tried]) -> list[Combination]:
     return ranked
 
 
-def _content(fitting: Fitting) -> dict[str, Any]:
-    """Return all that a result depends on."""
-    content = {name: getattr(fitting, name) for name in fitting.__dataclass_fields__ if name != "golfers"}
-    content["golfers"] = [(each.content(), weight) for each, weight in fitting.golfers]
-    return {"study": content, "order of the settings": list(fitting.settings)}
-
-
 def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
     combinations, samples = fitting.names(), fitting.samples()
 
@@ -124,7 +119,7 @@ def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, sample
         if solution is None:
             raise _impossible(head, setting)
         club |= problem.variables.club(solution.point)
-        changes |= {name: club[name] - (0.0 if name == "lie" else getattr(head, name)) for name in fitting.bounds}
+        changes |= {name: club[name] - own_value(head, name) for name in fitting.bounds}
     landed = [each.of(club) for each, _ in golfers]
     if any(np.isnan(each).any() for each in landed):
         raise _impossible(head, setting)
@@ -152,7 +147,7 @@ class _Adjusted(Problem):
 
 
 class _Held(Landings):
-    """Landings with a club some fields of which are set."""
+    """Landings with a club that has some fields set."""
 
     def __init__(self, landings: Landings, held: Mapping[str, float]) -> None:
         self.__dict__ |= landings.__dict__

@@ -72,7 +72,7 @@ DEFAULT_SETTING = Setting(model=DEFAULT_MODEL)
 
 
 def own_value(club: Club, field: str) -> float:
-    """Return what a club has of a field that may change [SI]; its lie is a change, and 0."""
+    """Return the value of a field that may change [SI]; the lie is a change, and 0."""
     return 0.0 if field == "lie" else getattr(club, field)
 
 
@@ -189,7 +189,7 @@ class Landings:
         return flown[[list(flight_outputs()).index(name) for name in LANDING]]
 
     def differentiated(self, club: Mapping[str, float], variables: tuple[str, ...]) -> tuple[NDArray[Any], Slopes]:
-        """Return the same with the derivatives by fields of the club."""
+        """Return the landings of :meth:`of`, and their derivatives by fields of the club."""
         columns, place = self._inputs(club), input_columns()
         wanted: dict[str, list[tuple[int, Any]]] = {}
         for name in variables:
@@ -226,7 +226,7 @@ class Landings:
 
 
 SHARE = 0.9
-"""Of normally distributed shots that the landing ellipse holds."""
+"""Share of normally distributed shots that the landing ellipse holds."""
 
 FINE, ROUGH = 1e-8, 1e-6
 """Precisions: of what is smooth, but for 1e-9 that the steps of flights leave in a mean, and of expected strokes, which

@@ -61,12 +61,12 @@ class FieldLimit:
         return np.array([side * (value - limit) / self.scale for side, limit in self._sides()])
 
     def gradients(self, state: State) -> NDArray[Any]:
-        """Return their derivatives."""
+        """Return the derivatives of the margins."""
         slope = state.slopes[self.fields.index(self.field)]
         return np.array([side * slope / self.scale for side, _ in self._sides()])
 
     def describe(self, state: State) -> tuple[str, str]:
-        """Return what a club has of it, and what is allowed, in words."""
+        """Return the value of a club and the values allowed, in words."""
         return in_words(state.club[self.field], self.least, self.most, self.unit)
 
     def _sides(self) -> list[tuple[float, float]]:
@@ -100,12 +100,12 @@ class ShotLimit:
         return np.array([side * (value - limit) / max(abs(limit), 1e-9) for side, limit in self._sides()])
 
     def gradients(self, state: State) -> NDArray[Any]:
-        """Return their derivatives."""
+        """Return the derivatives of the margins."""
         slope = state.gradients[self.objective.name]
         return np.array([side * slope / max(abs(limit), 1e-9) for side, limit in self._sides()])
 
     def describe(self, state: State) -> tuple[str, str]:
-        """Return what a club has of it, and what is allowed, in words."""
+        """Return the value of a club and the values allowed, in words."""
         return in_words(state.judged[self.objective.name], self.least, self.most, self.objective.unit)
 
     def _sides(self) -> list[tuple[float, float]]:

@@ -22,7 +22,7 @@ from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.limits import ShotLimit
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
 from clubface.design.optimisation.solve import Problem, Solution, agreeing, best, refused, solve, starts
-from clubface.design.optimisation.study import DesignStudy, design_study
+from clubface.design.optimisation.study import DesignStudy, content, design_study
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.jobs.store import Finished, store_for
 from clubface.support.checks import without_warnings
@@ -112,7 +112,7 @@ FRONT_SHOTS = 2048
 """Shots of a golfer for a front, at most."""
 NOMINAL_STARTS = 4
 REPEATS = 8
-"""Independent sets of fresh shots, whose spread tells how certain a difference is."""
+"""Independent sets of fresh shots; their spread gives the standard error of a difference."""
 FRESH_SEED = 1_000_003
 """What seeds of fresh shots are beyond that of the study."""
 
@@ -137,7 +137,8 @@ def optimise(
         The TOML file to which the best club is written. Next to it, in a folder, what is finished is kept until the run
         ends; without it, nothing is.
     resume
-        Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.
+        Whether an interrupted run of another study is an error; otherwise it is started over. An interrupted run of the
+        same study goes on in either case.
     progress
         Called with the parts done, the number of all parts, and what is being done, in words.
 
@@ -153,20 +154,13 @@ def optimise(
         a club within all limits.
     """
     study = design_study(study)
-    store = store_for(output, {"study": _content(study)}, resume=resume)
+    store = store_for(output, {"study": content(study)}, resume=resume)
     with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
         result = _Run(study, kept, progress).result()
         if output is not None:
             kept.write_result(Path(output), lambda file: file.write(result.built.to_toml().encode()))
             kept.remove()
         return result
-
-
-def _content(study: DesignStudy) -> Any:
-    """Return all that a result depends on."""
-    result = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
-    result["golfers"] = [(each.content(), weight) for each, weight in study.golfers]
-    return result
 
 
 class _Run:
@@ -270,7 +264,7 @@ class _Run:
 
 
 def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:
-    """Return what every objective of a study says of a club, the mean over golfers."""
+    """Return every objective of a study for a club, the mean over golfers."""
     landed = [(each.of(club), weight) for each, weight in golfers]
     total = sum(weight for _, weight in golfers)
     return [sum(weight * each.judge(one)[0] for one, weight in landed) / total for each in study.known()]

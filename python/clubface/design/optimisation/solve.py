@@ -55,15 +55,15 @@ class Limit(Protocol):
     def name(self) -> str: ...  # noqa: D102 - among the attributes
 
     def describe(self, state: State) -> tuple[str, str]:
-        """Return what a club has of it, and what is allowed, in words."""
+        """Return the value of a club and the values allowed, in words."""
         ...
 
     def margins(self, state: State) -> NDArray[Any]:
-        """Return them as numbers of size 1, shape (m,)."""
+        """Return the margins, scaled to size 1, shape (m,)."""
         ...
 
     def gradients(self, state: State) -> NDArray[Any]:
-        """Return their derivatives by the numbers of the optimiser, shape (m, numbers)."""
+        """Return the derivatives of the margins by the numbers of the optimiser, shape (m, numbers)."""
         ...
 
 
@@ -106,7 +106,7 @@ class Problem:
         return sum(landings.count for landings, _ in self.golfers)
 
     def values(self, point: NDArray[Any]) -> State:
-        """Return what is known at a point without derivatives of the landings."""
+        """Return the state at a point, without derivatives of the landings."""
         key = np.ascontiguousarray(point).tobytes()
         if key in self._slopes:
             return self._slopes[key]
@@ -119,7 +119,7 @@ class Problem:
         return self._values[key]
 
     def differentiated(self, point: NDArray[Any]) -> State:
-        """Return all that is known at a point."""
+        """Return the state at a point, with derivatives."""
         key = np.ascontiguousarray(point).tobytes()
         if key not in self._slopes:
             self.differentiations += 1
@@ -138,11 +138,11 @@ class Problem:
         return sum(weight * each for weight, each in zip(self._weights, of_golfers, strict=True))
 
     def cost(self, point: NDArray[Any]) -> float:
-        """Return what is made least."""
+        """Return the objective with the sign that makes less of it better."""
         return self.objective.sign * self.values(point).judged[self.objective.name]
 
     def slope(self, point: NDArray[Any]) -> NDArray[Any]:
-        """Return its derivatives, shape (numbers,)."""
+        """Return the derivatives of the cost, shape (numbers,)."""
         return self.objective.sign * self.differentiated(point).gradients[self.objective.name]
 
     def margins(self, point: NDArray[Any]) -> NDArray[Any]:
@@ -151,7 +151,7 @@ class Problem:
         return np.concatenate([np.empty(0), *(each.margins(state) for each in self.limits)])
 
     def margin_slopes(self, point: NDArray[Any]) -> NDArray[Any]:
-        """Return their derivatives, shape (margins, numbers)."""
+        """Return the derivatives of all margins, shape (margins, numbers)."""
         state = self.differentiated(point)
         return np.concatenate([np.empty((0, self.variables.count)), *(each.gradients(state) for each in self.limits)])
 
@@ -184,13 +184,13 @@ class Solution(NamedTuple):
     point
         The numbers.
     cost
-        What was made least.
+        The objective with the sign that makes less of it better.
     least_margin
         The smallest of all margins; negative where a limit is broken.
     steps
         How many steps were made.
     message
-        What the solver says of its end.
+        Why the solver ended, in its words.
     """
 
     point: NDArray[Any]
@@ -227,7 +227,7 @@ def solve(problem: Problem, start: NDArray[Any]) -> Solution:
 
     def slope(point: NDArray[Any]) -> NDArray[Any]:
         broken = max(-float(margins(point).min()), 0.0) if limited else 0.0
-        best_yet.tell(point, cost(point), broken, problem.objective.precision)
+        best_yet.record(point, cost(point), broken, problem.objective.precision)
         return np.nan_to_num(problem.slope(point) / scale)
 
     def margins(point: NDArray[Any]) -> NDArray[Any]:
@@ -263,8 +263,8 @@ class _Best:
         self.point, self.cost, self.steps, self._idle = np.empty(0), np.inf, 0, 0
         self._merit = dict.fromkeys(PENALTIES, np.inf)
 
-    def tell(self, point: NDArray[Any], cost: float, broken: float, precision: float) -> None:
-        """Take note of a point at which the solver takes a step, and of how much a limit is broken there.
+    def record(self, point: NDArray[Any], cost: float, broken: float, precision: float) -> None:
+        """Record a point at which the solver takes a step, and how much a limit is broken there.
 
         Steps along a curved limit break it a little while they make progress, so progress counts with penalties, too.
         """

@@ -490,6 +490,12 @@ def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
     return from_document(Document.read(path))
 
 
+def content(study: DesignStudy | Fitting) -> dict[str, Any]:
+    """Return all that the result of a study or a fitting depends on, for a fingerprint."""
+    values = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
+    return {**values, "golfers": [(each.content(), weight) for each, weight in study.golfers]}
+
+
 def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
     """Return a study, or that of a file; the file of a fitting is an :class:`InputError`."""
     if isinstance(given, DesignStudy):
@@ -511,12 +517,12 @@ def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
 
 
 def from_text(text: str) -> DesignStudy | Fitting:
-    """Read the same from text; files that it names are looked for in the current folder."""
+    """Read a study or a fitting from text; files that it names are looked for in the current folder."""
     return from_document(Document(text))
 
 
 def from_document(document: Document) -> DesignStudy | Fitting:
-    """Read the same from a document."""
+    """Read a study or a fitting from a document."""
     place = Place(document)
     for key, (what, advice) in OTHERS.items():
         if key in document.data:

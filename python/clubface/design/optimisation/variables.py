@@ -29,6 +29,7 @@ from clubface.design.feasibility import (
     pseudo_inertia,
     pseudo_inertia_derivatives,
 )
+from clubface.design.optimisation.landings import own_value
 from clubface.errors import InputError, RuleWarning
 from clubface.support.checks import without_warnings
 
@@ -120,7 +121,7 @@ class Variables:
 
     def start(self) -> NDArray[Any]:
         """Return the numbers of the base club, or the nearest within the bounds."""
-        fields = {name: 0.0 if name == "lie" else getattr(self.base, name) for name in self.bounds}
+        fields = {name: own_value(self.base, name) for name in self.bounds}
         own = self.at(fields)
         if not self.distributed:
             return own
@@ -161,7 +162,7 @@ class Variables:
         return self._envelope().shell
 
     def _frame(self) -> NDArray[Any]:
-        """From parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
+        """Return the map from parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
         volume = self._envelope().volume
         result = np.eye(4)
         result[:3, :3] = np.diag(0.5 * np.array(volume.size))

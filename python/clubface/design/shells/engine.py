@@ -149,9 +149,9 @@ def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]
 
 
 ELEMENTS = (12, 6, 8)
-"""Of the coarse mesh, at most: it weighs the head within 0.1%, and takes a third of the time of the usual one."""
+"""Most elements of the coarse mesh: it weighs the head within 0.1%, and takes a third of the time of the usual one."""
 SHARE = 2.0 * math.acos(0.9)
-"""Of a half swing, the phase that lies outside 5% and 95% of the change of speed [rad]."""
+"""Phase of a half swing that lies outside 5% and 95% of the change of speed [rad]."""
 PATCH, CONTACT = 0.012, 450e-6
 """Usual radius of the ball's patch [m] and time of contact [s] in the hardest blow."""
 LONGEST = 400e-6

@@ -19,14 +19,14 @@ from clubface.results.table import Column, Table, column, text
 from clubface.simulation.provenance import flight_conditions
 
 if TYPE_CHECKING:
-    from clubface.design.shells.management import Step
     from clubface.design.shells.run import Improved
+    from clubface.design.shells.trust_region import Step
 
 SYMBOLS = {"start": "s", "neighbour": "^", "proposal": "o"}
 
 
 def search_result(improved: Improved) -> Result:
-    """Return what a study of a head of shells found as a result."""
+    """Return the outcome of a study of a head of shells as a result."""
     several = len(improved.searches) > 1
     tables = [_best_table(improved)]
     if any(each.goal.limits for each in improved.searches):

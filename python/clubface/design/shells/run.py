@@ -13,8 +13,8 @@ import numpy as np
 
 from clubface.design.shells.engine import Engine, FastModel
 from clubface.design.shells.goal import Goal
-from clubface.design.shells.management import SearchResult, Step, trust_region_search
 from clubface.design.shells.study import NamedMetal, ShellStudy, design_quantity, read
+from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
 from clubface.errors import RangeWarning, RunError, TargetWarning
 from clubface.fem.heads import driver
 from clubface.fem.heads.driver import DriverHead
@@ -26,7 +26,7 @@ from clubface.support.checks import without_warnings
 
 
 def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float]) -> str:
-    """Return which limits are broken, and by what values."""
+    """Return the broken limits with the values that break them, in words."""
     parts = []
     for name, (least, most) in limits.items():
         value, quantity = values[name], design_quantity(name)
@@ -91,7 +91,7 @@ class Improved(Described):
         return getattr(self.head, table)[key]
 
     def to_result(self) -> Result:
-        """Return what was found as a result."""
+        """Return the best head, its limits and all designs as a result."""
         return import_module("clubface.design.shells.result").search_result(self)
 
 
@@ -113,7 +113,8 @@ def improve(
         The TOML file to which the best head is written. Next to it, in a folder, every run is kept that has finished,
         until the study ends.
     resume
-        Whether to refuse to begin anew where a run of another study was interrupted; that of the same one goes on.
+        Whether an interrupted run of another study is an error; otherwise it is started over. An interrupted run of the
+        same study goes on in either case.
     workers
         Number of runs at a time; if left out, one for each core.
     progress

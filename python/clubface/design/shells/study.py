@@ -5,7 +5,7 @@ A study::
     title = "A face within the rules"
     head = "driver.toml"                 # a driver of walls, next to this file
     objective = "ball_speed"             # or carry, characteristic_time, wall_mass (the least)
-    safety = 1.1                         # by what the yield stress is divided
+    safety = 1.1                         # factor that divides the yield stress
 
     [variables.thickness]
     face_centre = ["2.4 mm", "4.2 mm"]
@@ -122,7 +122,7 @@ class ShellStudy:
     Attributes
     ----------
     title
-        For tables.
+        Its name in tables.
     head
         The driver to start from.
     bounds
@@ -131,13 +131,13 @@ class ShellStudy:
     objective
         One of :data:`OBJECTIVES`.
     delivery
-        With what ball speed and carry are found; their mean over the points counts.
+        The delivery of ball speed and carry; their mean over the points counts.
     hardest
         The hardest blow, whose stress the face must stand; None to leave the stress out.
     metals
         The metals to choose from; without any, that of the head.
     safety
-        By what the yield stress is divided.
+        Factor by which the yield stress is divided.
     limits
         The least and the greatest value [SI] of :data:`QUANTITIES`, 0 and infinity where there is none.
     rules
@@ -323,7 +323,7 @@ class ShellFile:
     objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
     golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
     ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
-    safety: float = file_key(Quantity("1"), "by what the yield stress is divided", default=1.0)
+    safety: float = file_key(Quantity("1"), "factor by which the yield stress is divided", default=1.0)
     rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
     designs: int = file_key(count(2, 500), "designs that the engine may judge, for each metal", default=20)
     radius: float = file_key(Quantity("1"), "half the width of the first region, as a share of the bounds", default=0.3)
@@ -341,7 +341,7 @@ class ShellFile:
         usual = self._delivery()
         hardest = None
         if self.hardest is not None:
-            changed = _delivered("hardest", self.hardest)
+            changed = _delivered(self.hardest)
             points = self.hardest.get("points", usual.points)
             hardest = Blow(delivery={**usual.delivery, **changed}, points=points)
         tables = self.variables.items()
@@ -356,7 +356,7 @@ class ShellFile:
 
     def _delivery(self) -> Blow:
         points = self.delivery.get("points", ((0.0, 0.0),))
-        values = _delivered("delivery", self.delivery)
+        values = _delivered(self.delivery)
         if self.golfer is None:
             if "speed" not in values:
                 raise InputError("delivery.speed", None, "give it, or a golfer")
@@ -368,7 +368,7 @@ class ShellFile:
         return Blow(delivery={name: float(each) for name, each in values.items() if each is not None}, points=points)
 
 
-def _delivered(table: str, given: Mapping[str, Any]) -> dict[str, float]:
+def _delivered(given: Mapping[str, Any]) -> dict[str, float]:
     """Return the values of a delivery [SI], without points."""
     values = {name: each for name, each in given.items() if name != "points"}
     if values:

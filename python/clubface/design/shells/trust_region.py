@@ -211,12 +211,12 @@ class _Search:
             # Slopes that were learnt on the way are true along it alone: look round before believing them.
             if not neighbours or looked or not self._can_look_round(place):
                 ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the region of trust became small"
-                return self._managed(ended)
+                return self._ended(ended)
             self._look_round(place, NEAR)
             self._radius, looked = max(self._radius, AGAIN), True
-        return self._managed(f"{self._most} designs were judged, as many as allowed")
+        return self._ended(f"{self._most} designs were judged, as many as allowed")
 
-    def _managed(self, ended: str) -> SearchResult:
+    def _ended(self, ended: str) -> SearchResult:
         return SearchResult(steps=tuple(self._steps), best=self._best, ended=ended)
 
     def _note(self, place: NDArray[Any], kind: str, values: Values, promised: Values | None) -> bool:
