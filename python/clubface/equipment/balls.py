@@ -223,7 +223,7 @@ class Ball(ClubOrBall):
 
     @staticmethod
     def template(name: str = "my-ball") -> str:
-        """Return TOML text to start one's own ball from, every key explained."""
+        """Return TOML text to start your own ball from, every key explained."""
         check_name(name)
         head = [
             "# A ball. A value is text with a unit; a bare number is SI (kg, m, kg m2).",

@@ -231,7 +231,7 @@ class Club(ClubOrBall):
 
     @staticmethod
     def template(name: str = "my-club") -> str:
-        """Return TOML text to start one's own club from: the built-in driver, every key explained."""
+        """Return TOML text to start your own club from: the built-in driver, every key explained."""
         check_name(name)
         head = [
             "# A clubhead, described as a right-handed club at its static loft.",

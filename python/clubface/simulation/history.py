@@ -183,7 +183,6 @@ def history(
         arrays = backend_of(model).history(model, prepared.shots.columns, prepared.parameters, accuracy)
     except ValueError as error:
         raise prepared.error(error) from None
-    outcome = arrays.pop("launch").reshape(-1, 1)
-    launch = Launch(outcome, prepared.shots, model, prepared.chosen, accuracy)
+    launch = Launch(arrays.pop("launch").reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
     warn_if_outside((launch,))
     return History(arrays, launch)

@@ -100,7 +100,7 @@ def register_law(
 
 
 def source_of(model: str) -> list[str]:
-    """Return what tells one's own law from another of its name: the file it stands in, else its code; of others [].
+    """Return what identifies a law registered under a name: the file it stands in, else its code; [] for other models.
 
     A store of unfinished work must not mix the results of a law with those of what it was before it was edited.
     """

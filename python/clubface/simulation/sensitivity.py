@@ -280,12 +280,12 @@ def sensitivity(
     prepared = prepare(model, club, values, ball, parameters, hand, outputs=size)
     shape = prepared.shots.shape
     if shape:
-        outcome = impact(
+        launch = impact(
             club, values, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand, threads=threads,
             on_error=on_error,
         )  # fmt: skip
         known_rows = _known_outputs(
-            [0.0 if np.isfinite(getattr(outcome, name)).any() else math.nan for name in launch_outputs()]
+            [0.0 if np.isfinite(getattr(launch, name)).any() else math.nan for name in launch_outputs()]
         )
         rows = _chosen("output", outputs, known_rows)
         chosen = [known_rows[name][0] for name in rows]
@@ -302,12 +302,12 @@ def sensitivity(
         known_rows = _known_outputs(computed)
         rows = _chosen("output", outputs, known_rows)
         si = jacobian[[known_rows[name][0] for name in rows]][:, places]
-        outcome = Launch(computed.reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
-        warn_if_outside((outcome,))
+        launch = Launch(computed.reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
+        warn_if_outside((launch,))
     row_quantities = {name: known_rows[name][1] for name in rows}
     column_quantities = {name: known_columns[name][1] for name in across}
     shown = _shown_units({**row_quantities, **column_quantities}, units or {})
-    return Sensitivity(si, row_quantities, column_quantities, shown, outcome)
+    return Sensitivity(si, row_quantities, column_quantities, shown, launch)
 
 
 def _known_outputs(computed: Sequence[float] | NDArray[Any]) -> dict[str, tuple[int, Variable]]:

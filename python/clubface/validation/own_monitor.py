@@ -1,4 +1,4 @@
-"""A session on one's own monitor compared with the model and with the two camps of published irons.
+"""A session on your own monitor compared with the model and with the two camps of published irons.
 
 At the same launch and speed the irons of the tours spin up to a quarter more than irons swung by robots and those of
 single golfers before carefully described monitors. No model meets both, so that it matters which of them a monitor
@@ -270,7 +270,7 @@ def camps_of(head: str, model: str, ball: Any = None) -> dict[str, tuple[float, 
 @cache
 def _shares(model: str, ball: Any) -> dict[tuple[str, str], list[float]]:
     """Return the shares of spin of all published irons by camp and club."""
-    outcome: dict[tuple[str, str], list[float]] = {}
+    shares: dict[tuple[str, str], list[float]] = {}
     published = list(_published())
     for camp, name in dict.fromkeys((camp, row["club"]) for camp, row in published):
         group = [row for each, row in published if (each, row["club"]) == (camp, name)]
@@ -279,8 +279,8 @@ def _shares(model: str, ball: Any) -> dict[tuple[str, str], list[float]]:
         )
         with without_warnings(RangeWarning):
             shot = impact_at_launch(name, speed=speed, attack=attack, launch=launch, model=model, ball=ball)
-        outcome[camp, name] = (spin / shot.launch.total_spin).tolist()
-    return outcome
+        shares[camp, name] = (spin / shot.launch.total_spin).tolist()
+    return shares
 
 
 def _published() -> Iterator[tuple[str, Mapping[str, Any]]]:
