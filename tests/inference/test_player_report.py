@@ -291,7 +291,7 @@ def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, w
 def test_how_many_shots_more_would_tell_twice_as_well(count):
     """The error of a mean falls with the square root of the number of shots."""
     text = " ".join(player_sentences.doubt(club_statistics(shots(count), "Driver")))
-    told = re.search(r"With (\d+) shots more we would know the averages about twice", text)
+    told = re.search(r"With (\d+) more shots we would know the averages about twice", text)
     if not 5 <= count < 10:
         assert told is None
         assert ("are few" in text) == (count < 5)

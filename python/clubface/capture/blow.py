@@ -22,9 +22,9 @@ from clubface.errors import FileError
 CONTACT = 0.45e-3
 """Seconds; measured impacts of golf balls last 0.4 to 0.5 ms."""
 CONTACT_DEVIATION = 0.05e-3
-"""Of half of it: force rises and falls unevenly, and soft balls stay longer."""
+"""Standard deviation of half of it: force rises and falls unevenly, and soft balls stay longer."""
 LOST = 0.08
-"""Part of its speed that a head loses at least by a blow: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
+"""Least part of its speed that a head loses by a blow: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
 over the same frames."""
 BEGUN = 0.01
 """Part of its speed that a head loses at least from one frame to the next if the blow begins between them, but for the

@@ -173,7 +173,7 @@ def _scatter(turned: Array) -> float:
 
 
 ROUNDS = 8
-"""Of Gauss and Newton; two suffice where the positions given agree with the attitude to a few degrees."""
+"""Rounds of Gauss and Newton; two suffice where the positions given agree with the attitude to a few degrees."""
 STEP = 1e-6
 """Metres and radians; of the central differences, and the least standard deviation of a given position."""
 ODD = 4.0
@@ -384,19 +384,19 @@ def _mean(seen: Array, names: tuple[str, ...], recording: Recording, first: int)
 
 
 DRAWS = 800
-"""Of what is not known, of which some hundred agree with a usual impact: the spread of the angles follows to 7%."""
-FEWEST_FRAMES = 30
+"""Draws of what is not known; some hundred agree with a usual impact, which gives the spread of the angles to 7%."""
+FEWEST_AGREEING = 30
 """Draws that must agree with a usual impact."""
 USUAL_LOFT = {"wood": units.to_si(3.0, "deg"), "hybrid": 0.0, "iron": units.to_si(-7.0, "deg")}
-"""By how much more loft than the club's a golfer delivers: drivers are hit upwards, irons with the hands ahead."""
+"""Loft delivered beyond the club's [rad]: drivers are hit upwards, irons with the hands ahead."""
 TURNED = units.to_si(8.0, "deg")
-"""How far a head is turned from its static attitude when it meets the ball, about each axis."""
+"""Standard deviation of the turn of a head from its static attitude at impact, about each axis."""
 SWING_ROUNDS = 5
-"""Of the search for the face that sends the ball where it went; each leaves a fifth of the error at most."""
+"""Rounds of the search for the face that sends the ball where it went; each leaves a fifth of the error at most."""
 STEEP = 1.3
 """Radians; steeper faces are not looked for."""
 SHARE = 0.85
-"""Of a turn of the face by which the ball turns: 0.75 to 0.9 in published models."""
+"""Turn of the ball's direction over that of the face: 0.75 to 0.9 in published models."""
 
 
 def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording, turn: Array) -> Registration:
@@ -490,7 +490,7 @@ def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str
     usual = np.array([club.loft + USUAL_LOFT[club.kind], 0.0])[:, None]
     allowed = np.array([assumed.delivered_loft, assumed.delivered_face])[:, None]
     weights = np.exp(-0.5 * (((drawn[:2] - usual) / allowed) ** 2).sum(0))
-    if (weights > 0.1).sum() < FEWEST_FRAMES:
+    if (weights > 0.1).sum() < FEWEST_AGREEING:
         raise FileError(where, None, _fails(club))
     mean = np.average(drawn, axis=1, weights=weights)
     return Attitude(np.array([mean[0], mean[1], 0.0]), np.cov(drawn, aweights=weights))

@@ -187,8 +187,8 @@ def _deliveries(captured: Sequence[CapturedDelivery]) -> Table:
 
     def values(name: str) -> list[float]:
         if name in LAUNCHES:
-            return [of.get(name, np.nan) for each in captured for of in (each.launch, each.launch_uncertainty)]
-        return [of for each in captured for of in (getattr(each.delivery, name), each.uncertainty[name])]
+            return [row.get(name, np.nan) for each in captured for row in (each.launch, each.launch_uncertainty)]
+        return [value for each in captured for value in (getattr(each.delivery, name), each.uncertainty[name])]
 
     return table(
         "deliveries", text("swing", [each.source for each in captured for _ in (0, 1)], printed=not alone),

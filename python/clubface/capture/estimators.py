@@ -27,7 +27,7 @@ STEADY = 0.25
 """How much less the rotation wanders than its natural size: a turn at a steady rate about a steady axis has no higher
 derivatives at all, where the position on a circle has them all."""
 ROUGHNESS = 0.6
-"""Of the smoother, unless given; the study shows what it depends on."""
+"""Roughness of the smoother by default; the study shows what it depends on."""
 
 
 class Path(NamedTuple):

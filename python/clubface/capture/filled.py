@@ -19,14 +19,14 @@ from clubface.capture.remarks import frames_in_words
 from clubface.capture.rotations import Array
 
 LAST_DIGIT = 6e-8
-"""Of a number in single precision, as files hold them, in proportion."""
+"""Relative rounding of a number in single precision, as files hold them."""
 SHARP = 30.0
-"""Times the least difference that counts which those of a marker that is seen have, on both sides of a filled gap."""
+"""Differences on both sides of a filled gap, where the marker is seen, are at least so many times those that vanish."""
 AROUND = 3
-"""Times its order as many differences are looked at on each side, so that a kink, as by the blow, makes less than half
-of them in a motion without noise."""
+"""Differences looked at on each side, over their order: so many that a kink, as by the blow, makes less than half of
+them in a motion without noise."""
 ORDERS = (2, 4, 6)
-"""Of the differences that vanish on lines, cubics and quintics."""
+"""Orders of the differences that vanish on lines, cubics and quintics."""
 FEWEST = 2
 """Differences in a row that vanish: one of a marker with 0.01 mm of noise vanishes in 10,000 frames by chance."""
 SLOW = 0.5
@@ -34,7 +34,7 @@ SLOW = 0.5
 WHOLE = 30.0
 """Times the least change of a coordinate up to which changes are looked at for whole numbers of it."""
 JUMP, FAST = 0.01, 3.0
-"""Metres and m/s by which a marker jumps that was held where it was last seen."""
+"""Metres and m/s; a marker that was held where it was last seen jumps by more."""
 
 
 def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recording, list[str]]:

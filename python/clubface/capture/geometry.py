@@ -20,9 +20,9 @@ from clubface.schema import Quantity, check_values, file_key, quantities
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
 GIVEN = 1.0 * _MM
-"""Of a given position whose accuracy is not given: what a calliper on a rounded head gives."""
+"""Accuracy of a given position unless given [m]: that of a calliper on a rounded head."""
 GUESSED = 10.0 * _MM
-"""Of a given place of the ball whose accuracy is not given: a ball that somebody puts down again and again."""
+"""Accuracy of a given place of the ball unless given [m]: a ball is put down there again and again."""
 
 
 class Known(NamedTuple):

@@ -23,9 +23,9 @@ SIDEWAYS = 0.15
 WIDEST = 8
 """Frames without a pose across which a meeting is still believed."""
 SLOWED = 0.95
-"""Part of its speed a head keeps at most that has hit a ball: a putter keeps 0.8, a driver 0.7."""
+"""Largest part of its speed that a head keeps when it hits a ball: a putter keeps 0.8, a driver 0.7."""
 STILL = 3e-3
-"""Metres a ball moves at most that has not been hit."""
+"""Metres; a ball that moves less has not been hit."""
 
 
 class Interval(NamedTuple):

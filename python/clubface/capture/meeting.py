@@ -13,7 +13,7 @@ from clubface.capture.geometry import Known
 from clubface.capture.impact_frame import Approach, find_impact, follow, follow_until
 from clubface.capture.recording import Recording
 from clubface.capture.reduction import Evidence, series
-from clubface.capture.rotations import Array, exponential, face_axes, visible
+from clubface.capture.rotations import Array, exponential, face_axes, mirror, visible
 from clubface.capture.setup import Setup
 from clubface.capture.tracking import Track
 from clubface.equipment.face import face_point, nearest
@@ -21,13 +21,12 @@ from clubface.errors import FileError
 
 FLOOR = 1e-6
 """Metres; the least noise of a marker, above the rounding of a file in single precision."""
-MIRROR = np.array([1.0, 1.0, -1.0])
 CG_DEVIATION = 3e-3
-"""Metres; of the CG of a club as its file gives it."""
+"""Metres; standard deviation of the CG of a club as its file gives it."""
 SURE = 5e-3
 """Metres; a given ball known so well tells the instant of impact as well as the blow does, 0.1 ms of a drive."""
 ANYWHERE = 1.0
-"""Metres; of a ball of which nothing is known."""
+"""Metres; standard deviation of the place of a ball that is not known."""
 SURPRISING = 2.5
 """Standard deviations beyond which a warning says that a given ball does not lie where the head is slowed."""
 
@@ -222,7 +221,7 @@ def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[
         always = (0, len(recording.positions) - 1)
         nowhere = np.full((len(recording.positions), 3), np.nan)
         return nowhere, [RestingBall(place, mapping.ball_deviation, 1, always, None)]
-    offset = np.array(mapping.ball_offset) * (MIRROR if setup.club.hand < 0 else 1.0)
+    offset = np.array(mapping.ball_offset) * mirror(setup.club.hand)
     seen = recording.marker(mapping.ball) @ turn.T + offset
     result = resting_places(seen, recording.rate)
     if not result:

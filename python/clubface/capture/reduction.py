@@ -16,14 +16,14 @@ from clubface.simulation.inputs import OF_CLUB
 QUANTITIES = tuple(OF_CLUB)
 """Order of rows and columns of a covariance."""
 STEP = 1e-5
-"""Of the central differences: metres, radians, and their rates a TIME; their error is of its square, 1e-10."""
+"""Step of the central differences: metres, radians, and their rates a TIME; their error is of its square, 1e-10."""
 
 
 SEEN = [-1, QUANTITIES.index("toe"), QUANTITIES.index("high")]
-"""Of a delivery and its time: those of which there can be evidence."""
+"""Places of the time, toe and high of a delivery, for which there can be evidence."""
 UPDATES = 3
-"""Of path, ball and club by evidence; the second moves a ball by less than a micrometre where the first moved it by
-50 mm."""
+"""Updates of path, ball and club by evidence; the second moves a ball by under a micrometre where the first moved it
+by 50 mm."""
 
 
 class Inputs(NamedTuple):

@@ -21,23 +21,23 @@ NOT_PLAUSIBLE = "not plausible"
 FASTEST = 70.0
 """m/s; long drivers' clubheads reach 67 m/s (150 mph)."""
 SLOWEST = 0.3
-"""m/s; of the shortest putt."""
+"""m/s; the shortest putt."""
 STARTS = (-0.3e-3, 0.75e-3)
 """Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
 DIRECTION_OFF = units.to_si(6.0, "deg")
-"""By which launch and azimuth may differ from those of the default model; published models: 1.2 degrees."""
+"""Largest difference of launch and azimuth from the default model; published models: 1.2 degrees."""
 SPEED_OFF = 0.15
 ROUGH = 1.5
 ASKEW = units.to_si(30.0, "deg")
 """Path beyond which the target line is doubted: golfers swing within some 15 degrees of it."""
 VAGUE = 0.1
-"""Part of the speed by which it is uncertain at most; three markers and assumed places give 0.02."""
+"""Largest standard deviation of the speed, as a part of it; three markers and assumed places give 0.02."""
 TOO_MUCH_LOFT, TOO_MUCH_LIE = units.to_si(25.0, "deg"), units.to_si(45.0, "deg")
-"""By how much dynamic loft differs from the club's, and the lie from its own, at most."""
+"""Largest differences of dynamic loft from the club's, and of the lie from its own."""
 OPENING = units.to_si(500.0, "deg/s")
-"""Full swings close the face with 1000 to 4000 deg/s; short ones with hardly any."""
+"""Fastest opening of the face: full swings close it with 1000 to 4000 deg/s, short ones with hardly any."""
 MOVED = 2e-3
-"""Metres."""
+"""Metres; a marker that sits farther from its place on the head is named."""
 FEW_FREEDOMS = 30
 
 

@@ -21,6 +21,11 @@ SMALL = 1e-4
 """Angle [rad] below which series replace quotients; their next term is of order 1e-17."""
 
 
+def mirror(hand: int) -> Array:
+    """Return the factors that take the world of a right-hander to that of a hand (1 right, -1 left), shape (3,)."""
+    return np.array([1.0, 1.0, float(hand)])
+
+
 def skew(v: Any) -> Array:
     """Return the matrices that take a vector w to v × w; ``v`` of shape (..., 3) gives (..., 3, 3)."""
     v = np.asarray(v, dtype=np.float64)

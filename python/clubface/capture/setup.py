@@ -18,7 +18,7 @@ from clubface.capture.calibration import Registration, calibrated, from_address,
 from clubface.capture.estimators import ROUGHNESS, check_roughness, estimator as estimator_of
 from clubface.capture.markers import MarkerMap, marker_map
 from clubface.capture.recording import Recording, read_c3d
-from clubface.capture.rotations import Array, visible
+from clubface.capture.rotations import Array, mirror, visible
 from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.described import HANDS
@@ -96,7 +96,7 @@ class Setup:
     def turn(self, recording: Recording) -> Array:
         """Return the matrix from the laboratory to the world as a right-hander sees it, shape (3, 3)."""
         turn = to_world(self.mapping, recording)
-        return np.diag([1.0, 1.0, -1.0]) @ turn if self.club.hand < 0 else turn
+        return mirror(self.club.hand)[:, None] * turn
 
     def cluster(self, recording: Recording) -> Registration:
         """Return the cluster on the club, calibrated from ``recording`` where no other file is."""

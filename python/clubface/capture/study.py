@@ -27,8 +27,8 @@ from clubface.capture.synthetic.laboratory import (
     positions_map,
     record_bare,
 )
-from clubface.capture.synthetic.synthetic_swing import LAUNCH, random_swing
-from clubface.equipment.clubs import Club, club as club_of
+from clubface.capture.synthetic.synthetic_swing import LAUNCH, club_of_hand, random_swing
+from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import FileError
 from clubface.jobs import Finished, Job, Store, run
@@ -44,7 +44,7 @@ UNITS = {
     name: "m/s" if name == "speed" else display_unit(name, units.SI_UNITS[dimension])
     for name, dimension in OF_CLUB.items()
 }
-"""In which errors are shown: m/s, deg, mm, deg/s."""
+"""Units in which errors are shown: m/s, deg, mm, deg/s."""
 DRAWN = ("speed", "attack", "path", "loft", "face", "toe", "high", "closure")
 REMEDY = "finish that study, or name another folder"
 
@@ -232,19 +232,17 @@ def study(
     names = tuple(estimators)
     for name in names:
         estimator(name)
-    made = random_swing(0, club=club, hand=hand)
-    ready = {
-        name: prepare(positions_map(made.club, seen), made.club, estimator=name, roughness=roughness) for name in names
-    }
-    content = {"club": made.club.inputs(), "laboratory": seen, "estimator": [names, roughness], "seed": seed}
+    head = club_of_hand(club, hand)
+    ready = {name: prepare(positions_map(head, seen), head, estimator=name, roughness=roughness) for name in names}
+    content = {"club": head.inputs(), "laboratory": seen, "estimator": [names, roughness], "seed": seed}
 
-    read = partial(read_swing, seed=seed, club=made.club, cameras=seen, ready=tuple(ready.values()))
+    read = partial(read_swing, seed=seed, club=head, cameras=seen, ready=tuple(ready.values()))
     with Finished() if checkpoint is None else Store(Path(checkpoint), content, remedy=REMEDY) as store:
         rows = run(Job("swings", range(count), read), store=store, progress=progress).values()
         store.remove()
     truths, errors, deviations, touches = (np.array(each) for each in zip(*rows, strict=True))
     return Study(
-        club=made.club,
+        club=head,
         cameras=seen,
         errors=dict(zip(names, errors.swapaxes(0, 1), strict=True)),
         deviations=dict(zip(names, deviations.swapaxes(0, 1), strict=True)),
@@ -304,7 +302,7 @@ def bare_study(
     """
     check_swings(count, seed)
     seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)
-    head = club_of(club) if hand is None else club_of(club).replace(hand=hand)
+    head = club_of_hand(club, hand)
     names, blows = tuple(ways), tuple(models())
     errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
     touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)

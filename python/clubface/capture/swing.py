@@ -28,7 +28,7 @@ from clubface.capture.markers import AXES, MarkerMap
 from clubface.capture.meeting import meet
 from clubface.capture.recording import Recording, read_c3d
 from clubface.capture.reduction import QUANTITIES, Inputs, with_covariance
-from clubface.capture.rotations import angles, degrees_of_freedom, exponential
+from clubface.capture.rotations import angles, degrees_of_freedom, exponential, mirror
 from clubface.capture.setup import Options, Setup, prepare
 from clubface.capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 from clubface.equipment.clubs import Club
@@ -43,7 +43,6 @@ ADVICE = (
     " recording to the frames of the swing, and check frames under [calibration], target and up under [laboratory], and"
     " the club"
 )
-MIRROR = np.array([1.0, 1.0, -1.0])
 
 
 def read_swing(
@@ -184,9 +183,9 @@ def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) 
     squares = followed.poses.residuals**2
     freedom = np.maximum(degrees_of_freedom(followed.poses.residuals), 1)
     residual = np.where(followed.known, np.sqrt(np.nansum(squares, axis=(-1, -2)) / freedom), np.nan)
-    mirror = MIRROR if head.hand < 0 else np.ones(3)
+    to_hand = mirror(head.hand)
     return Trace(
-        recording.times, centre * mirror, loft, face * head.hand, residual, inputs.ball * mirror, setup.ball.radius
+        recording.times, centre * to_hand, loft, face * head.hand, residual, inputs.ball * to_hand, setup.ball.radius
     )
 
 

@@ -60,7 +60,7 @@ class Rows:
         """The quantities of the delivery that were measured."""
         head = club(options.pop("club"))
         self.options = {"samples": SAMPLES, **options, "club": head, "prior": prior_of(options.get("prior"), head)}
-        """With what deliveries are inferred."""
+        """The options with which deliveries are inferred."""
         self._given = {"samples": SAMPLES, **options, "speed_at": shots.speed_at, "face_at": shots.face_at}
         self._head = head
         self._prepared: dict[int, Inference] = {}
@@ -70,7 +70,7 @@ class Rows:
 
     @property
     def headings(self) -> list[str]:
-        """The headings: measured quantities of the launch, four of each inferred quantity, and what is to be said."""
+        """The headings: measured quantities of the launch, four of each inferred quantity, and a remark."""
         headings = ["row", *(_heading(name, QUANTITIES[name]) for name in self.launch)]
         for name in self.names:
             headings += [_heading(name, unit_of(name), end) for end in ("", "_std", "_from", "_to")]
@@ -219,7 +219,7 @@ def infer_shots(
 
 
 FEWEST_FOR_PROCESSES = 100
-"""Shots from which on it pays to start processes: they take a few seconds by themselves."""
+"""Number of shots from which it pays to start processes: starting them takes a few seconds."""
 
 
 def _row(data: bytes, place: int) -> list[Any]:

@@ -90,7 +90,7 @@ SOURCES = {
     "extrapolation": "of it, straight lines through noise-free frames",
     "monitor": "launch monitor alone",
 }
-"""What the error budget splits, and in words."""
+"""Parts of the error budget, and in words."""
 
 
 def error_budget(shots: BenchmarkShots, parameters: ParameterSet) -> dict[str, dict[str, float]]:
@@ -151,7 +151,7 @@ def bias_of_magnitudes(mae: float, deviation: float) -> float:
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return where ``of``, which rises, is zero."""
+    """Return where a rising ``function`` is zero, by bisection."""
     for _ in range(80):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if function(middle) < 0.0 else (low, middle)
@@ -175,14 +175,14 @@ SCALES = {
     "ball_speed": units.parse("1 mph", "speed"), "spin": units.parse("150 rpm", "angular rate"),
     "launch": units.parse("0.5 deg", "angle"),
 }  # fmt: skip
-"""What counts as an error of one, in each quantity: roundings and spreads of averages; assumed."""
+"""Errors of one in the fit, by quantity: roundings and spreads of averages; assumed."""
 SLOPE = 0.85
 """Change of the launch angle with the loft, for the steps by which the loft is solved."""
 STEPS = 8
 FAR = 1e3
 """The residual of a shot that cannot be computed."""
 FAMILIES = ("driver", "7-iron")
-"""Whose published sets the search starts from."""
+"""Clubs whose published sets the search starts from."""
 
 
 class TourFit(NamedTuple):
@@ -319,7 +319,7 @@ def _solved(bag: Bag, start: ParameterSet, names: Sequence[str]) -> ParameterSet
 
 MODELS = ("standard", "adjusted", "slip", "jorgensen", "volumetric", "area", "rings")
 EVERY = {"driver-rings": 10, "7-iron-rings": 3}
-"""Models identified on a part of the shots, every so-manieth, for the time they take; they are evaluated on all."""
+"""Models identified on every n-th shot only, for the time they take; they are evaluated on all."""
 OWN = ("adjusted", "slip", "volumetric")
 """Models identified also on the shots that they made themselves; `rings` made shots too, but takes too long."""
 BOOTSTRAP = {"rings": 50}
@@ -328,7 +328,7 @@ DIGITS = 9
 """Significant digits kept."""
 
 Progress = Callable[[str, float], object]
-"""What is being done, and how much of it is, 0 to 1."""
+"""Called with the name of the part under way, and its completed fraction, 0 to 1."""
 
 
 def run(folder: Path, *, threads: int | None = None, progress: Progress | None = None) -> dict[str, Any]:

@@ -38,7 +38,7 @@ TARGET = 0.25
 FREEDOM = 7.0
 """Degrees of freedom of the t proposals."""
 INFLATION = 1.15
-"""By how much their covariance exceeds that of the weighted draws."""
+"""Factor by which their covariance exceeds that of the weighted draws."""
 MOST_STAGES = 60
 REFINEMENTS = 3
 """Proposals made at power one."""

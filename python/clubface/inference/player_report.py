@@ -41,12 +41,12 @@ CLUBLESS = "a club without a name"
 MOST_PICTURES = 40
 """Pictures of a report; each takes a fifth of a second and 150 kB."""
 MOST_ROWS = 10
-"""Shots that a report shows of a club; its data have all."""
+"""Shots of a club that a report shows; its data have all."""
 FEWEST_FOR_PROCESSES = 200
-"""Shots from which on it pays to start processes: their deliveries take a few seconds."""
+"""Number of shots from which it pays to start processes: their deliveries take a few seconds."""
 RAYS = {"azimuth": "start of the ball", "face": "club face", "path": "club path"}
 LEAST_ANGLE = to_si(4.0, "deg")
-"""Angle that the picture of directions shows at least to either side."""
+"""Smallest half width [rad] of the picture of directions."""
 
 
 def player_result(shots: RecordedShots) -> Result:
@@ -65,7 +65,7 @@ def player_result(shots: RecordedShots) -> Result:
 
 
 def statistics_by_club(shots: RecordedShots) -> list[ClubStatistics]:
-    """Return the statistics of each club of each player; what two players hit is no one's typical shot."""
+    """Return the statistics of each club of each player; the shots of two players are not averaged."""
     groups = []
     for player, places in shots.by_player():
         theirs = shots.select(places)
@@ -193,7 +193,7 @@ def _changes_table(club: ClubStatistics) -> Table:
 
 
 def sessions_result(club: ClubStatistics) -> Iterator[Result]:
-    """Yield the section on the sessions of a club; nothing where there is one."""
+    """Yield the section on the sessions of a club; nothing where there is only one."""
     sessions = by_session(club.shots)
     names = [name for name in SHOWN if sum(name in each for each in sessions.values()) > 1]
     if len(sessions) < 2 or not names:
@@ -222,7 +222,7 @@ def sessions_result(club: ClubStatistics) -> Iterator[Result]:
     )  # fmt: skip
     sentences = ["± is how much the shots of a session differ (one standard deviation)."]
     if both:
-        sentences.append(f"From {labels[0]} to {labels[-1]}, each with what chance leaves open 19 times out of 20:")
+        sentences.append(f"From {labels[0]} to {labels[-1]}, with margins that hold 19 times out of 20:")
     else:
         sentences.append("One shot a session is too few to tell a change from chance.")
     yield Result(
@@ -235,7 +235,7 @@ def sessions_result(club: ClubStatistics) -> Iterator[Result]:
 
 
 def by_session(shots: RecordedShots) -> dict[str, dict[str, Statistic]]:
-    """Return the statistics of each session by quantity, in the order of the sessions; none where there is one."""
+    """Return the statistics of each session by quantity, in the order of the sessions; none where there is only one."""
     labels = session_labels(shots)
     if labels is None:
         return {}

@@ -1,4 +1,4 @@
-"""The sentences of a report: what a fitter says to a customer. Every number in them comes from the figures."""
+"""The sentences of a report: what a fitter says to a customer. Every number in them is a statistic of the club."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ NAMES = {
     "toe": "strike sideways", "high": "strike up and down", "ball_speed": "ball speed", "launch": "launch angle",
     "azimuth": "start direction", "total_spin": "spin", "carry": "carry", "side": "distance from the line",
 }  # fmt: skip
-"""What players call the quantities that a report speaks of."""
+"""What players call the quantities of a report."""
 UNITS = {"ball_speed": "mph", "speed": "mph", "carry": "yd", "side": "yd", "total_spin": "rpm", "backspin": "rpm"}
 DIGITS = {"mph": 0, "deg": 1, "yd": 0, "rpm": 0, "mm": 0}
 WRITTEN = {"deg": "°", "mph": " mph", "yd": " yards", "rpm": " rpm", "mm": " mm"}
 SIDES = {"azimuth": "right left", "side": "right left", "face": "right left", "path": "right left",
          "toe": "toe heel", "high": "high low", "attack": "up down"}  # fmt: skip
 SMALL = {"deg": 0.3, "yd": 1.0, "mm": 1.5}
-"""Sizes below which a value is called none."""
+"""Sizes below which a direction counts as straight, and a strike as centred."""
 FEW, ENOUGH = 5, 10
 """Shots below which a mean says little, and from which the range of two in three is given."""
 BEND = 0.5
@@ -115,7 +115,7 @@ def line(club: ClubStatistics) -> Iterator[str]:
         return
     face, path = angles["face"], angles["path"]
     where = " at the point of contact" if "face" in club.measured and club.shots.face_at == CONTACT else ""
-    known = "As far as the flight of the ball tells" if guessed else "As measured"
+    known = "Judging by the flight of the ball" if guessed else "As measured"
     yield (
         f"{known}, your club face points {sided(face, 'face')}{where} at impact, and your club moves"
         f" {sided(path, 'path')}."
@@ -144,7 +144,7 @@ def line(club: ClubStatistics) -> Iterator[str]:
 
 
 def _closing(club: ClubStatistics) -> str:
-    """Say what the closing of the face does to start and bend."""
+    """Return the sentence on how the closing of the face changes start and bend."""
     start, spin = club.closing["azimuth"], club.closing["sidespin"]
     side, bend = ("right" if each > 0.0 else "left" for each in (start, spin))
     typical = "" if "closure" in club.measured else " at the rate that is usual for golfers of your speed"
@@ -173,7 +173,7 @@ def strike(club: ClubStatistics) -> Iterator[str]:
                 if name == "toe"
                 else f"And {what}: {sided(value, name)}, anywhere from {ends}."
             )
-        yield "Spray or impact tape on the face would tell this far better than any computation."
+        yield "Spray or impact tape on the face would show this far better than any computation."
 
 
 def what_if(club: ClubStatistics) -> Iterator[str]:
@@ -195,7 +195,7 @@ def what_if(club: ClubStatistics) -> Iterator[str]:
 
 
 def doubt(club: ClubStatistics) -> Iterator[str]:
-    """Yield how sure all this is."""
+    """Yield how sure the report is, and what limits it."""
     count = len(club.shots)
     carry = club.measured.get("carry")
     if carry is not None and carry.count >= 2:
@@ -208,15 +208,15 @@ def doubt(club: ClubStatistics) -> Iterator[str]:
         yield f"{count} shot{'s are' if count != 1 else ' is'} few: {FEW} more could change every average here."
     elif count < ENOUGH:
         # An average of four times as many shots is twice as sure.
-        yield f"With {3 * count} shots more we would know the averages about twice as well."
+        yield f"With {3 * count} more shots we would know the averages about twice as well."
     inferred = club.inferred
     if inferred is not None and club.club is not None:
         if inferred.shots + inferred.refused < min(count, club.measured["launch"].count):
-            yield f"How the club was delivered was computed for {inferred.shots} of the shots, spread evenly over all."
+            yield f"The delivery of the club was computed for {inferred.shots} of the shots, spread evenly over all."
         yield (
-            f"The what-if and what is said of face, path and strike where they were not measured come from a model of"
-            f" impact with a standard {club.club.name} and average golfers, not from your own club: trust the direction"
-            " and the rough size, not the last digit."
+            "The what-if, and face, path and strike where they were not measured, come from a model of impact with a"
+            f" standard {club.club.name} and average golfers, not from your own club: trust the direction and the rough"
+            " size, not the last digit."
         )
         if inferred.remarked:
             rows = ", ".join(str(row) for row in inferred.remarked[:10])
@@ -226,16 +226,16 @@ def doubt(club: ClubStatistics) -> Iterator[str]:
                 f" {rows}{more}."
             )
         if inferred.refused:
-            yield f"{inferred.refused} of the shots cannot be of this club as measured, and are left out there."
+            yield f"{inferred.refused} of the shots, as measured, cannot come from this club; they are left out there."
     elif club.club is None:
         yield (
-            f"We have no model of {club.name}: nothing is said of face, path and strike beyond what"
-            " was measured, and no what-if is given."
+            f"We have no model of {club.name}, so the report gives face, path and strike only as measured,"
+            " and no what-if."
         )
 
 
 def _spread(club: Statistic, name: str, before: str = "") -> str:
-    """Return how much shots differ, with what stands ``before`` it; nothing for a single shot."""
+    """Return how much shots differ, after the text ``before``; nothing for a single shot."""
     if club.count < 2:
         return ""
     if club.count < ENOUGH:

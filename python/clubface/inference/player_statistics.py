@@ -30,9 +30,9 @@ __all__ = ["MOST_INFERRED", "ClubStatistics", "Statistic", "club_statistics", "d
 MOST_INFERRED, SAMPLES = 60, 200
 """Shots of a club whose deliveries are inferred, spread evenly over all of them, and draws for each."""
 IN_ALL, FEWEST_INFERRED = 1200, 4
-"""The same of a whole report, and of a club where there are many."""
+"""The most shots inferred in a whole report, and the fewest of a club where there are many clubs."""
 CHANGES = {"speed": "1 mph", "attack": "1 deg", "loft": "1 deg", "face": "1 deg", "path": "1 deg", "toe": "5 mm"}
-"""What a player may change, and by how much, for the what-if."""
+"""Changes of the what-if, and their size."""
 LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
@@ -58,21 +58,21 @@ class Statistic:
 
 @dataclass(frozen=True, kw_only=True)
 class Inferred:
-    """What the launches tell of the deliveries of a club, SI.
+    """Deliveries of a club inferred from its launches, SI.
 
     Attributes
     ----------
     mean
         Mean over the shots of each quantity of the delivery.
     doubt
-        Standard deviation to which it is known in a single shot; more shots do not make it smaller where the prior
-        tells it.
+        Standard deviation of each quantity in a single shot; where it comes from the prior, more shots do not make it
+        smaller.
     shots
         Number of shots.
     refused
         Number of shots that no delivery can have made.
     remarked
-        Rows of shots whose figures do not go together.
+        Rows of shots whose figures are inconsistent.
     """
 
     mean: dict[str, float]
@@ -84,7 +84,7 @@ class Inferred:
 
 @dataclass(frozen=True, kw_only=True)
 class Change:
-    """What a change of the delivery does to the mean shot, SI: to the launch, and to carry and side."""
+    """Effect of a change of the delivery on the mean shot, SI: on the launch, and on carry and side."""
 
     name: str
     step: float
@@ -102,7 +102,7 @@ class ClubStatistics:
     name
         As the file calls it.
     player
-        Who hit it, where the shots are of several players; "" otherwise.
+        The player, where the shots are of several players; "" otherwise.
     club
         The built-in club that stands for it; None if there is none.
     shots
@@ -112,14 +112,14 @@ class ClubStatistics:
     computed
         Whether carry and side are not measured but computed from the launch, in still air.
     inferred, changes
-        What the models make of them; None and empty without a club or launch.
+        What the models infer from them; None and empty without a club or launch.
     start
         Degrees of start line for one degree of face and of path.
     closing
-        What the closing of the face adds to start line [rad] and sidespin [rad/s], to the first order; empty without
-        changes.
+        Contribution of the closing of the face to start line [rad] and sidespin [rad/s], to the first order; empty
+        without changes.
     launch
-        The mean shot by the model, from which changes are counted; None without them.
+        The mean shot by the model, to which changes are added; None without them.
     """
 
     name: str
@@ -136,7 +136,7 @@ class ClubStatistics:
 
     @property
     def title(self) -> str:
-        """The club, and whose it is where that must be said."""
+        """The club, after the name of its player where there are several."""
         return f"{self.player}: {self.name}" if self.player else self.name
 
 

@@ -54,7 +54,7 @@ CLUB_NOISE = {
 }  # fmt: skip
 """Standard deviations of measured club data [SI] by default; assumed, those of a good monitor."""
 FEWEST_AT_ALL = 50
-"""Effective draws below which there is no sample to speak of: all weight lies on a few draws nearest to the launch."""
+"""Effective draws below which there is no usable sample: all weight lies on the few draws nearest to the launch."""
 FARTHEST = 15.0
 """Standard deviations by which a shot misses the prior from where on it is refused: no normal distribution of
 deliveries means anything there, and the usual cause is another unit or club."""
@@ -179,7 +179,7 @@ class Inference:
         *,
         progress: Callable[[float], object] | None = None,
     ) -> Posterior:
-        """Return the posterior of one shot, as :func:`infer` does, but warn of nothing that is outside a range."""
+        """Return the posterior of one shot, as :func:`infer` does, without warnings about ranges."""
         measured, club_data = _measured(launch), _measured_club(delivery or {})
         known = {name: value for name, value in club_data.items() if name not in self.prior.names}
         club_data = {name: value for name, value in club_data.items() if name not in known}

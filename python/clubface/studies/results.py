@@ -202,12 +202,12 @@ def level_text(along: Along, level: int) -> str:
     value = along.levels[level]
     if along.unit is None:
         return str(value)
-    of = quantity(along.name, along.unit)
-    width = (value[1] - value[0]) / size(of.golf.unit) if isinstance(value, tuple) else 0.0
+    swept = quantity(along.name, along.unit)
+    width = (value[1] - value[0]) / size(swept.golf.unit) if isinstance(value, tuple) else 0.0
     digits = max(1 - math.floor(math.log10(width)), 0) if width > 1e-6 else -6
-    column = Column(along.name, _ends(value), of, digits=digits)
+    column = Column(along.name, _ends(value), swept, digits=digits)
     words = f"{column.shown(0)} to {column.shown(1)}" if isinstance(value, tuple) else column.shown(0)
-    return words if of.golf.unit == "1" or words == FLAT else f"{words} {of.golf.unit}"
+    return words if swept.golf.unit == "1" or words == FLAT else f"{words} {swept.golf.unit}"
 
 
 def _ends(level: Any) -> tuple[float, float]:

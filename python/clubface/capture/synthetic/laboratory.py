@@ -17,10 +17,10 @@ import numpy as np
 from clubface.capture.geometry import Assumed, usual_place
 from clubface.capture.markers import FacePoint, MarkerMap, Point
 from clubface.capture.recording import Recording, write_c3d
-from clubface.capture.rotations import Array, delivered, exponential, face_axes, logarithm
+from clubface.capture.rotations import Array, delivered, exponential, face_axes, logarithm, mirror
 from clubface.capture.setup import axis
-from clubface.capture.synthetic.synthetic_swing import LAUNCH, MIRROR, SyntheticSwing, random_swing
-from clubface.equipment.clubs import Club, club as club_of
+from clubface.capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing, club_of_hand, random_swing
+from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest
 from clubface.errors import InputError
 from clubface.shots.recorded import RecordedShots
@@ -129,7 +129,7 @@ class Cameras:
         ]
         local = np.array([*CLUSTERS[kind].values(), *points])
         held = local @ delivered(club.loft + 0.03, -0.2, 0.05, club.loft).T + np.array([-0.02, 0.04, 0.01])
-        still = np.broadcast_to(held * (MIRROR if club.hand < 0 else 1.0), (self.calibration_frames, *held.shape))
+        still = np.broadcast_to(held * mirror(club.hand), (self.calibration_frames, *held.shape))
         labels = (*CLUSTERS[kind], *FACE[kind])
         return Recording(labels=labels, positions=self.measured(still, random), rate=self.rate, path=path)
 
@@ -157,9 +157,9 @@ def kind_of(club: Club) -> str:
 MARKERS: Mapping[str, tuple[str, ...]] = {"wood": ("HEAD1", "HEAD3", "HEAD4"), "iron": ("HEAD1", "HEAD2", "HEAD3")}
 """Three of the usual markers that make a triangle of unequal sides."""
 REST, BACKSWING = 0.6, 0.9
-"""Seconds at address and of the way from there to where a synthetic swing begins, behind the player."""
+"""Seconds at address, and from there to where a synthetic swing begins, behind the player."""
 TOP = 0.8
-"""Metres by which that way rises over the straight line."""
+"""Metres; rise of that path over the straight line."""
 GAP = (0.015, 0.005)
 """Metres between face and ball at address, mean and standard deviation."""
 SIDEWAYS = 0.008
@@ -291,7 +291,7 @@ def _address(
 
 MOST = 100_000
 BARE_RATE = 360.0
-"""Hz; of cameras that follow a whole golfer."""
+"""Hz; rate of cameras that follow a whole golfer."""
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
 
 
@@ -354,7 +354,7 @@ def synthesize(
         The files, those of the swings first.
     """
     check_swings(count, seed)
-    seen, head = cameras or Cameras(), _head(club, hand)
+    seen, head = cameras or Cameras(), club_of_hand(club, hand)
     target = prepared_folder(folder)
     files = _write_swings(target, count, head, seen.record, seed, progress)
     write_c3d(seen.calibrate(head, np.random.default_rng([seed, 0])), target / CALIBRATION)
@@ -378,7 +378,7 @@ def synthesize_bare(
     and files are those of :func:`synthesize`, without a calibration; cameras have 360 Hz and no noise if left out.
     """
     check_swings(count, seed)
-    seen, head = cameras or Cameras(rate=BARE_RATE), _head(club, hand)
+    seen, head = cameras or Cameras(rate=BARE_RATE), club_of_hand(club, hand)
     target = prepared_folder(folder)
 
     def record(swing: SyntheticSwing, random: np.random.Generator) -> Recording:
@@ -387,12 +387,6 @@ def synthesize_bare(
     files = _write_swings(target, count, head, record, seed, progress)
     write_text(target / MAPPING, bare_map(head, seen).to_toml())
     return [*files, target / MAPPING, target / TRUTH]
-
-
-def _head(club: str | Club, hand: str | None) -> Club:
-    """Return the club, in the hand that was asked for."""
-    head = club_of(club)
-    return head if hand is None else head.replace(hand=hand)
 
 
 def _write_swings(

@@ -17,7 +17,7 @@ import numpy as np
 
 from clubface import units
 from clubface.capture.ball_flight import GRAVITY
-from clubface.capture.rotations import Array, delivered, exponential, face_axes
+from clubface.capture.rotations import Array, delivered, exponential, face_axes, mirror
 from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.face import face_point, nearest
@@ -160,8 +160,7 @@ RESTRAINT = 250.0
 """1/s; the shaft turns a head back that the blow has twisted: as at 40 Hz, critically damped. A shaft of a torque of 4
 degrees at 1 ft lb lets a driver's head swing at 31 Hz about it, and bends less than it twists."""
 TEE = 0.03
-"""Metres under a ball that lies on a tee."""
-MIRROR = np.array([1.0, 1.0, -1.0])
+"""Metres; height of a tee."""
 LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
@@ -235,7 +234,7 @@ class SyntheticSwing:
     @property
     def mirror(self) -> Array:
         """What takes the world of a right-hander to that of the club's hand, shape (3,)."""
-        return MIRROR if self.club.hand < 0 else np.ones(3)
+        return mirror(self.club.hand)
 
 
 def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEFAULT_MODEL) -> SyntheticSwing:
@@ -349,13 +348,19 @@ def random_swing(
         ``toe``, ``high``; path and face as for a right-hander.
     """
     random = np.random.default_rng(seed)
-    head = club_of(club) if hand is None else club_of(club).replace(hand=hand)
+    head = club_of_hand(club, hand)
     iron = head.kind == "iron"
     asked = {}
     for name, (mean, deviation) in DELIVERIES["iron" if iron else "wood"].items():
         drawn = mean + deviation * float(np.clip(random.normal(), -FARTHEST, FARTHEST))
         asked[name] = wanted.get(name, drawn * _TO_SI.get(name, units.size("deg")))
     return swing(head, random_chain(random, iron=iron), asked, model)
+
+
+def club_of_hand(club: str | Club, hand: str | None) -> Club:
+    """Return a club, as it is or for another hand."""
+    head = club_of(club)
+    return head if hand is None else head.replace(hand=hand)
 
 
 def random_chain(random: np.random.Generator, *, iron: bool) -> Chain:

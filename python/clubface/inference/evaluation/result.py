@@ -36,7 +36,7 @@ TREND_COVARIATES = ("speed", "path", "toe", "high")
 """Those drawn; the tables have all."""
 MOST_BINS, FEWEST_IN_BIN = 8, 8
 MOST_POINTS = 2000
-"""Shots drawn one by one; of more, every so-manieth."""
+"""Largest number of shots drawn; of more, every n-th."""
 LISTED = 5
 """Rows left out that a note lists with their reasons; the table has all."""
 

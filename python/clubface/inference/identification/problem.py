@@ -226,7 +226,7 @@ class PreparedShots:
     Attributes
     ----------
     club, ball
-        What they were hit with.
+        The club and the ball of all shots.
     columns
         One an input of the core: a number, or an array of shape (shots,).
     quantities

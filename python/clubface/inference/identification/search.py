@@ -296,7 +296,7 @@ FIRST_RADIUS = 0.1
 SMALLEST_STEP = 1e-10
 """A step that moves no parameter by more than this part of its range ends the refinement."""
 SMALLEST_FALL = 1e-12
-"""So does a fall of the cost by less than this part of it, where nothing else is said."""
+"""So does a fall of the cost by less than this part of it, by default."""
 LAST = 50.0
 """A step that promises less than this times the fall that matters is the last: the next one would be far smaller."""
 MOST_STEPS = 100

@@ -12,7 +12,7 @@ from clubface.capture.reduction import QUANTITIES
 from clubface.capture.setup import prepare
 from clubface.capture.study import read_swing
 from clubface.capture.synthetic.laboratory import Cameras, positions_map
-from clubface.capture.synthetic.synthetic_swing import random_swing
+from clubface.capture.synthetic.synthetic_swing import club_of_hand
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
@@ -67,7 +67,7 @@ def _task(study: DescribedStudy) -> OneByOne:
 
     @lru_cache(maxsize=len(ESTIMATORS))
     def reader(club: str, hand: str | None, cameras: Cameras, estimator: str, roughness: float) -> Any:
-        made = random_swing(0, club=clubs[club], hand=hand).club
+        made = club_of_hand(clubs[club], hand)
         return made, prepare(positions_map(made, cameras), made, estimator=estimator, roughness=roughness)
 
     def compute(task: Values) -> dict[str, Any]:
