@@ -29,11 +29,11 @@ def refused(read, *words):
     """Refuse soon, within memory, with one line that has these words."""
     tracemalloc.start()
     began = time.monotonic()
-    with pytest.raises(ClubfaceError) as told:
+    with pytest.raises(ClubfaceError) as caught:
         read()
     taken, peak = time.monotonic() - began, tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    text = str(told.value)
+    text = str(caught.value)
     assert text.isprintable()
     assert len(text) < 400
     for word in words:
@@ -233,9 +233,9 @@ def test_a_value_of_another_kind_is_an_error_of_the_package(call, words):
 
 
 def test_the_error_of_a_unit_that_is_no_text_is_about_the_unit():
-    with pytest.raises(UnitError) as told:
+    with pytest.raises(UnitError) as caught:
         clubface.units.unit(["mph"])
-    assert isinstance(told.value, InputError)
+    assert isinstance(caught.value, InputError)
 
 
 @pytest.fixture(scope="module")
@@ -250,15 +250,15 @@ def session(tmp_path_factory):
 
 def parameters_of(content):
     """Where each parameter of a C3D file begins with its type, by its name, and its group, by the same."""
-    at, found = (content[0] - 1) * 512 + 4, {}
+    at, result = (content[0] - 1) * 512 + 4, {}
     while content[at]:
         length, group = abs(struct.unpack_from("b", content, at)[0]), struct.unpack_from("b", content, at + 1)[0]
         label = content[at + 2 : at + 2 + length].decode()
         if group > 0:
-            found[f"{group}:{label}"] = (at + 1, at + 4 + length)
+            result[f"{group}:{label}"] = (at + 1, at + 4 + length)
         step = struct.unpack_from("<h", content, at + 2 + length)[0]
         at += 2 + length + step
-    return found
+    return result
 
 
 @pytest.mark.parametrize(
@@ -292,9 +292,9 @@ def test_a_crash_of_the_library_is_one_bad_file_and_the_rest_is_read(session, tm
         + "    if path.endswith('002.c3d'):\n        os.kill(os.getpid(), signal.SIGSEGV)\n    return whole(path)\n"
     )
     monkeypatch.setattr(recording, "LIBRARY", type(recording.LIBRARY)(dies))
-    found = read_swings([session / f"swing-00{each}.c3d" for each in (1, 2, 3)], session / "markers.toml", "driver")
-    assert found.places == (1, 3)
-    (bad,) = found.rejected
+    result = read_swings([session / f"swing-00{each}.c3d" for each in (1, 2, 3)], session / "markers.toml", "driver")
+    assert result.places == (1, 3)
+    (bad,) = result.rejected
     assert "swing-002.c3d: this C3D file cannot be read: the library that reads it crashed (SIGSEGV)" in bad.reason
 
 

@@ -59,10 +59,10 @@ def test_the_commands_of_the_readme_name_files_and_options_that_exist(clubface_)
     assert len(commands) > 10
     for _, *words in commands:
         nested = words[0] in ("monitor", "golfer", "club", "fem", "study")
-        told = clubface_(*words[: 1 + nested], "--help").out
+        help_text = clubface_(*words[: 1 + nested], "--help").out
         for word in words:
             if word.startswith("-"):
-                assert word in told, (words, word)
+                assert word in help_text, (words, word)
             elif word.startswith(("examples/", "notebooks/")):
                 assert (ROOT / word).exists(), word
 

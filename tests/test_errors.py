@@ -63,8 +63,8 @@ def test_a_file_error_starts_with_file_and_line():
 def test_a_huge_value_does_not_flood_the_message():
     assert len(str(InputError("speed", "9" * 10**6, "finite"))) < 150
     # Of a value that is shown in many lines, the first stands for all.
-    told = str(InputError("speed", club("driver").replace(description="a head"), "finite"))
-    assert told == "speed is driver: a head...; it must be finite"
+    message = str(InputError("speed", club("driver").replace(description="a head"), "finite"))
+    assert message == "speed is driver: a head...; it must be finite"
 
 
 def test_nearest_names_ignore_case_and_put_the_best_first():
@@ -90,9 +90,9 @@ def test_a_message_is_one_line_whatever_was_given(error):
 
 
 def test_a_message_shortens_what_is_quoted_and_nothing_else():
-    told = in_a_line(f"the ball's value {'a b ' * 100!r} of {'driver'!r} isn't allowed; the others' are 0 to 2")
-    assert told.startswith("the ball's value 'a b a b ")
-    assert told.endswith("' of 'driver' isn't allowed; the others' are 0 to 2")
-    assert len(told) < 200
+    message = in_a_line(f"the ball's value {'a b ' * 100!r} of {'driver'!r} isn't allowed; the others' are 0 to 2")
+    assert message.startswith("the ball's value 'a b a b ")
+    assert message.endswith("' of 'driver' isn't allowed; the others' are 0 to 2")
+    assert len(message) < 200
     plain = "the ball's own words, and the club's, " * 5
     assert in_a_line(plain) == plain

@@ -32,27 +32,27 @@ CORE = "clubface._core"
 
 def sources():
     """The text of every module, by its name."""
-    found = {}
+    result = {}
     for path in sorted(ROOT.rglob("*.py")):
         parts = ("clubface", *path.relative_to(ROOT).with_suffix("").parts)
-        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path.read_text()
-    return found
+        result[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path.read_text()
+    return result
 
 
 def imports(texts):
     """The modules each module imports: at its top, inside functions, and for types alone."""
-    found = {}
+    result = {}
     for name, text in texts.items():
-        told = set()
+        imported = set()
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Import):
-                told |= {each.name for each in node.names}
+                imported |= {each.name for each in node.names}
             elif isinstance(node, ast.ImportFrom):
                 assert not node.level, f"{name} imports relatively"
                 whole = {f"{node.module}.{each.name}" for each in node.names}
-                told |= {each if each in (*texts, CORE) else node.module for each in whole}
-        found[name] = {each for each in told if each.split(".")[0] == "clubface" and each != name}
-    return found
+                imported |= {each if each in (*texts, CORE) else node.module for each in whole}
+        result[name] = {each for each in imported if each.split(".")[0] == "clubface" and each != name}
+    return result
 
 
 def room(name):
@@ -76,7 +76,7 @@ def test_no_files_import_each_other_in_a_loop():
 
 
 def test_the_core_is_imported_in_one_module_a_room():
-    users = [name for name, told in imports(sources()).items() if CORE in told]
+    users = [name for name, imported in imports(sources()).items() if CORE in imported]
     assert users == [
         "clubface.equipment.core", "clubface.fem.core", "clubface.present.style", "clubface.quantities",
         "clubface.simulation.core",
@@ -85,17 +85,17 @@ def test_the_core_is_imported_in_one_module_a_room():
 
 
 @pytest.mark.parametrize(
-    ("name", "line", "told"),
+    ("name", "line", "imported"),
     [
         ("clubface.units", "from clubface.cli import app", "clubface.cli.app"),
         ("clubface.fem.core", "def later():\n    import clubface.inference.findings", "clubface.inference.findings"),
         ("clubface.errors", "from clubface import impact", "clubface"),
     ],
 )
-def test_an_import_that_runs_upward_is_seen_wherever_it_stands(name, line, told):
+def test_an_import_that_runs_upward_is_seen_wherever_it_stands(name, line, imported):
     texts = sources()
     texts[name] += f"\n{line}\n"
-    assert upward(imports(texts), floor) == [(name, told)]
+    assert upward(imports(texts), floor) == [(name, imported)]
 
 
 def test_a_loop_of_files_is_seen():

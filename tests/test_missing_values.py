@@ -112,10 +112,10 @@ def test_a_value_that_is_masked_or_missing_is_computed_with_nowhere(entry, conta
     given = MISSING[container]()
     if container == "a mask of texts" and entry not in ("impact, an input", "fly", "shots, a delivery"):
         pytest.skip("texts with a unit of speed")
-    found = np.asarray(ENTRIES[entry](given))
-    assert np.isnan(found).tolist() == [False, True, False]
+    result = np.asarray(ENTRIES[entry](given))
+    assert np.isnan(result).tolist() == [False, True, False]
     usual = np.asarray(ENTRIES[entry](np.array([50.0, math.nan, 45.0])))
-    np.testing.assert_array_equal(found, usual)
+    np.testing.assert_array_equal(result, usual)
 
 
 @pytest.mark.parametrize("container", [each for each in MISSING if each != "NaN"])
@@ -199,6 +199,6 @@ def test_names_and_hands_that_are_masked_are_not_there():
 def test_a_marker_that_is_masked_was_not_seen():
     places = np.ma.array(np.arange(12.0).reshape(2, 2, 3), mask=False)
     places[1, 0] = np.ma.masked
-    found = Recording(labels=("HEAD1", "HEAD2"), positions=places, rate=360.0)
-    assert np.isnan(found.marker("HEAD1")).tolist() == [[False] * 3, [True] * 3]
-    assert not np.isnan(found.marker("HEAD2")).any()
+    result = Recording(labels=("HEAD1", "HEAD2"), positions=places, rate=360.0)
+    assert np.isnan(result.marker("HEAD1")).tolist() == [[False] * 3, [True] * 3]
+    assert not np.isnan(result.marker("HEAD2")).any()

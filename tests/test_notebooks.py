@@ -21,9 +21,9 @@ LARGEST = 200_000
 
 def module(name):
     specification = importlib.util.spec_from_file_location(f"notebooks_{name}", FOLDER / f"{name}.py")
-    found = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(found)
-    return found
+    result = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(result)
+    return result
 
 
 run = module("run")
@@ -44,9 +44,9 @@ def printed(name):
 
 def numbers(name, pattern):
     """The numbers that the groups of a pattern match in what a notebook prints, row by row."""
-    found = re.findall(pattern, printed(name))
-    assert found, pattern
-    return [tuple(map(float, row if isinstance(row, tuple) else (row,))) for row in found]
+    result = re.findall(pattern, printed(name))
+    assert result, pattern
+    return [tuple(map(float, row if isinstance(row, tuple) else (row,))) for row in result]
 
 
 @pytest.mark.parametrize("name", NAMES)

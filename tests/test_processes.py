@@ -41,16 +41,16 @@ def _examples():
 EXAMPLES = _examples()
 
 
-def told(value):
+def exact(value):
     """All numbers and texts of a result, arrays as their bytes, to compare two results bit for bit."""
     if isinstance(value, np.ndarray):
         return value.dtype.str, value.shape, value.tobytes()
     if isinstance(value, (list, tuple)):
-        return [told(each) for each in value]
+        return [exact(each) for each in value]
     if hasattr(value, "items"):
-        return {key: told(each) for key, each in value.items()}
+        return {key: exact(each) for key, each in value.items()}
     if hasattr(value, "__dict__") and type(value).__module__.startswith("clubface"):
-        return type(value).__name__, {key: told(each) for key, each in vars(value).items()}
+        return type(value).__name__, {key: exact(each) for key, each in vars(value).items()}
     return sorted(value) if isinstance(value, frozenset) else repr(value)
 
 
@@ -59,17 +59,17 @@ def test_what_is_pickled_or_deep_copied_is_the_same_bit_for_bit(name):
     example = EXAMPLES[name]
     for copied in (pickle.loads(pickle.dumps(example)), copy.deepcopy(example)):
         assert type(copied) is type(example)
-        assert told(copied) == told(example)
+        assert exact(copied) == exact(example)
         assert repr(copied) == repr(example)
 
 
 def test_a_posterior_travels():
     pytest.importorskip("scipy")
     launch = {"ball_speed": "160 mph", "launch": "12 deg", "azimuth": 0.0, "backspin": "2500 rpm", "sidespin": 0.0}
-    found = clubface.infer(launch, club="driver", samples=200)
-    for copied in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
-        assert told(copied) == told(found)
-        assert copied.mean == found.mean
+    result = clubface.infer(launch, club="driver", samples=200)
+    for copied in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result)):
+        assert exact(copied) == exact(result)
+        assert copied.mean == result.mean
 
 
 def test_a_copied_parameter_set_computes_the_same_launch():
@@ -77,7 +77,7 @@ def test_a_copied_parameter_set_computes_the_same_launch():
     again = clubface.impact(
         copy.deepcopy(clubface.club("driver")), speed=SPEEDS[:10], parameters=copy.deepcopy(launch.parameters)
     )
-    assert told(again.ball_speed) == told(launch.ball_speed)
+    assert exact(again.ball_speed) == exact(launch.ball_speed)
 
 
 def test_mappings_of_a_result_cannot_be_changed():
@@ -95,8 +95,8 @@ def _carry(launch):
 
 def test_results_go_to_a_spawned_process_and_back():
     with multiprocessing.get_context("spawn").Pool(1) as pool:
-        (found,) = pool.map(_carry, [EXAMPLES["launch"]])
-    assert told(found) == told(EXAMPLES["flight"])
+        (result,) = pool.map(_carry, [EXAMPLES["launch"]])
+    assert exact(result) == exact(EXAMPLES["flight"])
 
 
 def _many_shots():
@@ -112,10 +112,10 @@ def _meshed_ball():
 @pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
 @pytest.mark.parametrize("compute", [_many_shots, _meshed_ball], ids=["reduced", "finite elements"])
 def test_a_process_forked_after_a_threaded_call_computes_on_threads_of_its_own(compute):
-    expected = told(compute())
+    expected = exact(compute())
     child = os.fork()
     if not child:
-        same = told(compute()) == expected
+        same = exact(compute()) == expected
         os._exit(0 if same else 1)
     ends = time.monotonic() + 30.0  # it takes some 0.3 s
     ended = 0

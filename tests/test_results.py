@@ -70,10 +70,10 @@ REGISTRIES = {
 @pytest.mark.parametrize(
     "change",
     [
-        lambda of: of.clear(),
-        lambda of: of.pop(next(iter(of))),
-        lambda of: of.update(mine=None),
-        lambda of: of.popitem(),
+        lambda mapping: mapping.clear(),
+        lambda mapping: mapping.pop(next(iter(mapping))),
+        lambda mapping: mapping.update(mine=None),
+        lambda mapping: mapping.popitem(),
     ],
     ids=["clear", "pop", "update", "popitem"],
 )

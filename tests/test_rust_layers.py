@@ -162,7 +162,7 @@ SMALL = {
 
 
 @pytest.mark.parametrize(
-    ("text", "found", "up"),
+    ("text", "result", "up"),
     [
         ("pub struct Other;\n", set(), False),
         # Each of these plants a mistake.
@@ -172,12 +172,12 @@ SMALL = {
         ("// use super::a::Thing;\n#[cfg(test)]\nmod tests {\n    use super::super::a::Thing;\n}\n", set(), False),
     ],
 )
-def test_planted_circles_and_upward_arrows_are_found(tmp_path, text, found, up):
+def test_planted_circles_and_upward_arrows_are_found(tmp_path, text, result, up):
     for name, content in {**SMALL, "low/b.rs": text}.items():
         path = tmp_path / "src" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content)
     arrows = Crate(tmp_path).arrows()
-    assert set(circle(arrows)) <= found
-    assert bool(circle(arrows)) == bool(found)
+    assert set(circle(arrows)) <= result
+    assert bool(circle(arrows)) == bool(result)
     assert upward(arrows, folders(("low", "high"))) == ([(("low", "b"), ("high",))] if up else [])

@@ -95,11 +95,11 @@ def test_grams_and_millimetres_convert_to_the_last_bit():
 
 @given(st.sampled_from(ALL_UNITS), st.floats(-1e12, 1e12, allow_subnormal=False))
 def test_text_in_any_unit_comes_back_from_si(symbol, number):
-    found = units.unit(symbol)
-    value = units.parse(f"{number!r} {symbol}", found.dimension)
+    result = units.unit(symbol)
+    value = units.parse(f"{number!r} {symbol}", result.dimension)
     # Each direction rounds three times (eps 1.1e-16); an offset of up to 273 K adds its own rounding, about 1e-13.
     # Below 1e-300 a scaled value is subnormal and loses digits.
-    tolerance = 8e-16 * abs(number) + (3e-13 if found.offset else 1e-300)
+    tolerance = 8e-16 * abs(number) + (3e-13 if result.offset else 1e-300)
     assert abs(units.from_si(value, symbol) - number) <= tolerance
 
 

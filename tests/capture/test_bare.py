@@ -32,8 +32,8 @@ def read(swing, recorded, by="address", cluster=None, cameras=CAMERAS, **changes
     return capture(recorded.recording, prepare(mapping, swing.club))
 
 
-def known(found, words):
-    [one] = [each for each in found.geometry if words in each.name]
+def known(result, words):
+    [one] = [each for each in result.geometry if words in each.name]
     return one
 
 
@@ -43,39 +43,39 @@ def test_an_address_exactly_as_assumed_calibrates_the_head_exactly(club, hand):
     for seed in range(4):
         swing, recorded = bare(seed, club, hand, CERTAIN, cameras)
         off = errors(read(swing, recorded, cameras=cameras, assumed=CERTAIN), swing)
-        found = dict(zip(QUANTITIES, np.abs(off), strict=True))
+        result = dict(zip(QUANTITIES, np.abs(off), strict=True))
         # The instant of the blow is known to half of what contact times differ by, 0.05 ms; the face closes by 0.12 deg
         # in that, and the head turns by as much about the others.
-        assert found["speed"] < 0.1
-        assert max(found[name] for name in ("attack", "path", "loft", "face", "lie")) < 0.35
-        assert max(found[name] for name in ("closure", "pitch_rate", "lie_rate")) < 1.0
+        assert result["speed"] < 0.1
+        assert max(result[name] for name in ("attack", "path", "loft", "face", "lie")) < 0.35
+        assert max(result[name] for name in ("closure", "pitch_rate", "lie_rate")) < 1.0
 
 
 def test_a_face_that_was_not_square_at_address_is_off_by_that_much_at_impact():
     cameras = Cameras(rate=720.0, noise=1e-5)
     swing, recorded = bare(3, assumed=replace(CERTAIN, face=np.radians(3.0)), cameras=cameras)
-    found = read(swing, recorded, cameras=cameras)
-    off = found.delivery.face - swing.truth["face"]
+    result = read(swing, recorded, cameras=cameras)
+    off = result.delivery.face - swing.truth["face"]
     assert off == pytest.approx(-recorded.angles[1], abs=np.radians(0.4))
-    assert found.uncertainty["face"] > np.radians(1.9)
+    assert result.uncertainty["face"] > np.radians(1.9)
 
 
 def test_every_result_tells_what_was_assumed_and_how_widely():
     swing, recorded = bare(5)
-    found = read(swing, recorded)
-    assert known(found, "face angle at address") == Known(
+    result = read(swing, recorded)
+    assert known(result, "face angle at address") == Known(
         "face angle at address", "assumed", "face", [0.0], [np.radians(2.0)]
     )
-    assert known(found, "loft at address").values == pytest.approx([np.radians(9.8)])
-    assert known(found, "mean of the markers").deviations == pytest.approx([0.020, 0.010, 0.015])
-    assert known(found, "height of the face centre").deviations == pytest.approx([0.005])
-    assert known(found, "ball").how.startswith("assumed")
-    assert known(found, "instant of first touch").how == "measured"
+    assert known(result, "loft at address").values == pytest.approx([np.radians(9.8)])
+    assert known(result, "mean of the markers").deviations == pytest.approx([0.020, 0.010, 0.015])
+    assert known(result, "height of the face centre").deviations == pytest.approx([0.005])
+    assert known(result, "ball").how.startswith("assumed")
+    assert known(result, "instant of first touch").how == "measured"
     (face,) = [
-        each for each in found.to_result().table("geometry").records() if each["quantity"] == "face angle at address"
+        each for each in result.to_result().table("geometry").records() if each["quantity"] == "face angle at address"
     ]
     assert (face["unit"], face["value"], face["deviation"]) == ("deg", 0.0, pytest.approx(2.0))
-    assert "face angle at address" in repr(found)
+    assert "face angle at address" in repr(result)
     wider = read(swing, recorded, assumed=Assumed(face=np.radians(5.0), toe=0.02))
     assert known(wider, "face angle at address").deviations == pytest.approx([np.radians(5.0)])
     assert wider.uncertainty["face"] == pytest.approx(np.radians(5.0), rel=0.03)
@@ -98,8 +98,8 @@ def test_measured_markers_and_the_sole_make_the_place_certain():
 def test_positions_that_contradict_the_address_are_told():
     swing, recorded = bare(5)
     turned = {name: (x, z, y) for name, (x, y, z) in recorded.cluster.items()}
-    found = read(swing, recorded, cluster=turned, accuracy=1e-3)
-    assert any("contradict the attitude of the club" in note for note in found.notes)
+    result = read(swing, recorded, cluster=turned, accuracy=1e-3)
+    assert any("contradict the attitude of the club" in note for note in result.notes)
     assert not any("contradict" in note for note in read(swing, recorded, cluster=recorded.cluster).notes)
 
 
@@ -113,8 +113,8 @@ def test_a_blow_at_the_centre_shows_loft_and_face_angle(hand):
     for seed in range(3, 9):
         swing = random_swing(seed, hand=hand, toe=0.0, high=0.0, lie=0.0)
         recorded = record_bare(swing, cameras, seed, assumed=usual)
-        found = read(swing, recorded, "swing", cameras=cameras, assumed=usual)
-        off.append([getattr(found.delivery, name) - swing.truth[name] for name in ("loft", "face")])
+        result = read(swing, recorded, "swing", cameras=cameras, assumed=usual)
+        off.append([getattr(result.delivery, name) - swing.truth[name] for name in ("loft", "face")])
     # Of 16 m/s that are lost, 0.2 m/s of the fits before and after are 0.7 degrees. The mean of the markers, 45 mm from
     # the CG, turns about it by 0.5 m/s and more, and a face that closes starts the ball 0.7 degrees to the left: two
     # degrees, if these were forgotten.
@@ -122,14 +122,14 @@ def test_a_blow_at_the_centre_shows_loft_and_face_angle(hand):
 
 
 def test_deviations_that_are_stated_hold_the_truth():
-    found = bare_study(40, ways=("address", "swing"), seed=4)
+    result = bare_study(40, ways=("address", "swing"), seed=4)
     for name in ("address", "swing"):
-        rates = found.coverage(name, 0.9)
+        rates = result.coverage(name, 0.9)
         # 40 intervals hold to 90 +- 5%: all eleven together hang loosely, so that their mean scatters by 2%.
         assert 0.84 < np.mean(list(rates.values())) < 0.97, name
         assert min(rates.values()) > 0.75, (name, rates)
     # The face is known by the blow to some degrees only, and rates do not need to know where it looks.
-    stated = {name: found.stated(name) for name in found.errors}
+    stated = {name: result.stated(name) for name in result.errors}
     assert stated["swing"]["face"] > 1.3 * stated["address"]["face"]
     assert stated["swing"]["closure"] == pytest.approx(stated["address"]["closure"], rel=0.05)
 
@@ -137,13 +137,13 @@ def test_deviations_that_are_stated_hold_the_truth():
 @pytest.mark.study
 @pytest.mark.parametrize(("club", "hand"), [("driver", "right"), ("7-iron", "left")])
 def test_ninety_percent_hold_the_truth_in_many_swings_of_bare_files(club, hand):
-    found = bare_study(200, club=club, hand=hand, seed=5)
+    result = bare_study(200, club=club, hand=hand, seed=5)
     for name in WAYS:
-        read = np.isfinite(found.errors[name][:, 0]).mean()
+        read = np.isfinite(result.errors[name][:, 0]).mean()
         # A blow far off centre spins an iron so fast that the swing alone may not calibrate it; that is refused. So are
         # three of these 200 irons however they are calibrated: their markers seem to lose 8% of the speed or less.
         assert read > (0.75 if name == "swing" else 0.98), name
-        for quantity, rate in found.coverage(name, 0.9).items():
+        for quantity, rate in result.coverage(name, 0.9).items():
             # 200 intervals scatter by 2.1%, to first order: 80 to 98% is four to five times that about 90%.
             assert 0.80 <= rate <= 0.98, (name, quantity, rate)
 
@@ -162,22 +162,22 @@ def guessed_ball(seed, by, **changes):
 def test_a_ball_that_is_guessed_wrongly_does_not_turn_the_face():
     for seed, by in ((1, 0.07), (2, -0.07), (3, 0.0)):
         swing, recording, mapping = guessed_ball(seed, by, ball_accuracy=0.05)
-        found = capture(recording, prepare(mapping, swing.club))
-        assert np.abs(errors(found, swing) / deviations(found)).max() < 4.0
-        assert found.delivery.face == pytest.approx(swing.truth["face"], abs=np.radians(0.8))
-        assert found.uncertainty["face"] < np.radians(0.6)
+        result = capture(recording, prepare(mapping, swing.club))
+        assert np.abs(errors(result, swing) / deviations(result)).max() < 4.0
+        assert result.delivery.face == pytest.approx(swing.truth["face"], abs=np.radians(0.8))
+        assert result.uncertainty["face"] < np.radians(0.6)
 
 
 def test_a_guessed_ball_is_as_uncertain_as_it_is_said_where_no_blow_is_seen():
     swing, recording, mapping = guessed_ball(1, -0.03, ball_accuracy=0.07)
     positions = recording.positions.copy()
     positions[int(0.25 * 360) + 4 :] = np.nan  # three frames after impact
-    found = capture(replace(recording, positions=positions), prepare(mapping, swing.club))
-    assert any("all depends on the given place of the ball" in note for note in found.notes)
+    result = capture(replace(recording, positions=positions), prepare(mapping, swing.club))
+    assert any("all depends on the given place of the ball" in note for note in result.notes)
     # 70 mm at 49 m/s are 1.4 ms, in which a face that closes with 2600 deg/s turns by 3.7 degrees.
     expected = swing.truth["closure"] * 0.07 / swing.truth["speed"]
-    assert found.uncertainty["face"] == pytest.approx(expected, rel=0.25)
-    assert abs(found.delivery.face - swing.truth["face"]) < 2.0 * found.uncertainty["face"]
+    assert result.uncertainty["face"] == pytest.approx(expected, rel=0.25)
+    assert abs(result.delivery.face - swing.truth["face"]) < 2.0 * result.uncertainty["face"]
 
 
 def test_a_position_without_accuracy_is_not_taken_to_be_exact():
@@ -185,9 +185,9 @@ def test_a_position_without_accuracy_is_not_taken_to_be_exact():
     untold = replace(mapping, accuracy=None)
     assert untold.ball_deviation == 0.010
     assert untold.position_deviation == 0.001
-    found = capture(recording, prepare(untold, swing.club))
-    assert known(found, "centre of the ball").deviations == [0.010]
-    assert found.uncertainty["loft"] > capture(recording, prepare(mapping, swing.club)).uncertainty["loft"]
+    result = capture(recording, prepare(untold, swing.club))
+    assert known(result, "centre of the ball").deviations == [0.010]
+    assert result.uncertainty["loft"] > capture(recording, prepare(mapping, swing.club)).uncertainty["loft"]
 
 
 def test_a_ball_far_from_where_the_head_is_slowed_is_told():
@@ -252,9 +252,9 @@ def test_the_address_may_be_a_file_of_its_own(tmp_path):
     rest = replace(recorded.recording, positions=recorded.recording.positions[:200])
     write_c3d(rest, tmp_path / "address.c3d")
     mapping = replace(bare_map(swing.club, CAMERAS), calibration="address.c3d", path=str(tmp_path / "map.toml"))
-    found = capture(recorded.recording, prepare(mapping, swing.club))
-    assert found.delivery.face == pytest.approx(read(swing, recorded).delivery.face, abs=np.radians(0.05))
-    assert any(note.endswith("address.c3d") for note in found.notes)
+    result = capture(recorded.recording, prepare(mapping, swing.club))
+    assert result.delivery.face == pytest.approx(read(swing, recorded).delivery.face, abs=np.radians(0.05))
+    assert any(note.endswith("address.c3d") for note in result.notes)
 
 
 def test_a_mapping_of_a_bare_file_reads_back_as_it_was_written():
@@ -263,10 +263,10 @@ def test_a_mapping_of_a_bare_file_reads_back_as_it_was_written():
         bare_map(club, CAMERAS), frames=(1, 90), ball_position=(0.0, 1.0, 0.0), ball_accuracy=0.03,
         assumed=Assumed(face=np.radians(3.0), toe=0.02),
     )  # fmt: skip
-    found = MarkerMap.from_text(made.to_toml())
-    assert (found.by, found.frames, found.ground, found.ball_accuracy) == ("address", (1, 90), 0.01, 0.03)
-    assert (found.assumed.face, found.assumed.toe) == (pytest.approx(np.radians(3.0)), 0.02)
-    assert found.assumed.lie == Assumed().lie
+    result = MarkerMap.from_text(made.to_toml())
+    assert (result.by, result.frames, result.ground, result.ball_accuracy) == ("address", (1, 90), 0.01, 0.03)
+    assert (result.assumed.face, result.assumed.toe) == (pytest.approx(np.radians(3.0)), 0.02)
+    assert result.assumed.lie == Assumed().lie
 
 
 @pytest.mark.parametrize(
@@ -317,16 +317,16 @@ def test_the_picture_shows_the_frames_and_the_delivery():
     from clubface.present.drawing import draw
 
     swing = random_swing(5, hand="left", face=0.08)
-    found = read(swing, record_bare(swing, CAMERAS, 5))
-    side, above, _, face, left = draw(swing_picture(found)).axes
-    assert f"attack angle of {np.degrees(found.delivery.attack):.1f}" in side.get_title(loc="left")
-    assert f"path of {np.degrees(found.delivery.path):.1f}" in above.get_title(loc="left")
+    result = read(swing, record_bare(swing, CAMERAS, 5))
+    side, above, _, face, left = draw(swing_picture(result)).axes
+    assert f"attack angle of {np.degrees(result.delivery.attack):.1f}" in side.get_title(loc="left")
+    assert f"path of {np.degrees(result.delivery.path):.1f}" in above.get_title(loc="left")
     [point] = [each for each in face.lines if each.get_marker() == "s"]
-    assert point.get_ydata()[0] == pytest.approx(np.degrees(found.delivery.face))
+    assert point.get_ydata()[0] == pytest.approx(np.degrees(result.delivery.face))
     # From the last frame before impact the face turns on, for the part of a frame that is left; noise is 0.3 degrees.
     when, before = face.lines[0].get_data()
     ahead = before[-1] - when[-1] * (before[-1] - before[-2]) / (when[-1] - when[-2])
-    assert ahead == pytest.approx(np.degrees(found.delivery.face), abs=1.5)
+    assert ahead == pytest.approx(np.degrees(result.delivery.face), abs=1.5)
     assert np.nanmean(left.lines[0].get_ydata()) == pytest.approx(0.3, rel=0.15)
 
 
@@ -349,8 +349,8 @@ def test_whatever_happens_to_a_bare_recording_it_is_read_or_refused(by):
         with warnings.catch_warnings():
             warnings.simplefilter("error", RuntimeWarning)
             try:
-                found = capture(replace(recorded.recording, positions=positions), ready)
-                assert np.isfinite(list(found.uncertainty.values())).all()
+                result = capture(replace(recorded.recording, positions=positions), ready)
+                assert np.isfinite(list(result.uncertainty.values())).all()
                 outcomes.append("read")
             except FileError:
                 outcomes.append("refused")
@@ -364,8 +364,8 @@ def test_the_instant_of_the_blow_is_less_certain_where_the_paths_do_not_meet():
         positions = recorded.recording.positions.copy()
         # As by cameras that were knocked: all after the blow, which is in frame 631, lies 5 mm higher.
         positions[631:, :, 2] += up
-        found = read(swing, replace(recorded, recording=replace(recorded.recording, positions=positions)))
-        times.append(known(found, "instant of first touch").deviations[0])
+        result = read(swing, replace(recorded, recording=replace(recorded.recording, positions=positions)))
+        times.append(known(result, "instant of first touch").deviations[0])
     # Half of what contact times differ by, 0.05 ms, and the paths: 0.3 mm of a speed lost of some 10 m/s.
     assert 0.05e-3 < times[0] < 0.1e-3
     assert times[1] > 1.5 * times[0]

@@ -31,19 +31,19 @@ def at(coefficients, times):
 def test_a_path_of_its_own_family_is_continued_exactly(estimate, degree, frames):
     coefficients = path_of(degree)
     times = TIMES[-frames:]
-    found = estimate(times, at(coefficients, times), same_noise(frames))
+    result = estimate(times, at(coefficients, times), same_noise(frames))
     # Rounding 1e-16, grown by the derivatives of a quartic over 30 frames of 1/720 s.
-    assert found.position[0] == pytest.approx(coefficients[0], abs=1e-9)
-    assert found.rate[0] == pytest.approx(coefficients[1], abs=1e-8)
+    assert result.position[0] == pytest.approx(coefficients[0], abs=1e-9)
+    assert result.rate[0] == pytest.approx(coefficients[1], abs=1e-8)
 
 
 def test_p1s_extrapolation_worked_by_hand():
     """Positions t^2 at -4, -3, -2, -1 frames: 16, 9, 4, 1; central velocities -6 at -3 and -4 at -2."""
     times = np.array([-4.0, -3.0, -2.0, -1.0]) * TIME
     coordinates = np.repeat(np.array([16.0, 9.0, 4.0, 1.0])[:, None], 6, axis=1)
-    found = linear(times, coordinates, same_noise(4))
-    assert found.position[:, 0] == pytest.approx([1.0 - 3.0, -3.0])  # goes on from 1 with the slope 1 - 4
-    assert found.rate[:, 0] == pytest.approx([0.0, 2.0])  # -6, -4, so 0 at time zero
+    result = linear(times, coordinates, same_noise(4))
+    assert result.position[:, 0] == pytest.approx([1.0 - 3.0, -3.0])  # goes on from 1 with the slope 1 - 4
+    assert result.rate[:, 0] == pytest.approx([0.0, 2.0])  # -6, -4, so 0 at time zero
 
 
 def test_the_stated_covariance_of_the_linear_estimate_is_that_of_its_scatter():
@@ -51,8 +51,8 @@ def test_the_stated_covariance_of_the_linear_estimate_is_that_of_its_scatter():
     times = TIMES[-4:]
     drawn = []
     for _ in range(4000):
-        found = linear(times, random.normal(size=(4, 6)) @ np.sqrt(NOISE), same_noise(4))
-        drawn.append(np.concatenate([found.position.ravel(), found.rate.ravel()]))
+        result = linear(times, random.normal(size=(4, 6)) @ np.sqrt(NOISE), same_noise(4))
+        drawn.append(np.concatenate([result.position.ravel(), result.rate.ravel()]))
     stated = linear(times, np.zeros((4, 6)), same_noise(4)).covariance
     # 4000 draws give a standard deviation to 1.1%; four times that.
     assert np.std(drawn, axis=0) == pytest.approx(np.sqrt(np.diag(stated)), rel=0.045)
@@ -99,7 +99,7 @@ def predict(state, spread, step, density, size):
 def test_the_smoother_is_the_kalman_filter_of_its_model():
     random = np.random.default_rng(2)
     coordinates = at(path_of(4), TIMES) + random.normal(size=(30, 6)) @ np.sqrt(NOISE)
-    found = smoother(TIMES, coordinates, same_noise(30), roughness=0.5)
+    result = smoother(TIMES, coordinates, same_noise(30), roughness=0.5)
     step = (TIMES[-1] - TIMES[-4]) / TIME
     speed = np.linalg.norm(coordinates[-1, :3] - coordinates[-4, :3]) / step
     turning = np.linalg.norm(coordinates[-1, 3:] - coordinates[-4, 3:]) / step
@@ -107,11 +107,11 @@ def test_the_smoother_is_the_kalman_filter_of_its_model():
     for column, density in ((0, densities[0]), (4, densities[1])):
         state, spread = kalman(TIMES, coordinates[:, column], NOISE[column, column], density, 4)
         rows = np.arange(5) * 6 + column
-        stated = np.sqrt(np.diag(found.covariance[np.ix_(rows, rows)]))
+        stated = np.sqrt(np.diag(result.covariance[np.ix_(rows, rows)]))
         # The filter starts with a variance of 100 in place of none at all: against that of 1e-2 or less it ends with
         # that shifts it by 1e-4 of its standard deviation; more would drown the noise of 1e-8 in rounding.
         assert stated == pytest.approx(np.sqrt(np.diag(spread)), rel=1e-3)
-        assert (found.position[:, column] - state) / stated == pytest.approx(np.zeros(5), abs=1e-3)
+        assert (result.position[:, column] - state) / stated == pytest.approx(np.zeros(5), abs=1e-3)
 
 
 def test_the_smoother_holds_what_its_path_may_do_after_the_last_frame():
@@ -129,12 +129,12 @@ def test_the_smoother_holds_what_its_path_may_do_after_the_last_frame():
 def test_the_misfit_is_one_where_the_model_is_true_and_grows_where_the_noise_is_understated():
     random = np.random.default_rng(8)
     coordinates = at(path_of(4), TIMES[-20:])
-    found = [
+    result = [
         polynomial(TIMES[-20:], coordinates + random.normal(size=(20, 6)) @ np.sqrt(NOISE), same_noise(20)).misfit
         for _ in range(50)
     ]
     # 50 times 90 degrees of freedom: known to sqrt(2/4500) = 2.1%.
-    assert np.mean(found) == pytest.approx(1.0, abs=0.07)
+    assert np.mean(result) == pytest.approx(1.0, abs=0.07)
     doubled = polynomial(TIMES[-20:], coordinates + 2 * random.normal(size=(20, 6)) @ np.sqrt(NOISE), same_noise(20))
     assert 2.5 < doubled.misfit < 5.5
 

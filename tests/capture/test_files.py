@@ -34,14 +34,14 @@ def points_at(content):
 
 
 def test_what_is_written_is_read_back(recording, file):
-    found = read_c3d(file)
-    assert found.labels == recording.labels
-    assert (found.rate, found.first_frame, found.path) == (720.0, 1, str(file))
+    result = read_c3d(file)
+    assert result.labels == recording.labels
+    assert (result.rate, result.first_frame, result.path) == (720.0, 1, str(file))
     assert check_layout(file) == Layout(3, 0, 40, 1)
     # A file holds mm in single precision: 2000 mm to 1e-4 mm.
-    assert np.array_equal(np.isnan(found.positions), np.isnan(recording.positions))
-    assert np.nanmax(np.abs(found.positions - recording.positions)) < 1.2e-7
-    assert found.times[1] == 1 / 720
+    assert np.array_equal(np.isnan(result.positions), np.isnan(recording.positions))
+    assert np.nanmax(np.abs(result.positions - recording.positions)) < 1.2e-7
+    assert result.times[1] == 1 / 720
 
 
 def test_invalid_points_and_points_at_the_origin_were_not_seen(file):
@@ -50,10 +50,10 @@ def test_invalid_points_and_points_at_the_origin_were_not_seen(file):
     struct.pack_into("<f", content, start + 12, -1.0)  # first frame, first point: its fourth word, the residual
     struct.pack_into("<3f", content, start + 3 * 16 + 2 * 16, 0.0, 0.0, 0.0)  # second frame, third point
     file.write_bytes(content)
-    found = read_c3d(file)
-    assert np.isnan(found.positions[0, 0]).all()
-    assert np.isnan(found.positions[1, 2]).all()
-    assert np.isnan(found.positions).any(-1).sum() == 4 + 2
+    result = read_c3d(file)
+    assert np.isnan(result.positions[0, 0]).all()
+    assert np.isnan(result.positions[1, 2]).all()
+    assert np.isnan(result.positions).any(-1).sum() == 4 + 2
 
 
 def test_a_marker_is_found_by_its_name_or_after_that_of_its_subject(recording):
@@ -99,9 +99,9 @@ def test_empty_cut_and_foreign_files_are_told_apart(file, tmp_path):
         (b"\0" * 4096, "this is not a C3D file"),
     ):
         spoiled.write_bytes(kept)
-        with pytest.raises(FileError, match=message) as told:
+        with pytest.raises(FileError, match=message) as caught:
             read_c3d(spoiled)
-        assert str(told.value).startswith(str(spoiled))
+        assert str(caught.value).startswith(str(spoiled))
     with pytest.raises(FileError, match="cannot be read: No such file"):
         read_c3d(tmp_path / "absent.c3d")
     with pytest.raises(FileError, match="cannot be read"):
@@ -150,27 +150,27 @@ def test_any_bytes_are_refused_or_understood(tmp_path_factory, content):
 def test_a_mapping_reads_back_as_it_was_written():
     club, cameras = random_swing(1).club, Cameras()
     for made in (positions_map(club, cameras), calibration_map(club, cameras)):
-        found = MarkerMap.from_text(made.to_toml())
-        assert found.cluster == made.cluster  # lengths of whole mm come back to the last bit
-        assert (found.target, found.up, found.ball, found.club) == ("+y", "+z", "BALL", "driver")
-        assert {name: tuple(each) for name, each in found.face.items()} == {
+        result = MarkerMap.from_text(made.to_toml())
+        assert result.cluster == made.cluster  # lengths of whole mm come back to the last bit
+        assert (result.target, result.up, result.ball, result.club) == ("+y", "+z", "BALL", "driver")
+        assert {name: tuple(each) for name, each in result.face.items()} == {
             name: pytest.approx(tuple(each)) for name, each in made.face.items()
         }
     line = MarkerMap(
         cluster={"A B": (0.0, 0.0, 0.001), 'C"': (0.1, 0.0, 0.0), "D": (0.0, 0.1, 0.0)}, ball_position=(1.0, 2.0, 3.0),
         target=("NEAR", "FAR"), up="-y", unit="cm", noise=2e-4, accuracy=1e-3,
     )  # fmt: skip
-    found = MarkerMap.from_text(line.to_toml())
-    assert found.cluster == line.cluster
-    assert (found.target, found.unit, found.noise, found.accuracy) == (("NEAR", "FAR"), "cm", 2e-4, 1e-3)
-    assert found.ball_position == pytest.approx((1.0, 2.0, 3.0))
+    result = MarkerMap.from_text(line.to_toml())
+    assert result.cluster == line.cluster
+    assert (result.target, result.unit, result.noise, result.accuracy) == (("NEAR", "FAR"), "cm", 2e-4, 1e-3)
+    assert result.ball_position == pytest.approx((1.0, 2.0, 3.0))
 
 
 def test_the_template_is_a_mapping():
-    found = MarkerMap.from_text(template())
-    assert found.face["FACE_TOE"].toe == pytest.approx(0.03)
-    assert found.accuracy == pytest.approx(3e-4)
-    assert found.calibration_path.name == "calibration.c3d"
+    result = MarkerMap.from_text(template())
+    assert result.face["FACE_TOE"].toe == pytest.approx(0.03)
+    assert result.accuracy == pytest.approx(3e-4)
+    assert result.calibration_path.name == "calibration.c3d"
 
 
 @pytest.mark.parametrize(
@@ -201,10 +201,10 @@ def test_the_template_is_a_mapping():
 def test_a_mistake_in_a_mapping_is_told_with_its_line(old, new, line, message):
     text = template()
     assert old in text
-    with pytest.raises(FileError, match=message) as told:
+    with pytest.raises(FileError, match=message) as caught:
         MarkerMap.from_text(text.replace(old, new, 1), "map.toml")
     if line is not None:
-        assert told.value.line == line
+        assert caught.value.line == line
 
 
 @pytest.mark.parametrize(

@@ -65,8 +65,8 @@ def whole_delivery(**swing):
     return capture(recording, ready)
 
 
-def values(found):
-    return np.array([getattr(found.delivery, name) for name in QUANTITIES])
+def values(result):
+    return np.array([getattr(result.delivery, name) for name in QUANTITIES])
 
 
 def test_a_gap_in_the_follow_through_changes_nothing():
@@ -96,13 +96,13 @@ def test_a_gap_before_or_after_impact_is_not_the_blow_whatever_fills_it(rate, cl
     swing, recording, ready, impact = bare(rate=rate, club=club, hand=hand)
     whole = whole_delivery(rate=rate, club=club, hand=hand)
     positions = with_gap(recording.positions, impact + first, impact + last, way)
-    found = capture(replace(recording, positions=positions), ready)
-    assert found.frames == whole.frames
-    stated = np.array(list(found.uncertainty.values()))
-    assert (np.abs(values(found) - values(whole)) / stated).max() < (3.0 if first < 0 else 0.1)
-    assert np.abs(errors(found, swing) / deviations(found)).max() < 4.0
-    told = any("filled by the capture program" in note for note in found.notes)
-    assert told == (way not in ("nan", "zero"))
+    result = capture(replace(recording, positions=positions), ready)
+    assert result.frames == whole.frames
+    stated = np.array(list(result.uncertainty.values()))
+    assert (np.abs(values(result) - values(whole)) / stated).max() < (3.0 if first < 0 else 0.1)
+    assert np.abs(errors(result, swing) / deviations(result)).max() < 4.0
+    noted = any("filled by the capture program" in note for note in result.notes)
+    assert noted == (way not in ("nan", "zero"))
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -120,9 +120,9 @@ def test_one_marker_of_five_that_is_hidden_across_the_impact_costs_little(way):
     mapping = replace(positions_map(swing.club, cameras), ball=None)
     recording = cameras.record(swing, 3)
     positions = with_gap(recording.positions, 170, 200, way, markers=[1])
-    found = capture(replace(recording, positions=positions), prepare(mapping, swing.club))
-    assert np.abs(errors(found, swing) / deviations(found)).max() < 4.0
-    assert found.delivery.speed == pytest.approx(
+    result = capture(replace(recording, positions=positions), prepare(mapping, swing.club))
+    assert np.abs(errors(result, swing) / deviations(result)).max() < 4.0
+    assert result.delivery.speed == pytest.approx(
         captured(swing, cameras, seed=3, mapping=mapping).delivery.speed, abs=0.2
     )
 
@@ -157,9 +157,9 @@ def test_of_two_blows_the_harder_is_taken_and_the_other_named():
     gap = np.full((20, 3, 3), np.nan)
     both = replace(recording, positions=np.concatenate([recording.positions, gap, first.positions]))
     ready = replace(ready, mapping=replace(ready.mapping, frames=(1, 60)))
-    found = capture(both, ready)
-    assert found.frames[0] == pytest.approx(impact + 1, abs=1)
-    assert any("loses speed in frame" in note and "cut the recording" in note for note in found.notes)
+    result = capture(both, ready)
+    assert result.frames[0] == pytest.approx(impact + 1, abs=1)
+    assert any("loses speed in frame" in note and "cut the recording" in note for note in result.notes)
 
 
 def test_noise_never_lies_on_a_polynomial_and_a_filled_gap_does():
@@ -211,19 +211,19 @@ def test_a_swing_without_noise_is_not_taken_for_one_that_was_filled(rate):
 def test_an_axis_is_said_to_be_wrong_only_with_one_that_makes_the_delivery_plausible():
     with pytest.raises(FileError, match=r"turn the axis that points to it; \+z gives a plausible delivery"):
         capture(RECORDING, prepare(MAPPING, "driver", target="-z"))
-    found = capture(RECORDING, prepare(MAPPING, "driver", target="+z"))
-    assert found.plausible
+    result = capture(RECORDING, prepare(MAPPING, "driver", target="+z"))
+    assert result.plausible
 
 
 def test_a_delivery_that_no_shot_has_stands_under_a_warning():
     """With the club upside down it has a lie of 170 degrees: the first note says so, and the document."""
     swing = random_swing(2)
     cameras = Cameras(rate=720.0, noise=2e-4)
-    found = captured(swing, cameras, up="-z")
-    assert not found.plausible
-    assert found.notes[0].startswith("not plausible: ")
-    assert "lie" in found.notes[0]
-    assert found.to_result().table("swings")["plausible"].values == [False]
+    result = captured(swing, cameras, up="-z")
+    assert not result.plausible
+    assert result.notes[0].startswith("not plausible: ")
+    assert "lie" in result.notes[0]
+    assert result.to_result().table("swings")["plausible"].values == [False]
     assert captured(swing, cameras).plausible
 
 
@@ -236,8 +236,8 @@ def test_each_value_that_no_swing_has_and_a_speed_that_is_hardly_known_is_not_pl
     values = {"speed": 50.0, "path": 0.02, "loft": driver.loft + 0.05, "lie": 0.1}
     deviations = dict.fromkeys(values, 0.01)
     assert implausible(values, deviations, driver) == []
-    (said,) = implausible(values | {name: value}, deviations | {name: deviation}, driver)
-    assert said.startswith(f"{name} ")
+    (message,) = implausible(values | {name: value}, deviations | {name: deviation}, driver)
+    assert message.startswith(f"{name} ")
 
 
 @pytest.mark.parametrize("later", [0, 1, 3])
@@ -245,11 +245,11 @@ def test_each_value_that_no_swing_has_and_a_speed_that_is_hardly_known_is_not_pl
 def test_a_recording_that_ends_at_the_impact_is_read_from_its_last_frames(rate, club, later):
     """When between two frames the ball is met is not known: that is a part of a frame in every rate and angle."""
     swing, recording, ready, impact = bare(rate=rate, club=club)
-    found = capture(replace(recording, positions=recording.positions[: impact + 1 + later]), ready)
-    assert np.abs(errors(found, swing) / deviations(found)).max() < 3.0
-    assert any("the recording ends" in note for note in found.notes)
+    result = capture(replace(recording, positions=recording.positions[: impact + 1 + later]), ready)
+    assert np.abs(errors(result, swing) / deviations(result)).max() < 3.0
+    assert any("the recording ends" in note for note in result.notes)
     turned = 2500.0 / rate * (1.0 if later == 0 else 12.0**-0.5)  # degrees that the face closes in that time
-    assert found.get("face", "deg")[1] > 0.5 * turned
+    assert result.get("face", "deg")[1] > 0.5 * turned
 
 
 def test_a_recording_that_ends_in_the_backswing_or_follow_through_has_no_impact():

@@ -61,7 +61,7 @@ def test_shots_that_both_have_are_paired_and_the_others_named():
 def test_joined_shots_identify_what_made_them():
     captured, measured = both(40)
     shots = join(captured.select(np.arange(1, 40)), measured.select(np.arange(39)))
-    found = clubface.identify(
+    result = clubface.identify(
         shots,
         club="driver",
         model="slip",
@@ -71,12 +71,12 @@ def test_joined_shots_identify_what_made_them():
         folds=0,
         bootstrap=0,
     )
-    assert found.shots == 38
-    for name in found.free:
-        low, high = found.profiles[name].interval
+    assert result.shots == 38
+    for name in result.free:
+        low, high = result.profiles[name].interval
         # Three times the 95% interval about the truth: the azimuth is turned by a degree.
         truth = clubface.ParameterSet.builtin("slip", "driver").values[name]
-        assert abs(found.parameters.values[name] - truth) < 1.5 * (high - low)
+        assert abs(result.parameters.values[name] - truth) < 1.5 * (high - low)
 
 
 @settings(max_examples=60, deadline=None)

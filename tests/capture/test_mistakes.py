@@ -30,8 +30,8 @@ def read(change=None, mapping=MAPPING, club="driver", **options):
     return capture(replace(RECORDING, positions=positions), prepare(mapping, club, **options))
 
 
-def notes(found, word):
-    return [note for note in found.notes if word in note]
+def notes(result, word):
+    return [note for note in result.notes if word in note]
 
 
 def changed(frames, markers, value):
@@ -77,9 +77,9 @@ def test_a_face_that_passes_a_ball_without_moving_it_is_no_impact():
 def test_without_a_ball_to_see_the_head_must_be_slowed():
     place = tuple(RECORDING.positions[:IMPACT, BALL].mean(0))
     fixed = replace(MAPPING, ball=None, ball_position=place, accuracy=2e-4)
-    found = read(mapping=fixed)
-    assert notes(found, "loss of the head's speed shows")
-    assert np.abs(errors(found, SWING) / deviations(found)).max() < 4.0
+    result = read(mapping=fixed)
+    assert notes(result, "loss of the head's speed shows")
+    assert np.abs(errors(result, SWING) / deviations(result)).max() < 4.0
 
     free = replace(SWING, slowed=(np.zeros(3), np.zeros(3)))
     with pytest.raises(
@@ -93,19 +93,19 @@ def test_ball_and_head_may_both_vanish_at_impact():
         positions[IMPACT:] = np.nan
         return positions
 
-    found = read(vanish)
-    assert notes(found, "lost from sight before it meets the ball")
-    assert notes(found, "neither ball nor clubhead is seen after impact")
+    result = read(vanish)
+    assert notes(result, "lost from sight before it meets the ball")
+    assert notes(result, "neither ball nor clubhead is seen after impact")
     whole = read()
-    assert found.delivery.speed == pytest.approx(whole.delivery.speed, abs=0.02)
-    assert found.launch == {}
+    assert result.delivery.speed == pytest.approx(whole.delivery.speed, abs=0.02)
+    assert result.launch == {}
 
 
 def test_a_head_lost_before_impact_is_extended_across_the_gap_with_less_certainty():
-    found = read(changed(slice(IMPACT - 5, IMPACT + 2), HEAD, np.nan))
-    assert notes(found, "the last 5 frames before impact do not show the clubhead's pose")
-    assert found.uncertainty["speed"] > 2 * read().uncertainty["speed"]
-    assert np.abs(errors(found, SWING) / deviations(found)).max() < 4.0
+    result = read(changed(slice(IMPACT - 5, IMPACT + 2), HEAD, np.nan))
+    assert notes(result, "the last 5 frames before impact do not show the clubhead's pose")
+    assert result.uncertainty["speed"] > 2 * read().uncertainty["speed"]
+    assert np.abs(errors(result, SWING) / deviations(result)).max() < 4.0
 
 
 def test_a_head_lost_for_long_before_impact_is_refused_with_the_frames():
@@ -129,9 +129,9 @@ def test_a_practice_swing_before_is_not_the_impact():
     practice[:, BALL] = RECORDING.positions[0, BALL]
     slower = np.repeat(practice, 2, axis=0)  # at half the speed
     positions = np.concatenate([slower, gap, RECORDING.positions])
-    found = capture(replace(RECORDING, positions=positions), prepare(MAPPING, "driver"))
-    assert found.frames[0] == len(slower) + len(gap) + IMPACT
-    assert found.delivery.speed == pytest.approx(read().delivery.speed, abs=0.05)
+    result = capture(replace(RECORDING, positions=positions), prepare(MAPPING, "driver"))
+    assert result.frames[0] == len(slower) + len(gap) + IMPACT
+    assert result.delivery.speed == pytest.approx(read().delivery.speed, abs=0.05)
 
 
 def test_a_swing_where_the_ball_will_lie_is_not_the_impact():
@@ -139,8 +139,8 @@ def test_a_swing_where_the_ball_will_lie_is_not_the_impact():
     practice[:, BALL] = RECORDING.positions[0, BALL] + [0.5, 0.0, 0.0]
     shot = RECORDING.positions.copy()
     shot[IMPACT:, BALL] = np.nan
-    found = capture(replace(RECORDING, positions=np.concatenate([practice, shot])), prepare(MAPPING, "driver"))
-    assert found.frames[0] == len(practice) + IMPACT
+    result = capture(replace(RECORDING, positions=np.concatenate([practice, shot])), prepare(MAPPING, "driver"))
+    assert result.frames[0] == len(practice) + IMPACT
 
 
 def test_frames_after_first_touch_are_not_used_even_if_they_are_offered():
@@ -153,12 +153,12 @@ def test_frames_after_first_touch_are_not_used_even_if_they_are_offered():
     followed = track(cluster.shape, RECORDING.markers(cluster.names) @ turn.T, cluster.names, "x")
     ball = RECORDING.positions[:IMPACT, BALL].mean(0) @ turn.T
     how = {"noise": 2e-4, "name": "smoother", "roughness": 0.6, "where": "x"}
-    found = [
+    result = [
         follow(RECORDING.times, followed, Interval(last, last + 1), ball, ready.club, ready.ball.radius, **how)
         for last in (IMPACT - 1, IMPACT, IMPACT + 1)
     ]
-    assert [each.frames[-1] for each in found] == [IMPACT - 1] * 3
-    assert found[2].touch == pytest.approx(found[0].touch, abs=1e-9)
+    assert [each.frames[-1] for each in result] == [IMPACT - 1] * 3
+    assert result[2].touch == pytest.approx(result[0].touch, abs=1e-9)
 
 
 def test_exchanged_and_stray_markers_are_mended_and_told():
@@ -167,11 +167,11 @@ def test_exchanged_and_stray_markers_are_mended_and_told():
         positions[IMPACT - 20, 4] += 0.05
         return positions
 
-    found = read(mixed)
+    result = read(mixed)
     first, last = IMPACT - 7, IMPACT + 1
-    assert notes(found, f"HEAD1 and HEAD3 exchanged in frames {first}-{last}: put right")
-    assert notes(found, f"HEAD5 strays in frame {IMPACT - 19}: left out there")
-    assert found.delivery.speed == pytest.approx(read().delivery.speed, abs=0.02)
+    assert notes(result, f"HEAD1 and HEAD3 exchanged in frames {first}-{last}: put right")
+    assert notes(result, f"HEAD5 strays in frame {IMPACT - 19}: left out there")
+    assert result.delivery.speed == pytest.approx(read().delivery.speed, abs=0.02)
 
 
 @pytest.mark.parametrize(
@@ -203,8 +203,8 @@ def test_what_can_be_doubted_is_told(options, word):
 
 
 def test_a_ball_that_flies_off_otherwise_puts_the_club_in_doubt():
-    found = read(club="7-iron", mapping=replace(MAPPING, club=None))
-    assert notes(found, "where this delivery of 7-iron gives")
+    result = read(club="7-iron", mapping=replace(MAPPING, club=None))
+    assert notes(result, "where this delivery of 7-iron gives")
 
 
 def test_a_ball_that_leaves_before_the_face_arrives_puts_the_mapping_in_doubt():
@@ -212,16 +212,16 @@ def test_a_ball_that_leaves_before_the_face_arrives_puts_the_mapping_in_doubt():
         positions[:-2, BALL] = positions[2:, BALL].copy()
         return positions
 
-    told = notes(read(early), "after the face touches it")
+    noted = notes(read(early), "after the face touches it")
     # Two frames of 1.39 ms early, and half a contact late: -2.78 + 0.22 ms.
-    assert told
-    assert float(told[0].split("starts ")[1].split(" ms")[0]) == pytest.approx(-2.55, abs=0.02)
+    assert noted
+    assert float(noted[0].split("starts ")[1].split(" ms")[0]) == pytest.approx(-2.55, abs=0.02)
 
 
 def test_an_impact_off_the_face_is_told():
     wide = random_swing(2, club=clubface.club("driver").replace(face_width="150 mm"), toe=0.06)
-    found = captured(replace(wide, club=SWING.club), CAMERAS)
-    assert notes(found, "outside the face of driver (105 x 55 mm)")
+    result = captured(replace(wide, club=SWING.club), CAMERAS)
+    assert notes(result, "outside the face of driver (105 x 55 mm)")
 
 
 def test_a_moved_marker_is_told():
@@ -283,17 +283,17 @@ def test_calibrations_that_cannot_be_used_are_refused(tmp_path):
 def test_of_many_files_the_bad_ones_are_listed_and_the_good_ones_read(tmp_path):
     files = synthesize(tmp_path, 3, cameras=CAMERAS)
     files[1].write_bytes(files[1].read_bytes()[:2000])
-    found = read_swings(files[:3], tmp_path / "markers.toml", "driver")
-    assert found.places == (1, 3)
-    assert [each.line for each in found.rejected] == [2]
-    assert "cut short" in found.rejected[0].reason
-    written = found.write(tmp_path / "shots.csv")
+    result = read_swings(files[:3], tmp_path / "markers.toml", "driver")
+    assert result.places == (1, 3)
+    assert [each.line for each in result.rejected] == [2]
+    assert "cut short" in result.rejected[0].reason
+    written = result.write(tmp_path / "shots.csv")
     assert [each.name for each in written] == ["shots.csv", "shots.sd.csv"]
     from clubface.shots.reading import read_shots
 
     table = read_shots(written[0])
-    assert table.deliveries["loft"] == pytest.approx(found.shots.deliveries["loft"], rel=1e-12)
-    assert read_shots(written[1]).deliveries["loft"] == pytest.approx(found.uncertainty.deliveries["loft"], rel=1e-12)
+    assert table.deliveries["loft"] == pytest.approx(result.shots.deliveries["loft"], rel=1e-12)
+    assert read_shots(written[1]).deliveries["loft"] == pytest.approx(result.uncertainty.deliveries["loft"], rel=1e-12)
     with pytest.raises(InputError, match="at least one swing"):
         _ = read_swings([files[1]], tmp_path / "markers.toml", "driver").shots
 
@@ -305,9 +305,9 @@ def test_an_interruption_keeps_what_was_read(tmp_path):
         if done == 2:
             raise KeyboardInterrupt
 
-    found = read_swings(files[:3], tmp_path / "markers.toml", "driver", progress=stop)
-    assert found.interrupted
-    assert found.places == (1, 2)
+    result = read_swings(files[:3], tmp_path / "markers.toml", "driver", progress=stop)
+    assert result.interrupted
+    assert result.places == (1, 2)
 
 
 def test_notes_are_warnings_of_a_single_reading(tmp_path):
@@ -337,12 +337,12 @@ def test_whatever_happens_to_a_recording_it_is_read_or_refused():
         with warnings.catch_warnings():
             warnings.simplefilter("error", RuntimeWarning)
             try:
-                found = capture(replace(RECORDING, positions=positions), ready[number % 3])
+                result = capture(replace(RECORDING, positions=positions), ready[number % 3])
             except FileError as error:
                 outcomes.append(str(error))
             else:
                 outcomes.append("read")
-                assert np.isfinite(list(found.uncertainty.values())).all()
+                assert np.isfinite(list(result.uncertainty.values())).all()
     assert outcomes.count("read") >= 5
     assert len(set(outcomes)) >= 5
 

@@ -95,12 +95,12 @@ def test_where_the_ball_rests_is_known_better_the_longer_it_is_seen():
     random = np.random.default_rng(3)
     seen = np.array([0.1, 0.2, 0.3]) + 3e-4 * random.normal(size=(400, 3))
     seen[300:] += np.linspace(0.05, 6.0, 100)[:, None]
-    found = resting_places(seen, 720.0)
-    assert (len(found), found[0].departure, found[0].span) == (1, 300, (0, 299))
-    assert found[0].frames == 180 + 1  # a quarter of a second
+    result = resting_places(seen, 720.0)
+    assert (len(result), result[0].departure, result[0].span) == (1, 300, (0, 299))
+    assert result[0].frames == 180 + 1  # a quarter of a second
     # A quartile of 400 steps: to some 5%.
-    assert found[0].noise == pytest.approx(3e-4, rel=0.2)
-    assert found[0].centre == pytest.approx([0.1, 0.2, 0.3], abs=4 * 3e-4 / math.sqrt(180))
+    assert result[0].noise == pytest.approx(3e-4, rel=0.2)
+    assert result[0].centre == pytest.approx([0.1, 0.2, 0.3], abs=4 * 3e-4 / math.sqrt(180))
     assert resting_places(np.full((5, 3), np.nan), 720.0) == []
 
 
@@ -111,9 +111,9 @@ def test_the_flight_of_a_ball_under_gravity_is_fitted_exactly():
     gone = np.maximum(times - 0.0302, 0.0)[:, None]
     seen = rest + velocity * gone - [0.0, 0.5 * 9.80665, 0.0] * gone**2
     [ball] = resting_places(seen, 720.0)
-    found = flight(seen, times, ball, 0.0302)
-    assert found.velocity == pytest.approx(velocity, abs=1e-9)
-    assert found.start == pytest.approx(0.0302, abs=1e-9)
+    result = flight(seen, times, ball, 0.0302)
+    assert result.velocity == pytest.approx(velocity, abs=1e-9)
+    assert result.start == pytest.approx(0.0302, abs=1e-9)
     assert flight(seen[:22], times[:22], ball, 0.0302) is None
 
 

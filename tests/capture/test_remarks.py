@@ -36,7 +36,7 @@ def test_nothing_is_remarked_of_a_usual_delivery():
 
 
 @pytest.mark.parametrize(
-    ("name", "usual", "odd", "said"),
+    ("name", "usual", "odd", "words"),
     [
         # The face is 105 mm wide and 55 mm high.
         ("toe", "52 mm", "53 mm", "53.0 mm towards the toe and 3.0 mm high, outside the face of driver (105 x 55 mm)"),
@@ -55,10 +55,10 @@ def test_nothing_is_remarked_of_a_usual_delivery():
         ("closure", "-490 deg/s", "-510 deg/s", "the face opens through impact, with 510 deg/s"),
     ],
 )
-def test_a_value_is_doubted_beyond_its_limit_and_not_before(name, usual, odd, said):
+def test_a_value_is_doubted_beyond_its_limit_and_not_before(name, usual, odd, words):
     assert remarks(**{name: usual}) == []
-    (told,) = remarks(**{name: odd})
-    assert said in told
+    (message,) = remarks(**{name: odd})
+    assert words in message
 
 
 def test_a_closure_that_is_hardly_known_is_not_doubted():
@@ -69,15 +69,15 @@ def test_a_closure_that_is_hardly_known_is_not_doubted():
 
 def test_a_loft_that_is_not_known_to_two_degrees_is_told_unless_it_was_assumed():
     assert remarks({"loft": "1.9 deg"}) == []
-    (told,) = remarks({"loft": "2.1 deg"})
-    assert "the dynamic loft is not known to 2 deg" in told
+    (message,) = remarks({"loft": "2.1 deg"})
+    assert "the dynamic loft is not known to 2 deg" in message
     # What was assumed is known from the start; the rest, in squares, is what the markers do not know.
     assert remarks({"loft": "3 deg"}, assumed=units.to_si(2.5, "deg")) == []  # the rest: 1.66 degrees
     assert len(remarks({"loft": "3 deg"}, assumed=units.to_si(2.0, "deg"))) == 1  # 2.24 degrees
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "message"),
     [
         ((1.0, 1, 100), []), ((1.49, 1, 30), []), ((1.0, 0, 0), []),
         ((1.0, 2, 100), ["the last 2 frames before impact do not show"]),
@@ -86,10 +86,10 @@ def test_a_loft_that_is_not_known_to_two_degrees_is_told_unless_it_was_assumed()
         ((1.0, 0, 1), ["estimated from 1 degrees of freedom only"]),
     ],
 )  # fmt: skip
-def test_a_path_is_doubted_where_it_misses_frames_noise_or_freedom(given, said):
-    found = fit_remarks(*given)
-    assert len(found) == len(said)
-    assert all(words in note for words, note in zip(said, found, strict=True))
+def test_a_path_is_doubted_where_it_misses_frames_noise_or_freedom(given, message):
+    result = fit_remarks(*given)
+    assert len(result) == len(message)
+    assert all(words in note for words, note in zip(message, result, strict=True))
 
 
 def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
@@ -101,7 +101,7 @@ def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "message"),
     [
         ({}, []), ({"late": -0.29e-3}, []), ({"late": 0.74e-3}, []),
         ({"late": -0.31e-3}, ["the ball starts -0.31 ms after"]),
@@ -116,10 +116,10 @@ def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
     ],
 )  # fmt: skip
 @pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
-def test_a_flight_that_the_delivery_cannot_give_is_told(change, said):
-    found = launch_remarks(si(USUAL), DRIVER, None, launched(**change), 1.0)
-    assert len(found) == len(said)
-    assert all(words in note for words, note in zip(said, found, strict=True))
+def test_a_flight_that_the_delivery_cannot_give_is_told(change, message):
+    result = launch_remarks(si(USUAL), DRIVER, None, launched(**change), 1.0)
+    assert len(result) == len(message)
+    assert all(words in note for words, note in zip(message, result, strict=True))
 
 
 def test_without_a_flight_nothing_is_said_of_it():

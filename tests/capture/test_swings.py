@@ -21,20 +21,20 @@ ALLOWED = {"attack": 0.05, "path": 0.05, "loft": 0.05, "face": 0.05, "lie": 0.05
 @pytest.mark.parametrize(("club", "hand"), [("driver", "right"), ("driver", "left"), ("7-iron", "right")])
 def test_without_noise_the_delivery_is_read_to_a_twentieth_of_a_degree(club, hand):
     for swing in swings(12, club=club, hand=hand):
-        found = captured(swing, Cameras())
-        off = dict(zip(QUANTITIES, np.abs(errors(found, swing)), strict=True))
+        result = captured(swing, Cameras())
+        off = dict(zip(QUANTITIES, np.abs(errors(result, swing)), strict=True))
         assert off["speed"] < 5e-4 * swing.truth["speed"]
         for name, allowed in ALLOWED.items():
             assert off[name] < allowed, name
         # Rates of 40 rad/s to 0.25%: the markers' path gives them as well as it gives velocities.
         assert max(off["closure"], off["pitch_rate"], off["lie_rate"]) < 0.1
-        assert abs(found.time - 0.25) < 2 / 720
-        assert found.notes == ()
+        assert abs(result.time - 0.25) < 2 / 720
+        assert result.notes == ()
 
 
 def test_p1s_extrapolation_is_off_by_what_the_path_bends_in_a_frame():
-    found = [captured(swing, Cameras(), estimator="linear") for swing in swings(12)]
-    off = np.array([errors(each, swing) for each, swing in zip(found, swings(12), strict=True)])
+    result = [captured(swing, Cameras(), estimator="linear") for swing in swings(12)]
+    off = np.array([errors(each, swing) for each, swing in zip(result, swings(12), strict=True)])
     high = off[:, QUANTITIES.index("high")]
     # A path that bends with a = v^2/r = 1500 m/s2 leaves its tangent by a/2 (1/720 s)^2 = 1.4 mm within a frame, and
     # the slope from the frame before is half a frame old: up to twice that again.
@@ -46,10 +46,10 @@ def test_the_stated_uncertainties_hold_the_truth_as_often_as_they_say():
     made = [random_swing(1000 + seed) for seed in range(60)]
     scaled, flown = [], []
     for seed, swing in enumerate(made):
-        found = captured(swing, Cameras(noise=3e-4), seed=seed)
-        scaled.append(errors(found, swing) / deviations(found))
-        off = {name: value - swing.launch[name] for name, value in found.launch.items()}
-        flown.append([off[name] / deviation for name, deviation in found.launch_uncertainty.items()])
+        result = captured(swing, Cameras(noise=3e-4), seed=seed)
+        scaled.append(errors(result, swing) / deviations(result))
+        off = {name: value - swing.launch[name] for name, value in result.launch.items()}
+        flown.append([off[name] / deviation for name, deviation in result.launch_uncertainty.items()])
     inside = np.mean(np.abs(scaled) < 1.959964)
     # 660 intervals, of which a swing's eleven hang together: as if of 60 x 4, whose rate scatters by 1.4%.
     assert 0.91 < inside < 0.985
@@ -98,28 +98,28 @@ def test_a_target_line_of_two_markers_gives_the_axes_as_well():
     )
     mapping = positions_map(swing.club, cameras)
     plain = capture(recording, prepare(mapping, swing.club))
-    found = capture(recording, prepare(replace(mapping, target=("NEAR", "FAR")), swing.club))
+    result = capture(recording, prepare(replace(mapping, target=("NEAR", "FAR")), swing.club))
     # The line points 0.02 rad to the right of +y (right of +y with z up is +x), so all lies 0.02 rad further left.
-    assert found.delivery.path == pytest.approx(plain.delivery.path - 0.02, abs=1e-9)
-    assert found.delivery.face == pytest.approx(plain.delivery.face - 0.02, abs=1e-9)
-    assert found.delivery.attack == pytest.approx(plain.delivery.attack, abs=1e-9)
+    assert result.delivery.path == pytest.approx(plain.delivery.path - 0.02, abs=1e-9)
+    assert result.delivery.face == pytest.approx(plain.delivery.face - 0.02, abs=1e-9)
+    assert result.delivery.attack == pytest.approx(plain.delivery.attack, abs=1e-9)
 
 
 def test_a_calibration_places_the_cluster_as_well_as_given_positions(tmp_path):
     files = synthesize(tmp_path, 4, cameras=Cameras(noise=1e-4))
     with warnings.catch_warnings():
         warnings.simplefilter("error", CaptureWarning)
-        found = read_swings(files[:4], tmp_path / "markers.toml", "driver")
+        result = read_swings(files[:4], tmp_path / "markers.toml", "driver")
     truth = clubface.read_shots(tmp_path / "truth.csv") if hasattr(clubface, "read_shots") else None
     if truth is None:
         from clubface.shots.reading import read_shots
 
         truth = read_shots(tmp_path / "truth.csv")
     for name in QUANTITIES:
-        off = (found.shots.deliveries[name] - truth.deliveries[name]) / found.uncertainty.deliveries[name]
+        off = (result.shots.deliveries[name] - truth.deliveries[name]) / result.uncertainty.deliveries[name]
         assert np.abs(off).max() < 4.0, name
     for name in ("ball_speed", "launch", "azimuth"):
-        assert found.shots.launches[name] == pytest.approx(truth.launches[name], rel=2e-3, abs=2e-3)
+        assert result.shots.launches[name] == pytest.approx(truth.launches[name], rel=2e-3, abs=2e-3)
 
 
 def test_a_short_calibration_is_less_certain_and_says_so():
@@ -140,8 +140,8 @@ def test_a_short_calibration_is_less_certain_and_says_so():
     scaled = []
     for seed in range(60):
         placed = calibrated(mapping, swing.club, rough.calibrate(swing.club, seed), ready.turn(recording))
-        found = capture(recording, replace(ready, registration=placed))
-        scaled.append(errors(found, swing) / deviations(found))
+        result = capture(recording, replace(ready, registration=placed))
+        scaled.append(errors(result, swing) / deviations(result))
     assert isinstance(ready, Setup)
     angles = [QUANTITIES.index(name) for name in ("loft", "face", "lie", "toe", "high")]
     # 60 values give a root mean square to 9%; three times that is allowed.
@@ -158,9 +158,9 @@ def test_gaps_cost_certainty_and_nothing_else():
 
 def test_the_flight_of_the_ball_is_read_with_the_delivery():
     swing = random_swing(5)
-    found = captured(swing, Cameras())
+    result = captured(swing, Cameras())
     for name in ("ball_speed", "launch", "azimuth"):
-        assert found.launch[name] == pytest.approx(swing.launch[name], rel=1e-6, abs=1e-7)
+        assert result.launch[name] == pytest.approx(swing.launch[name], rel=1e-6, abs=1e-7)
     noisy = captured(swing, Cameras(noise=3e-4))
     for name, deviation in noisy.launch_uncertainty.items():
         assert abs(noisy.launch[name] - swing.launch[name]) < 4 * deviation
@@ -168,40 +168,40 @@ def test_the_flight_of_the_ball_is_read_with_the_delivery():
 
 def test_a_captured_delivery_goes_straight_into_an_impact(tmp_path):
     files = synthesize(tmp_path, 1)
-    found = read_swing(files[0], tmp_path / "markers.toml", "driver")
-    launch = clubface.impact("driver", found.delivery)
+    result = read_swing(files[0], tmp_path / "markers.toml", "driver")
+    launch = clubface.impact("driver", result.delivery)
     truth = random_swing(np.random.default_rng([1, 1, 0])).launch
     assert float(launch.ball_speed) == pytest.approx(truth["ball_speed"], rel=1e-3)
-    many = clubface.impact("driver", found.sample(500))
+    many = clubface.impact("driver", result.sample(500))
     # Without noise 0.05% of speed is 0.04 m/s of the ball's.
     assert np.std(many.ball_speed) < 0.05
-    assert found.get("speed", "mph")[0] == pytest.approx(found.delivery.speed / 0.44704)
-    assert found.get("speed", "mph")[1] == pytest.approx(found.uncertainty["speed"] / 0.44704)
+    assert result.get("speed", "mph")[0] == pytest.approx(result.delivery.speed / 0.44704)
+    assert result.get("speed", "mph")[1] == pytest.approx(result.uncertainty["speed"] / 0.44704)
     assert SHOWN["speed"] == 1.0
 
 
 def test_the_error_bars_of_a_delivery_are_the_quantiles_of_its_normal_distribution():
-    found = captured(random_swing(3), Cameras(noise=3e-4))
-    variances = np.diag(found.covariance)
+    result = captured(random_swing(3), Cameras(noise=3e-4))
+    variances = np.diag(result.covariance)
     for place, name in enumerate(QUANTITIES):
-        value, deviation = getattr(found.delivery, name), found.uncertainty[name]
+        value, deviation = getattr(result.delivery, name), result.uncertainty[name]
         assert deviation**2 == pytest.approx(variances[place], rel=1e-12)
         # 0.975 and 0.995 of a standard normal lie below 1.959964 and 2.575829 (tabulated to seven digits).
-        assert found.interval(name) == pytest.approx(
+        assert result.interval(name) == pytest.approx(
             (value - 1.959964 * deviation, value + 1.959964 * deviation), abs=1e-6 * deviation
         )
-        assert found.interval(name, 0.99)[1] - value == pytest.approx(2.575829 * deviation, rel=1e-6)
-    drawn = found.sample(4000, seed=2)
+        assert result.interval(name, 0.99)[1] - value == pytest.approx(2.575829 * deviation, rel=1e-6)
+    drawn = result.sample(4000, seed=2)
     for name in QUANTITIES:
         # 4000 draws tell a deviation to 1.1% and a mean to 1.6% of it; four times that is allowed.
-        assert np.std(drawn[name]) == pytest.approx(found.uncertainty[name], rel=0.045)
-        off = np.mean(drawn[name]) - getattr(found.delivery, name)
-        assert abs(off) < 0.065 * found.uncertainty[name]
+        assert np.std(drawn[name]) == pytest.approx(result.uncertainty[name], rel=0.045)
+        off = np.mean(drawn[name]) - getattr(result.delivery, name)
+        assert abs(off) < 0.065 * result.uncertainty[name]
     for wrong in ({"count": 0}, {"count": -1}, {"count": 2.5}, {"count": True}, {"count": "5"}, {"count": 10**14}):
         with pytest.raises(InputError, match="count"):
-            found.sample(**wrong)
+            result.sample(**wrong)
     for seed in (-1, 1.5, "a", None):
         with pytest.raises(InputError, match="seed"):
-            found.sample(3, seed=seed)
+            result.sample(3, seed=seed)
     with pytest.raises(InputError, match="memory free here"):
-        found.sample(2**32)
+        result.sample(2**32)

@@ -39,11 +39,11 @@ def test_the_pose_of_exact_markers_is_exact(vector, place, count, seed):
     observed = np.full((1, 5, 3), np.nan)
     observed[0, chosen] = SHAPE[chosen] @ exponential(vector).T + place
     weights = random.uniform(0.2, 3.0, 5)
-    found = fit_poses(SHAPE, observed, weights)
+    result = fit_poses(SHAPE, observed, weights)
     # Rounding of positions of 5 m, 1e-15, over a cluster of 0.05 m.
-    assert found.rotation[0] == pytest.approx(exponential(vector), abs=1e-12)
-    assert found.position[0] == pytest.approx(np.array(place), abs=1e-12)
-    assert np.nanmax(np.abs(found.residuals)) < 1e-13
+    assert result.rotation[0] == pytest.approx(exponential(vector), abs=1e-12)
+    assert result.position[0] == pytest.approx(np.array(place), abs=1e-12)
+    assert np.nanmax(np.abs(result.residuals)) < 1e-13
 
 
 def test_weights_pull_the_pose_to_the_surer_markers():
@@ -77,8 +77,8 @@ def test_markers_on_a_line_or_too_few_give_no_pose():
 
 
 def test_the_noise_of_the_markers_is_estimated_from_what_is_left_over():
-    found = track(SHAPE, moving(300, 3e-4)[0], NAMES, "x")
-    noise, freedom = found.noise(np.ones(300, dtype=bool))
+    result = track(SHAPE, moving(300, 3e-4)[0], NAMES, "x")
+    noise, freedom = result.noise(np.ones(300, dtype=bool))
     assert freedom == 300 * 9 - 9
     # 2691 degrees of freedom: to 1.4%.
     assert noise == pytest.approx(3e-4, rel=0.05)
@@ -86,10 +86,10 @@ def test_the_noise_of_the_markers_is_estimated_from_what_is_left_over():
 
 def test_a_cluster_measured_by_hand_is_refined_by_the_recording():
     wrong = SHAPE + np.random.default_rng(6).normal(size=SHAPE.shape) * 5e-4
-    found = track(wrong, moving(100)[0], NAMES, "x")
-    noise, _ = found.noise(np.ones(100, dtype=bool))
+    result = track(wrong, moving(100)[0], NAMES, "x")
+    noise, _ = result.noise(np.ones(100, dtype=bool))
     assert noise < 1e-9  # nothing of the error of the shape is taken for noise
-    apart = np.linalg.norm(found.shape[:, None] - found.shape[None], axis=-1)
+    apart = np.linalg.norm(result.shape[:, None] - result.shape[None], axis=-1)
     assert apart == pytest.approx(np.linalg.norm(SHAPE[:, None] - SHAPE[None], axis=-1), abs=1e-6)
 
 
@@ -99,30 +99,30 @@ def test_exchanged_labels_are_found_and_put_right():
     mixed = seen.copy()
     mixed[20:40, [1, 3]] = mixed[20:40, [3, 1]]
     mixed[60, [0, 1, 4]] = mixed[60, [1, 4, 0]]
-    found = track(SHAPE, mixed, NAMES, "x")
-    assert found.exchanged["B and D exchanged"] == list(range(20, 40))
-    assert found.exchanged["A, B, E exchanged"] == [60]
-    assert found.poses.position == pytest.approx(whole.poses.position, abs=1e-15)
-    assert not found.lost
-    assert not found.stray
+    result = track(SHAPE, mixed, NAMES, "x")
+    assert result.exchanged["B and D exchanged"] == list(range(20, 40))
+    assert result.exchanged["A, B, E exchanged"] == [60]
+    assert result.poses.position == pytest.approx(whole.poses.position, abs=1e-15)
+    assert not result.lost
+    assert not result.stray
 
 
 def test_a_stray_marker_is_left_out():
     seen, position, _ = moving(80, 2e-4)
     seen[30:33, 2] += 0.02
     seen[50] += np.random.default_rng(1).normal(size=(5, 3)) * 0.05
-    found = track(SHAPE, seen, NAMES, "x")
-    assert found.stray == {"C": [30, 31, 32]}
-    assert found.lost == [50]
-    assert not found.known[50]
+    result = track(SHAPE, seen, NAMES, "x")
+    assert result.stray == {"C": [30, 31, 32]}
+    assert result.lost == [50]
+    assert not result.known[50]
     # 0.2 mm of noise moves a pose's origin, 60 mm from the markers, by up to 0.5 mm.
-    assert np.linalg.norm(found.poses.position[30:33] - position[30:33], axis=1).max() < 1.5e-3
+    assert np.linalg.norm(result.poses.position[30:33] - position[30:33], axis=1).max() < 1.5e-3
 
 
 def test_an_exchange_a_regular_cluster_hides_is_told():
     square = np.array([[0.0, 0.02, 0.02], [0.0, 0.02, -0.02], [0.0, -0.02, -0.02], [0.0, -0.02, 0.02]])
-    told = look_alikes(square, "ABCD", 1.5e-3)
-    assert any("A, B, C, D" in each for each in told)
+    alike = look_alikes(square, "ABCD", 1.5e-3)
+    assert any("A, B, C, D" in each for each in alike)
     assert look_alikes(SHAPE, NAMES, 1.5e-3) == []
 
 

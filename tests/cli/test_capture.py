@@ -76,18 +76,18 @@ def test_many_swings_make_a_table_and_files(clubface_, folder):
     assert "swing-002.c3d: the file is empty" in ran.err
     assert (folder / "shots.csv").read_text().count("\n") == 3
     assert (folder / "shots.sd.csv").read_text().count("\n") == 3
-    found = clubface_(*arguments(folder, *names), "--json").json
-    assert len(rows_of(found, "swings")) == 2
-    (rejected,) = rows_of(found, "rejected")
+    result = clubface_(*arguments(folder, *names), "--json").json
+    assert len(rows_of(result, "swings")) == 2
+    (rejected,) = rows_of(result, "rejected")
     assert rejected["line"] == 2
     assert "empty" in rejected["reason"]
 
 
 def test_markers_of_a_file_are_listed(clubface_, folder):
-    found = clubface_("capture", "markers", str(folder / "swing-001.c3d"), "--json").json
-    *head, ball = rows_of(found, "markers")
+    result = clubface_("capture", "markers", str(folder / "swing-001.c3d"), "--json").json
+    *head, ball = rows_of(result, "markers")
     assert [each["marker"] for each in (*head, ball)] == ["HEAD1", "HEAD2", "HEAD3", "HEAD4", "HEAD5", "BALL"]
-    assert found["values"]["rate_hz"] == 720.0
+    assert result["values"]["rate_hz"] == 720.0
     assert 55 < ball["fastest_speed_mps"] < 85
     printed = clubface_("capture", "markers", str(folder / "swing-001.c3d")).out
     assert "HEAD5" in printed
@@ -106,10 +106,10 @@ def test_a_study_prints_and_draws(clubface_, tmp_path):
     assert ran.status == 0
     assert "closure rate" in ran.out
     assert picture.stat().st_size > 10_000
-    found = clubface_("capture", "study", "--count", "4", "--noise", "0 mm", "--json").json
-    (loft,) = rows_of(found, "errors", quantity="dynamic loft", estimator="smoother")
+    result = clubface_("capture", "study", "--count", "4", "--noise", "0 mm", "--json").json
+    (loft,) = rows_of(result, "errors", quantity="dynamic loft", estimator="smoother")
     assert (loft["unit"], loft["worst"]) == ("deg", pytest.approx(0.0, abs=0.05))
-    assert found["values"]["swings"] == 4
+    assert result["values"]["swings"] == 4
 
 
 @pytest.mark.parametrize(

@@ -102,22 +102,22 @@ def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):
 def test_a_new_club_may_differ_from_the_one_it_starts_from(clubface_):
     driver = clubface.club("driver")
     text = clubface_("club", "new", "mine", "--set", "cg_x=38 mm, iyy=5200 g cm2", "--set", "cor=0.82").out
-    found = clubface.Club.from_text(text)
-    assert found == driver.replace(name="mine", description="", cg_x="38 mm", iyy="5200 g cm2", cor=0.82, sources={})
+    result = clubface.Club.from_text(text)
+    assert result == driver.replace(name="mine", description="", cg_x="38 mm", iyy="5200 g cm2", cor=0.82, sources={})
     assert "the MOI the rules limit" in text
     text = clubface_("club", "new", "heavy", "--like", "driver", "--set", "inertia=-10 %, loft=11 deg").out
-    found = clubface.Club.from_text(text)
-    assert found.ixy == pytest.approx(0.9 * driver.ixy, rel=1e-5)
-    assert found.iyy == pytest.approx(0.9 * driver.iyy, rel=1e-5)
+    result = clubface.Club.from_text(text)
+    assert result.ixy == pytest.approx(0.9 * driver.ixy, rel=1e-5)
+    assert result.iyy == pytest.approx(0.9 * driver.iyy, rel=1e-5)
     assert 'iyy = "5111.1 g cm2"' in text
-    assert found.loft == pytest.approx(math.radians(11.0))
+    assert result.loft == pytest.approx(math.radians(11.0))
     # What was changed is no longer what the source says.
-    assert {"mass", "cg_x"} <= set(found.sources)
-    assert not {"loft", "ixx", "iyy"} & set(found.sources)
+    assert {"mass", "cg_x"} <= set(result.sources)
+    assert not {"loft", "ixx", "iyy"} & set(result.sources)
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "message"),
     [
         ("cgx=1 mm", "did you mean cg_x"),
         ("inertia=10", "per cent"),
@@ -125,8 +125,8 @@ def test_a_new_club_may_differ_from_the_one_it_starts_from(clubface_):
         ("cg_x", "name=value"),
     ],
 )
-def test_a_wrong_change_of_a_new_club_is_told(clubface_, change, told):
-    assert_mistake(clubface_("club", "new", "--set", change), told)
+def test_a_wrong_change_of_a_new_club_is_told(clubface_, change, message):
+    assert_mistake(clubface_("club", "new", "--set", change), message)
 
 
 def test_a_file_that_exists_is_not_overwritten(clubface_, write):

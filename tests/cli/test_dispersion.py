@@ -39,15 +39,15 @@ def test_a_golfer_that_was_written_is_one_to_start_from(clubface_, tmp_path):
 
 
 def test_a_dispersion_is_that_of_python(clubface_):
-    found = clubface_("dispersion", "tour-driver", *FEW, "--seed", "3", "--hole", "430 yd", "--json").json
+    result = clubface_("dispersion", "tour-driver", *FEW, "--seed", "3", "--hole", "430 yd", "--json").json
     known = dispersion("tour-driver", count=256, seed=3)
-    carry = of_quantity(found, "carry")
+    carry = of_quantity(result, "carry")
     assert (carry["mean"], carry["unit"]) == (known.mean("carry"), "m")
-    assert of_quantity(found, "side")["quantile_0.5"] == known.quantile("side", 0.5)
-    ellipse = found["tables"]["ellipses"]["rows"][1]
+    assert of_quantity(result, "side")["quantile_0.5"] == known.quantile("side", 0.5)
+    ellipse = result["tables"]["ellipses"]["rows"][1]
     assert [ellipse["long_axis_m"], ellipse["short_axis_m"]] == (2.0 * known.ellipse(0.9).half_axes).tolist()
     assert carry["mean_by_derivatives"] == pytest.approx(known.mean("carry"), abs=0.5)
-    (hole,) = found["tables"]["strokes"]["rows"]
+    (hole,) = result["tables"]["strokes"]["rows"]
     assert hole["strokes_gained"] == pytest.approx(hole["strokes_before"] - hole["strokes_after"] - 1.0)
 
 
@@ -85,9 +85,9 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     ran = clubface_("golfer", "estimate", str(file), "--club", "driver", "-o", str(mine))
     assert ran.status == 0
     assert "60 shots" in ran.out
-    found = golfer(mine)
-    face = found.variables.index("face")
-    assert found.spread[face] == pytest.approx(golfer("handicap-5-driver").spread[face], rel=0.4)
+    result = golfer(mine)
+    face = result.variables.index("face")
+    assert result.spread[face] == pytest.approx(golfer("handicap-5-driver").spread[face], rel=0.4)
     assert clubface_("dispersion", str(mine), *FEW).status == 0
     estimate = ("golfer", "estimate", str(file), "--club", "driver")
     assert_mistake(clubface_(*estimate, "--like", str(mine), "-o", str(mine)), "--output", "another file")
@@ -101,9 +101,9 @@ def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_de
     assert clubface_("club", "new", "head", "--like", "driver", "-o", str(head)).status == 0
     assert "dynamic loft" not in clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err
     head.write_text(head.read_text().replace('loft = "9.8 deg"', 'loft = "10.3 deg"'))
-    told = " ".join(clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err.split())
-    assert "head has 0.5 deg more loft than driver" in told
-    assert "with the dynamic loft of driver" in told
+    message = " ".join(clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err.split())
+    assert "head has 0.5 deg more loft than driver" in message
+    assert "with the dynamic loft of driver" in message
 
 
 def test_a_monitor_that_sees_the_ball_alone_tells_no_golfer(clubface_, tmp_path):
@@ -118,8 +118,8 @@ def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_pat
     assert clubface_("club", "new", "-o", str(head)).status == 0
     steps = np.random.default_rng(1).standard_normal((30, 2))
     shots.write_text("club_speed_mph,face_deg\n" + "".join(f"{95 + one:.4f},{two:.4f}\n" for one, two in steps))
-    told = clubface_("golfer", "estimate", str(shots), "--club", str(head), "-o", str(mine)).err
-    assert f"clubface dispersion {mine} --club {head} takes it" in told
+    message = clubface_("golfer", "estimate", str(shots), "--club", str(head), "-o", str(mine)).err
+    assert f"clubface dispersion {mine} --club {head} takes it" in message
     assert clubface_("dispersion", str(mine), "--club", str(head), *FEW).status == 0
     assert_mistake(clubface_("dispersion", str(mine), *FEW), "--club is missing", "my-club", "mine")
 

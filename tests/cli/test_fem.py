@@ -126,21 +126,21 @@ def test_a_run_whose_elements_fail_ends_with_the_element_and_what_it_has(clubfac
     path.write_text(path.read_text().replace("[run]", "[run]\nsafety = 0.9"))
     ran = clubface_("fem", "run", str(path), "-o", str(out))
     assert ran.status == 2
-    said = ran.err.splitlines()[-1]
-    assert "clubface: element " in said
-    assert " of c" in said  # core or cover
-    assert " times its original volume" in said or " was turned inside out " in said
-    assert " us: the time step is too long (choose a smaller `safety`)" in said
+    message = ran.err.splitlines()[-1]
+    assert "clubface: element " in message
+    assert " of c" in message  # core or cover
+    assert " times its original volume" in message or " was turned inside out " in message
+    assert " us: the time step is too long (choose a smaller `safety`)" in message
     contact = np.genfromtxt(out / "contact.csv", delimiter=",", names=True)
     assert contact["normal_kN"].max() > 0.0
     assert np.isfinite(contact["normal_kN"]).all()
     figures = json.loads((out / "figures.json").read_text())
-    assert said.removeprefix("clubface: ") == figures["values"]["stopped"]
+    assert message.removeprefix("clubface: ") == figures["values"]["stopped"]
     # The energy balance is that of an earlier time than the error.
     (cost,) = (each["data"] for each in figures["notes"] if each["code"] == "cost-of-failed-run")
     last = np.genfromtxt(out / "energy.csv", delimiter=",", names=True)["time_s"][-1]
     assert cost["last_time_s"] == pytest.approx(last)
-    assert last < 1e-6 * float(re.search(r" at (\d+) us:", said)[1])
+    assert last < 1e-6 * float(re.search(r" at (\d+) us:", message)[1])
 
 
 def test_ctrl_c_keeps_what_was_computed(tmp_path):
@@ -156,12 +156,12 @@ def test_ctrl_c_keeps_what_was_computed(tmp_path):
                 time.sleep(0.02)
             time.sleep(patience)
             child.send_signal(signal.SIGINT)
-            _, said = child.communicate()
+            _, message = child.communicate()
         assert child.returncode == 130
-        assert said.splitlines()[-1].startswith("clubface: interrupted")
+        assert message.splitlines()[-1].startswith("clubface: interrupted")
         if (out / "figures.json").exists():
             break
-    assert said.splitlines()[-1].startswith("clubface: interrupted at ")
+    assert message.splitlines()[-1].startswith("clubface: interrupted at ")
     assert "by request" in json.loads((out / "figures.json").read_text())["values"]["stopped"]
     for name in ("contact.csv", "motion.csv", "energy.csv"):
         table = np.genfromtxt(out / name, delimiter=",", skip_header=1)
@@ -174,18 +174,18 @@ def test_ctrl_c_while_a_head_is_meshed_is_one_line(patience):
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
         time.sleep(patience)
         child.send_signal(signal.SIGINT)
-        _, said = child.communicate()
+        _, message = child.communicate()
     # Whenever it comes, it must not break what the core is making; the words may still be those of Python.
-    assert "panicked" not in said, said
-    assert "PanicException" not in said, said
+    assert "panicked" not in message, message
+    assert "PanicException" not in message, message
 
 
 def test_the_model_gives_the_launch_of_its_own_run():
     launch = clubface.impact("driver", speed="108 mph", toe="5 mm", model="fem", parameters={"friction": 0.3})
     how = fem.Settings(until_separation=True)
-    found = fem.strike("driver", speed="108 mph", toe="5 mm", friction=0.3, settings=how)
-    assert launch.ball_speed == found.launch.ball_speed
-    assert launch.peak_force == found.peak_force
+    result = fem.strike("driver", speed="108 mph", toe="5 mm", friction=0.3, settings=how)
+    assert launch.ball_speed == result.launch.ball_speed
+    assert launch.peak_force == result.peak_force
     assert launch.ball.name == "modern"
     assert launch.provenance["parameters"]["values"] == {"friction": 0.3}
 
@@ -212,6 +212,6 @@ def test_what_finite_elements_lack_is_refused():
         clubface.impact("driver", shot, model="fem", ball="publishd")
     with pytest.raises(InputError, match="pieces, for fem: distance, modern, "):
         clubface.impact("driver", shot, model="fem", ball="conforming")
-    found = clubface.impact("driver", speed=[4800.0], model="fem", on_error="nan")
-    assert np.isnan(found.ball_speed).all()
-    assert found.problems[0].parameter == "speed"
+    result = clubface.impact("driver", speed=[4800.0], model="fem", on_error="nan")
+    assert np.isnan(result.ball_speed).all()
+    assert result.problems[0].parameter == "speed"

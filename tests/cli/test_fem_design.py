@@ -79,7 +79,7 @@ def test_a_document_has_everything(clubface_, files):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "message"),
     [
         ("[variables.thickness]", "[variables.wall]", "study.toml:6: "),
         ('"2.4 mm", "3.6 mm"', '"2.4 mm", "2.6 mm"', "bounds that hold what the head has"),
@@ -87,10 +87,10 @@ def test_a_document_has_everything(clubface_, files):
         ("designs = 3", "designs = 1", "designs is 1"),
     ],
 )
-def test_mistakes_are_told_in_one_line(clubface_, files, old, new, told):
+def test_mistakes_are_told_in_one_line(clubface_, files, old, new, message):
     path = files / "study.toml"
     path.write_text(STUDY.replace(old, new))
-    assert_mistake(clubface_("fem", "design", str(path)), told)
+    assert_mistake(clubface_("fem", "design", str(path)), message)
 
 
 def test_resume_needs_a_file(clubface_, files):

@@ -62,10 +62,10 @@ def test_a_full_disk_is_one_line_and_leaves_no_half_file(clubface_, full, argume
         pytest.importorskip(library)
     ran = clubface_(*arguments)
     assert ran.status == 2
-    told = [line for line in ran.err.splitlines() if "note:" not in line]
-    assert len(told) == 1
-    assert told[0].startswith("clubface: ")
-    assert "cannot be written: " in told[0]
+    lines = [line for line in ran.err.splitlines() if "note:" not in line]
+    assert len(lines) == 1
+    assert lines[0].startswith("clubface: ")
+    assert "cannot be written: " in lines[0]
     left = {path for path in Path().rglob("*") if path.is_file() and ".unfinished" not in str(path)}
     assert left == {Path("in.csv"), Path("launches.csv")}
 
@@ -79,13 +79,13 @@ def test_a_full_disk_ends_shapes_of_finite_elements_and_the_findings_in_one_line
         quick = cases.case("paper").replace(settings={"duration": 5e-6, "frames": 2})
         monkeypatch.setattr(cases, "case", lambda _: quick)
         ran = clubface_("fem", "export", "paper", "-o", "shapes")
-        status, said = ran.status, ran.err
+        status, message = ran.status, ran.err
     else:
         monkeypatch.setattr(findings, "run", lambda *_, **__: {"tour": [1.0] * 400})
-        status, said = findings.main(["found", "found.json"]), capsys.readouterr().err
+        status, message = findings.main(["found", "found.json"]), capsys.readouterr().err
     assert status == 2
-    (told,) = said.splitlines()
-    assert "cannot be written: " in told
+    (line,) = message.splitlines()
+    assert "cannot be written: " in line
     assert {path for path in Path().rglob("*") if path.is_file()} == {Path("in.csv"), Path("launches.csv")}
 
 

@@ -45,14 +45,14 @@ def test_shots_become_parameters_as_table_json_and_file(clubface_, drives):
     assert used["sha256"] == hashlib.sha256(Path(drives).read_bytes()).hexdigest()
     written = clubface.ParameterSet.from_toml("fit.toml")
     assert used["sha256"] in written.source
-    found = clubface.identify(
+    result = clubface.identify(
         clubface.read_shots(drives), club="driver", model="slip", population=12, generations=4, refined=2, folds=3,
         bootstrap=5,
     )  # fmt: skip
     rows = parameters(again)
-    assert {name: row["value"] for name, row in rows.items()} == dict(found.parameters.values) == dict(written.values)
-    assert {name: (rows[name]["low"], rows[name]["high"]) for name in found.free} == found.intervals
-    assert again["values"]["cost_holdout"] == found.cost_holdout
+    assert {name: row["value"] for name, row in rows.items()} == dict(result.parameters.values) == dict(written.values)
+    assert {name: (rows[name]["low"], rows[name]["high"]) for name in result.free} == result.intervals
+    assert again["values"]["cost_holdout"] == result.cost_holdout
     # Nothing is left beside the files asked for.
     assert sorted(os.listdir()) == ["drives.csv", "fit.toml"]
     used = clubface_("shot", "driver", "--speed", "113 mph", "--model", "slip", "--parameters", "fit.toml", "--json")

@@ -20,8 +20,8 @@ RAW = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u00ad\u200b-\u200f\u202a-
 
 
 def assert_legible(text):
-    found = RAW.search(text)
-    assert found is None, f"{unicodedata.name(found[0], hex(ord(found[0])))} in ...{text[: found.end()][-80:]!r}"
+    result = RAW.search(text)
+    assert result is None, f"{unicodedata.name(result[0], hex(ord(result[0])))} in ...{text[: result.end()][-80:]!r}"
 
 
 def assert_page_is_legible(text):

@@ -24,21 +24,21 @@ def stable(tmp_path):
 def test_a_map_tells_extremes_sweet_spot_and_what_a_spread_costs(clubface_):
     ran = clubface_("map", "driver", *SHOT, "--spread", "12 mm x 9 mm")
     assert ran.status == 0, ran.err
-    found = clubface.map_face("driver", DRIVE)
+    result = clubface.map_face("driver", DRIVE)
     tables = clubface_("map", "driver", *SHOT, "--spread", "12 mm x 9 mm", "--json").json["tables"]
     (row,) = (each for each in tables["extremes"]["rows"] if each["quantity"] == "carry")
-    carries = found.get("carry")
+    carries = result.get("carry")
     assert (row["least"], row["greatest"], row["unit"]) == (np.nanmin(carries), np.nanmax(carries), "m")
     up, across = np.unravel_index(np.nanargmin(carries), carries.shape)
     place = [row["least_toe_mm"], row["least_high_mm"]]
-    assert place == pytest.approx([1e3 * found.toe[across], 1e3 * found.high[up]])
+    assert place == pytest.approx([1e3 * result.toe[across], 1e3 * result.high[up]])
     (row,) = tables["best_points"]["rows"]
-    best = found.best()
+    best = result.best()
     assert [row["sweet_spot_toe_mm"], row["sweet_spot_high_mm"]] == pytest.approx([1e3 * best.toe, 1e3 * best.high])
-    assert row["effective_area_mm2"] == pytest.approx(1e6 * found.area())
-    assert row["face_area_mm2"] == pytest.approx(1e6 * found.outline.area())
+    assert row["effective_area_mm2"] == pytest.approx(1e6 * result.area())
+    assert row["face_area_mm2"] == pytest.approx(1e6 * result.outline.area())
     assert row["outline"] == "assumed: an ellipse of 105 mm by 55 mm"
-    spread = found.forgiveness(("12 mm", "9 mm"))
+    spread = result.forgiveness(("12 mm", "9 mm"))
     assert [each["quantity"] for each in tables["scatter"]["rows"]][5] == "carry"
     row = tables["scatter"]["rows"][5]
     parts = [spread.mean["carry"], spread.deviation["carry"], spread.loss["carry"]]
@@ -49,13 +49,13 @@ def test_a_map_tells_extremes_sweet_spot_and_what_a_spread_costs(clubface_):
 
 def test_json_has_the_maps_asked_for(clubface_):
     document = clubface_("map", "driver", *SHOT, "--grid", "21x11", "--quantity", "carry,sidespin", "--json").json
-    found = clubface.map_face("driver", DRIVE, grid=(21, 11))
+    result = clubface.map_face("driver", DRIVE, grid=(21, 11))
     assert {name for name in document["tables"] if name.startswith("map")} == {"map_carry", "map_sidespin"}
     assert document["provenance"]["inputs"]["points of the face"] == "21 towards the toe, 11 upwards"
     rows = document["tables"]["map_carry"]["rows"]
     values = np.array([each["carry_m"] for each in rows], dtype=float).reshape(11, 21)[::-1]
-    np.testing.assert_allclose(values, found.get("carry"), rtol=1e-12)
-    assert document["tables"]["best_points"]["rows"][0]["effective_area_mm2"] == pytest.approx(1e6 * found.area())
+    np.testing.assert_allclose(values, result.get("carry"), rtol=1e-12)
+    assert document["tables"]["best_points"]["rows"][0]["effective_area_mm2"] == pytest.approx(1e6 * result.area())
 
 
 def test_a_difference_is_told_for_both_clubs(clubface_, stable):
@@ -80,10 +80,10 @@ def test_file_and_picture_are_written(clubface_, stable, tmp_path):
     assert ran.status == 0, ran.err
     with table.open() as file:
         rows = list(csv.DictReader(file))
-    found = clubface.map_face("driver", DRIVE, grid=(15, 9)).columns()
-    assert len(rows) == len(found["toe"])
-    np.testing.assert_allclose([float(row["carry_m"]) for row in rows], found["carry"], rtol=1e-12)
-    np.testing.assert_allclose([float(row["toe_mm"]) for row in rows], 1e3 * found["toe"], atol=1e-9)
+    result = clubface.map_face("driver", DRIVE, grid=(15, 9)).columns()
+    assert len(rows) == len(result["toe"])
+    np.testing.assert_allclose([float(row["carry_m"]) for row in rows], result["carry"], rtol=1e-12)
+    np.testing.assert_allclose([float(row["toe_mm"]) for row in rows], 1e3 * result["toe"], atol=1e-9)
     assert picture.read_text().startswith("<?xml")
     assert sorted(each.name for each in tmp_path.iterdir()) == ["map.csv", "map.svg", "stable.toml"]
     other = tmp_path / "map.csv.unfinished"

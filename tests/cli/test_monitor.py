@@ -30,8 +30,8 @@ def test_a_file_becomes_one_table_and_the_rejected_rows_are_told(clubface_, tmp_
     out, rejects = tmp_path / "shots.csv", tmp_path / "rejects.csv"
     ran = clubface_("monitor", "read", str(DATA / "trackman.csv"), "-o", str(out), "--rejects", str(rejects))
     assert ran.status == 0
-    for said in ("1 Driver, 2 7 Iron", "3 rows rejected", "7     Club Path: 'x' is not a number"):
-        assert said in ran.out
+    for message in ("1 Driver, 2 7 Iron", "3 rows rejected", "7     Club Path: 'x' is not a number"):
+        assert message in ran.out
     assert f"wrote {rejects}, {out}" in ran.err
     assert read_shots(out).launches["ball_speed"][0] == pytest.approx(147.5 * MPH, rel=1e-14)
     with open(rejects, newline="") as file:
@@ -164,17 +164,17 @@ def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path)
             assert sender.player["Handed"] == "LH"
         shots = read_shots(path)
         child.send_signal(signal.SIGINT)
-        _, said = child.communicate(timeout=20)
+        _, message = child.communicate(timeout=20)
     finally:
         child.kill()
     assert shots.launches["ball_speed"] == pytest.approx([60, 70, 65, 65], rel=1e-12)
     assert np.isnan(shots.launches["total_spin"]).tolist() == [False, False, True, True]
     assert shots.hand.tolist() == ["left"] * 4
     assert child.returncode == 130
-    assert "clubface: shot 3: no shot can have total_spin of 95000 rpm" in said
-    assert said.count(": no shot can have") == 1  # the next shot has the same value, which is not told again
-    assert "total_spin in 2 of 4 shots, such as 95000 rpm" in said
-    assert f"clubface: interrupted: 4 shots in {path}" in said
+    assert "clubface: shot 3: no shot can have total_spin of 95000 rpm" in message
+    assert message.count(": no shot can have") == 1  # the next shot has the same value, which is not told again
+    assert "total_spin in 2 of 4 shots, such as 95000 rpm" in message
+    assert f"clubface: interrupted: 4 shots in {path}" in message
 
 
 def test_listening_ends_after_so_many_shots_or_so_long(clubface_):

@@ -117,21 +117,21 @@ def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, 
     report, target, picture = (tmp_path / f"fitting.{ending}" for ending in ("md", "csv", "svg"))
     files = ("--report", str(report), "-o", str(target), "--plot", str(picture))
     ran = clubface_("optimise", str(study), "--json", *files)
-    found = ran.json["tables"]["combinations"]["rows"]
-    best, next_one = found
+    result = ran.json["tables"]["combinations"]["rows"]
+    best, next_one = result
     text = report.read_text()
     carry = f"the mean carry is {best['carry_m'] / 0.9144:.2f} yd"
     assert f"Of 2 combinations the best is {best['club']} with the ball {best['ball']}: {carry}." in text
     assert f"{(best['carry_m'] - next_one['carry_m']) / 0.9144:.2f} yd behind" in text
     # The golfer sees what the new parts are worth: the same shots with the first club and ball as they are.
-    unchanged = next(each for each in found if each["ball"] == "modern")
+    unchanged = next(each for each in result if each["ball"] == "modern")
     assert f"as it is now and the ball modern it is {unchanged['carry_m'] / 0.9144:.2f} yd" in text
     assert "fitting-certain-but-small" in [each["code"] for each in ran.json["summary"]]
     assert "Which ball" in text
     assert "| wind | none |" in text
     rows = list(csv.DictReader(target.open()))
-    assert [(each["club"], each["ball"]) for each in rows] == [(each["club"], each["ball"]) for each in found]
-    assert [float(each["carry_m"]) for each in rows] == [each["carry_m"] for each in found]
+    assert [(each["club"], each["ball"]) for each in rows] == [(each["club"], each["ball"]) for each in result]
+    assert [float(each["carry_m"]) for each in rows] == [each["carry_m"] for each in result]
     assert picture.read_text().startswith("<?xml")
     for ball in ("modern", "distance"):
         assert f"Club driver and ball {ball}, by the model response" in text
@@ -142,13 +142,13 @@ def test_the_changes_of_a_setting_are_told_in_words(clubface_, study):
         FIT + '[[fit.setting]]\nname = "a"\nloft = "-1.5 deg"\ncg_x = "2 mm"\n'
         '[[fit.setting]]\nname = "b"\nlie = "1 deg"\ncg_y = "-3 mm"\n'
     )
-    told = " ".join(clubface_("optimise", str(study)).out.split())
-    assert "1.5 deg less loft, CG 2.0 mm back" in told
-    assert "1.0 deg more upright, CG 3.0 mm higher" in told
+    message = " ".join(clubface_("optimise", str(study)).out.split())
+    assert "1.5 deg less loft, CG 2.0 mm back" in message
+    assert "1.0 deg more upright, CG 3.0 mm higher" in message
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "message"),
     [
         ('"8 deg", "16 deg"', '"16 deg", "8 deg"', "study.toml:9"),
         ("cg_x", "cg_xx", "did you mean cg_x"),
@@ -158,10 +158,10 @@ def test_the_changes_of_a_setting_are_told_in_words(clubface_, study):
         ('"124 mm"]\n', '"128 mm"]\n', "heel to toe"),
     ],
 )
-def test_a_mistake_in_a_study_is_one_line_and_leaves_no_file(clubface_, study, tmp_path, old, new, told):
+def test_a_mistake_in_a_study_is_one_line_and_leaves_no_file(clubface_, study, tmp_path, old, new, message):
     assert old in STUDY
     study.write_text(STUDY.replace(old, new))
-    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), told)
+    assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.toml")), message)
     assert [each.name for each in tmp_path.iterdir()] == ["study.toml"]
 
 

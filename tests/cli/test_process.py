@@ -86,10 +86,10 @@ def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
             time.sleep(0.02)
         child.send_signal(signal.SIGINT)
         assert child.stderr is not None
-        said = child.stderr.read()
+        message = child.stderr.read()
     assert child.returncode == 130
-    assert said.startswith("clubface: interrupted")
-    assert said.count("\n") == 1
+    assert message.startswith("clubface: interrupted")
+    assert message.count("\n") == 1
     assert not target.exists()
 
 

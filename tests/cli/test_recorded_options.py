@@ -72,9 +72,9 @@ def test_every_command_refuses_another_club_and_takes_stated_values(clubface_, t
         "right",
     )
     assert ran.status == 0, ran.err
-    said = notes_of(ran)
-    assert "the shots name 7-iron, not 8-iron: is this the right club?" in said
-    assert "toe was measured in every shot: the 1 mm stated for it is not used" in said
+    message = notes_of(ran)
+    assert "the shots name 7-iron, not 8-iron: is this the right club?" in message
+    assert "toe was measured in every shot: the 1 mm stated for it is not used" in message
 
 
 @pytest.mark.parametrize("name", ["evaluate", "infer", "predict", "monitor summary"])
@@ -89,16 +89,16 @@ def test_every_command_reads_a_monitors_file_and_is_told_its_units(clubface_, tm
 def test_predict_of_a_file_and_of_its_table_agree(clubface_, tmp_path):
     table = str(tmp_path / "shots.csv")
     assert clubface_("monitor", "read", TRACKMAN, "-o", table).status == 0
-    found = []
+    result = []
     for source in (TRACKMAN, table):
         target = tmp_path / "launches.csv"
         ran = clubface_("predict", source, "--club", "driver", "--only", "Dr", "-o", str(target))
         assert ran.status == 0
         assert "referred to the face centre of driver" in ran.out
         with target.open(newline="") as file:
-            found.append([row["predicted_azimuth_deg"] for row in csv.DictReader(file)])
-    assert found[0] == found[1]
-    assert len(found[0]) == 1
+            result.append([row["predicted_azimuth_deg"] for row in csv.DictReader(file)])
+    assert result[0] == result[1]
+    assert len(result[0]) == 1
 
 
 @pytest.mark.parametrize("name", ["evaluate", "identify", "infer", "golfer estimate", "predict", "monitor read",

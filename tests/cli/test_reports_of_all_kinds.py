@@ -35,7 +35,7 @@ def files(tmp_path):
     (tmp_path / "club.toml").write_text(head.to_toml())
     player = builtin_path("golfer", "bogey-driver", "golfers").read_text()
     for line in ("title = .*", 'face = "assumed.*'):
-        player = re.sub(f"^{line}$", lambda found: f"{found[0][:5].strip()} = {toml(HOSTILE)}", player, flags=re.M)
+        player = re.sub(f"^{line}$", lambda result: f"{result[0][:5].strip()} = {toml(HOSTILE)}", player, flags=re.M)
     (tmp_path / "golfer.toml").write_text(player)
     common = f'title = {toml(HOSTILE)}\ngolfer = "{tmp_path}/golfer.toml"\nobjective = "carry"\nshots = 64\n'
     (tmp_path / "fit.toml").write_text(common + f'[fit]\nclubs = ["{tmp_path}/club.toml", "driver"]\n')
@@ -90,19 +90,19 @@ class Page(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
-        told = dict(attrs)
+        attributes = dict(attrs)
         self.tags.add(tag)
         if tag not in VOID:
             self.open.append(tag)
         if re.fullmatch("h[1-6]", tag):
             self.levels.append(int(tag[1]))
         if tag == "img":
-            self.alts.append(told["alt"])
+            self.alts.append(attributes["alt"])
         self.loaded += [value for name, value in attrs if name in ("src", "srcset", "poster", "data")]
         if tag == "a":
-            self.links.append(told["href"])
-            if "download" in told:
-                self.saved[told["download"]] = told["href"]
+            self.links.append(attributes["href"])
+            if "download" in attributes:
+                self.saved[attributes["download"]] = attributes["href"]
         assert not [name for name, _ in attrs if name.startswith("on")]
 
     def handle_endtag(self, tag):
@@ -116,13 +116,13 @@ def reported(request, clubface_, files, monkeypatch):
     if request.param == "study":
         assert clubface_("study", "run", "sweep.toml", "--workers", "1").status == 0
     option = "-o" if request.param == "monitor" else "--report"
-    found = []
+    result = []
     for name in ("report.html", "report.md"):
         ran = clubface_(*COMMANDS[request.param], option, name)
         assert ran.status == 0, ran.err
         assert f"wrote {name}" in ran.err
-        found.append((files / name).read_text())
-    return request.param, *found
+        result.append((files / name).read_text())
+    return request.param, *result
 
 
 def test_a_report_is_safe_whole_offline_and_repeatable(reported):
@@ -233,8 +233,8 @@ def test_the_report_of_a_golfer_says_what_is_assumed_and_what_rests_on_it(clubfa
     player = clubface.golfer("bogey-driver")
     wider = np.where(np.array(player.variables) == "face", 1.3, 1.0)
     wide = player.replace(covariance=player.covariance * np.outer(wider, wider))
-    found = clubface.dispersion(wide, count=8192)
-    assert float(rows["spread of face"]["side_spread_larger_m"]) == pytest.approx(found.spread("side"), rel=1e-12)
+    result = clubface.dispersion(wide, count=8192)
+    assert float(rows["spread of face"]["side_spread_larger_m"]) == pytest.approx(result.spread("side"), rel=1e-12)
     now = clubface.dispersion(player, count=8192).spread("side")
     assert float(rows["spread of face"]["side_spread_m"]) == pytest.approx(now, rel=1e-12)
 

@@ -91,8 +91,8 @@ def expected(model):
     """Return the quantities of the shot off centre in the units printed, as the library has them in SI."""
     shot = clubface.impact("driver", speed="113 mph", toe="8 mm", face="-4 deg", model=model)
     flight = clubface.fly(shot)
-    of = {name: shot if name in shot.quantities() else flight for name in PRINTED}
-    return {name: getattr(of[name], name) / factor for name, (_, factor, _) in PRINTED.items()}
+    quantities = {name: shot if name in shot.quantities() else flight for name in PRINTED}
+    return {name: getattr(quantities[name], name) / factor for name, (_, factor, _) in PRINTED.items()}
 
 
 def test_every_number_of_the_list_is_the_librarys_in_the_unit_beside_it(clubface_):
@@ -114,11 +114,11 @@ def test_every_number_of_the_table_is_the_librarys_in_the_unit_of_its_column(clu
     head, body = clubface_(*OFF_CENTRE, "--model", "rings,standard").out.split("─\n")
     for line in body.splitlines()[:2]:
         model, *cells = line.split()
-        of = expected(model)
+        quantities = expected(model)
         # A model of the impulse has neither contact time nor force.
         names = COLUMNS if model == "rings" else COLUMNS[:-2]
         for name, cell in zip(names, cells, strict=True):
-            assert float(cell) == pytest.approx(of[name], abs=0.5001 * 10.0 ** -PRINTED[name][2]), (model, name)
+            assert float(cell) == pytest.approx(quantities[name], abs=0.5001 * 10.0 ** -PRINTED[name][2]), (model, name)
     units_row = ["model", "mph", "factor", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "µs", "kN"]
     assert head.splitlines()[-2].split() == units_row
 
@@ -217,9 +217,9 @@ def test_a_crosswind_blows_to_the_right(clubface_):
 
 
 def test_a_loft_that_was_not_given_is_said_to_be_the_clubs_own(clubface_):
-    told = "delivered with the static loft (7-iron 30.5 deg), which few golfers do"
+    message = "delivered with the static loft (7-iron 30.5 deg), which few golfers do"
     shot = ("shot", "7-iron", "--speed", "40 m/s")
-    assert told in " ".join(clubface_(*shot).out.split())
+    assert message in " ".join(clubface_(*shot).out.split())
     assert "static loft" not in clubface_(*shot, "--loft", "25 deg").out
     assert "static loft" not in clubface_(*shot, "--json").out
     compared = ("compare", "driver", "7-iron", "--speed", "40 m/s", "--no-split")

@@ -33,19 +33,19 @@ def two(first, second, **options):
     return clubface.compare({"first": first, "second": second}, **options)
 
 
-def parts(found):
-    made = found.contributions["second"]
+def parts(result):
+    made = result.contributions["second"]
     assert made.left_out == ""
     return {each.name: dict(zip(QUANTITIES, row, strict=True)) for each, row in zip(made.changes, made.si, strict=True)}
 
 
-def assert_adds_up(found, tolerance, quantities=SMOOTH):
+def assert_adds_up(result, tolerance, quantities=SMOOTH):
     """The remainder is below a share of what was added up, and closes the sum to rounding."""
-    made = found.contributions["second"]
+    made = result.contributions["second"]
     for place, quantity in enumerate(QUANTITIES):
         added = float(made.si[:, place].sum())
         size = float(np.abs(made.si[:, place]).sum())
-        difference = found.difference("second", quantity)
+        difference = result.difference("second", quantity)
         assert added + made.remainder[place] == pytest.approx(difference, abs=1e-9 * (size + abs(difference)) + 1e-15)
         if quantity in quantities:
             assert abs(made.remainder[place]) <= tolerance * size + 1e-9, quantity
@@ -53,16 +53,16 @@ def assert_adds_up(found, tolerance, quantities=SMOOTH):
 
 def test_values_are_those_of_single_shots_bit_for_bit():
     conditions = {"air": {"altitude": "1600 m"}, "wind": ("3 m/s", 0.0, 0.0)}
-    found = two(
+    result = two(
         {"club": "driver", "delivery": DRIVE}, {"club": "3-wood", "delivery": DRIVE, "ball": "distance"}, **conditions
     )
     for name, club, ball in (("first", "driver", "modern"), ("second", "3-wood", "distance")):
         launch = clubface.impact(club, DRIVE, ball=ball)
         flight = clubface.fly(launch, **conditions)
         for quantity in QUANTITIES:
-            assert found.value(name, quantity) == (launch if quantity in LAUNCHED else flight).get(quantity)
-    assert found.difference("second", "carry", "yd") == pytest.approx(
-        found.value("second", "carry", "yd") - found.value("first", "carry", "yd"), rel=1e-12
+            assert result.value(name, quantity) == (launch if quantity in LAUNCHED else flight).get(quantity)
+    assert result.difference("second", "carry", "yd") == pytest.approx(
+        result.value("second", "carry", "yd") - result.value("first", "carry", "yd"), rel=1e-12
     )
 
 
@@ -87,10 +87,10 @@ def test_the_contributions_of_a_changed_head_add_up(model, mass, cg, inertia, lo
         roll=driver.roll * (1.0 + 0.2 * roll), characteristic_time=driver.characteristic_time * (1.0 + 0.1 * time),
     )  # fmt: skip
     moved = {**DRIVE, "toe": 0.02 + 0.005 * toe, "speed": 47.0 + 3.0 * speed}
-    found = two(
+    result = two(
         {"club": driver, "delivery": DRIVE, "model": model}, {"club": changed, "delivery": moved, "model": model}
     )
-    assert_adds_up(found, 1e-6)
+    assert_adds_up(result, 1e-6)
 
 
 @pytest.mark.parametrize(("model", "tolerance"), [("volumetric", 1e-4), ("area", 1e-3)])
@@ -114,12 +114,12 @@ def test_those_of_a_contact_model_add_up_to_its_accuracy(model, tolerance):
 def test_a_difference_of_one_thing_is_attributed_to_it(field, value, name, model):
     first = {"club": "driver", "delivery": DRIVE, "model": model}
     second = {**first, "club": clubface.club("driver").replace(**{field: value})}
-    found = two(first, second)
-    assert list(parts(found)) == [name]
+    result = two(first, second)
+    assert list(parts(result)) == [name]
     for quantity in SMOOTH:
-        difference = found.difference("second", quantity)
+        difference = result.difference("second", quantity)
         # The time of the face in the parameters of `standard` is moved by steps, good to some 1e-6.
-        assert parts(found)[name][quantity] == pytest.approx(difference, rel=1e-5, abs=1e-8)
+        assert parts(result)[name][quantity] == pytest.approx(difference, rel=1e-5, abs=1e-8)
 
 
 def test_the_time_of_the_face_that_parameters_include_is_told_with_that_of_the_face():
@@ -128,37 +128,37 @@ def test_the_time_of_the_face_that_parameters_include_is_told_with_that_of_the_f
     usual = clubface.ParameterSet.builtin("standard", "driver")
     first = {"club": driver, "delivery": DRIVE, "model": "standard", "parameters": usual}
     stiffer = {**first, "parameters": replace(usual, characteristic_time=200e-6)}
-    found = two(first, stiffer)
-    assert set(parts(found)) == {"included_time"}
-    assert parts(found)["included_time"]["ball_speed"] > 0.1  # m/s: the club's face gives more than the one included
-    assert_adds_up(found, 1e-5)
+    result = two(first, stiffer)
+    assert set(parts(result)) == {"included_time"}
+    assert parts(result)["included_time"]["ball_speed"] > 0.1  # m/s: the club's face gives more than the one included
+    assert_adds_up(result, 1e-5)
     # Parameters of which nobody said which face they include take the club's own for it: a face makes no difference.
     unsaid = {**first, "parameters": replace(usual, characteristic_time=None)}
-    found = two(unsaid, {**unsaid, "club": driver.replace(characteristic_time="200 us")})
-    assert set(parts(found)) == {"characteristic_time"}
-    assert found.difference("second", "ball_speed") == pytest.approx(0.0, abs=1e-12)
-    assert parts(found)["characteristic_time"]["ball_speed"] == pytest.approx(0.0, abs=1e-6)
+    result = two(unsaid, {**unsaid, "club": driver.replace(characteristic_time="200 us")})
+    assert set(parts(result)) == {"characteristic_time"}
+    assert result.difference("second", "ball_speed") == pytest.approx(0.0, abs=1e-12)
+    assert parts(result)["characteristic_time"]["ball_speed"] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_a_delivery_a_parameter_and_a_ball_are_told_apart():
     first = {"club": "driver", "delivery": DRIVE}
-    found = two(first, {**first, "delivery": {**DRIVE, "loft": "15 deg"}, "parameters": {"friction": 0.3}})
-    assert set(parts(found)) == {"loft", "friction"}
-    assert_adds_up(found, 1e-6)
-    assert parts(found)["loft"]["backspin"] > 0.0 > parts(found)["loft"]["ball_speed"]
+    result = two(first, {**first, "delivery": {**DRIVE, "loft": "15 deg"}, "parameters": {"friction": 0.3}})
+    assert set(parts(result)) == {"loft", "friction"}
+    assert_adds_up(result, 1e-6)
+    assert parts(result)["loft"]["backspin"] > 0.0 > parts(result)["loft"]["ball_speed"]
     heavier = clubface.ball("modern").replace(mass="44 g")
-    found = two(first, {**first, "ball": heavier})
-    assert set(parts(found)) == {"ball_mass"}
+    result = two(first, {**first, "ball": heavier})
+    assert set(parts(result)) == {"ball_mass"}
     # A lighter ball leaves faster and is slowed down more: both are in the one contribution to carry.
-    assert_adds_up(found, 1e-6)
-    assert parts(found)["ball_mass"]["ball_speed"] > 0.0
+    assert_adds_up(result, 1e-6)
+    assert parts(result)["ball_mass"]["ball_speed"] > 0.0
 
 
 def test_contributions_are_the_line_integrals_of_slopes_found_another_way():
     """Midpoints of 100 pieces and central differences of whole shots: both wrong by 1e-4 of a contribution at most."""
     driver = clubface.club("driver")
     second = driver.replace(mass="216 g", cg_x="36 mm")
-    found = two({"club": driver, "delivery": DRIVE}, {"club": second, "delivery": DRIVE})
+    result = two({"club": driver, "delivery": DRIVE}, {"club": second, "delivery": DRIVE})
     pieces = 100
     at = (np.arange(pieces) + 0.5) / pieces
     ends = {"club_mass": (driver.mass, second.mass), "cg_x": (driver.cg_x, second.cg_x)}
@@ -172,7 +172,7 @@ def test_contributions_are_the_line_integrals_of_slopes_found_another_way():
         for quantity in ("carry", "side"):
             slope = (getattr(sides[0], quantity) - getattr(sides[1], quantity)) / (2.0 * step)
             expected = float(slope.mean() * (last - first))
-            assert parts(found)[name][quantity] == pytest.approx(expected, rel=1e-4)
+            assert parts(result)[name][quantity] == pytest.approx(expected, rel=1e-4)
 
 
 def test_the_way_back_has_the_opposite_contributions():
@@ -189,12 +189,12 @@ def test_ball_speed_gained_by_mass_is_that_of_two_bodies():
     still = scaled(driver, 1e4).replace(ixy=0.0, ixz=0.0, iyz=0.0, bulge="flat", roll="flat", loft=0.0)
     square = {"speed": 45.0, "loft": 0.0}
     first = {"club": still, "delivery": square, "model": "standard"}
-    found = two(first, {**first, "club": still.replace(mass="224 g")})
+    result = two(first, {**first, "club": still.replace(mass="224 g")})
     m = clubface.ball().mass
     ratio = (0.224 / (0.224 + m)) / (0.204 / (0.204 + m))
-    expected = found.value("first", "ball_speed") * (ratio - 1.0)
+    expected = result.value("first", "ball_speed") * (ratio - 1.0)
     # The head still turns a ten-thousandth of what it would.
-    assert parts(found)["club_mass"]["ball_speed"] == pytest.approx(expected, rel=1e-3)
+    assert parts(result)["club_mass"]["ball_speed"] == pytest.approx(expected, rel=1e-3)
 
 
 def test_more_inertia_keeps_ball_speed_as_published():
@@ -208,14 +208,14 @@ def test_more_inertia_keeps_ball_speed_as_published():
     driver = clubface.club("driver")
     centre = {"speed": "95 mph", "loft": "15 deg"}
     swing = {**centre, "toe": "0.75 in"}
-    found = two({"club": driver, "delivery": swing}, {"club": scaled(driver, 1.1), "delivery": swing})
+    result = two({"club": driver, "delivery": swing}, {"club": scaled(driver, 1.1), "delivery": swing})
     middle = two({"club": driver, "delivery": centre}, {"club": scaled(driver, 1.1), "delivery": centre})
-    kept = [found.value(name, "ball_speed") / middle.value(name, "ball_speed") for name in ("first", "second")]
+    kept = [result.value(name, "ball_speed") / middle.value(name, "ball_speed") for name in ("first", "second")]
     assert 1.0 - kept[0] == pytest.approx(0.02, rel=0.25)
     assert kept[1] - kept[0] == pytest.approx(0.02 * (1.0 - 1.0 / 1.1), rel=0.25)
-    assert found.difference("second", "carry") > 0.0
+    assert result.difference("second", "carry") > 0.0
     # Three quarters of what is saved or more are the inertia about the vertical axis, as for a hit towards the toe.
-    assert parts(found)["iyy"]["ball_speed"] > 0.75 * found.difference("second", "ball_speed")
+    assert parts(result)["iyy"]["ball_speed"] > 0.75 * result.difference("second", "ball_speed")
     inch = {**swing, "toe": "1 in"}
     for factor, lost in ((1.0, (5.0, 6.5)), (0.55, (7.0, 10.0))):
         speeds = [clubface.impact(scaled(driver, factor), each).get("ball_speed", "mph") for each in (centre, inch)]
@@ -225,14 +225,14 @@ def test_more_inertia_keeps_ball_speed_as_published():
 def test_what_has_no_derivative_is_changed_first_and_as_a_whole():
     driver = clubface.club("driver")
     first = {"club": driver, "delivery": DRIVE}
-    found = two(first, {"club": driver.replace(mass="210 g", hand="left"), "delivery": DRIVE, "model": "standard"})
-    made = found.contributions["second"]
+    result = two(first, {"club": driver.replace(mass="210 g", hand="left"), "delivery": DRIVE, "model": "standard"})
+    made = result.contributions["second"]
     assert [(each.name, each.derivative) for each in made.changes] == [
         ("model", False), ("hand", False), ("club_mass", True),
     ]  # fmt: skip
-    assert_adds_up(found, 1e-6)
+    assert_adds_up(result, 1e-6)
     other = clubface.impact(driver, DRIVE, model="standard")
-    step = other.ball_speed - found.value("first", "ball_speed")
+    step = other.ball_speed - result.value("first", "ball_speed")
     assert made.of("model", "ball_speed") == pytest.approx(step, rel=1e-12)
 
 
@@ -242,16 +242,16 @@ def test_a_hand_may_be_told_by_the_club_or_by_the_delivery():
         {"club": "driver", "delivery": DRIVE}, {"club": clubface.club("driver").replace(hand=-1), "delivery": DRIVE}
     )
     rows = two(first, {"club": "driver", "delivery": {**DRIVE, "hand": -1.0}})
-    for found in (clubs, rows):
-        assert list(parts(found)) == ["hand"]
-        assert_adds_up(found, 1e-12)
+    for result in (clubs, rows):
+        assert list(parts(result)) == ["hand"]
+        assert_adds_up(result, 1e-12)
     assert clubs.difference("second", "side") == rows.difference("second", "side")
 
 
 def test_equal_shots_differ_by_nothing():
-    found = two({"club": "driver", "delivery": DRIVE}, {"club": "driver", "delivery": DRIVE})
-    assert parts(found) == {}
-    assert not found.contributions["second"].remainder.any()
+    result = two({"club": "driver", "delivery": DRIVE}, {"club": "driver", "delivery": DRIVE})
+    assert parts(result) == {}
+    assert not result.contributions["second"].remainder.any()
 
 
 def test_finite_elements_are_compared_and_split_like_other_models():
@@ -260,33 +260,33 @@ def test_finite_elements_are_compared_and_split_like_other_models():
     first = {"club": "driver", "delivery": DRIVE, "model": "fem", "ball": ball}
     second = {**first, "club": clubface.club("driver").replace(mass="210 g"), "delivery": {**DRIVE, "toe": "19 mm"}}
     seen = []
-    found = two(first, second, progress=lambda done, whole: seen.append((done, whole)))
-    assert found.contributions["second"].nodes == NODES[True] == 1
+    result = two(first, second, progress=lambda done, whole: seen.append((done, whole)))
+    assert result.contributions["second"].nodes == NODES[True] == 1
     assert seen == [(1, 1)]
-    assert set(parts(found)) == {"toe", "club_mass"}
-    assert_adds_up(found, 0.02, ("ball_speed", "azimuth", "carry"))
+    assert set(parts(result)) == {"toe", "club_mass"}
+    assert_adds_up(result, 0.02, ("ball_speed", "azimuth", "carry"))
     alone = clubface.impact("driver", DRIVE, model="fem", ball=ball)
-    assert found.value("first", "ball_speed") == alone.ball_speed
+    assert result.value("first", "ball_speed") == alone.ball_speed
 
 
 def test_another_ball_of_finite_elements_is_changed_as_a_whole():
     first = {"club": "driver", "delivery": DRIVE, "model": "fem", "ball": coarse("modern")}
-    found = two(first, {**first, "ball": coarse("distance")})
-    assert [each[:1] + each[3:] for each in found.contributions["second"].changes] == [("ball", False)]
+    result = two(first, {**first, "ball": coarse("distance")})
+    assert [each[:1] + each[3:] for each in result.contributions["second"].changes] == [("ball", False)]
 
 
 def test_the_table_has_every_part_and_can_be_pickled():
-    found = two({"club": "driver", "delivery": DRIVE}, {"club": "3-wood", "delivery": DRIVE})
-    rows = found.rows()
+    result = two({"club": "driver", "delivery": DRIVE}, {"club": "3-wood", "delivery": DRIVE})
+    rows = result.rows()
     assert [row["part"] for row in rows[:3]] == ["value", "value", "difference"]
     assert rows[-1]["part"] == "remainder"
     added = sum(row["carry"] for row in rows if row["part"] in ("contribution", "remainder"))
     assert added == pytest.approx(rows[2]["carry"], rel=1e-12)
-    frame = found.to_pandas()
+    frame = result.to_pandas()
     assert frame.attrs["units"]["carry"] == "m"
     assert list(frame.columns[:3]) == ["alternative", "part", "change"]
-    assert pickle.loads(pickle.dumps(found)).rows() == rows
-    assert "first: ball_speed" in repr(found)
+    assert pickle.loads(pickle.dumps(result)).rows() == rows
+    assert "first: ball_speed" in repr(result)
 
 
 @pytest.mark.parametrize(
@@ -316,29 +316,29 @@ def test_points_of_derivatives_are_counted():
 
 
 def test_what_is_not_among_the_contributions_is_an_error():
-    found = clubface.compare(
+    result = clubface.compare(
         {name: {"club": "driver", "delivery": {**DRIVE, "toe": toe}} for name, toe in (("a", 0.0), ("b", 0.01))}
     ).contributions["b"]
     for change, quantity in (("loft", "carry"), ("toe", "cary")):
         with pytest.raises(UnknownNameError):
-            found.of(change, quantity)
+            result.of(change, quantity)
 
 
 @pytest.mark.parametrize(
-    ("names", "model", "told"),
+    ("names", "model", "message"),
     [((1, 2), "response", "name"), (("", "b"), "response", "name"), ("ab", ["response"], "model"),
      ("ab", "all", "model")],
 )  # fmt: skip
-def test_names_are_text_and_models_single(names, model, told):
-    with pytest.raises(InputError, match=told):
+def test_names_are_text_and_models_single(names, model, message):
+    with pytest.raises(InputError, match=message):
         clubface.compare({name: {"club": "driver", "delivery": DRIVE, "model": model} for name in names})
 
 
 def test_rows_of_a_file_are_deliveries(write):
     text = "name,club_speed_mph,loft_deg,toe_mm\nlow,105,10,0\nhigh,105,14,5\n"
-    found = read_deliveries(write(text), 24)
-    assert list(found) == ["low", "high"]
-    assert found["high"] == pytest.approx({"speed": 46.9392, "loft": math.radians(14.0), "toe": 0.005})
+    result = read_deliveries(write(text), 24)
+    assert list(result) == ["low", "high"]
+    assert result["high"] == pytest.approx({"speed": 46.9392, "loft": math.radians(14.0), "toe": 0.005})
     assert list(read_deliveries(write("club_speed_mph\n100\n105\n"), 24)) == ["line 2", "line 3"]
     for text, words in (
         ("name,club_speed_mph\na,100\na,105\n", "called 'a' already"),

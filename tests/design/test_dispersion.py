@@ -50,12 +50,12 @@ def test_chunks_and_threads_change_no_count_and_no_strokes(drives, monkeypatch):
 @pytest.mark.parametrize("share", [0.5, 0.9])
 def test_an_ellipse_and_an_interval_hold_their_share_of_fresh_shots(drives, share):
     """Of 4096 fresh shots; three standard errors of a share among independent ones are 0.023 and 0.014."""
-    of = golfer("handicap-10-driver")
-    fresh = ImpactSetup(club("driver"), drives.model)(of.sample(COUNT, seed=99))
-    found = np.isfinite(fresh["carry"])
-    carry, side = fresh["carry"][found], fresh["side"][found]
+    player = golfer("handicap-10-driver")
+    fresh = ImpactSetup(club("driver"), drives.model)(player.sample(COUNT, seed=99))
+    result = np.isfinite(fresh["carry"])
+    carry, side = fresh["carry"][result], fresh["side"][result]
     least, most = (drives.quantile("carry", 0.5 + half * share) for half in (-0.5, 0.5))
-    error = 3.0 * np.sqrt(share * (1.0 - share) / found.sum())
+    error = 3.0 * np.sqrt(share * (1.0 - share) / result.sum())
     assert np.mean((carry > least) & (carry < most)) == pytest.approx(share, abs=error)
     ellipse = drives.ellipse(share)
     away = np.stack([forward(carry, side), side], axis=1) - ellipse.centre
@@ -76,10 +76,10 @@ def test_the_ellipse_of_normal_landings_is_the_one_of_chi_square():
     made = dispersion("tour-driver", count=64)
     normal = module.Dispersion(**{**made.__dict__, "tally": tally})
     for share in (0.5, 0.9):
-        found = normal.ellipse(share)
+        result = normal.ellipse(share)
         # 200,000 shots give a spread to 0.16 %; twice that, and the share's own error.
-        assert found.half_axes == pytest.approx(np.array([15.0, 6.0]) * np.sqrt(-2.0 * np.log1p(-share)), rel=0.01)
-        assert found.angle == pytest.approx(angle, abs=0.005)
+        assert result.half_axes == pytest.approx(np.array([15.0, 6.0]) * np.sqrt(-2.0 * np.log1p(-share)), rel=0.01)
+        assert result.angle == pytest.approx(angle, abs=0.005)
 
 
 def test_quantiles_lie_evenly_within_a_bin():
@@ -102,10 +102,10 @@ def test_a_left_hander_spreads_as_the_mirror_image():
 
 
 def test_without_flight_launches_alone_are_counted():
-    found = dispersion("tour-driver", count=256, flight=False)
-    assert set(found.quantities) == set(LAUNCHED)
+    result = dispersion("tour-driver", count=256, flight=False)
+    assert set(result.quantities) == set(LAUNCHED)
     with pytest.raises(InputError, match="come down"):
-        found.ellipse(0.5)
+        result.ellipse(0.5)
     with pytest.raises(InputError, match="do not fly"):
         dispersion("tour-driver", flight=False, hole=Hole(length="400 yd"))
     with pytest.raises(InputError, match="do not fly"):
@@ -114,8 +114,8 @@ def test_without_flight_launches_alone_are_counted():
 
 @pytest.mark.parametrize("share", ["x", 0.0, 1.0, np.nan, [0.1, 0.5]])
 def test_what_is_no_share_is_refused(share):
-    found = dispersion("tour-driver", count=64)
-    for ask in (found.ellipse, lambda each: found.quantile("carry", each)):
+    result = dispersion("tour-driver", count=64)
+    for ask in (result.ellipse, lambda each: result.quantile("carry", each)):
         with pytest.raises(InputError, match="share"):
             ask(share)
 
@@ -135,11 +135,11 @@ def test_every_shot_is_written_with_its_units(tmp_path):
     pandas = pytest.importorskip("pandas")
     for name in ("shots.csv", "shots.parquet"):
         with shots_file(tmp_path / name) as each:
-            found = dispersion("handicap-10-driver", count=300, each=each)
+            result = dispersion("handicap-10-driver", count=300, each=each)
         table = pandas.read_csv(tmp_path / name) if name.endswith("csv") else pandas.read_parquet(tmp_path / name)
         assert len(table) == 300
-        assert table["carry_m"].isna().sum() == found.lost
-        assert table["carry_m"].mean() == pytest.approx(found.mean("carry"), rel=1e-8)
+        assert table["carry_m"].isna().sum() == result.lost
+        assert table["carry_m"].mean() == pytest.approx(result.mean("carry"), rel=1e-8)
         assert table["club_speed_mph"].mean() == pytest.approx(95.0, rel=1e-2)
 
 
@@ -195,9 +195,9 @@ def test_histograms_are_as_fine_as_told_and_reach_beyond_every_shot():
 
 @pytest.mark.parametrize("name", [name for name in COUNTED if name != "carry"])  # which is never without a side
 def test_a_shot_is_counted_where_it_is_and_beyond_the_ends_in_the_last_bin(name):
-    of = {**LAUNCHED, **FLOWN}[name]
+    player = {**LAUNCHED, **FLOWN}[name]
     least, most, width = COUNTED[name]
-    tally = Tally({name: of}, {name: 0.5 * (least + most)})
+    tally = Tally({name: player}, {name: 0.5 * (least + most)})
     values = np.array([least + 1.5 * width, least + 1.5 * width, most - 0.5 * width])
     tally.add({name: values})
     edges, counts = tally.histogram(name, width)
@@ -207,7 +207,7 @@ def test_a_shot_is_counted_where_it_is_and_beyond_the_ends_in_the_last_bin(name)
     assert tally.quantile(name, 1.0 / 3.0) == pytest.approx(least + 1.5 * width, abs=1e-9)
     assert tally.mean(name) == pytest.approx(values.mean(), abs=1e-9)
     assert tally.spread(name) == pytest.approx(values.std(), rel=1e-12)
-    beyond = Tally({name: of}, {name: 0.0})
+    beyond = Tally({name: player}, {name: 0.0})
     beyond.add({name: np.array([least - 1.0, most + 1.0, np.nan])})
     edges, counts = beyond.histogram(name, width)
     assert (counts[0], counts[-1], counts.sum()) == (1, 1, 2)

@@ -14,8 +14,8 @@ COUNT = 2**14
 
 
 def narrowed(factor):
-    of = golfer("tour-driver")
-    return of.replace(covariance=of.covariance * factor**2)
+    player = golfer("tour-driver")
+    return player.replace(covariance=player.covariance * factor**2)
 
 
 @pytest.mark.parametrize("name", ["ball_speed", "backspin", "carry", "side", "total", "total_side"])
@@ -24,8 +24,8 @@ def test_sampling_and_derivatives_agree_to_the_second_order(name):
     quarter. Below the sampling error of some 1e-4 of a spread nothing can be told."""
     means, variances = [], []
     for factor in (1.0, 0.5):
-        of = narrowed(factor)
-        derived, values = by_derivatives(of, HIT), HIT(of.sample(COUNT, seed=7))[name]
+        player = narrowed(factor)
+        derived, values = by_derivatives(player, HIT), HIT(player.sample(COUNT, seed=7))[name]
         values = values[np.isfinite(values)]
         spread = derived.spread(name)
         means.append(abs(values.mean() - derived.mean(name)) / spread)
@@ -41,31 +41,31 @@ def test_sampling_and_derivatives_agree_to_the_second_order(name):
 
 def test_the_formulas_are_exact_for_a_quadratic():
     """Of f = x'Hx/2 + g'x + 3, by sums over 2^18 shots with mishits: some 3e-3 remains of the fourth moments."""
-    of = golfer("tour-driver").replace(
+    player = golfer("tour-driver").replace(
         variables=("speed", "face"), mean=np.array([50.0, 0.1]), covariance=np.array([[1.0, 0.3], [0.3, 0.5]]),
         mishit_share=0.2, mishit_scale=2.0,
     )  # fmt: skip
     slope, second = np.array([1.0, -2.0]), np.array([[0.8, -0.3], [-0.3, 1.1]])
-    derived = ByDerivatives(golfer=of, value={"f": 3.0}, gradient={"f": slope}, second={"f": second})
-    away = np.array(list(of.sample(2**18, seed=2).values())) - of.mean[:, None]
+    derived = ByDerivatives(golfer=player, value={"f": 3.0}, gradient={"f": slope}, second={"f": second})
+    away = np.array(list(player.sample(2**18, seed=2).values())) - player.mean[:, None]
     values = 3.0 + slope @ away + 0.5 * np.einsum("in,ij,jn->n", away, second, away)
     assert derived.mean("f") == pytest.approx(values.mean(), rel=1e-3)
     assert derived.variance("f") == pytest.approx(values.var(), rel=1e-2)
     assert derived.variance("f", order=1) < derived.variance("f")
-    assert moments(of) == pytest.approx((1.6, 4.0))
+    assert moments(player) == pytest.approx((1.6, 4.0))
 
 
 def test_gradient_and_curvature_are_those_of_differences():
-    of = narrowed(1.0)
-    derived = by_derivatives(of, HIT)
-    place = of.variables.index("loft")
-    step = np.zeros(len(of.mean))
+    player = narrowed(1.0)
+    derived = by_derivatives(player, HIT)
+    place = player.variables.index("loft")
+    step = np.zeros(len(player.mean))
     step[place] = 1e-3
 
     def carry(at):
-        return HIT({name: np.array([each]) for name, each in zip(of.variables, at, strict=True)})["carry"][0]
+        return HIT({name: np.array([each]) for name, each in zip(player.variables, at, strict=True)})["carry"][0]
 
-    above, middle, below = (carry(of.mean + side * step) for side in (1.0, 0.0, -1.0))
+    above, middle, below = (carry(player.mean + side * step) for side in (1.0, 0.0, -1.0))
     assert derived.gradient["carry"][place] == pytest.approx((above - below) / 2e-3, rel=1e-3)
     # The differences of differences are right to the square of their steps.
     assert derived.second["carry"][place, place] == pytest.approx((above - 2.0 * middle + below) / 1e-6, rel=0.02)

@@ -37,9 +37,9 @@ def test_shapley_effects_of_ishigamis_function():
 
 
 def test_progress_is_told_order_by_order():
-    told = []
-    shapley(ishigami, np.zeros(3), np.eye(3), count=2, seed=1, progress=lambda *each: told.append(each))
-    assert told == [(place, 6) for place in range(1, 7)]  # 3! orders of three variables
+    progress = []
+    shapley(ishigami, np.zeros(3), np.eye(3), count=2, seed=1, progress=lambda *each: progress.append(each))
+    assert progress == [(place, 6) for place in range(1, 7)]  # 3! orders of three variables
 
 
 @pytest.mark.parametrize("rho", [0.0, 0.5, -0.8])
@@ -54,17 +54,19 @@ def test_shapley_effects_of_a_sum_of_two_correlated_variables(rho):
     ]
     sampled = shapley(lambda x: (one * x[0] + other * x[1])[None], np.zeros(2), covariance, count=2**12, seed=3)[0]
     assert sampled == pytest.approx(known, abs=0.01)
-    of = golfer("tour-driver").replace(variables=("speed", "face"), mean=np.array([50.0, 0.0]), covariance=covariance)
+    player = golfer("tour-driver").replace(
+        variables=("speed", "face"), mean=np.array([50.0, 0.0]), covariance=covariance
+    )
     slopes = ByDerivatives(
-        golfer=of, value={"f": 0.0}, gradient={"f": np.array([one, other])}, second={"f": np.zeros((2, 2))}
+        golfer=player, value={"f": 0.0}, gradient={"f": np.array([one, other])}, second={"f": np.zeros((2, 2))}
     )
     assert indices_by_derivatives(slopes, ("f",)).share["f"] == pytest.approx(known, rel=1e-12)
 
 
 def test_what_spreads_drives_comes_out_alike_by_sampling_and_by_derivatives():
     """1024 shots a set: some 0.02 of the variance; curvature beyond the second order may add as much."""
-    of, hit = golfer("tour-driver"), ImpactSetup(club("driver"), "response")
-    sampled, derived = indices(of, hit), indices_by_derivatives(by_derivatives(of, hit))
+    player, hit = golfer("tour-driver"), ImpactSetup(club("driver"), "response")
+    sampled, derived = indices(player, hit), indices_by_derivatives(by_derivatives(player, hit))
     assert sampled.kind == derived.kind == "shapley"
     for name in ("carry", "side"):
         assert sampled.share[name] == pytest.approx(derived.share[name], abs=0.05)
@@ -74,34 +76,34 @@ def test_what_spreads_drives_comes_out_alike_by_sampling_and_by_derivatives():
 
 
 def test_independent_variables_have_sobol_indices_and_those_that_do_not_vary_none():
-    of = golfer("tour-driver")
-    spread = of.spread.copy()
-    spread[of.variables.index("lie")] = 0.0
-    found = indices(of.replace(covariance=np.diag(spread**2)), ImpactSetup(club("driver"), "response"), count=256)
-    assert found.kind == "sobol"
-    assert "lie" not in found.variables
-    assert found.share["side"][found.variables.index("face")] > 0.6
+    player = golfer("tour-driver")
+    spread = player.spread.copy()
+    spread[player.variables.index("lie")] = 0.0
+    result = indices(player.replace(covariance=np.diag(spread**2)), ImpactSetup(club("driver"), "response"), count=256)
+    assert result.kind == "sobol"
+    assert "lie" not in result.variables
+    assert result.share["side"][result.variables.index("face")] > 0.6
 
 
 def test_one_variable_makes_all_of_the_spread():
     """Of a model that is straight in the speed; 1024 shots tell a share to 0.01."""
-    of = golfer("tour-driver")
-    alone = of.replace(covariance=np.diag(np.where(np.array(of.variables) == "speed", 1.0, 0.0)))
-    found = indices(alone, ImpactSetup(club("driver"), "response"))
-    assert found.variables == ("speed",)
-    assert found.share["carry"] == pytest.approx([1.0], abs=0.02)
-    assert found.total["carry"] == pytest.approx([1.0], abs=0.02)
+    player = golfer("tour-driver")
+    alone = player.replace(covariance=np.diag(np.where(np.array(player.variables) == "speed", 1.0, 0.0)))
+    result = indices(alone, ImpactSetup(club("driver"), "response"))
+    assert result.variables == ("speed",)
+    assert result.share["carry"] == pytest.approx([1.0], abs=0.02)
+    assert result.total["carry"] == pytest.approx([1.0], abs=0.02)
 
 
 @pytest.mark.parametrize(
-    ("spread", "flight", "outcomes", "told"),
+    ("spread", "flight", "outcomes", "message"),
     [(0.0, True, ("carry",), "vary"), (1.0, False, ("carry",), "do not fly"), (1.0, True, ("cary",), "carry")],
 )
-def test_what_has_no_shares_is_refused(spread, flight, outcomes, told):
-    of = golfer("tour-driver")
-    of = of.replace(covariance=spread * of.covariance)
-    with pytest.raises(InputError, match=told):
-        indices(of, ImpactSetup(club("driver"), "response", flight=flight), outcomes)
+def test_what_has_no_shares_is_refused(spread, flight, outcomes, message):
+    player = golfer("tour-driver")
+    player = player.replace(covariance=spread * player.covariance)
+    with pytest.raises(InputError, match=message):
+        indices(player, ImpactSetup(club("driver"), "response", flight=flight), outcomes)
 
 
 def test_a_count_that_is_no_power_of_two_is_refused():

@@ -37,32 +37,32 @@ def single(name, toe, high, club="driver", **options):
 
 @pytest.mark.parametrize("model", ["response", "slip", "volumetric"])
 def test_a_map_is_single_shots_bit_for_bit(model):
-    found = clubface.map_face("driver", DRIVE, model=model, grid=(21, 13))
+    result = clubface.map_face("driver", DRIVE, model=model, grid=(21, 13))
     for row, column in ((6, 10), (2, 6), (9, 16), (6, 0), (12, 10)):
         for name in QUANTITIES:
-            expected = single(name, found.toe[column], found.high[row], model=model)
-            assert found.get(name)[row, column] == expected, (name, row, column)
-            assert found.at(found.toe[column], found.high[row])[name] == expected
+            expected = single(name, result.toe[column], result.high[row], model=model)
+            assert result.get(name)[row, column] == expected, (name, row, column)
+            assert result.at(result.toe[column], result.high[row])[name] == expected
 
 
 def test_air_ball_and_parameters_are_those_of_the_shots():
     options = {"ball": "distance", "parameters": {"friction": 0.25}}
     air = {"air": {"altitude": "1600 m"}, "wind": ("-4 m/s", 0.0, "2 m/s")}
-    found = clubface.map_face("driver", DRIVE, grid=(5, 5), **options, **air)
-    launch = clubface.impact("driver", DRIVE, toe=float(found.toe[1]), high=float(found.high[3]), **options)
-    assert found.get("sidespin")[3, 1] == launch.sidespin
-    assert found.get("carry")[3, 1] == clubface.fly(launch, **air).carry
+    result = clubface.map_face("driver", DRIVE, grid=(5, 5), **options, **air)
+    launch = clubface.impact("driver", DRIVE, toe=float(result.toe[1]), high=float(result.high[3]), **options)
+    assert result.get("sidespin")[3, 1] == launch.sidespin
+    assert result.get("carry")[3, 1] == clubface.fly(launch, **air).carry
 
 
 def test_a_map_by_finite_elements_is_single_shots_bit_for_bit():
     ball = coarse("modern")
-    found = clubface.map_face("driver", DRIVE, model="fem", ball=ball, grid=(5, 5))
-    assert found.interpolated
-    assert np.isnan(found.get("carry")[0, 0])  # beside the face
+    result = clubface.map_face("driver", DRIVE, model="fem", ball=ball, grid=(5, 5))
+    assert result.interpolated
+    assert np.isnan(result.get("carry")[0, 0])  # beside the face
     for row, column in ((2, 2), (2, 0), (0, 2)):
         for name in ("ball_speed", "sidespin", "carry", "total"):
-            expected = single(name, found.toe[column], found.high[row], model="fem", ball=ball)
-            assert found.get(name)[row, column] == expected
+            expected = single(name, result.toe[column], result.high[row], model="fem", ball=ball)
+            assert result.get(name)[row, column] == expected
 
 
 def test_beside_the_face_there_is_nothing(driver):
@@ -77,15 +77,15 @@ def test_beside_the_face_there_is_nothing(driver):
 
 def test_the_sides_of_a_head_that_is_its_own_mirror_image_are_mirror_images():
     club = clubface.club("driver").replace(cg_z=0.0, ixz=0.0, iyz=0.0)
-    found = clubface.map_face(club, DRIVE, grid=(41, 21))
+    result = clubface.map_face(club, DRIVE, grid=(41, 21))
     for name in QUANTITIES:
         sign = -1.0 if name in ("azimuth", "sidespin", "spin_axis", "side", "total_side") else 1.0
-        values = found.get(name)
+        values = result.get(name)
         size = np.nanmax(np.abs(values))
         # The flights are integrated with steps of their own, to 1e-9.
         np.testing.assert_allclose(values, sign * values[:, ::-1], atol=1e-8 * size, err_msg=name)
-    assert found.best().toe == pytest.approx(0.0, abs=1e-5)
-    assert found.forgiveness(("10 mm", "6 mm")).mean["side"] == pytest.approx(0.0, abs=1e-6)
+    assert result.best().toe == pytest.approx(0.0, abs=1e-5)
+    assert result.forgiveness(("10 mm", "6 mm")).mean["side"] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_a_left_handed_face_is_the_mirror_image(driver):
@@ -99,10 +99,10 @@ def test_ball_speed_falls_off_the_centre_as_published():
 
     Heads of today have a quarter more inertia than some of 2011, so that a loss may differ by a third.
     """
-    found = clubface.map_face("driver", DRIVE)
-    centre = found.at(0.0, 0.0)["ball_speed"]
+    result = clubface.map_face("driver", DRIVE)
+    centre = result.at(0.0, 0.0)["ball_speed"]
     for distance, lost in ((0.010, 0.005), (0.020, 0.020), (units.parse("0.75 in", "length"), 0.02)):
-        sides = found.at([distance, -distance], 0.0)["ball_speed"]
+        sides = result.at([distance, -distance], 0.0)["ball_speed"]
         assert 1.0 - sides.mean() / centre == pytest.approx(lost, rel=1 / 3), distance
 
 
@@ -153,7 +153,7 @@ def test_the_spread_of_impacts_has_the_moments_of_the_normal_distribution():
     """Over a face far larger than the spread: exact for polynomials, by Gauss's rule to 1e-8."""
     face = rectangle(0.4, 0.4)
     surface = Known(lambda t, h: t, lambda t, h: t**2 + h, lambda t, h: t * h)
-    found = forgiveness(surface, face, ("12 mm", "9 mm"), "3 mm", "-2 mm")
+    result = forgiveness(surface, face, ("12 mm", "9 mm"), "3 mm", "-2 mm")
     names = QUANTITIES[:3]
     means = [0.003, 0.012**2 + 0.003**2 - 0.002, -6e-6]
     deviations = [
@@ -162,19 +162,19 @@ def test_the_spread_of_impacts_has_the_moments_of_the_normal_distribution():
         math.sqrt(0.012**2 * 0.009**2 + 0.012**2 * 0.002**2 + 0.009**2 * 0.003**2),
     ]
     for name, mean, deviation in zip(names, means, deviations, strict=True):
-        assert found.mean[name] == pytest.approx(mean, abs=1e-9)
-        assert found.deviation[name] == pytest.approx(deviation, rel=1e-6)
-    assert found.missed == pytest.approx(0.0, abs=1e-8)
-    assert found.loss[names[1]] == pytest.approx(0.003**2 - 0.002 - means[1], abs=1e-9)
+        assert result.mean[name] == pytest.approx(mean, abs=1e-9)
+        assert result.deviation[name] == pytest.approx(deviation, rel=1e-6)
+    assert result.missed == pytest.approx(0.0, abs=1e-8)
+    assert result.loss[names[1]] == pytest.approx(0.003**2 - 0.002 - means[1], abs=1e-9)
 
 
 def test_swings_that_miss_the_face_are_told_and_not_counted():
     """Of a normal distribution over a rectangle, by the error function; to 1e-9 by Gauss's rule."""
-    found = forgiveness(Known(lambda t, h: np.ones_like(t)), rectangle(0.06, 0.03), ("12 mm", "9 mm"), 0.0, 0.0)
+    result = forgiveness(Known(lambda t, h: np.ones_like(t)), rectangle(0.06, 0.03), ("12 mm", "9 mm"), 0.0, 0.0)
     hit = math.erf(0.030 / 0.012 / math.sqrt(2.0)) * math.erf(0.015 / 0.009 / math.sqrt(2.0))
-    assert found.missed == pytest.approx(1.0 - hit, abs=1e-9)
-    assert found.mean["ball_speed"] == pytest.approx(1.0, rel=1e-12)
-    assert found.deviation["ball_speed"] == pytest.approx(0.0, abs=1e-7)
+    assert result.missed == pytest.approx(1.0 - hit, abs=1e-9)
+    assert result.mean["ball_speed"] == pytest.approx(1.0, rel=1e-12)
+    assert result.deviation["ball_speed"] == pytest.approx(0.0, abs=1e-7)
 
 
 def test_forgiveness_is_what_many_swings_give(driver):
@@ -183,14 +183,14 @@ def test_forgiveness_is_what_many_swings_give(driver):
     toe, high = random.normal(0.004, 0.012, 20_000), random.normal(-0.003, 0.009, 20_000)
     kept = driver.outline.holds(toe, high)
     flights = clubface.fly(clubface.impact("driver", DRIVE, toe=toe[kept], high=high[kept]))
-    found = driver.forgiveness(("12 mm", "9 mm"), toe="4 mm", high="-3 mm")
-    assert found.missed == pytest.approx(1.0 - kept.mean(), abs=5.0 * math.sqrt(found.missed / 20_000))
+    result = driver.forgiveness(("12 mm", "9 mm"), toe="4 mm", high="-3 mm")
+    assert result.missed == pytest.approx(1.0 - kept.mean(), abs=5.0 * math.sqrt(result.missed / 20_000))
     for name in ("carry", "side"):
         values = getattr(flights, name)
         error = values.std() / math.sqrt(kept.sum())
-        assert found.mean[name] == pytest.approx(values.mean(), abs=5.0 * error)
-        assert found.deviation[name] == pytest.approx(values.std(), rel=0.03)
-    assert found.loss["carry"] == pytest.approx(single("carry", 0.004, -0.003) - found.mean["carry"], rel=1e-9)
+        assert result.mean[name] == pytest.approx(values.mean(), abs=5.0 * error)
+        assert result.deviation[name] == pytest.approx(values.std(), rel=0.03)
+    assert result.loss["carry"] == pytest.approx(single("carry", 0.004, -0.003) - result.mean["carry"], rel=1e-9)
 
 
 def test_the_best_point_is_found_far_below_the_grid():
@@ -199,8 +199,8 @@ def test_the_best_point_is_found_far_below_the_grid():
     surface = Known(lambda t, h: 70.0 - 1e3 * ((t - place[0]) ** 2 + 2.0 * (h - place[1]) ** 2))
     toe, high = np.linspace(-0.05, 0.05, 21), np.linspace(-0.025, 0.025, 11)
     values = surface.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))[0].reshape(11, 21)
-    *found, value = _greatest(surface, 0, face, toe, high, values)
-    assert found == pytest.approx(place, abs=5e-6)
+    *result, value = _greatest(surface, 0, face, toe, high, values)
+    assert result == pytest.approx(place, abs=5e-6)
     assert value == pytest.approx(70.0, rel=1e-9)
 
 
@@ -210,8 +210,8 @@ def test_an_area_is_that_of_a_known_circle_and_stays_on_the_face():
     across, up = np.meshgrid(toe, high)
     for centre, part in ((0.0, 1.0), (0.05, 0.5)):
         values = -np.hypot(across - centre, up)
-        found = _area(rectangle(0.1, 0.05), toe, high, values, -0.01)
-        assert found == pytest.approx(part * math.pi * 0.01**2, rel=3e-3)
+        result = _area(rectangle(0.1, 0.05), toe, high, values, -0.01)
+        assert result == pytest.approx(part * math.pi * 0.01**2, rel=3e-3)
 
 
 def test_the_sweet_spot_is_the_best_of_all_points(driver):
@@ -290,10 +290,10 @@ def test_points_by_finite_elements_are_kept_when_they_are_interrupted(tmp_path):
     with pytest.raises(KeyboardInterrupt, match=r"4 of \d+ points are done; they are in .*map\.csv\.unfinished"):
         clubface.map_face("driver", DRIVE, progress=stop, **shot)
     seen = []
-    found = clubface.map_face("driver", DRIVE, progress=lambda done, whole: seen.append(done), **shot)
+    result = clubface.map_face("driver", DRIVE, progress=lambda done, whole: seen.append(done), **shot)
     assert seen[:2] == [4, 5]
     again = clubface.map_face("driver", DRIVE, **{**shot, "output": None})
-    assert np.array_equal(found.get("carry"), again.get("carry"), equal_nan=True)
+    assert np.array_equal(result.get("carry"), again.get("carry"), equal_nan=True)
 
 
 @pytest.mark.parametrize(
@@ -374,7 +374,7 @@ def test_the_area_of_a_fine_grid_is_that_of_a_coarse_one(driver):
 
 def test_a_map_is_a_dataset(driver):
     pytest.importorskip("xarray")
-    found = driver.to_xarray()
-    assert found["carry"].dims == ("high", "toe")
-    assert found["carry"].attrs["units"] == "m"
-    assert found.attrs["model_name"] == "response"
+    result = driver.to_xarray()
+    assert result["carry"].dims == ("high", "toe")
+    assert result["carry"].attrs["units"] == "m"
+    assert result.attrs["model_name"] == "response"

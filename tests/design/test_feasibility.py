@@ -39,8 +39,8 @@ points = st.lists(
 
 @given(points)
 @settings(max_examples=60, deadline=None)
-def test_point_masses_in_the_volume_on_a_shell_are_a_head(found):
-    parts, masses = np.array(found)[:, :3], np.array(found)[:, 3]
+def test_point_masses_in_the_volume_on_a_shell_are_a_head(bodies):
+    parts, masses = np.array(bodies)[:, :3], np.array(bodies)[:, 3]
     for volume in (ELLIPSOID, BOX):
         inside = in_ellipsoid(volume, parts) if volume is ELLIPSOID else (
             np.array(volume.centre) + 0.5 * np.array(volume.size) * parts
@@ -52,8 +52,8 @@ def test_point_masses_in_the_volume_on_a_shell_are_a_head(found):
 
 @given(points)
 @settings(max_examples=30, deadline=None)
-def test_moments_and_mass_properties_are_the_same_thing(found):
-    parts, masses = np.array(found)[:, :3], np.array(found)[:, 3]
+def test_moments_and_mass_properties_are_the_same_thing(bodies):
+    parts, masses = np.array(bodies)[:, :3], np.array(bodies)[:, 3]
     pseudo = moments(in_ellipsoid(ELLIPSOID, parts), masses)
     again = feasibility.pseudo_inertia(feasibility.mass_properties(pseudo))
     # Inertia about the CG is a difference of moments about the face centre: some digits of 16 are lost.
@@ -99,8 +99,8 @@ def test_derivatives_of_the_moments_are_those_of_differences():
         up, down = values.copy(), values.copy()
         up[index] += h
         down[index] -= h
-        found = (feasibility.pseudo_inertia(up) - feasibility.pseudo_inertia(down)) / (2 * h)
-        assert np.abs(found - exact[index]).max() < 1e-8 * max(np.abs(exact[index]).max(), 1e-3)
+        result = (feasibility.pseudo_inertia(up) - feasibility.pseudo_inertia(down)) / (2 * h)
+        assert np.abs(result - exact[index]).max() < 1e-8 * max(np.abs(exact[index]).max(), 1e-3)
 
 
 def envelope(volume=AROUND, budget=0.03):
@@ -155,8 +155,8 @@ def test_a_box_refuses_what_lies_beyond_an_edge_though_it_is_within_every_slab()
 def test_what_is_left_of_a_body_without_mass_is_told():
     """A shell as heavy as the head leaves nothing, and a heavier one less than that."""
     for mass in (0.0, -0.01):
-        told = feasibility._describe_plane(np.diag([1e-5, 1e-5, 1e-5, mass]), np.array([0.0, 0.0, 0.0, 1.0]))
-        assert told == f"its mass would be {1e3 * mass:.1f} g"
+        message = feasibility._describe_plane(np.diag([1e-5, 1e-5, 1e-5, mass]), np.array([0.0, 0.0, 0.0, 1.0]))
+        assert message == f"its mass would be {1e3 * mass:.1f} g"
     negative = np.diag([-2e-7, 1e-5, 1e-5, 0.2])
     assert feasibility._describe_plane(negative, np.array([1.0, 0.0, 0.0, 0.0])).startswith(
         "the second moment of its mass along the direction (1.00, 0.00, 0.00) would be -2.0 g cm2"

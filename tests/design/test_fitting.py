@@ -19,11 +19,11 @@ BEGIN = 'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\nshots = 64\n
 
 def test_a_combination_is_judged_as_its_shots_are_one_by_one():
     """A head of 2 degrees less loft, weight back by 2 mm: the delivery follows the loft, and the CG the setting."""
-    found = fit(from_text(
+    result = fit(from_text(
         BEGIN + '[fit]\nclubs = ["driver"]\nballs = ["distance"]\n'
         '[[fit.setting]]\nname = "back"\nloft = "-2 deg"\nlie = "1 deg"\ncg_x = "2 mm"\n'
     ))  # fmt: skip
-    (one,) = found
+    (one,) = result
     shots = golfer("bogey-driver").sample(64, seed=1)
     shots["loft"] = shots["loft"] - math.radians(2.0)
     shots["lie"] = shots["lie"] + math.radians(1.0)
@@ -36,8 +36,8 @@ def test_a_combination_is_judged_as_its_shots_are_one_by_one():
 
 def test_a_head_of_more_loft_is_delivered_with_as_much_more_of_it():
     """The golfer delivers as with the first head; the second's shots one by one, with the difference of the lofts."""
-    found = fit(from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\n'))
-    (wood,) = [each for each in found if each.club == "3-wood"]
+    result = fit(from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\n'))
+    (wood,) = [each for each in result if each.club == "3-wood"]
     shots = golfer("bogey-driver").sample(64, seed=1)
     shots["loft"] = shots["loft"] + club("3-wood").loft - club("driver").loft
     carry = fly(impact("3-wood", shots, on_error="nan"), on_error="nan").carry
@@ -47,10 +47,10 @@ def test_a_head_of_more_loft_is_delivered_with_as_much_more_of_it():
 def test_all_combinations_are_ordered_from_the_best():
     text = BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nballs = ["modern", "distance"]\n'
     text += '[[fit.setting]]\nname = "up"\nloft = "1 deg"\n[[fit.setting]]\nname = "down"\nloft = "-1 deg"\n'
-    found = fit(from_text(text))
-    assert len({(each.club, each.ball, each.setting) for each in found}) == len(found) == 8
-    assert [each.value for each in found] == sorted((each.value for each in found), reverse=True)
-    assert found[0].error == 0.0
+    result = fit(from_text(text))
+    assert len({(each.club, each.ball, each.setting) for each in result}) == len(result) == 8
+    assert [each.value for each in result] == sorted((each.value for each in result), reverse=True)
+    assert result[0].error == 0.0
 
 
 def test_what_is_set_freely_is_set_as_well_as_a_fine_grid_would():
@@ -68,8 +68,8 @@ def test_a_setting_and_what_is_free_add_up():
     text = (
         BEGIN + '[fit]\nclubs = ["driver"]\nloft = ["0.5 deg", "1 deg"]\n[[fit.setting]]\nname = "a"\nloft = "1 deg"\n'
     )
-    (found,) = fit(from_text(text))
-    assert math.radians(1.5) - 1e-9 <= found.changes["loft"] <= math.radians(2.0) + 1e-9
+    (result,) = fit(from_text(text))
+    assert math.radians(1.5) - 1e-9 <= result.changes["loft"] <= math.radians(2.0) + 1e-9
 
 
 @pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])
@@ -97,11 +97,11 @@ def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monke
     judged = []
     compute = fitting_run._tried
 
-    def counted(of, head, ball, *rest):
+    def counted(fitting, head, ball, *rest):
         if len(judged) == 2:
             raise KeyboardInterrupt
         judged.append((head.name, ball.name))
-        return compute(of, head, ball, *rest)
+        return compute(fitting, head, ball, *rest)
 
     monkeypatch.setattr(fitting_run, "_tried", counted)
     target, whole = tmp_path / "parts.csv", tmp_path / "whole.csv"
@@ -112,10 +112,10 @@ def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monke
     monkeypatch.setattr(
         fitting_run, "_tried", lambda *given: (judged.append((given[1].name, given[2].name)), compute(*given))[1]
     )
-    found = fit(from_text(TWO), output=target, resume=True)
+    result = fit(from_text(TWO), output=target, resume=True)
     assert [*first, *judged] == [(c, b) for c in ("driver", "3-wood") for b in ("modern", "distance")]
     again = fit(from_text(TWO), output=whole)
-    assert [repr(each) for each in again] == [repr(each) for each in found]  # NaN is not equal to itself
+    assert [repr(each) for each in again] == [repr(each) for each in result]  # NaN is not equal to itself
     assert target.read_bytes() == whole.read_bytes()
     assert sorted(each.name for each in tmp_path.iterdir()) == ["parts.csv", "whole.csv"]
 
@@ -135,18 +135,18 @@ def test_wind_blows_as_over_a_single_shot():
 
 
 def test_the_ground_is_that_of_a_single_shot():
-    of = from_text(BEGIN + 'ground = "soft fairway"\n[fit]\nclubs = ["driver"]\n')
+    fitting = from_text(BEGIN + 'ground = "soft fairway"\n[fit]\nclubs = ["driver"]\n')
     launch = impact("driver", golfer("bogey-driver").sample(64, seed=1), on_error="nan")
     expected = np.nanmean(fly(launch, ground="soft fairway", on_error="nan").total)
-    assert landings(of, fit(of)[0])[0][2].mean() == pytest.approx(expected, rel=1e-12)
+    assert landings(fitting, fit(fitting)[0])[0][2].mean() == pytest.approx(expected, rel=1e-12)
     with pytest.raises(FileError, match="unknown ground 'soft'"):
         from_text(BEGIN + 'ground = "soft"\n[fit]\nclubs = ["driver"]\n')
 
 
 def test_the_landings_of_a_combination_are_those_that_it_was_judged_by():
-    of = from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nloft = ["-2 deg", "2 deg"]\n')
-    for each in fit(of):
-        assert float(landings(of, each)[0][0].mean()) == pytest.approx(each.value, rel=1e-12)
+    fitting = from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nloft = ["-2 deg", "2 deg"]\n')
+    for each in fit(fitting):
+        assert float(landings(fitting, each)[0][0].mean()) == pytest.approx(each.value, rel=1e-12)
 
 
 def test_python_takes_files_and_each_function_names_the_other_for_the_other_kind(tmp_path):
@@ -154,9 +154,9 @@ def test_python_takes_files_and_each_function_names_the_other_for_the_other_kind
     fits.write_text(BEGIN + '[fit]\nclubs = ["driver"]\n')
     studies.write_text(BEGIN + 'starts = 1\nclub = "driver"\n[variables]\nloft = ["8 deg", "16 deg"]\n')
     assert clubface.fit(fits) == fit(from_text(fits.read_text()))
-    found = clubface.optimise(str(studies), output=tmp_path / "best.toml")
-    assert f"carry {found.fresh.value('start', 'carry') / 0.9144:.4g} yd to" in repr(found)
-    assert club(tmp_path / "best.toml").loft == pytest.approx(found.club["loft"], rel=1e-9)
+    result = clubface.optimise(str(studies), output=tmp_path / "best.toml")
+    assert f"carry {result.fresh.value('start', 'carry') / 0.9144:.4g} yd to" in repr(result)
+    assert club(tmp_path / "best.toml").loft == pytest.approx(result.club["loft"], rel=1e-9)
     with pytest.raises(InputError, match="fit takes a fitting"):
         clubface.optimise(fits)
     with pytest.raises(InputError, match="optimise takes a study"):

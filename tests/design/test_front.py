@@ -23,20 +23,20 @@ roll = ["200 mm", "500 mm"]
 
 
 @pytest.fixture(scope="module")
-def found():
+def optimum():
     return optimise(from_text(TEXT))
 
 
-def values(found):
-    return np.array([[point.values[name] for name in ("carry", "side_spread")] for point in found.front])
+def values(result):
+    return np.array([[point.values[name] for name in ("carry", "side_spread")] for point in result.front])
 
 
-def test_the_front_runs_from_one_best_to_the_other(found):
-    front = values(found)
+def test_the_front_runs_from_one_best_to_the_other(optimum):
+    front = values(optimum)
     assert len(front) == 7
     assert np.all(np.diff(front[:, 0]) < 0.0)
     assert np.all(np.diff(front[:, 1]) < 0.0)
-    assert front[0, 0] == pytest.approx(found.judged["carry"], rel=1e-6)
+    assert front[0, 0] == pytest.approx(optimum.judged["carry"], rel=1e-6)
     # Levels of the second objective are even and kept, closely but for the point before which the front jumps to
     # another kind of club: there the search ends 0.3% of a step under its level.
     levels = np.linspace(front[0, 1], front[-1, 1], 7)
@@ -46,7 +46,7 @@ def test_the_front_runs_from_one_best_to_the_other(found):
     assert under.max() < 5e-3
 
 
-def test_no_club_of_nsga2_is_better_than_one_of_the_front(found):
+def test_no_club_of_nsga2_is_better_than_one_of_the_front(optimum):
     """The genetic search of 40 by 40 clubs comes near the front from inside, to a part of its extent.
 
     The front jumps between two kinds of club, low and high lofts, so that following it from its neighbours alone misses
@@ -56,19 +56,21 @@ def test_no_club_of_nsga2_is_better_than_one_of_the_front(found):
     from pymoo.core.problem import Problem
     from pymoo.optimize import minimize
 
-    study = found.study
-    of = study.problem(study.landings(study.shots, seed=study.seed), "carry", others=(study.objective("side_spread"),))
+    study = optimum.study
+    problem = study.problem(
+        study.landings(study.shots, seed=study.seed), "carry", others=(study.objective("side_spread"),)
+    )
 
     class Clubs(Problem):
         def __init__(self):
             super().__init__(n_var=3, n_obj=2, xl=np.zeros(3), xu=np.ones(3))
 
         def _evaluate(self, points, out, *_, **__):
-            judged = [of.values(point).judged for point in points]
+            judged = [problem.values(point).judged for point in points]
             out["F"] = np.array([[-each["carry"], each["side_spread"]] for each in judged])
 
     searched = minimize(Clubs(), NSGA2(pop_size=40), ("n_gen", 40), seed=1).F
-    front = values(found)
+    front = values(optimum)
     extent = front[0, 0] - front[-1, 0]
     for carry, spread in front:
         as_straight = searched[:, 1] <= spread * (1.0 + 1e-9)

@@ -33,49 +33,49 @@ def small(**changes):
 @settings(max_examples=25, deadline=None)
 @given(st.integers(1, 300), st.integers(0, 5000), st.integers(0, 2**40), st.booleans())
 def test_chunks_joined_are_bit_for_bit_the_shots_made_at_once(count, start, seed, mishits):
-    of = small(mishit_share=0.1, mishit_scale=2.0) if mishits else small()
-    whole = of.sample(count + 7, seed=seed, start=start)
-    first, rest = of.sample(7, seed=seed, start=start), of.sample(count, seed=seed, start=start + 7)
+    player = small(mishit_share=0.1, mishit_scale=2.0) if mishits else small()
+    whole = player.sample(count + 7, seed=seed, start=start)
+    first, rest = player.sample(7, seed=seed, start=start), player.sample(count, seed=seed, start=start + 7)
     for name, values in whole.items():
         assert np.array_equal(values, np.concatenate([first[name], rest[name]]))
 
 
 def test_the_samples_have_the_moments_of_the_distribution():
     """With 2^14 points of a Sobol sequence the error of a mean is far below the 1/128 of independent draws."""
-    of = small(mishit_share=0.125, mishit_scale=2.0)
-    drawn = np.array(list(of.sample(2**14, seed=4).values()))
-    spread = np.sqrt(np.diag(of.total_covariance))
-    assert np.abs((drawn.mean(axis=1) - of.mean) / spread).max() < 1e-3
+    player = small(mishit_share=0.125, mishit_scale=2.0)
+    drawn = np.array(list(player.sample(2**14, seed=4).values()))
+    spread = np.sqrt(np.diag(player.total_covariance))
+    assert np.abs((drawn.mean(axis=1) - player.mean) / spread).max() < 1e-3
     ratio = np.cov(drawn) / np.outer(spread, spread)
-    assert np.abs(ratio - of.total_covariance / np.outer(spread, spread)).max() < 0.02
+    assert np.abs(ratio - player.total_covariance / np.outer(spread, spread)).max() < 0.02
     # (1 - s) + s c^2 with s = 1/8 and c = 2
-    assert of.total_covariance[0, 0] == pytest.approx(1.375 * 0.25, rel=1e-14)
+    assert player.total_covariance[0, 0] == pytest.approx(1.375 * 0.25, rel=1e-14)
 
 
 def test_a_mishit_is_so_many_times_as_far_off():
     numbers = np.array([[0.3, 0.8, 0.4, 0.05], [0.3, 0.8, 0.4, 0.95]])
-    found = np.array(list(small(mishit_share=0.1, mishit_scale=3.0).deliveries(numbers).values()))
-    away = found - np.array([[45.0], [DEG], [-DEG]])
+    result = np.array(list(small(mishit_share=0.1, mishit_scale=3.0).deliveries(numbers).values()))
+    away = result - np.array([[45.0], [DEG], [-DEG]])
     assert away[:, 0] == pytest.approx(3.0 * away[:, 1], rel=1e-12)
 
 
 def test_two_seeds_give_different_shots_and_one_seed_the_same():
-    of = small()
-    assert np.array_equal(of.sample(64, seed=1)["face"], of.sample(64, seed=1)["face"])
-    assert not np.array_equal(of.sample(64, seed=1)["face"], of.sample(64, seed=2)["face"])
+    player = small()
+    assert np.array_equal(player.sample(64, seed=1)["face"], player.sample(64, seed=1)["face"])
+    assert not np.array_equal(player.sample(64, seed=1)["face"], player.sample(64, seed=2)["face"])
 
 
 def test_a_left_handed_golfer_is_the_mirror_image():
-    of = small()
-    mirrored = of.for_hand(-1)
+    player = small()
+    mirrored = player.for_hand(-1)
     assert mirrored.mean.tolist() == [45.0, -DEG, DEG]
-    assert mirrored.correlation == pytest.approx(of.correlation)
-    assert mirrored.for_hand(1).mean.tolist() == of.mean.tolist()
-    assert of.for_hand(1) is of
+    assert mirrored.correlation == pytest.approx(player.correlation)
+    assert mirrored.for_hand(1).mean.tolist() == player.mean.tolist()
+    assert player.for_hand(1) is player
     for name, shots in mirrored.sample(64).items():
-        assert np.array_equal(shots, of.sample(64)[name] * (-1.0 if name in ("path", "face") else 1.0))
+        assert np.array_equal(shots, player.sample(64)[name] * (-1.0 if name in ("path", "face") else 1.0))
     with pytest.raises(InputError, match="hand"):
-        of.for_hand("left")  # pyright: ignore[reportArgumentType]
+        player.for_hand("left")  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize("numbers", ["x", np.zeros((2, 2)), np.zeros((2, 3)), np.full((2, 3), 1.5)])
@@ -90,14 +90,14 @@ def test_no_shot_is_beyond_the_last():
 
 
 def test_a_variable_may_stay_as_it_is():
-    of = small(covariance=np.diag([0.25, 0.0, DEG**2]))
-    drawn = of.sample(32)
+    player = small(covariance=np.diag([0.25, 0.0, DEG**2]))
+    drawn = player.sample(32)
     assert (drawn["path"] == DEG).all()
     assert drawn["face"].std() > 0.0
 
 
 @pytest.mark.parametrize(
-    ("changes", "told"),
+    ("changes", "message"),
     [
         ({"covariance": np.ones((3, 3)) + np.diag([0.0, 0.0, -2.0])}, "correlations that are possible together"),
         ({"covariance": np.eye(2)}, r"shape \(3, 3\)"),
@@ -118,8 +118,8 @@ def test_a_variable_may_stay_as_it_is():
         ({"sources": 3}, "texts"),
     ],
 )
-def test_what_is_no_distribution_is_refused(changes, told):
-    with pytest.raises(InputError, match=told):
+def test_what_is_no_distribution_is_refused(changes, message):
+    with pytest.raises(InputError, match=message):
         small(**changes)
 
 
@@ -132,19 +132,19 @@ def test_an_unknown_variable_names_the_nearest():
 def test_every_shipped_golfer_reads_back_and_hits_its_club(name):
     import clubface
 
-    of = golfer(name)
-    again = from_document(Document(to_toml(of)), name)
-    assert again.mean == pytest.approx(of.mean, rel=1e-11, abs=1e-15)
-    assert again.covariance == pytest.approx(of.covariance, rel=1e-10, abs=1e-18)
-    assert again.sources == of.sources
-    assert again.mishit_share == of.mishit_share
-    assert of.variables == tuple(OF_CLUB)
-    flight = clubface.fly(clubface.impact(of.club, of.delivery()))
+    player = golfer(name)
+    again = from_document(Document(to_toml(player)), name)
+    assert again.mean == pytest.approx(player.mean, rel=1e-11, abs=1e-15)
+    assert again.covariance == pytest.approx(player.covariance, rel=1e-10, abs=1e-18)
+    assert again.sources == player.sources
+    assert again.mishit_share == player.mishit_share
+    assert player.variables == tuple(OF_CLUB)
+    flight = clubface.fly(clubface.impact(player.club, player.delivery()))
     assert abs(float(flight.side)) < 0.02 * float(flight.carry)
     for part in ("mean", "spread"):
-        for variable in of.variables:
-            assert of.source(f"{part} of {variable}").strip()
-    assert of.source("nonsense") == ASSUMED
+        for variable in player.variables:
+            assert player.source(f"{part} of {variable}").strip()
+    assert player.source("nonsense") == ASSUMED
 
 
 @pytest.mark.parametrize(
@@ -159,17 +159,17 @@ def test_every_shipped_golfer_reads_back_and_hits_its_club(name):
 def test_the_means_of_shipped_drives_are_those_published(name, group):
     table = published_data.table("drives-by-handicap")
     row = list(table["group"]).index(group)
-    of = golfer(name)
+    player = golfer(name)
     for variable, column in (("speed", "club_speed"), ("attack", "attack"), ("loft", "dynamic_loft")):
-        assert of.mean[of.variables.index(variable)] == pytest.approx(float(table[column][row]), rel=1e-12)
+        assert player.mean[player.variables.index(variable)] == pytest.approx(float(table[column][row]), rel=1e-12)
 
 
 def test_the_means_of_the_tour_are_those_published():
-    of = golfer("tour-driver")
+    player = golfer("tour-driver")
     table = published_data.table("pga-2019")
     row = list(table["club"]).index("driver")
-    assert of.mean[0] == pytest.approx(float(table["club_speed"][row]), rel=1e-12)
-    assert of.mean[of.variables.index("loft")] == pytest.approx(units.parse("12.8 deg", "angle"), rel=1e-12)
+    assert player.mean[0] == pytest.approx(float(table["club_speed"][row]), rel=1e-12)
+    assert player.mean[player.variables.index("loft")] == pytest.approx(units.parse("12.8 deg", "angle"), rel=1e-12)
 
 
 FILE = """title = "x"
@@ -187,7 +187,7 @@ value = 0.4
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "line", "told"),
+    ("old", "new", "line", "changes"),
     [
         ('face = "2 deg"', 'fase = "2 deg"', 7, "face"),
         ('face = "2 deg"', 'face = "-2 deg"', 7, "must not be negative"),
@@ -206,12 +206,12 @@ value = 0.4
         ('face = "2 deg"', 'face = "2 deg"\n[sources]\nspred.face = "me"', None, "spread"),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, told):
+def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, changes):
     text = FILE.replace(old, new)
-    if told is None:
+    if changes is None:
         assert from_document(Document(text), "x").variables == ("speed", "face")
         return
-    with pytest.raises(FileError, match=told) as error:
+    with pytest.raises(FileError, match=changes) as error:
         from_document(Document(text, "my.toml"), "x")
     assert line is None or f"my.toml, line {line}" in str(error.value) or f"my.toml:{line}" in str(error.value)
 
@@ -239,25 +239,25 @@ def test_the_page_tells_what_rests_on_each_assumed_figure():
     assert sorted(row[0] for row in rows) == sorted(golfers())
     for name, means, side, rest in rows:
         player = golfer(name)
-        found = doubts(player, clubface.club(player.club))
+        result = doubts(player, clubface.club(player.club))
         by = {
-            each.figure: {of: each.spread[of][1] / found.spread[of] - 1.0 for of in found.spread}
-            for each in found.figures
+            each.figure: {golfer_: each.spread[golfer_][1] / result.spread[golfer_] - 1.0 for golfer_ in result.spread}
+            for each in result.figures
         }
         sourced = [each for each in ("speed", "attack", "loft") if not is_assumed(player, f"mean of {each}")]
         assert means == (", ".join(sourced) or "none")
-        assert all(each.assumed for each in found.figures)
+        assert all(each.assumed for each in result.figures)
         figures = [f"spread of {each}" for each in ("face", "loft", "attack", "speed", "toe", "high")]
-        told = [by["spread of face"]["side"], *(by[each]["carry"] for each in (*figures, "mishits"))]
-        cells = [f"{100 * each:.0f}%" for each in told]
-        cells.insert(1, f"{found.spread['carry'] / 0.9144:.1f} yd")
-        assert [f"{found.spread['side'] / 0.9144:.1f}", *rest.replace("-0%", "0%").split(" | ")] == [
+        changes = [by["spread of face"]["side"], *(by[each]["carry"] for each in (*figures, "mishits"))]
+        cells = [f"{100 * each:.0f}%" for each in changes]
+        cells.insert(1, f"{result.spread['carry'] / 0.9144:.1f} yd")
+        assert [f"{result.spread['side'] / 0.9144:.1f}", *rest.replace("-0%", "0%").split(" | ")] == [
             side, *(each.replace("-0%", "0%") for each in cells)
         ]  # fmt: skip
         assert max(map(abs, by["correlation"].values())) < 0.075
         assert max(map(abs, by["spread of path"].values())) < 0.025
-        assert all(abs(by[f"spread of {each}"][of]) < 0.005
-                   for each in ("lie", "closure", "pitch_rate", "lie_rate") for of in found.spread)  # fmt: skip
+        assert all(abs(by[f"spread of {each}"][golfer_]) < 0.005
+                   for each in ("lie", "closure", "pitch_rate", "lie_rate") for golfer_ in result.spread)  # fmt: skip
 
 
 def test_the_page_tells_how_shipped_amateurs_differ_from_measured_golfers():
@@ -265,14 +265,14 @@ def test_the_page_tells_how_shipped_amateurs_differ_from_measured_golfers():
     import clubface
 
     table = published_data.table("shot-spreads-2025")
-    told = {
+    page = {
         "driver": ("2.8 to 4.3", "1.4 to 2.0", "8 to 13", "2.8 to 6.5", "2.5 to 4.7", "13 to 28"),
         "7-iron": ("2.6 to 4.5", "2.9 to 3.6", "12 to 16", "1.6 to 2.3", "1.9 to 2.9", "9 to 11"),
     }
-    for club, (*ours, starts, speeds, carries) in told.items():
-        found = [clubface.dispersion(golfer(f"{who}-{club}"), count=2**13)
+    for club, (*ours, starts, speeds, carries) in page.items():
+        result = [clubface.dispersion(golfer(f"{who}-{club}"), count=2**13)
                  for who in ("handicap-5", "handicap-10", "bogey", "women-15")]  # fmt: skip
-        spreads = [[each.spread(name) for each in found] for name in ("azimuth", "ball_speed", "carry")]
+        spreads = [[each.spread(name) for each in result] for name in ("azimuth", "ball_speed", "carry")]
         spreads[0] = list(np.degrees(spreads[0]))
         assert [f"{min(each):.{d}f} to {max(each):.{d}f}" for each, d in zip(spreads, (1, 1, 0), strict=True)] == ours
         rows = table["club"] == club
@@ -317,8 +317,8 @@ def test_a_golfer_a_club_and_a_dispersion_are_told_in_the_units_of_golfers():
     assert "  cg_x                 40.8 mm\n" in head
     assert "  roll                 flat\n" in head
     assert "45.6 g" in str(Ball.builtin("modern"))
-    found = dispersion(player, count=64, hole=Hole(length="400 yd"))
-    (carry,) = [line.split() for line in str(found).splitlines() if "carry" in line]
-    assert float(carry[1]) == pytest.approx(found.mean("carry") / 0.9144, rel=1e-3)
+    result = dispersion(player, count=64, hole=Hole(length="400 yd"))
+    (carry,) = [line.split() for line in str(result).splitlines() if "carry" in line]
+    assert float(carry[1]) == pytest.approx(result.mean("carry") / 0.9144, rel=1e-3)
     assert carry[-1] == "yd"
-    assert f"{found.strokes:.3f} after the shot" in str(found)
+    assert f"{result.strokes:.3f} after the shot" in str(result)

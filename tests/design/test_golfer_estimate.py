@@ -30,7 +30,7 @@ def known(**changes):
     return Golfer(**{"name": "known", "variables": NAMES, "mean": mean, "covariance": covariance, **changes})
 
 
-def hit(of, count, seed, drift=0.0, **more):
+def strike_session(of, count, seed, drift=0.0, **more):
     drawn = of.deliveries(np.random.default_rng(seed).random((count, of.dimensions)))
     way = drift * np.linspace(-1.0, 1.0, count)
     deliveries = {name: drawn[name] + way * SPREAD[place] for place, name in enumerate(NAMES)}
@@ -40,31 +40,31 @@ def hit(of, count, seed, drift=0.0, **more):
     return ready_shots(shots, club="driver")
 
 
-def spreads(found):
-    return found.golfer.spread[[found.golfer.variables.index(name) for name in NAMES]]
+def spreads(result):
+    return result.golfer.spread[[result.golfer.variables.index(name) for name in NAMES]]
 
 
 def test_drift_does_not_count():
     """A drift of three spreads from the first shot to the last; 200 shots tell a spread to 6 %."""
-    found = estimate_golfer(hit(known(), 200, 1, drift=1.5))
-    assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.2)
-    assert found.drift.min() > 1.15
-    assert "golfer-drifted" in codes(found)
-    still = estimate_golfer(hit(known(), 200, 1))
-    assert spreads(still) == pytest.approx(spreads(found), rel=0.03)
-    place = [found.golfer.variables.index(name) for name in ("path", "face")]
-    assert found.golfer.correlation[place[0], place[1]] == pytest.approx(0.5, abs=0.2)
+    result = estimate_golfer(strike_session(known(), 200, 1, drift=1.5))
+    assert spreads(result) / SPREAD == pytest.approx(1.0, abs=0.2)
+    assert result.drift.min() > 1.15
+    assert "golfer-drifted" in codes(result)
+    still = estimate_golfer(strike_session(known(), 200, 1))
+    assert spreads(still) == pytest.approx(spreads(result), rel=0.03)
+    place = [result.golfer.variables.index(name) for name in ("path", "face")]
+    assert result.golfer.correlation[place[0], place[1]] == pytest.approx(0.5, abs=0.2)
 
 
 def test_mishits_are_found_and_do_not_widen_the_rest():
-    found = estimate_golfer(hit(known(mishit_share=0.1, mishit_scale=3.0), 400, 2))
-    assert found.golfer.mishit_share == pytest.approx(0.1, abs=0.05)
-    assert found.golfer.mishit_scale == pytest.approx(3.0, abs=0.75)
-    assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.15)
+    result = estimate_golfer(strike_session(known(mishit_share=0.1, mishit_scale=3.0), 400, 2))
+    assert result.golfer.mishit_share == pytest.approx(0.1, abs=0.05)
+    assert result.golfer.mishit_scale == pytest.approx(3.0, abs=0.75)
+    assert spreads(result) / SPREAD == pytest.approx(1.0, abs=0.15)
 
 
 def test_without_mishits_none_are_found():
-    assert [estimate_golfer(hit(known(), 120, seed)).golfer.mishit_share for seed in range(3)] == [0.0] * 3
+    assert [estimate_golfer(strike_session(known(), 120, seed)).golfer.mishit_share for seed in range(3)] == [0.0] * 3
 
 
 def test_the_stated_errors_cover_the_truth():
@@ -74,8 +74,8 @@ def test_the_stated_errors_cover_the_truth():
     """
     inside = []
     for seed in range(40):
-        found = estimate_golfer(hit(known(), 30, 100 + seed), like="tour-driver")
-        inside.append(np.abs(np.log(spreads(found) / SPREAD)) < 1.96 * found.error / spreads(found))
+        result = estimate_golfer(strike_session(known(), 30, 100 + seed), like="tour-driver")
+        inside.append(np.abs(np.log(spreads(result) / SPREAD)) < 1.96 * result.error / spreads(result))
     assert np.mean(inside) == pytest.approx(0.95, abs=0.05)
 
 
@@ -87,10 +87,10 @@ def test_the_stated_errors_cover_the_truth_where_shots_leave_open_how_many_mishi
 ):
     """Of 30 sessions, 6 spreads each: 89 to 96 % in a hundred of them. Spreads of a session are off together where
     mishits are overlooked, so that 30 sessions give that to 5 %. Errors of the sample alone hold 75 % of the second."""
-    of, inside = known(mishit_share=share, mishit_scale=scale), []
+    player, inside = known(mishit_share=share, mishit_scale=scale), []
     for seed in range(sessions):
-        found = estimate_golfer(hit(of, count, 300 + seed), like="tour-driver")
-        inside.append(np.abs(np.log(spreads(found) / SPREAD)) < 1.96 * found.error / spreads(found))
+        result = estimate_golfer(strike_session(player, count, 300 + seed), like="tour-driver")
+        inside.append(np.abs(np.log(spreads(result) / SPREAD)) < 1.96 * result.error / spreads(result))
     assert 0.84 < np.mean(inside) < 0.995
 
 
@@ -100,8 +100,8 @@ def test_bulge_and_roll_are_not_counted_twice():
     from clubface.equipment.clubs import club
 
     head = club("driver")
-    of = known()
-    true = hit(of, 300, 5)
+    player = known()
+    true = strike_session(player, 300, 5)
     values = {name: true.deliveries[name].copy() for name in NAMES}
     lie = np.zeros(300)
     normal = _normal(values["toe"], values["high"], head)
@@ -112,32 +112,32 @@ def test_bulge_and_roll_are_not_counted_twice():
         deliveries=measured, launches={}, rows=np.arange(300), source="shots.csv", format="x", face_at="contact"
     )
     raw = np.std(measured["face"]) / DEG
-    found = estimate_golfer(ready_shots(shots, club="driver"))
-    place = found.golfer.variables.index("face")
-    assert found.golfer.spread[place] / DEG == pytest.approx(spreads(estimate_golfer(true))[3] / DEG, rel=1e-6)
-    assert found.golfer.spread[place] / DEG < raw - 0.1
+    result = estimate_golfer(ready_shots(shots, club="driver"))
+    place = result.golfer.variables.index("face")
+    assert result.golfer.spread[place] / DEG == pytest.approx(spreads(estimate_golfer(true))[3] / DEG, rel=1e-6)
+    assert result.golfer.spread[place] / DEG < raw - 0.1
 
 
 def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
-    found = estimate_golfer(hit(known(), 60, 3))
-    assert found.like == "handicap-5-driver"
-    assert found.golfer.source("spread of closure") == "assumed: as of handicap-5-driver"
-    assert found.golfer.source("spread of face") == "measured: shots.csv"
-    assert found.golfer.source("correlation").startswith("measured: shots.csv")
-    assert found.golfer.source("mishits") == "measured: shots.csv"
-    few = estimate_golfer(hit(known(), 20, 3)).golfer
+    result = estimate_golfer(strike_session(known(), 60, 3))
+    assert result.like == "handicap-5-driver"
+    assert result.golfer.source("spread of closure") == "assumed: as of handicap-5-driver"
+    assert result.golfer.source("spread of face") == "measured: shots.csv"
+    assert result.golfer.source("correlation").startswith("measured: shots.csv")
+    assert result.golfer.source("mishits") == "measured: shots.csv"
+    few = estimate_golfer(strike_session(known(), 20, 3)).golfer
     assert few.source("mishits") == "assumed: as of handicap-5-driver"  # 20 shots tell nothing of them
-    assert "golfer-not-measured" in codes(found)
+    assert "golfer-not-measured" in codes(result)
 
 
 def test_a_left_handers_shots_make_a_left_hander_who_hits_a_left_handed_club():
-    found = estimate_golfer(hit(known(), 60, 3, hand=np.array(["left"] * 60, dtype=object))).golfer
-    assert found.hand == -1
-    assert found.mean[found.variables.index("path")] == pytest.approx(DEG, abs=0.6 * DEG)
+    result = estimate_golfer(strike_session(known(), 60, 3, hand=np.array(["left"] * 60, dtype=object))).golfer
+    assert result.hand == -1
+    assert result.mean[result.variables.index("path")] == pytest.approx(DEG, abs=0.6 * DEG)
     # What was not measured is of a right-hander, mirrored; it does not vary across the target line.
-    assert dispersion(found, count=64).club.hand == -1
+    assert dispersion(result, count=64).club.hand == -1
     with pytest.raises(InputError, match="one hand"):
-        estimate_golfer(hit(known(), 60, 3, hand=np.array(["left", "right"] * 30, dtype=object)))
+        estimate_golfer(strike_session(known(), 60, 3, hand=np.array(["left", "right"] * 30, dtype=object)))
 
 
 def session(**values):
@@ -150,13 +150,13 @@ def session(**values):
 
 def test_what_is_the_same_in_every_shot_tells_the_mean_alone():
     drawn = np.random.default_rng(1).standard_normal((50, 2)) * [0.5, 2.0 * DEG]
-    found = estimate_golfer(session(speed=45.0 + drawn[:, 0], face=drawn[:, 1], lie=np.full(50, 3.0 * DEG)))
-    place, like = found.golfer.variables.index("lie"), golfer(found.like)
-    assert found.golfer.mean[place] == 3.0 * DEG
-    assert found.golfer.spread[place] == pytest.approx(like.spread[like.variables.index("lie")])
-    assert found.golfer.source("mean of lie") == "the same in every shot: shots.csv"
-    assert codes(found)["golfer-same-in-every-shot"]["names"] == ["lie"]
-    assert "lie" not in found.measured
+    result = estimate_golfer(session(speed=45.0 + drawn[:, 0], face=drawn[:, 1], lie=np.full(50, 3.0 * DEG)))
+    place, like = result.golfer.variables.index("lie"), golfer(result.like)
+    assert result.golfer.mean[place] == 3.0 * DEG
+    assert result.golfer.spread[place] == pytest.approx(like.spread[like.variables.index("lie")])
+    assert result.golfer.source("mean of lie") == "the same in every shot: shots.csv"
+    assert codes(result)["golfer-same-in-every-shot"]["names"] == ["lie"]
+    assert "lie" not in result.measured
 
 
 RAMP, ZIGZAG = np.arange(50) * 1e-3, np.arange(50) % 2 * 1e-2
@@ -164,7 +164,7 @@ NOISE = np.random.default_rng(1).standard_normal(50)
 
 
 @pytest.mark.parametrize(
-    ("values", "told"),
+    ("values", "message"),
     [
         ({"speed": 45.0 + NOISE, "path": 0.01 * NOISE, "face": 0.02 * NOISE}, "follows from others.*speed, path, face"),
         ({"speed": 45.0 + RAMP, "path": RAMP}, "follows from others"),
@@ -174,17 +174,17 @@ NOISE = np.random.default_rng(1).standard_normal(50)
         ({"speed": np.array([45.0]), "face": np.array([0.02])}, "1 with all of speed, face"),
     ],
 )
-def test_shots_that_tell_no_spread_are_refused(values, told):
-    with pytest.raises(InputError, match=told):
+def test_shots_that_tell_no_spread_are_refused(values, message):
+    with pytest.raises(InputError, match=message):
         estimate_golfer(session(**values))
 
 
 def test_too_few_shots_and_several_players_are_refused():
     with pytest.raises(InputError, match="at least 6"):
-        estimate_golfer(hit(known(), 5, 1))
+        estimate_golfer(strike_session(known(), 5, 1))
     players = np.array(["A", "B"] * 10, dtype=object)
     with pytest.raises(InputError, match="one player"):
-        estimate_golfer(hit(known(), 20, 1, players=players))
+        estimate_golfer(strike_session(known(), 20, 1, players=players))
 
 
 def test_a_file_gives_the_golfer_of_its_chosen_shots(tmp_path):
@@ -194,10 +194,10 @@ def test_a_file_gives_the_golfer_of_its_chosen_shots(tmp_path):
     both, one = tmp_path / "both.csv", tmp_path / "one.csv"
     both.write_text("\n".join(["club,speed,path,face", *lines, *others]))
     one.write_text("\n".join(["club,speed,path,face", *lines]))
-    found, alone = clubface.estimate_golfer(both, only="driver"), clubface.estimate_golfer(one)
-    assert found.shots == alone.shots == 30
-    assert found.golfer.mean == pytest.approx(alone.golfer.mean)
-    assert found.golfer.covariance == pytest.approx(alone.golfer.covariance)
+    result, alone = clubface.estimate_golfer(both, only="driver"), clubface.estimate_golfer(one)
+    assert result.shots == alone.shots == 30
+    assert result.golfer.mean == pytest.approx(alone.golfer.mean)
+    assert result.golfer.covariance == pytest.approx(alone.golfer.covariance)
     with pytest.raises(InputError, match=r"driver \(30\), 7-iron \(30\)"):
         clubface.estimate_golfer(both)
 
@@ -205,9 +205,9 @@ def test_a_file_gives_the_golfer_of_its_chosen_shots(tmp_path):
 def some_shots(seed):
     """Some shots of a shipped golfer, right-handed or left: 3 to 30, with columns and cells missing or constant."""
     random = np.random.default_rng(seed)
-    of = golfer(golfers()[seed % len(golfers())]).for_hand(1 if seed % 2 else -1)
+    player = golfer(golfers()[seed % len(golfers())]).for_hand(1 if seed % 2 else -1)
     count = int(random.integers(3, 31))
-    drawn = of.deliveries(random.random((count, of.dimensions)))
+    drawn = player.deliveries(random.random((count, player.dimensions)))
     values = {name: each for name, each in drawn.items() if name == "speed" or random.random() < 0.7}
     for name, each in values.items():
         match random.integers(10):
@@ -221,7 +221,7 @@ def some_shots(seed):
     shots = RecordedShots(
         deliveries=values, launches={}, rows=np.arange(count), source="shots.csv", format="clubface", hand=hands
     )
-    return ready_shots(shots, club=of.club, mismatch="note"), values
+    return ready_shots(shots, club=player.club, mismatch="note"), values
 
 
 @pytest.mark.filterwarnings("ignore")
@@ -235,12 +235,12 @@ def test_any_few_shots_make_a_golfer_whose_correlations_are_possible_together():
             with pytest.raises(InputError, match="at least 6"):
                 estimate_golfer(shots)
             continue
-        found = estimate_golfer(shots)
-        of = found.golfer
-        varies = of.spread > 0.0
-        assert np.linalg.eigvalsh(of.correlation[np.ix_(varies, varies)])[0] > 0.0
-        assert 0.0 <= found.shrinkage <= 1.0
-        assert changed(of, "correlation", 1.3).spread == pytest.approx(of.spread)
+        result = estimate_golfer(shots)
+        player = result.golfer
+        varies = player.spread > 0.0
+        assert np.linalg.eigvalsh(player.correlation[np.ix_(varies, varies)])[0] > 0.0
+        assert 0.0 <= result.shrinkage <= 1.0
+        assert changed(player, "correlation", 1.3).spread == pytest.approx(player.spread)
         made += 1
     assert made > 20
 
@@ -250,9 +250,9 @@ def test_the_report_of_ten_shots_works_however_strong_their_correlations():
     drawn = np.random.default_rng(3).standard_normal((10, 4))
     speed, path = 45.0 + 0.5 * drawn[:, 0], 1.5 * DEG * (drawn[:, 1] + 0.3 * drawn[:, 3])
     face, loft = 2.0 * DEG * drawn[:, 1], -1.5 * DEG * (drawn[:, 1] - 0.3 * drawn[:, 2])
-    found = estimate_golfer(session(speed=speed, path=path, face=face, loft=14.0 * DEG + loft))
-    assert "golfer-shrunk" in codes(found)
-    doubt = doubts(found.golfer, clubface.club("driver"), count=64)
+    result = estimate_golfer(session(speed=speed, path=path, face=face, loft=14.0 * DEG + loft))
+    assert "golfer-shrunk" in codes(result)
+    doubt = doubts(result.golfer, clubface.club("driver"), count=64)
     assert "correlation" in [each.figure for each in doubt.figures]
 
 
@@ -261,28 +261,31 @@ def test_correlations_are_shrunk_the_more_the_fewer_shots_there_are_and_come_nea
     without shrinkage, which is 15 pairs times 1 / (2/3 * 9)."""
     weights, errors = [], []
     for seed in range(15):
-        found = estimate_golfer(hit(known(), 10, 500 + seed))
-        own = [found.golfer.variables.index(name) for name in NAMES]
-        errors.append(((found.golfer.correlation[np.ix_(own, own)] - known().correlation) ** 2).sum() / 2.0)
-        weights.append(found.shrinkage)
+        result = estimate_golfer(strike_session(known(), 10, 500 + seed))
+        own = [result.golfer.variables.index(name) for name in NAMES]
+        errors.append(((result.golfer.correlation[np.ix_(own, own)] - known().correlation) ** 2).sum() / 2.0)
+        weights.append(result.shrinkage)
     assert np.mean(errors) < 0.5 * 15 / 6
-    many = estimate_golfer(hit(known(), 400, 500))
+    many = estimate_golfer(strike_session(known(), 400, 500))
     assert many.shrinkage < 0.3 < np.mean(weights)
 
 
 @pytest.mark.parametrize("name", ["tour-driver", "bogey-driver", "women-15-7-iron"])
 def test_the_shots_that_a_dispersion_writes_give_the_golfer_back(tmp_path, name):
     """Within four standard errors of each spread, of 11 quantities; and nobody drifts: 400 shots tell that to 3%."""
-    of, path = golfer(name), tmp_path / "shots.csv"
+    player, path = golfer(name), tmp_path / "shots.csv"
     with shots_file(path, seed=1) as each:
-        dispersion(of, count=400, flight=False, seed=1, each=each)
-    found = estimate_golfer(path, club=of.club, like=name)
-    places = [of.variables.index(each) for each in found.measured]
+        dispersion(player, count=400, flight=False, seed=1, each=each)
+    result = estimate_golfer(path, club=player.club, like=name)
+    places = [player.variables.index(each) for each in result.measured]
     assert len(places) == 11
-    assert np.abs(np.log(found.golfer.spread / of.spread)[places]).max() < (4.0 * found.error / of.spread[places]).max()
-    assert found.drift == pytest.approx(1.0, abs=0.12)
-    assert found.golfer.correlation == pytest.approx(of.correlation, abs=0.3)
-    assert not {"golfer-disorder", "golfer-drifted"} & set(codes(found))
+    assert (
+        np.abs(np.log(result.golfer.spread / player.spread)[places]).max()
+        < (4.0 * result.error / player.spread[places]).max()
+    )
+    assert result.drift == pytest.approx(1.0, abs=0.12)
+    assert result.golfer.correlation == pytest.approx(player.correlation, abs=0.3)
+    assert not {"golfer-disorder", "golfer-drifted"} & set(codes(result))
 
 
 def test_the_rows_of_a_dispersion_are_the_same_for_the_same_seed(tmp_path):
@@ -298,13 +301,13 @@ def test_the_rows_of_a_dispersion_are_the_same_for_the_same_seed(tmp_path):
 @pytest.mark.parametrize("sort", [False, True])
 def test_rows_that_are_not_in_the_order_of_play_give_the_spread_about_the_mean(sort):
     """Quasi-random rows, whose successive differences are too large, and rows sorted by speed, where they are tiny."""
-    of = known()
-    values = of.sample(128)
+    player = known()
+    values = player.sample(128)
     if sort:
         order = np.argsort(values["speed"])
         values = {name: each[order] for name, each in values.items()}
-    found = estimate_golfer(session(**values))
-    assert spreads(found) / SPREAD == pytest.approx(1.0, abs=0.2)
-    assert "golfer-disorder" in codes(found)
-    speed = found.drift[found.measured.index("speed")]
-    assert speed > 5.0 if sort else found.drift.min() < 0.9
+    result = estimate_golfer(session(**values))
+    assert spreads(result) / SPREAD == pytest.approx(1.0, abs=0.2)
+    assert "golfer-disorder" in codes(result)
+    speed = result.drift[result.measured.index("speed")]
+    assert speed > 5.0 if sort else result.drift.min() < 0.9

@@ -56,9 +56,9 @@ def test_derivatives_of_landings_are_those_of_differences():
     exact = slopes.each()[:2]
     for place, name in enumerate(names):
         h = 3e-3 * abs(at[name])
-        found = (shots.of({**at, name: at[name] + h}) - shots.of({**at, name: at[name] - h}))[:2] / (2 * h)
+        result = (shots.of({**at, name: at[name] + h}) - shots.of({**at, name: at[name] - h}))[:2] / (2 * h)
         size = np.abs(exact[:, place]).mean(axis=1)
-        assert np.all(np.abs((found - exact[:, place]).mean(axis=1)) < 3e-3 * size), name
+        assert np.all(np.abs((result - exact[:, place]).mean(axis=1)) < 3e-3 * size), name
 
 
 @pytest.mark.parametrize("name", ["carry", "side_spread", "ellipse", "strokes"])
@@ -74,8 +74,8 @@ def test_weights_of_an_objective_are_its_derivatives(name):
         up, down = landed.copy(), landed.copy()
         up[place] += 1e-4
         down[place] -= 1e-4
-        found = (judge.judge(up)[0] - judge.judge(down)[0]) / 2e-4
-        assert found == pytest.approx(weights[place], rel=1e-5, abs=1e-8 * max(abs(weights).max(), 1e-3))
+        result = (judge.judge(up)[0] - judge.judge(down)[0]) / 2e-4
+        assert result == pytest.approx(weights[place], rel=1e-5, abs=1e-8 * max(abs(weights).max(), 1e-3))
 
 
 def test_expected_strokes_are_those_of_the_hole_but_for_the_bands_between_lies():
@@ -99,23 +99,23 @@ def test_slopes_of_a_club_are_those_of_differences(distributed):
     """h = 1e-6 of a number of size 1: an error of 1e-9 from rounding, relative to the largest slope."""
     bounds = {"mass": (0.190, 0.210), "bulge": (0.2, 0.5), **({} if distributed else {"cg_x": (0.03, 0.05)})}
     envelope = study({**FACE, **MASS}).variables.envelope
-    of = Variables(base=club("driver"), bounds=bounds, envelope=envelope, distributed=distributed)
-    point = of.random(np.random.default_rng(4).random(20))
-    slopes = of.slopes(point)
-    for column in range(of.count):
-        step = 1e-6 * np.eye(of.count)[column]
-        found = [np.array(list(of.club(point + side * step).values())) for side in (1, -1)]
-        assert np.abs((found[0] - found[1]) / 2e-6 - slopes[:, column]).max() < 1e-7 * np.abs(slopes[:, column]).max()
+    free = Variables(base=club("driver"), bounds=bounds, envelope=envelope, distributed=distributed)
+    point = free.random(np.random.default_rng(4).random(20))
+    slopes = free.slopes(point)
+    for column in range(free.count):
+        step = 1e-6 * np.eye(free.count)[column]
+        result = [np.array(list(free.club(point + side * step).values())) for side in (1, -1)]
+        assert np.abs((result[0] - result[1]) / 2e-6 - slopes[:, column]).max() < 1e-7 * np.abs(slopes[:, column]).max()
 
 
 def test_a_distribution_of_mass_is_always_that_of_a_body():
     """Whatever the nine numbers, the moments are positive semidefinite; within the ball they fit into an ellipsoid."""
-    of = study(FREE, head=HEAD + 'shape = "ellipsoid"\n')
-    envelope = of.variables.envelope
+    design = study(FREE, head=HEAD + 'shape = "ellipsoid"\n')
+    envelope = design.variables.envelope
     rng = np.random.default_rng(5)
     for _ in range(50):
-        point = of.variables.random(rng.random(12))
-        values = np.array([of.variables.club(point)[name] for name in feasibility.MASS_PROPERTIES])
+        point = design.variables.random(rng.random(12))
+        values = np.array([design.variables.club(point)[name] for name in feasibility.MASS_PROPERTIES])
         placed = envelope.placed(feasibility.pseudo_inertia(values))
         (form,) = envelope.volume.forms()
         # Moments of the discretionary mass are differences of those of heads ten times as heavy.
@@ -124,56 +124,56 @@ def test_a_distribution_of_mass_is_always_that_of_a_body():
 
 
 def test_the_start_of_a_distribution_is_the_base_club():
-    of = study(FREE).variables
-    found = of.club(of.start())
+    free = study(FREE).variables
+    result = free.club(free.start())
     for name in feasibility.MASS_PROPERTIES:
-        assert found[name] == pytest.approx(getattr(of.base, name), rel=1e-9, abs=1e-12), name
+        assert result[name] == pytest.approx(getattr(free.base, name), rel=1e-9, abs=1e-12), name
 
 
 @pytest.mark.parametrize("variables", [{**FACE, **MASS}, {**FACE, **FREE}])
 def test_slopes_of_the_limits_are_those_of_differences(variables):
-    of = problem(study(variables, rest='[limits]\ncarry = ["150 yd", "none"]\nside_spread = ["none", "30 yd"]\n'), 64)
-    point = of.variables.random(np.random.default_rng(6).random(20))
-    exact = of.margin_slopes(point)
-    for column in range(of.variables.count):
-        step = 1e-4 * np.eye(of.variables.count)[column]
-        found = (of.margins(point + step) - of.margins(point - step)) / 2e-4
+    task = problem(study(variables, rest='[limits]\ncarry = ["150 yd", "none"]\nside_spread = ["none", "30 yd"]\n'), 64)
+    point = task.variables.random(np.random.default_rng(6).random(20))
+    exact = task.margin_slopes(point)
+    for column in range(task.variables.count):
+        step = 1e-4 * np.eye(task.variables.count)[column]
+        result = (task.margins(point + step) - task.margins(point - step)) / 2e-4
         # The two of the shots change with the steps of 64 flights, 1e-4 m each; eigenvalues bend.
-        assert np.abs(found - exact[:, column]).max() < 2e-3
+        assert np.abs(result - exact[:, column]).max() < 2e-3
 
 
 @pytest.mark.parametrize("variables", [{**FACE, **MASS}, pytest.param({**FACE, **FREE}, marks=pytest.mark.study)])
 def test_twenty_starts_reach_the_same_optimum(variables):
     """Twelve directions are flat enough for some solvers to end 1 cm of carry short, most end 1e-8 of it apart."""
-    of = problem(study(variables), 64)
-    found = [solve.solve(of, start) for start in solve.starts(of, 20, 1)]
-    best = solve.best(found)
-    near = [each for each in found if each.allowed and abs(each.cost / best.cost - 1.0) < 1e-4]
+    task = problem(study(variables), 64)
+    result = [solve.solve(task, start) for start in solve.starts(task, 20, 1)]
+    best = solve.best(result)
+    near = [each for each in result if each.allowed and abs(each.cost / best.cost - 1.0) < 1e-4]
     assert len(near) == 20
     assert sum(abs(each.cost / best.cost - 1.0) < 1e-6 for each in near) > 10
-    clubs = np.array([[of.variables.club(each.point)[name] for name in ("loft", "cg_x", "iyy")] for each in near])
+    clubs = np.array([[task.variables.club(each.point)[name] for name in ("loft", "cg_x", "iyy")] for each in near])
     spread = clubs.max(axis=0) - clubs.min(axis=0)
     assert np.all(spread < (math.radians(0.05), 2e-4, 10e-7))  # 0.05 deg, 0.2 mm, 10 g cm2
     assert all(each.least_margin >= 0.0 for each in near)
 
 
 def optimum_of(variables, **options):
-    of = study(variables, **options)
-    return of, optimise(of)
+    task = study(variables, **options)
+    return task, optimise(task)
 
 
 def test_a_bound_stops_the_optimum_where_the_best_lies_beyond_it():
-    _, found = optimum_of({"loft": '["8 deg", "9 deg"]'}, head="", shots=64)
-    assert found.club["loft"] == pytest.approx(math.radians(9.0), rel=1e-9)
+    _, result = optimum_of({"loft": '["8 deg", "9 deg"]'}, head="", shots=64)
+    assert result.club["loft"] == pytest.approx(math.radians(9.0), rel=1e-9)
 
 
 def test_the_inertia_of_the_best_carry_is_the_limit_of_the_rules():
     """More inertia costs less speed off centre, so the limit with its tolerance, 6000 g cm2, is the optimum."""
     head = HEAD.replace("30 g", "120 g")
-    _, found = optimum_of({"iyy": '["5000 g cm2", "6200 g cm2"]'}, head=head, shots=64)
-    assert found.club["iyy"] == pytest.approx(6000e-7, rel=1e-5)
-    assert found.club["iyy"] <= 6000e-7
-    assert {each.limit: each.state for each in found.verdicts()}[
+    _, result = optimum_of({"iyy": '["5000 g cm2", "6200 g cm2"]'}, head=head, shots=64)
+    assert result.club["iyy"] == pytest.approx(6000e-7, rel=1e-5)
+    assert result.club["iyy"] <= 6000e-7
+    assert {each.limit: each.state for each in result.verdicts()}[
         "rules: moment of inertia, vertical axis"
     ] == "kept, at the limit"
     _, strict = optimum_of(
@@ -186,14 +186,14 @@ def test_the_inertia_of_the_best_carry_is_the_limit_of_the_rules():
 
 
 def test_the_characteristic_time_of_the_best_carry_is_the_limit_of_the_rules():
-    _, found = optimum_of({"characteristic_time": '["200 us", "300 us"]'}, head="", shots=64)
-    assert found.club["characteristic_time"] == pytest.approx(257e-6, rel=1e-5)
+    _, result = optimum_of({"characteristic_time": '["200 us", "300 us"]'}, head="", shots=64)
+    assert result.club["characteristic_time"] == pytest.approx(257e-6, rel=1e-5)
 
 
 def test_the_budget_limits_how_far_the_cg_can_go_back():
     """CG alone: the discretionary mass keeps its second moments about the face centre less the shell's, so its own
     spread along x vanishes first: (sum of m x)^2 = m (sum of m x^2), a quadratic equation for the CG by hand."""
-    _, found = optimum_of({"cg_x": '["36 mm", "60 mm"]'}, shots=64)
+    _, result = optimum_of({"cg_x": '["36 mm", "60 mm"]'}, shots=64)
     base, budget = club("driver"), 0.03
     values = feasibility.of_club(base)
 
@@ -208,13 +208,13 @@ def test_the_budget_limits_how_far_the_cg_can_go_back():
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if least(middle) > 0.0 else (low, middle)
-    assert found.club["cg_x"] == pytest.approx(low, rel=1e-4)
+    assert result.club["cg_x"] == pytest.approx(low, rel=1e-4)
 
 
 def test_a_point_mass_is_the_optimum_where_only_the_cg_counts():
     """The farthest CG from the face that 30 g in the box allow: all of it at the back, by hand."""
-    of = study(FREE)
-    turned = of.variables
+    task = study(FREE)
+    turned = task.variables
     row = turned.fields.index("cg_x")
 
     class Back(solve.Problem):
@@ -224,25 +224,25 @@ def test_a_point_mass_is_the_optimum_where_only_the_cg_counts():
         def slope(self, point):
             return -turned.slopes(point)[row] * 10.0
 
-    back = Back(turned, of.landings(4, seed=1), of.objective("carry"), of.design_limits()[:1])
-    found = solve.best([solve.solve(back, each) for each in solve.starts(back, 4, 1)])
+    back = Back(turned, task.landings(4, seed=1), task.objective("carry"), task.design_limits()[:1])
+    result = solve.best([solve.solve(back, each) for each in solve.starts(back, 4, 1)])
     base = club("driver")
     expected = (base.cg_x * (base.mass - 0.03) + 0.1125 * 0.03) / base.mass
-    assert turned.club(found.point)["cg_x"] == pytest.approx(expected, rel=1e-4)
+    assert turned.club(result.point)["cg_x"] == pytest.approx(expected, rel=1e-4)
 
 
 def test_a_limit_of_the_shots_is_kept_and_reached():
-    _, found = optimum_of(FACE, head="", rest='[limits]\nside_spread = ["none", "20 yd"]\n')
+    _, result = optimum_of(FACE, head="", rest='[limits]\nside_spread = ["none", "20 yd"]\n')
     _, free = optimum_of(FACE, head="")
     limit = 20 * 0.9144
     assert free.fresh.value("optimum", "side_spread") > limit
-    assert found.judged["side_spread"] == pytest.approx(limit, rel=1e-4)
-    assert found.judged["side_spread"] <= limit
-    assert found.judged["carry"] < free.judged["carry"]
+    assert result.judged["side_spread"] == pytest.approx(limit, rel=1e-4)
+    assert result.judged["side_spread"] <= limit
+    assert result.judged["carry"] < free.judged["carry"]
 
 
 @pytest.mark.parametrize(
-    ("variables", "head", "limits", "told"),
+    ("variables", "head", "limits", "message"),
     [
         ({}, "", 'carry = ["300 yd", "none"]', r"mean carry is \d+\.\d+ yd in the nearest club .* at least 300 yd"),
         (MASS, None, 'cg_y = ["60 mm", "none"]', r"cg_y is \d+\.\d+ mm in the nearest club .* at least 60 mm"),
@@ -253,10 +253,10 @@ def test_a_limit_of_the_shots_is_kept_and_reached():
         ),
     ],
 )  # fmt: skip
-def test_of_limits_that_nothing_keeps_the_nearest_club_breaks_one_that_is_told(variables, head, limits, told):
+def test_of_limits_that_nothing_keeps_the_nearest_club_breaks_one_that_is_told(variables, head, limits, message):
     chosen = {} if head is None else {"head": head}
     limits = limits if limits.startswith("[") else f"[limits]\n{limits}\n"
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         optimum_of({"loft": '["8 deg", "16 deg"]', **variables}, shots=64, rest=limits, **chosen)
 
 
@@ -278,15 +278,15 @@ def test_a_club_that_breaks_a_rule_for_good_is_refused(tmp_path):
 
 def test_a_robust_optimum_beats_the_nominal_one_on_fresh_shots():
     """The mean carry of a bogey golfer, who often misses the centre; the difference is many of its standard errors."""
-    _, found = optimum_of({**FACE, **MASS}, shots=800)
-    gain = found.fresh.value("optimum", "carry") - found.fresh.value("nominal", "carry")
-    assert gain > 10.0 * found.fresh.error("nominal", "carry")
+    _, result = optimum_of({**FACE, **MASS}, shots=800)
+    gain = result.fresh.value("optimum", "carry") - result.fresh.value("nominal", "carry")
+    assert gain > 10.0 * result.fresh.error("nominal", "carry")
     assert gain > 1.0  # m
 
 
 def test_an_interrupted_run_goes_on_and_ends_as_an_undisturbed_one(tmp_path):
-    of = study(FACE, head="", shots=600)
-    whole = optimise(of)
+    task = study(FACE, head="", shots=600)
+    whole = optimise(task)
     done = []
 
     def stop(place, whole, words):
@@ -296,10 +296,10 @@ def test_an_interrupted_run_goes_on_and_ends_as_an_undisturbed_one(tmp_path):
 
     target = tmp_path / "best.toml"
     with pytest.raises(KeyboardInterrupt):
-        optimise(of, output=target, progress=stop)
+        optimise(task, output=target, progress=stop)
     kept = list((tmp_path / "best.toml.unfinished").iterdir())
     assert kept
-    again = optimise(of, output=target, resume=True)
+    again = optimise(task, output=target, resume=True)
     assert again.club == whole.club
     assert np.array_equal(again.fresh.values, whole.fresh.values)
     assert again.alike == whole.alike
@@ -321,10 +321,10 @@ def test_two_golfers_are_weighted():
 
 
 def test_notes_tell_of_a_lie_that_no_file_has_and_of_a_head_without_point_masses(monkeypatch):
-    _, found = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=64)
-    codes = {each.code for each in found.to_result().notes}
+    _, result = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=64)
+    codes = {each.code for each in result.to_result().notes}
     assert "optimum-lie" in codes
-    assert found.placed()
+    assert result.placed()
     assert "optimum-not-placed" not in codes
-    monkeypatch.setattr(type(found), "placed", lambda _: [])
-    assert "optimum-not-placed" in {each.code for each in found.to_result().notes}
+    monkeypatch.setattr(type(result), "placed", lambda _: [])
+    assert "optimum-not-placed" in {each.code for each in result.to_result().notes}

@@ -15,21 +15,21 @@ BOX = Volume(shape="box", centre=(-0.055, 0.002, 0.003), size=(0.115, 0.062, 0.1
 AROUND = Volume(shape="ellipsoid", centre=(-0.055, -0.003, 0.003), size=(0.15, 0.09, 0.16))
 
 
-def moments(found):
-    rows = np.array([[*each.place, 1.0] for each in found])
-    return np.einsum("n,ni,nj->ij", [each.mass for each in found], rows, rows)
+def moments(result):
+    rows = np.array([[*each.place, 1.0] for each in result])
+    return np.einsum("n,ni,nj->ij", [each.mass for each in result], rows, rows)
 
 
 @pytest.mark.parametrize("volume", [BOX, AROUND])
 def test_ten_masses_at_most_have_the_moments_of_the_discretionary_mass(volume):
     base = pseudo_inertia(of_club(club("driver")))
     envelope = Envelope(volume=volume, shell=base * (1.0 - 0.03 / 0.204), budget=0.03)
-    found = placement(envelope, base)
-    assert 1 <= len(found) <= 10
+    result = placement(envelope, base)
+    assert 1 <= len(result) <= 10
     half = np.array([*(0.5 * np.array(volume.size)), 1.0])
     # Moments are in parts of mass and half size.
-    assert np.abs((moments(found) - envelope.placed(base)) / np.outer(half, half)).max() < NEAR * 0.03
-    for each in found:
+    assert np.abs((moments(result) - envelope.placed(base)) / np.outer(half, half)).max() < NEAR * 0.03
+    for each in result:
         part = (np.array(each.place) - volume.centre) / half[:3]
         assert np.abs(part).max() <= 1.0 + 1e-9 if volume.shape == "box" else np.linalg.norm(part) <= 1.0 + 1e-9
 
@@ -48,9 +48,9 @@ def test_masses_between_places_of_the_grid_are_found(parts):
     """Two masses have moments that no other places have but those of one line, which a grid misses."""
     places = np.array([[*(np.array(BOX.centre) + 0.5 * np.array(BOX.size) * each), 1.0] for each in parts])
     wanted = np.einsum("n,ni,nj->ij", [0.02, 0.01], places, places)
-    found = placement(Envelope(volume=BOX, shell=np.zeros((4, 4)), budget=0.03), wanted)
+    result = placement(Envelope(volume=BOX, shell=np.zeros((4, 4)), budget=0.03), wanted)
     half = np.array([*(0.5 * np.array(BOX.size)), 1.0])
-    assert np.abs((moments(found) - wanted) / np.outer(half, half)).max() < NEAR * 0.03
+    assert np.abs((moments(result) - wanted) / np.outer(half, half)).max() < NEAR * 0.03
 
 
 def test_a_point_mass_at_a_place_of_the_grid_is_found_there():
@@ -79,9 +79,9 @@ def test_the_room_in_a_ball_is_the_ball_and_in_a_box_the_ellipsoid_of_its_sides(
     far = Volume(shape="box", centre=(0.0, 0.0, 0.0), size=(0.2, 0.2, 0.2))
     assert room_inside(on_a_ball, far).size == pytest.approx((0.058,) * 3, rel=2e-3)
     corners = np.array([[x, y, z] for x in (-0.1, 0.0) for y in (-0.03, 0.03) for z in (-0.06, 0.06)])
-    found = room_inside(corners, far)
-    assert found.size == pytest.approx((0.098, 0.058, 0.118), rel=2e-3)
-    assert found.centre == pytest.approx((-0.05, 0.0, 0.0), abs=1e-4)
+    result = room_inside(corners, far)
+    assert result.size == pytest.approx((0.098, 0.058, 0.118), rel=2e-3)
+    assert result.centre == pytest.approx((-0.05, 0.0, 0.0), abs=1e-4)
     half = Volume(shape="box", centre=(-0.05, 0.0, 0.03), size=(0.1, 0.06, 0.06))
     assert room_inside(corners, half).centre[2] == pytest.approx(0.03, abs=1e-3)
     with pytest.raises(InputError, match="where the mesh of the club is"):
@@ -97,11 +97,11 @@ def test_masses_of_a_meshed_head_lie_inside_its_mesh_and_not_at_a_corner_of_the_
     # All of the mass far back, high and at the toe, in the ellipsoid's direction of a corner of the box.
     half = 0.5 * np.array(envelope.volume.size)
     place = np.append(envelope.volume.centre + half * np.array([-1.0, 1.0, 1.0]) / np.sqrt(3.0), 1.0)
-    found = placement(envelope, envelope.shell + 0.03 * np.outer(place, place))
-    assert found
+    result = placement(envelope, envelope.shell + 0.03 * np.outer(place, place))
+    assert result
     out = np.random.default_rng(0).normal(size=(3000, 3))
     out /= np.linalg.norm(out, axis=1)[:, None]
-    for each in found:
+    for each in result:
         assert (out @ np.array(each.place) <= (head.nodes @ out.T).max(axis=0) + 1e-6).all()
     corner = np.append(high * [0, 1, 1] + low * [1, 0, 0], 1.0)
     assert placement(envelope, envelope.shell + 0.03 * np.outer(corner, corner)) == []

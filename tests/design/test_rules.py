@@ -11,22 +11,22 @@ HEAD = {"volume": "460 cm3", "size": ("115 mm", "62 mm", "124 mm")}
 
 def test_the_limits_are_those_of_the_rules():
     """460 + 10 cm3, 5900 + 100 g cm2, 239 + 18 us, 5 in and 2.8 in."""
-    found = {name: (each.most, each.tolerance) for name, each in rules().items()}
-    assert found["volume"] == pytest.approx((460e-6, 10e-6))
-    assert found["moment_of_inertia"] == pytest.approx((5900e-7, 100e-7))
-    assert found["characteristic_time"] == pytest.approx((239e-6, 18e-6))
-    assert found["heel_to_toe"] == pytest.approx((0.127, 0.0))
-    assert found["sole_to_crown"] == pytest.approx((0.07112, 0.0))
+    result = {name: (each.most, each.tolerance) for name, each in rules().items()}
+    assert result["volume"] == pytest.approx((460e-6, 10e-6))
+    assert result["moment_of_inertia"] == pytest.approx((5900e-7, 100e-7))
+    assert result["characteristic_time"] == pytest.approx((239e-6, 18e-6))
+    assert result["heel_to_toe"] == pytest.approx((0.127, 0.0))
+    assert result["sole_to_crown"] == pytest.approx((0.07112, 0.0))
     assert all("USGA" in each.source or "R&A" in each.source for each in rules().values())
 
 
 def test_clubs_are_warned_of_at_the_same_limits():
     """A club itself knows two limits without reading any file; they must be the published ones."""
-    found = rules()
-    assert found["moment_of_inertia"].most == pytest.approx(clubs.MOI_LIMIT)
-    assert found["moment_of_inertia"].tolerance == pytest.approx(clubs.MOI_TOLERANCE)
-    assert found["characteristic_time"].most == pytest.approx(clubs.TIME_LIMIT)
-    assert found["characteristic_time"].tolerance == pytest.approx(clubs.TIME_TOLERANCE)
+    result = rules()
+    assert result["moment_of_inertia"].most == pytest.approx(clubs.MOI_LIMIT)
+    assert result["moment_of_inertia"].tolerance == pytest.approx(clubs.MOI_TOLERANCE)
+    assert result["characteristic_time"].most == pytest.approx(clubs.TIME_LIMIT)
+    assert result["characteristic_time"].tolerance == pytest.approx(clubs.TIME_TOLERANCE)
 
 
 def words(head, **size):
@@ -57,8 +57,8 @@ def test_the_published_driver_conforms_and_its_face_only_within_the_tolerance():
 )
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 def test_each_limit_is_told_by_itself(limit, size, changes):
-    found = words(club("driver").replace(**changes), **size)
-    assert [name for name, told in found.items() if told == "does not conform"] == [limit]
+    result = words(club("driver").replace(**changes), **size)
+    assert [name for name, verdict in result.items() if verdict == "does not conform"] == [limit]
 
 
 def test_what_is_not_known_is_not_called_conforming():

@@ -36,8 +36,8 @@ def test_a_face_that_nobody_measured_is_not_said_to_conform(own, clubface_):
     assert "not measured" in row
     assert "--measure" in printed
     document = json.loads(clubface_("club", "check", str(own), "--json").out)
-    found = {each["quantity"]: each for each in document["tables"]["rules"]["rows"]}
-    assert found["characteristic_time"]["value"] is None
+    result = {each["quantity"]: each for each in document["tables"]["rules"]["rows"]}
+    assert result["characteristic_time"]["value"] is None
     own.write_text(own.read_text().replace("unit =", 'characteristic_time = "270 us"\nunit ='))
     with pytest.warns(clubface.errors.RuleWarning):
         assert verdicts(clubface.club(own))["characteristic_time"].words == "does not conform"
@@ -53,9 +53,9 @@ def test_volume_and_dimensions_of_a_closed_mesh_are_those_of_its_outside():
     assert outer.volume - inner.volume == pytest.approx(0.5 * area @ head.thickness, rel=1e-12)
     low, high = head.nodes.min(axis=0), head.nodes.max(axis=0)
     assert np.all(np.array(head.size) > high - low)
-    found = verdicts(head.as_club())
-    assert found["volume"].value == outer.volume
-    assert found["heel_to_toe"].value == head.size[2]
+    result = verdicts(head.as_club())
+    assert result["volume"].value == outer.volume
+    assert result["heel_to_toe"].value == head.size[2]
     assert verdicts(head.as_club(), volume="480 cc")["volume"].words == "does not conform"
 
 
@@ -74,10 +74,10 @@ def test_of_an_open_mesh_the_volume_cannot_be_checked(tmp_path):
     walls = coarse_walls()
     parts = {**walls.parts, "crown": walls.parts["crown"][1:]}
     path = write_walls(tmp_path, walls._replace(parts=parts))
-    found = verdicts(MeshHead(name="open", file=path, groups=GROUPS, **FACE).mesh().as_club())
-    assert found["volume"].conforms is None
-    assert "not closed" in found["volume"].words
-    assert found["heel_to_toe"].conforms
+    result = verdicts(MeshHead(name="open", file=path, groups=GROUPS, **FACE).mesh().as_club())
+    assert result["volume"].conforms is None
+    assert "not closed" in result["volume"].words
+    assert result["heel_to_toe"].conforms
 
 
 @pytest.mark.parametrize("command", ["shot", "compare"])
@@ -111,6 +111,6 @@ discretionary_mass = "30 g"
 [rules]
 conform = false
 """
-    found = design_study(write(study, "study.toml"))
-    values = {each.rule.name: each.value for each in found.rule_values(found.club)}
+    result = design_study(write(study, "study.toml"))
+    values = {each.rule.name: each.value for each in result.rule_values(result.club)}
     assert (values["volume"], values["heel_to_toe"]) == (head.volume, head.size[2])

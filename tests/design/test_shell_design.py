@@ -89,11 +89,11 @@ def test_a_box_has_its_volume_and_size():
         nodes=corners, quads=quads, thickness=np.full(6, 0.01), added=np.array([0.5]),
         club=SimpleNamespace(mass=2.0, iyy=1.0),
     )  # fmt: skip
-    found = rigid_values(box)  # pyright: ignore[reportArgumentType]
+    result = rigid_values(box)  # pyright: ignore[reportArgumentType]
     # Half a wall is outside of the middle surface, of 22 m2.
-    assert found["volume"] == pytest.approx(6.0 + 22.0 * 0.005)
-    assert (found["heel_to_toe"], found["sole_to_crown"]) == pytest.approx((3.01, 2.01))
-    assert found["wall_mass"] == pytest.approx(1.5)
+    assert result["volume"] == pytest.approx(6.0 + 22.0 * 0.005)
+    assert (result["heel_to_toe"], result["sole_to_crown"]) == pytest.approx((3.01, 2.01))
+    assert result["wall_mass"] == pytest.approx(1.5)
 
 
 def test_the_rules_bind_the_fastest_face(fastest):
@@ -114,15 +114,15 @@ def test_no_face_of_a_grid_is_better():
     bounds = {CENTRE: (2.4e-3, 4.0e-3), EDGE: (1.8e-3, 3.0e-3)}
     hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
     asked = study(bounds=bounds, hardest=hardest, metals=(metal("1000 MPa"),), designs=25)
-    found = shells.improve(asked)
-    goal, run = found.chosen.goal, Engine(asked, None, None)
+    result = shells.improve(asked)
+    goal, run = result.chosen.goal, Engine(asked, None, None)
     places = [np.array([x, y]) for x in np.linspace(0.0, 1.0, 11) for y in np.linspace(0.0, 1.0, 9)]
     judged = run([asked.at(place, asked.metals[0]) for place in places])
     within = [values for values in judged if goal.violation(values) == 0.0]
     assert 10 < len(within) < 90
     best = max(values["ball_speed"] for values in within)
     # A search ends where 0.01% are promised.
-    assert found.chosen.best.values["ball_speed"] > best * (1.0 - 1e-4)
+    assert result.chosen.best.values["ball_speed"] > best * (1.0 - 1e-4)
 
 
 def test_what_is_told_is_what_the_written_head_does(fastest, tmp_path):
@@ -153,11 +153,11 @@ def test_the_stress_limit_refuses_a_thin_face(fastest):
 def test_of_two_metals_the_stronger_is_chosen():
     hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
     metals = (metal("900 MPa", "weak"), metal("1400 MPa", "strong"))
-    found = shells.improve(study(hardest=hardest, metals=metals, designs=5))
-    assert found.chosen.metal.name == "strong"
-    weak, strong = (each.best.values["ball_speed"] for each in found.searches)
+    result = shells.improve(study(hardest=hardest, metals=metals, designs=5))
+    assert result.chosen.metal.name == "strong"
+    weak, strong = (each.best.values["ball_speed"] for each in result.searches)
     assert strong > weak
-    assert found.to_result().table("metals")["metal"].values == ["weak", "strong"]
+    assert result.to_result().table("metals")["metal"].values == ["weak", "strong"]
 
 
 def test_a_limit_of_the_mass_that_the_target_breaks_is_refused_before_any_run():
@@ -178,9 +178,9 @@ def test_an_interrupted_study_resumes_to_the_same_bytes(tmp_path, monkeypatch):
     ran = []
     run = Engine._run
     monkeypatch.setattr(Engine, "_run", lambda *arguments: ran.append(arguments[2]) or run(*arguments))
-    found = shells.improve(asked, output=whole, workers=1)
+    result = shells.improve(asked, output=whole, workers=1)
     # Every model that takes the head as rigid knows how the face of the written one gives; the file has 0.1 us.
-    time = found.chosen.best.values["characteristic_time"]
+    time = result.chosen.best.values["characteristic_time"]
     assert clubface.club(str(whole)).characteristic_time == pytest.approx(time, abs=0.05e-6)
     undisturbed = len(ran)
 
@@ -278,20 +278,20 @@ yield = "1100 MPa"
 def test_a_file_is_read(tmp_path):
     (tmp_path / "driver.toml").write_text(driver_file.text(driver()))
     (tmp_path / "study.toml").write_text(FILE)
-    found = shells.read(tmp_path / "study.toml")
-    assert found.bounds == {CENTRE: pytest.approx((2.4e-3, 4.2e-3))}
-    assert found.delivery.points == ((0.0, 0.0), (0.01, 0.004))
-    assert found.hardest is not None
-    assert found.hardest.points == found.delivery.points
-    assert found.hardest.delivery["speed"] == pytest.approx(53.6448)
-    goal = found.goal(found.metals[0])
+    result = shells.read(tmp_path / "study.toml")
+    assert result.bounds == {CENTRE: pytest.approx((2.4e-3, 4.2e-3))}
+    assert result.delivery.points == ((0.0, 0.0), (0.01, 0.004))
+    assert result.hardest is not None
+    assert result.hardest.points == result.delivery.points
+    assert result.hardest.delivery["speed"] == pytest.approx(53.6448)
+    goal = result.goal(result.metals[0])
     assert goal.limits["stress"] == (0.0, pytest.approx(1100e6 / 1.2))
     assert goal.limits["characteristic_time"] == (0.0, pytest.approx(257e-6))
     assert goal.limits["mass"] == (0.0, pytest.approx(0.205))
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "line", "told"),
+    ("old", "new", "line", "message"),
     [
         ('"ball_speed"', '"distance"', 3, "objective"),
         ("face_centre =", "face_center =", 6, "face_centre"),
@@ -313,11 +313,11 @@ def test_a_file_is_read(tmp_path):
         ('objective = "ball_speed"', 'objective = "ball_speed"\ngolfer = "bogey-driver"', 9, "the golfer delivers"),
     ],
 )
-def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, told):
+def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
     (tmp_path / "driver.toml").write_text(driver_file.text(driver()))
     assert old in FILE
     (tmp_path / "study.toml").write_text(FILE.replace(old, new, 1))
-    with pytest.raises(FileError, match=told) as error:
+    with pytest.raises(FileError, match=message) as error:
         shells.improve(tmp_path / "study.toml")
     assert error.value.line == line
 
@@ -328,9 +328,9 @@ def test_a_golfer_delivers(tmp_path):
         'title = "A face"', 'title = "A face"\ngolfer = "bogey-driver"'
     )
     (tmp_path / "study.toml").write_text(text)
-    found = shells.read(tmp_path / "study.toml")
-    assert 35.0 < found.delivery.delivery["speed"] < 50.0
-    assert "toe" not in found.delivery.delivery
+    result = shells.read(tmp_path / "study.toml")
+    assert 35.0 < result.delivery.delivery["speed"] < 50.0
+    assert "toe" not in result.delivery.delivery
 
 
 def test_a_study_without_variables_is_refused():

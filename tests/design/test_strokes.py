@@ -35,8 +35,8 @@ def test_a_shot_of_the_tour_gains_about_nothing():
     are assumed, leave open."""
     from clubface.design.dispersion import dispersion
 
-    found = dispersion("tour-driver", count=2**11, hole=Hole(length="430 yd"))
-    assert found.gained == pytest.approx(0.0, abs=0.1)
+    result = dispersion("tour-driver", count=2**11, hole=Hole(length="430 yd"))
+    assert result.gained == pytest.approx(0.0, abs=0.1)
     assert dispersion("bogey-driver", count=2**11, hole=Hole(length="430 yd")).gained < -0.3
 
 

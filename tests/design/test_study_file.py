@@ -32,18 +32,18 @@ carry = ["150 yd", "none"]
 
 
 def test_values_are_read_with_their_units():
-    of = from_text(GOOD + '[air]\naltitude = "1600 m"\n[mass]\nspeed_exponent = 0.2\n[rules]\nconform = false\n')
-    assert of.bounds["loft"] == pytest.approx((math.radians(8.0), math.radians(14.0)))
-    assert of.limits["carry"] == (pytest.approx(137.16), math.inf)
-    assert of.head.volume.size == pytest.approx((0.115, 0.062, 0.124))
-    assert of.setting.speed_exponent == 0.2
-    assert of.setting.air == {"altitude": "1600 m"}
-    assert not of.conform
-    assert of.hole.length == pytest.approx(365.76)
+    parsed = from_text(GOOD + '[air]\naltitude = "1600 m"\n[mass]\nspeed_exponent = 0.2\n[rules]\nconform = false\n')
+    assert parsed.bounds["loft"] == pytest.approx((math.radians(8.0), math.radians(14.0)))
+    assert parsed.limits["carry"] == (pytest.approx(137.16), math.inf)
+    assert parsed.head.volume.size == pytest.approx((0.115, 0.062, 0.124))
+    assert parsed.setting.speed_exponent == 0.2
+    assert parsed.setting.air == {"altitude": "1600 m"}
+    assert not parsed.conform
+    assert parsed.hole.length == pytest.approx(365.76)
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "message"),
     [
         ('golfer = "bogey-driver"\n', "", "golfer"),
         ('"strokes"', '"distance"', "objective 'distance'"),
@@ -77,9 +77,9 @@ def test_values_are_read_with_their_units():
         ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nbulge = ["0 mm", "300 mm"]', "above 0"),
     ],
 )
-def test_a_mistake_is_told_with_what_to_write_instead(old, new, told):
+def test_a_mistake_is_told_with_what_to_write_instead(old, new, message):
     assert old in GOOD
-    with pytest.raises(ClubfaceError, match=told) as error:
+    with pytest.raises(ClubfaceError, match=message) as error:
         from_text(GOOD.replace(old, new))
     assert "\n" not in str(error.value)
 
@@ -91,7 +91,7 @@ def test_mass_properties_need_a_head():
 
 
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("line", "message"),
     [('clubs = "driver"', "list of names"), ('clubs = ["driver"]\nballs = []', "list of names"),
      ('clubs = ["driver"]\nfoo = 1', "foo"),
      ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\nbulge = "1 mm"', "unknown key .bulge."),
@@ -100,8 +100,8 @@ def test_mass_properties_need_a_head():
      ('clubs = ["driver"]\nloft = ["-10 deg", "0 deg"]', "fit.loft is '-0.2 deg'; it must be 0 to 75 deg"),
      ('clubs = ["driver"]\nlie = ["0 deg", "2 deg"]\n[[fit.setting]]\nname = "a"\nlie = "89 deg"', "fit.lie")],
 )  # fmt: skip
-def test_a_mistake_in_a_fitting_is_told(line, told):
-    with pytest.raises(ClubfaceError, match=told):
+def test_a_mistake_in_a_fitting_is_told(line, message):
+    with pytest.raises(ClubfaceError, match=message):
         from_text(f'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\n[fit]\n{line}\n')
 
 
@@ -114,14 +114,14 @@ def test_files_that_a_study_names_are_looked_for_beside_it(tmp_path, monkeypatch
     study.write_text(
         GOOD.replace('"driver"', '"mine.toml"\nball = "./distance.toml"').replace('"bogey-driver"', '"./me.toml"')
     )
-    of = read(study)
-    assert (of.club.name, of.golfers[0][0].name, of.setting.ball.name) == ("mine", "me", "soft")
+    parsed = read(study)
+    assert (parsed.club.name, parsed.golfers[0][0].name, parsed.setting.ball.name) == ("mine", "me", "soft")
     study.write_text(
         'title = "t"\nobjective = "carry"\n[[golfer]]\nname = "me.toml"\n'
         '[fit]\nclubs = ["driver", "mine.toml"]\nballs = ["distance.toml"]\n'
     )
-    of = read(study)
-    assert ([each.name for each in of.clubs], of.golfers[0][0].name, of.balls[0].name) == (
+    parsed = read(study)
+    assert ([each.name for each in parsed.clubs], parsed.golfers[0][0].name, parsed.balls[0].name) == (
         ["driver", "mine"],
         "me",
         "soft",

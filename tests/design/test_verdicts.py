@@ -42,8 +42,8 @@ RULE = Rule("characteristic_time", "characteristic time of the face", 239e-6, 18
 
 
 def test_a_rule_with_and_without_its_tolerance():
-    of = SimpleNamespace(rule=RULE, value=250e-6)
-    with_tolerance, without = _of_rule(of, True), _of_rule(of, False)
+    rule = SimpleNamespace(rule=RULE, value=250e-6)
+    with_tolerance, without = _of_rule(rule, True), _of_rule(rule, False)
     assert (with_tolerance.most, without.most) == pytest.approx((257e-6, 239e-6))
     assert with_tolerance.value == without.value == 250e-6
     assert with_tolerance.margin == pytest.approx(7 / 257)

@@ -64,8 +64,8 @@ def test_the_values_of_a_ball_stand_where_nobody_chose_one():
     assert "of the ball sticky: slip_y" in own.parameters.source
     assert own.backspin != clubface.impact("driver", SHOT, model="slip", ball=sticky.replace(parameters={})).backspin
     for chosen in ({"slip_y": -0.1}, ParameterSet.builtin("slip", "driver", "three-dimensional-impact-models")):
-        found = clubface.impact("driver", SHOT, model="slip", ball=sticky, parameters=chosen)
-        assert found.parameters.values["slip_y"] != -0.2
+        result = clubface.impact("driver", SHOT, model="slip", ball=sticky, parameters=chosen)
+        assert result.parameters.values["slip_y"] != -0.2
     # A value changed beside it leaves that of the ball.
     other = clubface.impact("driver", SHOT, model="slip", ball=sticky, parameters={"cor": 0.8})
     assert other.parameters.values["slip_y"] == -0.2
@@ -74,7 +74,7 @@ def test_the_values_of_a_ball_stand_where_nobody_chose_one():
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "message"),
     [
         (SLIP.replace("slip_y", "slipp_y"), "did you mean slip_y"),
         (SLIP.replace("parameters.slip", "parameters.slep"), "did you mean slip"),
@@ -93,8 +93,8 @@ def test_the_values_of_a_ball_stand_where_nobody_chose_one():
         ),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_its_line(text, told):
+def test_a_mistake_in_a_file_is_told_with_its_line(text, message):
     with pytest.raises(ClubfaceError) as caught:
         Ball.from_text(text)
     assert isinstance(caught.value, FileError)
-    assert told in str(caught.value)
+    assert message in str(caught.value)

@@ -160,8 +160,8 @@ def test_a_toe_strike_costs_the_less_ball_speed_the_larger_the_moment_of_inertia
 def test_a_driver_has_its_best_ball_speed_near_the_height_of_its_cg(name):
     """At one launch angle. It is lower by some mm, where the force, which friction turns up, points through the CG."""
     heights = np.linspace(-0.01, 0.01, 5)
-    found = clubface.impact_at_launch(name, launch="12 deg", speed="105 mph", attack="0 deg", high=heights)
-    curve = np.polyfit(heights, found.launch.ball_speed, 2)
+    result = clubface.impact_at_launch(name, launch="12 deg", speed="105 mph", attack="0 deg", high=heights)
+    curve = np.polyfit(heights, result.launch.ball_speed, 2)
     assert curve[0] < 0.0
     assert -4e-3 < -curve[1] / (2.0 * curve[0]) - club(name).cg_height < 0.0
 
@@ -177,9 +177,9 @@ def test_the_default_model_covers_every_built_in_club(name, recwarn):
 
 def test_a_head_is_hit_as_the_tours_hit_its_kind_with_the_loft_that_it_has_more():
     own, strong = club("6-iron"), club("ping-g430-6-iron")
-    usual, found = prior_of("tour", own), prior_of("tour", strong)
-    assert found.mean["speed"] == usual.mean["speed"]
-    assert found.mean["loft"] - usual.mean["loft"] == pytest.approx(strong.loft - own.loft, rel=1e-12)
+    usual, result = prior_of("tour", own), prior_of("tour", strong)
+    assert result.mean["speed"] == usual.mean["speed"]
+    assert result.mean["loft"] - usual.mean["loft"] == pytest.approx(strong.loft - own.loft, rel=1e-12)
     assert prior_of("tour", club(HYBRID)).mean["speed"] == prior_of("tour", club("hybrid")).mean["speed"]
 
 
@@ -208,9 +208,9 @@ def test_a_wedge_of_a_loft_that_no_built_in_one_has_is_asked_for(tmp_path):
 
 def test_wedges_without_published_averages_are_hit_as_pitching_wedges_by_golfers_of_any_skill():
     pitching, sand = club("pitching-wedge"), club("sand-wedge")
-    found, usual = prior_of(None, sand), prior_of("wide", pitching)
-    assert found.mean["speed"] == usual.mean["speed"]
-    assert found.mean["loft"] - usual.mean["loft"] == pytest.approx(sand.loft - pitching.loft, rel=1e-12)
+    result, usual = prior_of(None, sand), prior_of("wide", pitching)
+    assert result.mean["speed"] == usual.mean["speed"]
+    assert result.mean["loft"] - usual.mean["loft"] == pytest.approx(sand.loft - pitching.loft, rel=1e-12)
     with pytest.raises(InputError, match='sand-wedge "wide" or a file'):
         prior_of("tour", sand)
     assert prior_of(None, pitching).name == "tour averages, pitching-wedge"

@@ -57,7 +57,7 @@ def test_set_names_are_unique_for_a_model_and_club():
 
 @pytest.mark.parametrize("each", ["reference", "source", "name"])
 def test_every_published_set_tells_where_it_comes_from(each):
-    assert all(getattr(found, each) for found in builtin_sets())
+    assert all(getattr(result, each) for result in builtin_sets())
 
 
 @pytest.mark.parametrize(
@@ -81,13 +81,13 @@ def test_errata_are_told_with_the_value(key, parameter, text):
 @pytest.mark.parametrize("delivery", [("111.65 mph", "0.8 deg", "16.2 deg"), ("113 mph", "-1.3 deg", "12.8 deg")])
 def test_the_volumetric_driver_set_lacks_as_much_backspin_as_its_caveat_says(head, delivery):
     caveat = ParameterSet.builtin("volumetric", "driver").caveats[0]
-    said = [int(each) / 100.0 for pair in re.findall(r"(\d+) to (\d+) %", caveat) for each in pair]
+    percents = [int(each) / 100.0 for pair in re.findall(r"(\d+) to (\d+) %", caveat) for each in pair]
     shot = dict(zip(("speed", "attack", "loft"), delivery, strict=True))
     spin = {
         name: clubface.impact(head, shot, model=name, ball=published_ball()).backspin
         for name in ("volumetric", "standard", "slip", "adjusted")
     }
-    for name, least, most in (("standard", *said[:2]), ("slip", *said[:2]), ("adjusted", *said[2:])):
+    for name, least, most in (("standard", *percents[:2]), ("slip", *percents[:2]), ("adjusted", *percents[2:])):
         # Half of the last digit.
         assert least - 0.005 <= 1.0 - spin["volumetric"] / spin[name] <= most + 0.005, name
 
@@ -109,8 +109,8 @@ def test_compression_factors_follow_from_the_figures_of_the_paper():
     factor = 7.0 * 0.0214 * (2047.0 * math.pi / 30.0) / (5.0 * along)
     assert factor == pytest.approx(ParameterSet.builtin("jorgensen", "any").values["compression_factor"], abs=1e-3)
     # Eq. 11 with f' = 0.8379.
-    found = ParameterSet.builtin("jorgensen", "any", "golf-ball-spin-fem/effective-radius")
-    assert found.values["compression_factor"] == pytest.approx(7 * 0.8379 / (5 * 0.8379 + 2), abs=5e-5)
+    result = ParameterSet.builtin("jorgensen", "any", "golf-ball-spin-fem/effective-radius")
+    assert result.values["compression_factor"] == pytest.approx(7 * 0.8379 / (5 * 0.8379 + 2), abs=5e-5)
 
 
 def test_one_number_can_be_changed_and_the_set_says_so():
@@ -316,11 +316,11 @@ THOUSANDTHS = "three-dimensional-impact-models/eta-in-thousandths"
 
 @pytest.mark.parametrize(("club", "eta"), [("driver", 132.0), ("7-iron", 206.0)])
 def test_eta_in_thousandths_is_a_reading_that_is_flagged_and_never_the_default(club, eta):
-    default, found = ParameterSet.builtin("area", club), ParameterSet.builtin("area", club, THOUSANDTHS)
-    assert not found.default
-    assert {key for key in found.values if found.values[key] != default.values[key]} == {"area_damping"}
-    assert found.values["area_damping"] == eta
-    assert found.caveats[0].startswith("a possible reading, not a published one")
+    default, result = ParameterSet.builtin("area", club), ParameterSet.builtin("area", club, THOUSANDTHS)
+    assert not result.default
+    assert {key for key in result.values if result.values[key] != default.values[key]} == {"area_damping"}
+    assert result.values["area_damping"] == eta
+    assert result.caveats[0].startswith("a possible reading, not a published one")
     assert "eta-in-thousandths" in default.value_caveats["area_damping"]
 
 
@@ -333,10 +333,10 @@ def test_eta_in_thousandths_is_a_reading_that_is_flagged_and_never_the_default(c
 )
 def test_the_printed_values_of_area_run_for_who_asks_and_give_what_no_ball_does(club, delivery, spin):
     shot = dict(zip(("speed", "attack", "loft"), delivery, strict=True))
-    found = clubface.impact(
+    result = clubface.impact(
         club, shot, model="area", parameters="three-dimensional-impact-models/as-printed", ball=published_ball()
     )
-    assert found.get("backspin", "rpm") == pytest.approx(spin, abs=50)
+    assert result.get("backspin", "rpm") == pytest.approx(spin, abs=50)
     # A sixth of the contact time of a real drive, some 450 microseconds.
-    assert found.get("contact_time", "us") < 90
-    assert found.parameters.caveats[0].startswith("no ball is struck like this")
+    assert result.get("contact_time", "us") < 90
+    assert result.parameters.caveats[0].startswith("no ball is struck like this")

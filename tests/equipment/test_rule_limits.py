@@ -13,7 +13,7 @@ OUNCE, INCH = 28.349523125e-3, 25.4e-3
 pytestmark = pytest.mark.usefixtures("new_process")
 
 
-def told(**changes):
+def rule_warnings(**changes):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         clubface.club("driver").replace(**changes)
@@ -31,8 +31,8 @@ def told(**changes):
     ],
 )
 def test_a_club_is_warned_of_from_beyond_the_limit_on(name, most, beyond, words):
-    assert told(**{name: most}) == []
-    (text,) = told(**{name: beyond})
+    assert rule_warnings(**{name: most}) == []
+    (text,) = rule_warnings(**{name: beyond})
     assert re.search(words, text)
 
 

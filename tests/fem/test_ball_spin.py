@@ -18,9 +18,9 @@ def test_without_friction_a_ball_keeps_its_spin_about_the_normal_and_most_of_the
     """Nothing turns a ball about the normal but what a mesh of facets does. Across it, a ball that turns while it is
     flattened is pressed ahead of its centre, which takes a part of the spin and gives none."""
     club, square = fem.head("paper") if meshed else "7-iron", {"speed": "40 m/s", "loft": 0.0}
-    rest, found = (fem.strike(club, {**square, **spin}, friction=0.0).outcome() for spin in ({}, SPIN))
+    rest, result = (fem.strike(club, {**square, **spin}, friction=0.0).outcome() for spin in ({}, SPIN))
     for name, (axis, sign) in AXES.items():
-        kept = sign * (found[axis] - rest[axis]) / clubface.units.parse(SPIN[name], "angular rate")
+        kept = sign * (result[axis] - rest[axis]) / clubface.units.parse(SPIN[name], "angular rate")
         if name == "ball_riflespin":
             assert kept == pytest.approx(1.0, abs=0.03 if meshed else 0.003)
         else:

@@ -40,8 +40,8 @@ def test_both_balls_have_the_restitution_of_balls_sold_today(name):
 
 
 def test_the_contact_of_a_drive_is_as_deep_as_measured():
-    found = fem.strike(study.HEAD, speed=48.8, settings=study.END)
-    assert 6e-3 <= found.contraction * 0.5 * found.ball.diameter <= 10e-3
+    result = fem.strike(study.HEAD, speed=48.8, settings=study.END)
+    assert 6e-3 <= result.contraction * 0.5 * result.ball.diameter <= 10e-3
 
 
 @pytest.mark.parametrize(

@@ -18,10 +18,10 @@ from fem_runs import BALL, coarse, drive_case, throw_case, write_case
 @pytest.mark.parametrize("name", fem.ball_names())
 def test_built_in_balls_weigh_what_they_say(name):
     made = fem.ball(name)
-    found = made.properties()
-    assert found["mass"] == pytest.approx(made.mass, rel=1e-12)
-    assert found["radius"] == pytest.approx(made.diameter / 2.0, rel=1e-12)
-    assert found["elements"] == made.elements
+    result = made.properties()
+    assert result["mass"] == pytest.approx(made.mass, rel=1e-12)
+    assert result["radius"] == pytest.approx(made.diameter / 2.0, rel=1e-12)
+    assert result["elements"] == made.elements
 
 
 @pytest.mark.parametrize("name", case_names())
@@ -30,15 +30,15 @@ def test_built_in_cases_are_read(name):
 
 
 def test_a_case_reads_its_ball_from_its_own_folder(tmp_path):
-    found = case(write_case(tmp_path))
-    assert found.ball.name == "soft"
-    assert found.ball == replace(fem.Ball.from_toml(tmp_path / "ball.toml"))
-    assert found.friction == 0.3
-    assert found.settings.duration == pytest.approx(100e-6)
-    core, cover = found.ball.pieces
+    result = case(write_case(tmp_path))
+    assert result.ball.name == "soft"
+    assert result.ball == replace(fem.Ball.from_toml(tmp_path / "ball.toml"))
+    assert result.friction == 0.3
+    assert result.settings.duration == pytest.approx(100e-6)
+    core, cover = result.ball.pieces
     assert core.material.bulk == pytest.approx(496.67e6, rel=1e-5)
     assert cover.material.youngs == pytest.approx(350e6)
-    assert found.run().steps > 10
+    assert result.run().steps > 10
 
 
 OGDEN = 'law = "ogden"\nmu1 = "8 MPa"\nalpha1 = 2\nmu2 = "-2 MPa"\nalpha2 = -2'
@@ -55,7 +55,7 @@ def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("new", "said"),
+    ("new", "message"),
     [
         (
             OGDEN.replace('mu2 = "-2 MPa"', 'mu2 = "2 MPa"'),
@@ -67,8 +67,8 @@ def test_ogdens_rubber_with_exponents_of_two_is_mooney_and_rivlins(tmp_path):
         (OGDEN.replace('mu1 = "8 MPa"\nalpha1 = 2\n', ""), "give mu1, alpha1 as well"),
     ],
 )
-def test_a_mistake_in_ogdens_constants_is_named(tmp_path, new, said):
-    with pytest.raises(FileError, match=re.escape(said)):
+def test_a_mistake_in_ogdens_constants_is_named(tmp_path, new, message):
+    with pytest.raises(FileError, match=re.escape(message)):
         case(write_case(tmp_path, old=RIVLIN, new=new))
 
 
@@ -117,12 +117,12 @@ MISTAKES = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
-def test_an_error_names_file_line_and_what_is_allowed(tmp_path, old, new, said):
+@pytest.mark.parametrize(("old", "new", "message"), MISTAKES)
+def test_an_error_names_file_line_and_what_is_allowed(tmp_path, old, new, message):
     path = write_case(tmp_path, old=old, new=new)
-    with pytest.raises(FileError, match=re.escape(said)) as told:
+    with pytest.raises(FileError, match=re.escape(message)) as caught:
         case(path)
-    assert "\n" not in str(told.value)
+    assert "\n" not in str(caught.value)
 
 
 def test_a_head_that_moves_away_is_refused_before_the_run():
@@ -158,14 +158,14 @@ def test_any_line_of_ball_or_case_may_be_anything(tmp_path, line, value, cut):
     texts[file][line] = key if cut else f"{key}= {_toml(value)}"
     file.write_text("\n".join(texts[file]), encoding="utf-8", errors="replace")
     try:
-        found = case(path)
+        result = case(path)
     except ClubfaceError as error:
-        said = str(error)
+        message = str(error)
     else:
-        said = "it runs"
-        if found.ball.elements < 2000:
-            assert found.replace(settings={"duration": 20e-6}).run().steps >= 1
-    assert said
+        message = "it runs"
+        if result.ball.elements < 2000:
+            assert result.replace(settings={"duration": 20e-6}).run().steps >= 1
+    assert message
 
 
 def _toml(value):
@@ -270,7 +270,7 @@ def test_lofts_of_a_sweep_are_written_as_they_were_given(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "message"),
     [
         ({"duration": 0.5e-6}, "duration is '0.5 us'; it must be 1 us to 0.1 s"),
         ({"duration": 0.11}, "duration is '110000 us'"),
@@ -282,10 +282,10 @@ def test_lofts_of_a_sweep_are_written_as_they_were_given(tmp_path):
         ({"frames": 10_001}, "frames is 10001"), ({"threads": 1025}, "threads is 1025"),
     ],
 )  # fmt: skip
-def test_settings_beyond_their_limits_are_shown_in_the_unit_of_the_limit(given, said):
-    with pytest.raises(InputError) as told:
+def test_settings_beyond_their_limits_are_shown_in_the_unit_of_the_limit(given, message):
+    with pytest.raises(InputError) as caught:
         fem.Settings(**given)
-    assert str(told.value).startswith(said)
+    assert str(caught.value).startswith(message)
 
 
 def test_settings_at_their_limits_are_taken():

@@ -27,12 +27,12 @@ def test_a_force_made_by_the_law_gives_its_eta():
         stopped=None, contact_time=last, contact=contact, motion=still, friction=friction,
         ball=SimpleNamespace(diameter=42.8e-3), relative_velocity=lambda: np.full((1001, 3), 20.0),
     )  # fmt: skip
-    found = area_term(run)
-    assert found.sliding == 1.0
+    result = area_term(run)
+    assert result.sliding == 1.0
     # The mean over a tenth of the contact takes 2% where curves bend, and more at their ends.
-    assert found.damping == pytest.approx(eta, rel=0.05)
-    assert (found.free_friction, found.free_damping) == pytest.approx((friction, eta), rel=0.05)
-    assert min(found.explained, found.free_explained) > 0.95
+    assert result.damping == pytest.approx(eta, rel=0.05)
+    assert (result.free_friction, result.free_damping) == pytest.approx((friction, eta), rel=0.05)
+    assert min(result.explained, result.free_explained) > 0.95
 
 
 def test_a_ball_that_slides_shows_no_area_term_and_one_that_sticks_seems_to():
@@ -59,16 +59,16 @@ def test_a_ball_that_slides_shows_no_area_term_and_one_that_sticks_seems_to():
 
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive])
 def test_the_displaced_centre_gives_the_moment_of_the_contact(run):
-    found = run()
-    moved, radius = displaced_centre(found), 0.5 * found.ball.diameter
-    time, contact = found.contact["time"], found.contact
+    result = run()
+    moved, radius = displaced_centre(result), 0.5 * result.ball.diameter
+    time, contact = result.contact["time"], result.contact
     across, along = (np.trapezoid(contact[key], time) for key in ("normal", "tangential"))
-    spin = found.ball.properties()["inertia"] * found.backspin
+    spin = result.ball.properties()["inertia"] * result.backspin
     # Records every 5 us, and normals that differ from that of first touch by a degree: 2% of the moment.
     assert spin == pytest.approx((radius + moved.normal) * along + moved.up * across, rel=0.02)
     assert spin == pytest.approx(radius * along + moved.moment * across, rel=0.02)
     # The first is the lever of Roh and Lee's compression factor.
-    assert radius + moved.normal == pytest.approx(radius * found.f_prime, rel=0.02)
+    assert radius + moved.normal == pytest.approx(radius * result.f_prime, rel=0.02)
     # Nothing moves towards the toe of a head whose CG lies behind the face centre.
     assert abs(moved.toe) < 1e-6
 

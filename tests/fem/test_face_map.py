@@ -20,7 +20,7 @@ SPEED = 48.768
 def test_restitution_off_centre_follows_from_momentum():
     # A rigid head without friction gives one impulse on the normal: J (1/m + 1/M + (r x n) I^-1 (r x n)) = (1 + e) V.
     club, ball, toe, high = clubface.club("driver"), coarse("modern"), 0.02, 0.005
-    found = head_tests.restitution(club, ball=ball, toe=toe, high=high, friction=0.0)
+    result = head_tests.restitution(club, ball=ball, toe=toe, high=high, friction=0.0)
     turn = turn_to_sole(club.loft)
     point = face_point(toe, high, club.bulge, club.roll)
     normal = nearest(point, club.bulge, club.roll)[1]
@@ -40,7 +40,7 @@ def test_restitution_off_centre_follows_from_momentum():
     velocity = np.array([hit.launch.get(f"velocity_{axis}") for axis in "xyz"])
     expected = mass * np.linalg.norm(velocity) * (1.0 / mass + give) / (SPEED * normal[0]) - 1.0
     # The head turns a little while it is touched, by which lever and normal move against it: 0.0005 here.
-    assert found == pytest.approx(expected, abs=0.002)
+    assert result == pytest.approx(expected, abs=0.002)
     assert 1.0 / give < 0.9 * club.mass
 
 
@@ -70,7 +70,7 @@ def test_a_face_gives_most_in_its_middle_and_the_same_on_both_sides():
         toes=[-0.02, 0.0, 0.02],
         highs=[0.0],
         ball=coarse("modern"),
-        progress=lambda *told: done.append(told),
+        progress=lambda *message: done.append(message),
     )
     assert [(row["toe_mm"], row["high_mm"]) for row in rows] == [(-20.0, 0.0), (0.0, 0.0), (20.0, 0.0)]
     assert done == [(1, 3), (2, 3), (3, 3)]

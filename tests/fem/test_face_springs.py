@@ -28,8 +28,8 @@ def giving(time):
 def test_the_more_a_face_gives_the_faster_leaves_the_ball():
     times = [0.0, 40e-6, 100e-6, 160e-6, 220e-6, 280e-6, 340e-6, 400e-6]
     made = coarse("modern")
-    found = [head_tests.restitution(giving(time), ball=made) for time in times]
-    assert all(low < high for low, high in pairwise(found))
+    result = [head_tests.restitution(giving(time), ball=made) for time in times]
+    assert all(low < high for low, high in pairwise(result))
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -55,9 +55,9 @@ def test_a_spring_of_the_time_measured_on_shells_has_their_restitution(wall, tol
     spring = head.club.replace(characteristic_time=head_tests.characteristic_time(head))
     for speed in (30.0, 48.768, 60.0):
         shells, rigid = (head_tests.restitution(each, speed=speed) for each in (head, head.club))
-        found = head_tests.restitution(spring, speed=speed)
-        assert found == pytest.approx(shells, abs=tolerance)
-        assert found - rigid > 0.6 * (shells - rigid) > 0.0
+        result = head_tests.restitution(spring, speed=speed)
+        assert result == pytest.approx(shells, abs=tolerance)
+        assert result - rigid > 0.6 * (shells - rigid) > 0.0
 
 
 def test_the_ball_stays_longer_and_energy_is_kept():
@@ -82,9 +82,9 @@ def test_the_same_impact_of_a_left_hander_is_the_mirror_image():
 
 def test_momentum_is_that_before():
     made = fem.ball("modern").rigid
-    found = fem.strike(giving(250e-6), OFF_CENTRE, settings=END).outcome()
+    result = fem.strike(giving(250e-6), OFF_CENTRE, settings=END).outcome()
     after = np.array([
-        made.mass * found[f"velocity_{axis}"] + DRIVER.mass * found[f"club_velocity_{axis}"] for axis in "xyz"
+        made.mass * result[f"velocity_{axis}"] + DRIVER.mass * result[f"club_velocity_{axis}"] for axis in "xyz"
     ])  # fmt: skip
     # Mass of mesh and ball differ in the sixth digit.
     assert after == pytest.approx([45.0 * DRIVER.mass, 0.0, 0.0], abs=2e-4)
@@ -93,12 +93,12 @@ def test_momentum_is_that_before():
 def test_the_page_has_the_figures_of_the_study_of_shells_and_spring():
     """As docs/models/response.md prints them: whole rpm and tenths of degrees, and a unit more for other processors."""
     compared = runpy.run_path(str(ROOT / "studies" / "face_spring.py"))["compared"]
-    found = {(loft, name): told for loft, name, told in compared()}
+    result = {(loft, name): outcome for loft, name, outcome in compared()}
     page = (ROOT / "docs" / "models" / "response.md").read_text(encoding="utf-8")
     rows = re.findall(r"\| (\d+)° \| (\d+) \| (\d+) \| (\d+) \| ([\d.]+)°, ([\d.]+)° \|", page)
     assert [int(row[0]) for row in rows] == [10, 15, 25]
     for loft, shells, spring, rigid, *launches in rows:
         for name, spin in {"shells": shells, "spring": spring, "rigid": rigid}.items():
-            assert found[int(loft), name]["backspin"] == pytest.approx(float(spin), abs=1.5)
+            assert result[int(loft), name]["backspin"] == pytest.approx(float(spin), abs=1.5)
         for name, launch in zip(("shells", "spring"), launches, strict=True):
-            assert found[int(loft), name]["launch"] == pytest.approx(float(launch), abs=0.06)
+            assert result[int(loft), name]["launch"] == pytest.approx(float(launch), abs=0.06)

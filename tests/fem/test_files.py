@@ -27,56 +27,57 @@ def volumes(points, cells):
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
 def test_shapes_read_back_as_they_were(tmp_path, run):
     meshlane = pytest.importorskip("meshlane")
-    found = run()
-    *shapes, collection = files.write_series(found, tmp_path, "an impact: first")
-    assert 4 <= len(shapes) == len(found.frames) <= 5  # the last step ends a little before the simulated time
-    places = found.world_positions()
+    result = run()
+    *shapes, collection = files.write_series(result, tmp_path, "an impact: first")
+    assert 4 <= len(shapes) == len(result.frames) <= 5  # the last step ends a little before the simulated time
+    places = result.world_positions()
     nodes = places.shape[1]
     for path, place in zip(shapes, places, strict=True):
         mesh = meshlane.read(path)
         cells = mesh.cells_dict["hexahedron"]
-        assert len(cells) == found.ball.elements
+        assert len(cells) == result.ball.elements
         moved = mesh.points + mesh.point_data["displacement"]
         # Displacements of up to 3 cm in numbers of 24 bits.
         assert moved[:nodes] == pytest.approx(place, abs=2e-9)
         assert set(mesh.cell_data["piece"][0]) == {0, 1}
-        if found.head is not None:
-            assert len(mesh.cells_dict["quad"]) == found.head.elements
+        if result.head is not None:
+            assert len(mesh.cells_dict["quad"]) == result.head.elements
             assert set(mesh.cell_data["piece"][1]) == {2, 3, 4, 5}
-            assert len(moved) == nodes + len(found.head.nodes)
+            assert len(moved) == nodes + len(result.head.nodes)
         assert (volumes(mesh.points, cells) > 0.0).all()
         assert (volumes(place, cells) > 0.0).all()
     entries = ET.parse(collection).getroot().findall("./Collection/DataSet")
     assert [tmp_path / entry.attrib["file"] for entry in entries] == shapes
-    assert [float(entry.attrib["timestep"]) for entry in entries] == found.frame_times.tolist()
+    assert [float(entry.attrib["timestep"]) for entry in entries] == result.frame_times.tolist()
 
 
 def test_the_ball_of_a_drive_flies_to_the_target_and_up():
-    found = coarse_drive()
-    first, last = found.world_positions()[[0, -1]].mean(axis=1)
+    result = coarse_drive()
+    first, last = result.world_positions()[[0, -1]].mean(axis=1)
     assert last[0] - first[0] > 0.01
     assert last[1] - first[1] > 0.001
 
 
 @pytest.mark.parametrize("frames", [1, 2, 6, 11])
 def test_as_many_shapes_are_kept_as_are_asked_for(frames):
-    found = throw_case(duration="601 us", frames=frames).run()
+    result = throw_case(duration="601 us", frames=frames).run()
     wanted = np.linspace(0.0, 601e-6, frames) if frames > 1 else [0.0]
     # To half an interval of the records, and a step.
-    assert found.frame_times == pytest.approx(wanted, abs=3.5e-6)
-    assert len(found.frames) == frames
+    assert result.frame_times == pytest.approx(wanted, abs=3.5e-6)
+    assert len(result.frames) == frames
 
 
 def test_shapes_are_spread_over_the_duration_however_long_the_run():
     short = throw_case(duration="301 us", frames=7).run()
     assert short.unfinished
     assert len(short.frames) == 7
-    told = []
-    longer = throw_case(duration="301 us", frames=7, until_separation=True).run(lambda *times: told.append(times))
+    progress = []
+    longer = throw_case(duration="301 us", frames=7, until_separation=True).run(lambda *times: progress.append(times))
     assert longer.contact["time"][-1] > 600e-6
     assert (longer.frames == short.frames)[:-1].all()
     assert len(longer.frames) == 7
-    assert all(time <= whole for time, whole in told)
+    assert progress
+    assert all(time <= whole for time, whole in progress)
 
 
 def test_a_run_without_shapes_is_refused(tmp_path):
@@ -291,10 +292,10 @@ def test_every_piece_of_the_ball_is_a_part_of_its_own_set_with_its_section_and_m
 def test_a_deck_of_a_grooved_head_notes_what_it_leaves_out(tmp_path):
     grooves = {"width": 0.9e-3, "depth": 0.4e-3, "pitch": 3.6e-3, "wall": 0.2e-3}
     head = replace(fem.head("7-iron"), grooves=grooves)
-    told = "the grooves of the face are felt by the contact alone"
+    message = "the grooves of the face are felt by the contact alone"
     for name, made in (("grooved", head), ("plain", replace(head, grooves=None))):
         text = keyword.write(shells_case().replace(club=made), tmp_path / f"{name}.k").read_text()
-        assert (told in " ".join(line[2:] for line in text.splitlines() if line.startswith("$ "))) == (
+        assert (message in " ".join(line[2:] for line in text.splitlines() if line.startswith("$ "))) == (
             name == "grooved"
         )
 

@@ -38,12 +38,12 @@ def test_finite_elements_take_the_mesh_by_every_way_that_leads_to_it(file):
     how = fem.Settings(until_separation=True)
     mesh = fem.strike(fem.head(file), SHOT, settings=how)
     launch = clubface.impact(file, SHOT, model="fem")
-    for found in (
+    for result in (
         launch,
         fem.strike(file, SHOT, settings=how).launch,
         fem.strike(launch.club, SHOT, settings=how).launch,
     ):
-        assert (found.ball_speed, found.backspin) == (mesh.launch.ball_speed, mesh.launch.backspin)
+        assert (result.ball_speed, result.backspin) == (mesh.launch.ball_speed, mesh.launch.backspin)
     rigid = clubface.impact(fem.head(file).club, SHOT, model="fem")
     # A face of 1.8 mm of titanium springs: some per cent of ball speed.
     assert launch.ball_speed > 1.01 * rigid.ball_speed

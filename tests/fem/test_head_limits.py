@@ -46,9 +46,9 @@ def test_the_ends_of_every_range_are_taken_and_what_is_beyond_is_refused_with_th
     for value in (low, high):
         assert reshaped(head, key, value).shape[key] == value
     for value in (low * 0.999 if low else -1e-3, high * 1.001):
-        with pytest.raises(InputError) as told:
+        with pytest.raises(InputError) as caught:
             reshaped(head, key, value)
-        assert re.fullmatch(rf"shape\.{key} is .*; it must be {ends}", str(told.value))
+        assert re.fullmatch(rf"shape\.{key} is .*; it must be {ends}", str(caught.value))
 
 
 @pytest.mark.parametrize(

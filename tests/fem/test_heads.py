@@ -76,17 +76,17 @@ def test_targets_that_cannot_be_met_are_shown_with_the_values_reached():
 
 
 def test_a_ball_that_reaches_round_the_edge_of_the_face_gives_a_warning():
-    found = fem.strike(fem.head("paper"), speed="40 m/s", toe="44 mm")
-    assert found.stopped is not None
-    assert "reached round the edge of the face" in found.stopped
+    result = fem.strike(fem.head("paper"), speed="40 m/s", toe="44 mm")
+    assert result.stopped is not None
+    assert "reached round the edge of the face" in result.stopped
     # Nearer the centre it costs less than the energies show.
     with pytest.warns(
         EdgeWarning,
         match="^struck 40 mm to the toe and 0 mm above.* round the edge of the face.* its launch is in doubt",
     ):
-        found = fem.strike(fem.head("paper"), speed="35 m/s", loft="11.5 deg", toe="40 mm", ball="paper")
-    assert found.over_edge
-    assert found.stopped is None
+        result = fem.strike(fem.head("paper"), speed="35 m/s", loft="11.5 deg", toe="40 mm", ball="paper")
+    assert result.over_edge
+    assert result.stopped is None
     assert not fem.strike(fem.head("paper"), speed="35 m/s", toe="30 mm").over_edge
 
 
@@ -96,26 +96,28 @@ def test_a_head_of_shells_is_a_club_for_every_model():
 
 
 def test_a_ball_is_hit_by_shells():
-    found = coarse_shells()
-    assert found.stopped is None
-    assert found.energy_error < 0.01
-    assert found.launch.ball_speed == pytest.approx(51.0, rel=0.06)
+    result = coarse_shells()
+    assert result.stopped is None
+    assert result.energy_error < 0.01
+    assert result.launch.ball_speed == pytest.approx(51.0, rel=0.06)
     # Momentum: what the ball gains the head loses, along the target line.
-    ball = found.ball.properties()["mass"] * found.launch.velocity_x
-    assert ball == pytest.approx(coarse_head().club.mass * (35.0 - found.launch.club_velocity_x), rel=1e-6)
-    assert found.head_frames.shape[1:] == (len(coarse_head().nodes), 3)
+    ball = result.ball.properties()["mass"] * result.launch.velocity_x
+    assert ball == pytest.approx(coarse_head().club.mass * (35.0 - result.launch.club_velocity_x), rel=1e-6)
+    assert result.head_frames.shape[1:] == (len(coarse_head().nodes), 3)
     # The head has moved by about its speed times the time.
-    moved = (found.world_positions(found.head_frames)[-1] - found.world_positions(found.head_frames)[0]).mean(axis=0)
-    assert 20.0 * found.frame_times[-1] < moved[0] < 35.0 * found.frame_times[-1]
+    moved = (result.world_positions(result.head_frames)[-1] - result.world_positions(result.head_frames)[0]).mean(
+        axis=0
+    )
+    assert 20.0 * result.frame_times[-1] < moved[0] < 35.0 * result.frame_times[-1]
 
 
 def test_an_impact_towards_the_toe_turns_the_head_and_the_ball():
-    found = shells_case(until_separation=True).replace(toe="12 mm").run()
+    result = shells_case(until_separation=True).replace(toe="12 mm").run()
     centre = coarse_shells()
     # Gear effect: towards the toe the ball starts right and spins to the left; the face opens (turns right).
-    assert found.launch.azimuth > 0.0 > found.launch.sidespin
-    assert found.launch.club_spin_y < -20.0
-    assert abs(centre.launch.sidespin) < 0.05 * abs(found.launch.sidespin)
+    assert result.launch.azimuth > 0.0 > result.launch.sidespin
+    assert result.launch.club_spin_y < -20.0
+    assert abs(centre.launch.sidespin) < 0.05 * abs(result.launch.sidespin)
 
 
 def test_restitution_of_a_rigid_head_is_that_of_the_ball():

@@ -54,7 +54,7 @@ def test_grooves_hold_a_ball_without_friction():
     assert grooved.energy_error < 0.01
     # The head turns back, so that its normal is no longer that of first touch: 2.5% of the force. Walls make several
     # times that.
-    along = [abs(found.contact["tangential"]).max() / found.peak_force for found in (plain, grooved)]
+    along = [abs(result.contact["tangential"]).max() / result.peak_force for result in (plain, grooved)]
     assert along[0] < 0.03
     assert along[1] > 0.06, along
     flat = fem.strike(
@@ -74,7 +74,7 @@ def test_grooves_that_the_ball_cannot_feel_are_refused():
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"),
+    ("changed", "message"),
     [
         ({"wall": "5 mm"}, "wall"),
         ({"pitch": "8 mm"}, "width"),
@@ -83,8 +83,8 @@ def test_grooves_that_the_ball_cannot_feel_are_refused():
         ({"width": None}, "width"),
     ],
 )
-def test_a_mistake_in_grooves_is_named(changed, said):
-    with pytest.raises(ClubfaceError, match=said):
+def test_a_mistake_in_grooves_is_named(changed, message):
+    with pytest.raises(ClubfaceError, match=message):
         fem.IronHead(name="iron", shape=IRON, grooves={**WIDE, **changed})
 
 
@@ -103,7 +103,7 @@ def test_a_stiff_iron_is_a_rigid_one():
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"),
+    ("changed", "message"),
     [
         ({"face": "0 mm"}, "face is '0 mm'"),
         ({"rim": 0.9}, "rim is 0.9"),
@@ -112,6 +112,6 @@ def test_a_stiff_iron_is_a_rigid_one():
         ({"lofft": 1}, "did you mean loft?"),
     ],
 )
-def test_a_mistake_in_an_iron_is_named(changed, said):
-    with pytest.raises(InputError, match=re.escape(said)):
+def test_a_mistake_in_an_iron_is_named(changed, message):
+    with pytest.raises(InputError, match=re.escape(message)):
         fem.IronHead(name="bad", shape={**IRON, **changed})

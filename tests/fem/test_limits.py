@@ -64,9 +64,9 @@ def test_a_value_is_taken_up_to_its_limit_and_refused_beyond(make, name, taken, 
     for value in taken:
         make(value)
     for value, shown in refused.items():
-        with pytest.raises(InputError) as told:
+        with pytest.raises(InputError) as caught:
             make(value)
-        assert str(told.value).startswith(f"{name} is {shown};")
+        assert str(caught.value).startswith(f"{name} is {shown};")
 
 
 def test_a_core_that_the_layers_leave_no_mass_is_refused_with_what_is_left():

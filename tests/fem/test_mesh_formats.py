@@ -364,7 +364,7 @@ def test_an_included_file_is_not_left_out_without_a_word(tmp_path, form):
 
 
 @pytest.mark.parametrize(
-    ("name", "old", "new", "said"),
+    ("name", "old", "new", "message"),
     [
         ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=C3D4", "tetrahedra: a head of one's own is a"),
         ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=XYZ9", "the type XYZ9 are not read"),
@@ -378,10 +378,10 @@ def test_an_included_file_is_not_left_out_without_a_word(tmp_path, form):
         ("free.bdf", "CQUAD4,1,1,142,144,145,143", "CQUAD4,1,1,142,144,145,143,,,\n,,1,.5,.5,.5,.5", "TFLAG"),
     ],
 )  # fmt: skip
-def test_what_is_not_read_is_refused_in_one_line(tmp_path, name, old, new, said):
+def test_what_is_not_read_is_refused_in_one_line(tmp_path, name, old, new, message):
     path = write_walls(tmp_path, coarse_walls(), name)
     path.write_text(path.read_text().replace(old, new))
-    with pytest.raises(ClubfaceError, match=re.escape(said)) as error:
+    with pytest.raises(ClubfaceError, match=re.escape(message)) as error:
         read(path)
     assert "\n" not in str(error.value)
 

@@ -32,7 +32,7 @@ def turned(axis, angle):
 
 
 @pytest.mark.parametrize(
-    ("matrix", "changes", "said"),
+    ("matrix", "changes", "message"),
     [
         (np.eye(3), {"loft": "14 deg"}, r"loft is '14 deg'.* has 11.5 deg at the face centre"),
         (turned(2, -11.5), {}, r"loft is '11.5 deg'.* has 0 deg at the face centre"),
@@ -51,8 +51,8 @@ def turned(axis, angle):
         (np.eye(3) / 10, {"unit": "in"}, r'unit is .in.*try unit = "cm"'),
     ],
 )
-def test_a_mesh_that_lies_otherwise_than_its_file_is_refused_with_both_values(tmp_path, matrix, changes, said):
-    with pytest.raises(ClubfaceError, match=said) as error:
+def test_a_mesh_that_lies_otherwise_than_its_file_is_refused_with_both_values(tmp_path, matrix, changes, message):
+    with pytest.raises(ClubfaceError, match=message) as error:
         read(tmp_path, placed(matrix), **changes)
     assert "\n" not in str(error.value)
 
@@ -142,14 +142,14 @@ def test_errors_of_elements_name_the_numbers_of_the_file(tmp_path):
     row = next(line for line in shifted.splitlines() if line.startswith("70123, "))
     number, a, b, c, d = row.split(", ")
     path = tmp_path / "head.inp"
-    for bad, said in (
+    for bad, message in (
         (f"{number}, {a}, {c}, {b}, {d}", "element 70123 is inverted or degenerate"),
         (f"{number}, {a}, {b}, {b}, {d}", "element 70123 is inverted or degenerate: it lists a node twice"),
         (f"{row}\n70999, {b}, {c}, {d}, {a}", "elements 70123 and 70999 have the same nodes"),
         (f"{number}, {a}, {b}, {c}, 99999", "element 70123 has the node 99999, which does not exist"),
     ):
         path.write_text(shifted.replace(row, bad))
-        with pytest.raises(FileError, match=said):
+        with pytest.raises(FileError, match=message):
             MeshHead(name="mine", file=path, groups=GROUPS, **FACE).mesh()
     path.write_text(shifted)
     assert MeshHead(name="mine", file=path, groups=GROUPS, **FACE).mesh().elements == coarse_head().elements
@@ -192,7 +192,7 @@ def test_the_face_of_a_head_of_one_group_is_what_looks_at_the_ball(tmp_path):
 )
 def test_mass_and_cg_of_added_masses_are_exact_and_errors_of_the_inertia_are_noted(tmp_path, place, exact):
     bare = read(tmp_path, coarse_walls()).club
-    with pytest.warns(MeshWarning, match=r"a moment of inertia [\d.]+% off") as said:
+    with pytest.warns(MeshWarning, match=r"a moment of inertia [\d.]+% off") as caught:
         head = read(tmp_path, coarse_walls(), masses={"weight": (*place, "25 g")}).club
     point = np.array([float(each.split()[0]) for each in place]) * 1e-3
     assert head.mass == pytest.approx(bare.mass + 0.025, rel=1e-12)
@@ -207,7 +207,7 @@ def test_mass_and_cg_of_added_masses_are_exact_and_errors_of_the_inertia_are_not
     asked -= head.mass * (cg @ cg * np.eye(3) - np.outer(cg, cg))
     missed = np.abs(np.diag(head.inertia) / np.diag(asked) - 1.0).max()
     assert missed < exact
-    (text,) = [str(each.message) for each in said if "moment of inertia" in str(each.message)]
+    (text,) = [str(each.message) for each in caught if "moment of inertia" in str(each.message)]
     assert float(re.search(r"inertia ([\d.]+)%", text)[1]) == pytest.approx(100.0 * missed, rel=0.3, abs=0.1)
 
 

@@ -87,10 +87,10 @@ def test_a_strike_on_a_line_of_the_mesh_is_like_those_a_micrometre_away(kind, pl
 
 @pytest.mark.parametrize("kind", ["shells", "hexahedra"])
 def test_a_symmetric_head_struck_on_its_line_of_symmetry_starts_the_ball_straight(kind):
-    found = struck(plate(kind), 0.0, 0.0).launch
+    result = struck(plate(kind), 0.0, 0.0).launch
     # Elements number their corners one way round, which leaves a millionth of the speed.
-    assert abs(float(found.azimuth)) < 2e-5
-    assert abs(float(found.sidespin)) < 1e-3 * float(found.backspin)
+    assert abs(float(result.azimuth)) < 2e-5
+    assert abs(float(result.sidespin)) < 1e-3 * float(result.backspin)
 
 
 @pytest.mark.parametrize("kind", ["shells", "hexahedra"])

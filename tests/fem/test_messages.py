@@ -29,7 +29,7 @@ THIN = {'face = "4 mm"': 'face = "1.5 mm"', 'top = "9 mm"': 'top = "1.2 mm"'}
 
 
 @pytest.mark.parametrize(
-    ("name", "old", "new", "said"),
+    ("name", "old", "new", "message"),
     [
         ("paper", '"1.85 mm"', '"0 mm"', ":22: thickness.face_centre: 0 mm; it must be 0.2 to 20 mm"),
         ("paper", 'crown = "1.3 mm"', 'crown = "1 kg"', ":24: thickness.crown is '1 kg'; it must be in m or mm"),
@@ -56,43 +56,43 @@ THIN = {'face = "4 mm"': 'face = "1.5 mm"', 'top = "9 mm"': 'top = "1.2 mm"'}
         ("7-iron", 'mass = "64 g"', "mass = 64", ":24: mass of mass hosel is '64000 g'; it must be 0 to 500 g"),
     ],
 )
-def test_an_error_in_a_head_names_line_and_key(tmp_path, name, old, new, said):
+def test_an_error_in_a_head_names_line_and_key(tmp_path, name, old, new, message):
     path = head_file(tmp_path, name, old, new)
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError) as caught:
         fem.head(path)
-    assert str(told.value).startswith(f"{path}{said}")
+    assert str(caught.value).startswith(f"{path}{message}")
 
 
-@pytest.mark.parametrize(("wall", "said"), [("face", "shape.face is 1.5 mm"), ("top", "shape.top is 1.2 mm")])
-def test_grooves_deeper_than_the_blade_is_thick_are_refused(tmp_path, wall, said):
+@pytest.mark.parametrize(("wall", "message"), [("face", "shape.face is 1.5 mm"), ("top", "shape.top is 1.2 mm")])
+def test_grooves_deeper_than_the_blade_is_thick_are_refused(tmp_path, wall, message):
     path = head_file(tmp_path, "7-iron", BLADE, GROOVED)
     old, new = next((old, new) for old, new in THIN.items() if old.startswith(wall))
     fem.head(path)
     path.write_text(path.read_text().replace(old, new))
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError) as caught:
         fem.head(path)
-    said = f"{path}:10: grooves.depth is '1.5 mm'; it must be less than the blade is thick: {said}"
-    assert str(told.value) == said
+    message = f"{path}:10: grooves.depth is '1.5 mm'; it must be less than the blade is thick: {message}"
+    assert str(caught.value) == message
 
 
 @pytest.mark.parametrize(
-    ("unit", "scale", "said"),
+    ("unit", "scale", "message"),
     [
         ('unit = "mm"\n', 1.0, ":4: unit is 'mm'; it must be the unit"),
         ("", 1.0, ": unit is 'mm'; it must be the unit"),
         ('unit = "m"\n', 1e3, ":4: unit is 'm'; it must be the unit"),
     ],
 )
-def test_a_mesh_in_another_unit_is_refused_with_its_size_and_the_unit_to_set(tmp_path, write, unit, scale, said):
+def test_a_mesh_in_another_unit_is_refused_with_its_size_and_the_unit_to_set(tmp_path, write, unit, scale, message):
     write_mesh(tmp_path, scale=1e-3 * scale)
     path = write(HEAD.replace('unit = "mm"\n', unit), "own.toml")
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError) as caught:
         fem.head(path)
-    assert str(told.value).startswith(f'{path}{said} of lengths in {tmp_path / "head.msh"}, "mm" where left out: ')
+    assert str(caught.value).startswith(f'{path}{message} of lengths in {tmp_path / "head.msh"}, "mm" where left out: ')
     size = "0.102493 mm" if scale == 1.0 else "102493 mm"
-    assert f"the size of the head is {size}, 60 mm to 200 mm is allowed; try unit = " in str(told.value)
+    assert f"the size of the head is {size}, 60 mm to 200 mm is allowed; try unit = " in str(caught.value)
     fitting = 'unit = "m"' if scale == 1.0 else 'unit = "mm"'
-    assert str(told.value).endswith(f"try {fitting}")
+    assert str(caught.value).endswith(f"try {fitting}")
 
 
 def test_bad_elements_are_named_with_their_mesh_and_head(tmp_path):
@@ -100,9 +100,9 @@ def test_bad_elements_are_named_with_their_mesh_and_head(tmp_path):
     (tmp_path / "own.toml").write_text(HEAD)
     text = 'name = "x"\nball = "reference"\n[head]\nkind = "meshed"\nclub = "./own.toml"\n[delivery]\nspeed = 35\n'
     (tmp_path / "case.toml").write_text(text)
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError) as caught:
         case(tmp_path / "case.toml")
-    assert str(told.value).startswith(f"{tmp_path / 'own.toml'}:3: {mesh}: element 1 is inverted or degenerate")
+    assert str(caught.value).startswith(f"{tmp_path / 'own.toml'}:3: {mesh}: element 1 is inverted or degenerate")
 
 
 @pytest.mark.parametrize("content", ["nonsense", "", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nfoo\n"])
@@ -110,11 +110,11 @@ def test_a_broken_mesh_gives_no_message_of_a_library(tmp_path, capfd, content):
     mesh, path = tmp_path / "head.msh", tmp_path / "own.toml"
     mesh.write_text(content)
     path.write_text(HEAD)
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError) as caught:
         fem.head(path)
-    assert str(told.value).startswith(f"{path}:3: {mesh}: this mesh cannot be read: ")
-    assert len(str(told.value).splitlines()) == 1
-    assert not str(told.value).endswith((": 1", ": "))
+    assert str(caught.value).startswith(f"{path}:3: {mesh}: this mesh cannot be read: ")
+    assert len(str(caught.value).splitlines()) == 1
+    assert not str(caught.value).endswith((": 1", ": "))
     assert capfd.readouterr() == ("", "")
 
 

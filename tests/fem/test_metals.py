@@ -33,9 +33,9 @@ rule = "lobatto"
 
 def struck(**metal):
     """Roh and Lee's coarse head, its face of some metal, hits a ball at 50 m/s."""
-    found = case_of(**metal).run()
-    assert found.energy_error < 0.01
-    return found
+    result = case_of(**metal).run()
+    assert result.energy_error < 0.01
+    return result
 
 
 def case_of(**metal):
@@ -58,9 +58,9 @@ def test_points_through_the_thickness_and_resultants_are_as_good_in_elastic_meta
     elastic = struck()
     # Rounding, grown over a thousand steps.
     for metal in ({"points": 3}, {"points": 5, "rule": "lobatto"}, {"yield_stress": "10 GPa"}):
-        found = struck(**metal)
-        assert found.launch.ball_speed == pytest.approx(elastic.launch.ball_speed, rel=1e-7), metal
-        assert found.peak_force == pytest.approx(elastic.peak_force, rel=1e-6), metal
+        result = struck(**metal)
+        assert result.launch.ball_speed == pytest.approx(elastic.launch.ball_speed, rel=1e-7), metal
+        assert result.peak_force == pytest.approx(elastic.peak_force, rel=1e-6), metal
 
 
 def test_a_table_of_two_points_is_linear_hardening():
@@ -102,7 +102,7 @@ def test_metals_read_their_values():
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("old", "new", "message"),
     [
         ('yield = "800 MPa"', 'yield = "800 mm"', "mine.toml:10: yield"),
         (
@@ -121,9 +121,9 @@ def test_metals_read_their_values():
         ('rule = "lobatto"', 'rule = "labotto"', "did you mean lobatto?"),
     ],
 )
-def test_a_mistake_in_a_metal_is_named(write, old, new, said):
+def test_a_mistake_in_a_metal_is_named(write, old, new, message):
     path = write(HEAD.replace(old, new), "mine.toml")
-    with pytest.raises(FileError, match=re.escape(said)):
+    with pytest.raises(FileError, match=re.escape(message)):
         from_toml(path)
 
 

@@ -38,18 +38,18 @@ TOLERANCES = {
 
 
 @cache
-def found():
+def paper_run():
     return paper.paper()
 
 
 @pytest.mark.parametrize("figure", paper.PUBLISHED)
 def test_a_figure_of_the_paper(figure):
-    value = paper.table(found())[figure]
+    value = paper.table(paper_run())[figure]
     assert value == pytest.approx(paper.PUBLISHED[figure], abs=TOLERANCES[figure])
 
 
 def test_the_tangential_velocity_is_that_relative_to_the_clubhead():
-    run = found()
+    run = paper_run()
     relative = run.relative_velocity()
     # The head's, which momentum gives, beside that of the head's own nodes; rounding of some thousand summands.
     head = [run.launch.get(f"club_velocity_{axis}") for axis in "xyz"]
@@ -64,8 +64,8 @@ def test_what_factor_a_spin_means():
     # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; they print 0.9476, from the forces.
     assert pytest.approx(0.9204, abs=1e-4) == paper.SPIN_FACTOR
     # In proportion to the spin, for the same ball and blow.
-    spin = found().launch.backspin * 30.0 / math.pi
-    assert paper.spin_factor(found()) == pytest.approx(paper.SPIN_FACTOR * spin / 2047.0, rel=1e-6)
+    spin = paper_run().launch.backspin * 30.0 / math.pi
+    assert paper.spin_factor(paper_run()) == pytest.approx(paper.SPIN_FACTOR * spin / 2047.0, rel=1e-6)
 
 
 def test_a_blow_without_loft_has_no_factor():
@@ -106,7 +106,7 @@ def test_trends_over_speed_and_loft():
 
 
 def test_the_case_of_the_paper_is_whole():
-    run = found()
+    run = paper_run()
     assert run.stopped is None
     assert run.elements == 9504 + 3264
     # Energies close far better than the 1% that stops a run.
@@ -136,7 +136,7 @@ def test_the_spin_of_a_section_is_that_of_its_nodes_alone():
 
 
 def test_the_spin_of_all_nodes_by_shapes_is_that_of_their_velocities():
-    run = found()
+    run = paper_run()
     when, spin = paper.fitted_spin(run, node_masses(run.ball.mesh))
     of_velocities = np.interp(when, run.motion["time"], run.motion["spin"][:, 2])
     # Both of some 200 to 350 rad/s; differences over 10 us, masses of nodes from parallelepipeds.
@@ -144,12 +144,12 @@ def test_the_spin_of_all_nodes_by_shapes_is_that_of_their_velocities():
 
 
 def test_the_section_takes_off_with_more_spin_than_the_ball_and_then_swings_about_it():
-    told = paper.table(found())
+    figures = paper.table(paper_run())
     # By more than ten times what the fit of nodes is off, 0.35 rad/s.
-    assert told["section_spin_rpm"] - told["ball_spin_rpm"] > 10.0 * 0.35 * 30.0 / math.pi
-    when, spin = paper.section_spin(found())
-    after = spin[when > found().last_touch] * 30.0 / math.pi
-    assert after.mean() == pytest.approx(told["spin_rpm"], rel=0.01)
+    assert figures["section_spin_rpm"] - figures["ball_spin_rpm"] > 10.0 * 0.35 * 30.0 / math.pi
+    when, spin = paper.section_spin(paper_run())
+    after = spin[when > paper_run().last_touch] * 30.0 / math.pi
+    assert after.mean() == pytest.approx(figures["spin_rpm"], rel=0.01)
 
 
 def test_both_methods_of_contact_that_of_the_case_first():
@@ -167,7 +167,7 @@ def test_both_methods_of_contact_that_of_the_case_first():
 def test_the_rigid_head_has_the_mass_and_the_cg_of_the_shells():
     rigid, shells = case("paper-rigid").club, fem.head("paper").club
     assert rigid == shells
-    stiff, giving = paper.table(paper.paper("paper-rigid")), paper.table(found())
+    stiff, giving = paper.table(paper.paper("paper-rigid")), paper.table(paper_run())
     # A face that gives springs back with energy that the ball would lose, lies longer against it and takes spin away;
     # 0.2% is what half the step changes.
     assert giving["ball_speed_mps"] > 1.002 * stiff["ball_speed_mps"]

@@ -16,8 +16,8 @@ def lines(panel, label=""):
 
 @pytest.mark.parametrize("run", [coarse_throw, coarse_drive, coarse_shells])
 def test_the_nodes_of_the_patch_add_up_to_the_contact(run):
-    found = run()
-    patch, contact = found.patch, found.contact
+    result = run()
+    patch, contact = result.patch, result.contact
     # Records tell what the step before them did; the last may fall between steps that touch and that do not.
     times = np.unique(patch["time"])[:-2]
     steps = np.searchsorted(contact["time"], times + 1e-12) - 1
@@ -26,15 +26,15 @@ def test_the_nodes_of_the_patch_add_up_to_the_contact(run):
         at, near = patch["time"] == time, slice(max(step - 1, 0), step + 2)
         # Rounding of a hundred summands.
         assert abs(contact["area"][near] - patch["area"][at].sum()).min() < 1e-12
-        assert abs(contact["tangential"][near] - patch["tangential"][at].sum()).min() < 1e-9 * found.peak_force
+        assert abs(contact["tangential"][near] - patch["tangential"][at].sum()).min() < 1e-9 * result.peak_force
 
 
 def test_the_section_shows_pressure_and_shear_of_the_nodes_near_it():
-    found = coarse_throw()
-    below = section_picture(found, count=2).rows[1][0]
-    patch = found.patch
+    result = coarse_throw()
+    below = section_picture(result, count=2).rows[1][0]
+    patch = result.patch
     times = np.unique(patch["time"])
-    shown = found.frame_times[np.argmin(abs(found.frame_times - found.contact_time / 3))]
+    shown = result.frame_times[np.argmin(abs(result.frame_times - result.contact_time / 3))]
     near = times[np.argmin(abs(times - shown))]
     middle = (patch["time"] == near) & (abs(patch["toe"]) < 1e-4)
     assert middle.sum() > 2
@@ -44,10 +44,10 @@ def test_the_section_shows_pressure_and_shear_of_the_nodes_near_it():
 
 
 def test_a_moving_section_has_the_forces_up_to_each_moment():
-    found = coarse_shells()
-    moving = moving_section(found)
-    assert len(moving) == len(found.frame_times)
-    for picture, time in zip(moving, found.frame_times, strict=True):
+    result = coarse_shells()
+    moving = moving_section(result)
+    assert len(moving) == len(result.frame_times)
+    for picture, time in zip(moving, result.frame_times, strict=True):
         assert max(lines(picture.rows[0][1], "normal")[0].x, default=0.0) <= time
 
 
@@ -65,33 +65,33 @@ def test_a_sweep_is_marked_with_the_published_numbers():
 
 
 def test_the_figures_of_the_paper_are_drawn_for_both_methods_of_contact():
-    found = coarse_drive()
-    speed, launch, *_ = paper_picture({"penalty": found, "augmented-lagrange": coarse_shells()}).panels()
-    for what, velocity in (("ball", found.world_velocity()), ("clubhead", found.world_club_velocity())):
+    result = coarse_drive()
+    speed, launch, *_ = paper_picture({"penalty": result, "augmented-lagrange": coarse_shells()}).panels()
+    for what, velocity in (("ball", result.world_velocity()), ("clubhead", result.world_club_velocity())):
         one, other = lines(speed, what)
         assert one.y == pytest.approx(np.linalg.norm(velocity, axis=1))
         assert one.dash != other.dash
     (mark,) = (each for each in speed.marks if each.kind == "points")
     assert mark.y == [50.4, 24.0]
     # The velocity of the last record and that of the launch, some steps later, as the ball flies.
-    assert lines(launch)[0].y[-1] == pytest.approx(found.launch.launch, abs=2e-5)
+    assert lines(launch)[0].y[-1] == pytest.approx(result.launch.launch, abs=2e-5)
 
 
 def test_the_contact_models_strike_as_the_finite_elements_do():
-    found = coarse_drive()
-    normal, tangential, sliding, radius = models_picture(found).panels()
+    result = coarse_drive()
+    normal, tangential, sliding, radius = models_picture(result).panels()
     assert [line.label for line in lines(normal)] == ["fem", "volumetric", "rings", "area"]
     for panel in (normal, tangential):
         assert max(lines(panel)[0].y) > 0.0
-    for name, model in contacts(found).items():
+    for name, model in contacts(result).items():
         force, along, slip, distance = (lines(panel, name)[0].y for panel in (normal, tangential, sliding, radius))
         assert max(force) == pytest.approx(model.normal_force.max())
         # All meet with V sin(loft) along the face, and friction at first makes backspin.
-        assert slip[0] == pytest.approx(found.relative_velocity()[0, 1], abs=1e-9)
+        assert slip[0] == pytest.approx(result.relative_velocity()[0, 1], abs=1e-9)
         assert along[3] > 0.0
         launch = model.launch
         apart = [launch.get(f"velocity_{axis}") - launch.get(f"club_velocity_{axis}") for axis in "xyz"]
-        assert slip[-1] == pytest.approx(apart @ (found.attitude @ found.axes[1]), abs=0.01)
+        assert slip[-1] == pytest.approx(apart @ (result.attitude @ result.axes[1]), abs=0.01)
         assert along == pytest.approx(-model.force_y)
         assert min(distance) == pytest.approx(21.4e-3 - model.penetration.max(), abs=1e-5)
     with pytest.raises(InputError, match="a plane"):

@@ -21,12 +21,12 @@ def drive(which):
 # 9%; 0.173, 25%; the last touch of a coarse mesh comes and goes with single nodes.
 @pytest.mark.parametrize(("model", "error", "longer"), [("rings", 0.10, 0.12), ("volumetric", 0.20, 0.28)])
 def test_a_reduced_model_with_stiffness_and_damping_of_a_drive_has_its_force(model, error, longer):
-    found = drive(coarse("modern"))
-    same = equivalent(found, model)
-    assert found.equipment is not None
-    club, ball = found.equipment
-    launch = clubface.impact(club, found.given, model=model, parameters=same.parameters, ball=ball)
-    assert launch.ball_speed == pytest.approx(found.launch.ball_speed, rel=1e-5)
+    result = drive(coarse("modern"))
+    same = equivalent(result, model)
+    assert result.equipment is not None
+    club, ball = result.equipment
+    launch = clubface.impact(club, result.given, model=model, parameters=same.parameters, ball=ball)
+    assert launch.ball_speed == pytest.approx(result.launch.ball_speed, rel=1e-5)
     assert same.force.max() == pytest.approx(same.reference.max(), rel=5e-3)
     # Both make the same momentum.
     assert np.trapezoid(same.force, same.time) == pytest.approx(np.trapezoid(same.reference, same.time), rel=0.05)
@@ -39,8 +39,8 @@ def test_a_reduced_model_with_stiffness_and_damping_of_a_drive_has_its_force(mod
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
 def test_it_has_so_on_the_whole_mesh(club, model, error):
     speed, loft = {"driver": ("50 m/s", "12 deg"), "7-iron": ("38 m/s", "28 deg")}[club]
-    found = fem.strike(club, speed=speed, loft=loft, ball="modern", settings=SETTINGS)
-    assert equivalent(found, model).error < error
+    result = fem.strike(club, speed=speed, loft=loft, ball="modern", settings=SETTINGS)
+    assert equivalent(result, model).error < error
 
 
 def test_what_has_no_reduced_model_is_refused():

@@ -29,24 +29,24 @@ def test_the_reference_case_agrees_with_other_solvers(name):
 
 
 def test_eight_point_elements_agree_with_their_like():
-    found = fem.reference(element="full")
+    result = fem.reference(element="full")
     for name in ("normal_velocity", "tangential_velocity", "backspin", "spin_max", "reversal_time"):
         _, eight, tolerance = TABLE[name]
         # The force turns 2.04% later.
-        assert getattr(found, name) == pytest.approx(eight, rel=tolerance + 1e-3), name
-    assert found.peak_force == pytest.approx(8708.0, rel=0.03)
+        assert getattr(result, name) == pytest.approx(eight, rel=tolerance + 1e-3), name
+    assert result.peak_force == pytest.approx(8708.0, rel=0.03)
 
 
 def test_multipliers_keep_nodes_out_and_the_reference_case_as_it_is():
-    found = fem.reference(settings=fem.Settings(contact="augmented-lagrange"))
+    result = fem.reference(settings=fem.Settings(contact="augmented-lagrange"))
     for name, (one, other, tolerance) in TABLE.items():
         low, high = sorted((one, other))
-        assert low * (1.0 - tolerance) <= getattr(found, name) <= high * (1.0 + tolerance), name
-    assert found.peak_force == pytest.approx(8670.0, rel=0.03)  # the mean of both solvers, as asked of the default
+        assert low * (1.0 - tolerance) <= getattr(result, name) <= high * (1.0 + tolerance), name
+    assert result.peak_force == pytest.approx(8670.0, rel=0.03)  # the mean of both solvers, as asked of the default
     # What multipliers do is counted a step at a time, to the first order; 8e-4 measured.
-    assert found.energy_error < 2e-3
+    assert result.energy_error < 2e-3
     # Stored energy goes with the square of what the springs give way by: 0.27 J and 0.74 J measured.
-    assert found.energy["contact"].max() < 0.5 * reference().energy["contact"].max()
+    assert result.energy["contact"].max() < 0.5 * reference().energy["contact"].max()
 
 
 @pytest.mark.parametrize("run", [throw_case, drive_case])
@@ -65,37 +65,37 @@ def test_bulk_viscosity_damps_what_rings_and_little_else(run):
 def test_a_hard_impact_is_run_again_with_shorter_steps():
     # Elements that are squeezed thin need shorter steps than those of the undeformed ball.
     hard = throw_case(until_separation=True).replace(speed=80.0)
-    found, short, long = hard.run(), *(hard.replace(settings={"safety": share}).run() for share in (0.65, 0.9))
+    result, short, long = hard.run(), *(hard.replace(settings={"safety": share}).run() for share in (0.65, 0.9))
     assert "choose a smaller `safety`" in long.stopped
     assert long.settings.safety == 0.9
-    assert found.stopped is None
-    assert found.settings.safety == 0.65
-    assert found.normal_velocity == short.normal_velocity
+    assert result.stopped is None
+    assert result.settings.safety == 0.65
+    assert result.normal_velocity == short.normal_velocity
 
 
 def test_an_element_that_fails_is_named_before_others_fail():
-    found = throw_case(until_separation=True, safety=0.9, interval=50e-6).replace(speed=110.0).run()
-    failed = re.match(r"element (\d+) of c\w+ (?:kept|was turned)", found.stopped)
+    result = throw_case(until_separation=True, safety=0.9, interval=50e-6).replace(speed=110.0).run()
+    failed = re.match(r"element (\d+) of c\w+ (?:kept|was turned)", result.stopped)
     # One by its number, not the first of a mesh that has come apart as a whole.
     assert failed
     assert int(failed[1]) > 0
     # In the step in which it failed, not at the next record of motion.
-    every = round(found.settings.interval / found.step)
-    assert found.steps % every > 1
+    every = round(result.settings.interval / result.step)
+    assert result.steps % every > 1
 
 
 def test_the_force_rises_to_a_peak_near_that_of_other_solvers():
     # The momentum given to the ball pins its mean; single steps ring with the rows of nodes that touch down.
-    found = reference()
-    time, force = found.contact["time"], found.contact["normal"]
+    result = reference()
+    time, force = result.contact["time"], result.contact["normal"]
     step = time[1] - time[0]
     count = int(30e-6 / step)
     smooth = np.convolve(force, np.ones(count) / count, "same")
     assert smooth.max() == pytest.approx(8637.0, rel=0.03)
     # The top is flat: the force stays within 5% of its peak from 250 to 320 us.
     assert time[smooth.argmax()] == pytest.approx(280e-6, abs=30e-6)
-    assert 8637.0 * 0.97 <= found.peak_force <= 8708.0 * 1.03
-    assert (found.tangential_max, -found.tangential_min) == pytest.approx((847.0, 700.0), rel=0.1)
+    assert 8637.0 * 0.97 <= result.peak_force <= 8708.0 * 1.03
+    assert (result.tangential_max, -result.tangential_min) == pytest.approx((847.0, 700.0), rel=0.1)
 
 
 def test_the_mesh_of_the_reference_case_is_that_of_p2():
@@ -107,27 +107,27 @@ def test_the_mesh_of_the_reference_case_is_that_of_p2():
 
 @pytest.mark.parametrize(("run", "hourglass"), [(reference, 0.02), (coarse_throw, 0.2), (coarse_drive, 0.2)])
 def test_energies_close_and_hourglass_modes_stay_small(run, hourglass):
-    found = run()
-    energy = found.energy
+    result = run()
+    energy = result.energy
     total = sum(energy[key] for key in energy if key != "time")
-    assert abs(total - total[0]).max() / energy["kinetic"][0] == pytest.approx(found.energy_error, abs=1e-9)
-    assert found.energy_error < 0.01
+    assert abs(total - total[0]).max() / energy["kinetic"][0] == pytest.approx(result.energy_error, abs=1e-9)
+    assert result.energy_error < 0.01
     assert energy["hourglass"].max() < hourglass * energy["strain"].max()
     assert (np.diff(energy["friction"]) >= -1e-9).all()
 
 
 def test_the_impulse_of_the_force_is_the_momentum_given():
-    found = reference()
-    step = found.step
+    result = reference()
+    step = result.step
     start = 35.0 * np.array([-np.cos(np.radians(11.5)), np.sin(np.radians(11.5))])
-    given = [found.normal_velocity, found.tangential_velocity] - start
-    impulse = step * np.array([found.contact["normal"].sum(), -found.contact["tangential"].sum()])
+    given = [result.normal_velocity, result.tangential_velocity] - start
+    impulse = step * np.array([result.contact["normal"].sum(), -result.contact["tangential"].sum()])
     assert impulse == pytest.approx(0.046 * given, rel=1e-9)
 
 
 def test_a_drive_keeps_momentum():
-    found = coarse_drive()
-    launch, mass = found.launch, 0.046
+    result = coarse_drive()
+    launch, mass = result.launch, 0.046
     club = np.array([launch.get(f"club_velocity_{axis}") for axis in "xyz"])
     ball = np.array([launch.get(f"velocity_{axis}") for axis in "xyz"])
     assert mass * ball + 0.210 * club == pytest.approx([0.210 * 35.0, 0.0, 0.0], abs=1e-9)
@@ -142,16 +142,16 @@ def test_the_result_does_not_depend_on_threads(make):
 
 
 def test_no_friction_makes_no_spin_and_leaves_the_velocity_along_the_plane():
-    found = throw_case().replace(friction=0.0).run()
-    assert found.tangential_velocity == pytest.approx(35.0 * np.sin(np.radians(11.5)), rel=1e-9)
-    assert abs(found.backspin) < 1e-6
-    assert np.isnan(found.reversal_time)
+    result = throw_case().replace(friction=0.0).run()
+    assert result.tangential_velocity == pytest.approx(35.0 * np.sin(np.radians(11.5)), rel=1e-9)
+    assert abs(result.backspin) < 1e-6
+    assert np.isnan(result.reversal_time)
 
 
 def test_a_throw_along_the_normal_is_symmetric():
-    found = fem.throw(coarse_throw().ball, speed="35 m/s", friction=0.3)
-    assert abs(found.tangential_velocity) < 1e-9
-    assert abs(found.backspin) < 1e-6
+    result = fem.throw(coarse_throw().ball, speed="35 m/s", friction=0.3)
+    assert abs(result.tangential_velocity) < 1e-9
+    assert abs(result.backspin) < 1e-6
 
 
 def test_a_viscous_ball_loses_energy_and_an_elastic_one_hardly_any():
@@ -180,13 +180,13 @@ def test_a_run_until_separation_goes_on_while_the_ball_is_on_the_face():
 
 
 def test_a_ball_still_on_the_face_has_no_launch():
-    found = throw_case(duration="300 us").run()
-    assert "still on the face at 302 us" in found.stopped
-    assert found.unfinished
+    result = throw_case(duration="300 us").run()
+    assert "still on the face at 302 us" in result.stopped
+    assert result.unfinished
     # What the whole contact makes is not known yet; what was largest so far is.
-    assert np.isnan([found.contact_time, found.f_prime, found.f]).all()
-    assert found.peak_force == found.contact["normal"].max()
-    assert found.last_touch == found.contact["time"][-1]
+    assert np.isnan([result.contact_time, result.f_prime, result.f]).all()
+    assert result.peak_force == result.contact["normal"].max()
+    assert result.last_touch == result.contact["time"][-1]
     assert coarse_throw().stopped is None
     assert not coarse_throw().unfinished
     drive = drive_case(duration="300 us").run()

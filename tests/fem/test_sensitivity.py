@@ -27,23 +27,23 @@ def differences(run, at, step):
     return {name: (high[name] - low[name]) / (2.0 * step) for name in OUTPUTS}
 
 
-def check(found, name, expected):
+def check(result, name, expected):
     for output in OUTPUTS:
         # A node that touches a step sooner or later kinks what it changes: differences are no better than that.
-        assert found.by(output, name) == pytest.approx(expected[output], rel=2e-4, abs=1e-9), (name, output)
+        assert result.by(output, name) == pytest.approx(expected[output], rel=2e-4, abs=1e-9), (name, output)
 
 
 def test_derivatives_with_a_rigid_head():
     names, values = ("speed", "loft", "friction", "characteristic_time"), (45.0, 0.2, 0.2, 250e-6)
-    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS)
+    result = fem.sensitivity("driver", speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS)
     for name, at in zip(names, values, strict=True):
-        check(found, name, differences(lambda value, name=name: launch(**{name: value}), at, 1e-6 * at))
+        check(result, name, differences(lambda value, name=name: launch(**{name: value}), at, 1e-6 * at))
 
 
 def test_derivatives_by_thickness_and_modulus_of_a_face():
     head = coarse_head()
     names = ("head.face.thickness", "head.face.youngs", "friction")
-    found = fem.sensitivity(head, speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS)
+    result = fem.sensitivity(head, speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS)
     count = head.parts[0].elements
     mean = float(head.thickness[:count].mean())
 
@@ -62,11 +62,11 @@ def test_derivatives_by_thickness_and_modulus_of_a_face():
         other.__dict__["club"] = head.club
         return other
 
-    check(found, names[0], differences(walls, mean, 1e-6 * mean))
-    check(found, names[1], differences(metal, head.parts[0].metal.youngs, 1e5))
-    check(found, names[2], differences(lambda value: launch(head, friction=value), 0.2, 2e-7))
+    check(result, names[0], differences(walls, mean, 1e-6 * mean))
+    check(result, names[1], differences(metal, head.parts[0].metal.youngs, 1e5))
+    check(result, names[2], differences(lambda value: launch(head, friction=value), 0.2, 2e-7))
     # A thicker face gives less, so the ball leaves slower.
-    assert found.by("ball_speed", names[0]) < 0.0
+    assert result.by("ball_speed", names[0]) < 0.0
 
 
 @pytest.mark.parametrize(("name", "piece"), [("reference", 0), ("reference", 1), ("ogden", 0)])
@@ -78,7 +78,7 @@ def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
     material = made.pieces[piece].material
     names = (*material.constants, "poisson")
     by = [f"{made.pieces[piece].name}.{each}" for each in names]
-    found = fem.sensitivity("driver", speed=45.0, loft=0.2, by=by, ball=made, friction=0.2, settings=SETTINGS)
+    result = fem.sensitivity("driver", speed=45.0, loft=0.2, by=by, ball=made, friction=0.2, settings=SETTINGS)
 
     def changed(key, value):
         values = {key: value} if key == "poisson" else {"constants": {**material.constants, key: value}}
@@ -89,18 +89,18 @@ def test_derivatives_by_the_constants_in_the_file_of_a_ball(name, piece):
     for key, full in zip(names, by, strict=True):
         at = getattr(material, key) if key == "poisson" else material.constants[key]
         # Steps so short that the time step, which has 64 values in a factor of two, stays.
-        check(found, full, differences(lambda value, key=key: changed(key, value), at, 1e-6 * at))
+        check(result, full, differences(lambda value, key=key: changed(key, value), at, 1e-6 * at))
 
 
 def test_derivatives_by_the_size_of_a_piece():
     """Where the shapes of elements are variables too, whatever else is differentiated by stays as it is."""
-    found = fem.sensitivity(
+    result = fem.sensitivity(
         "driver", speed=45.0, loft=0.2, by=("speed", "core.radius"), ball=BALL, friction=0.2, settings=SETTINGS
     )
     alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by="speed", ball=BALL, friction=0.2, settings=SETTINGS)
     for output in OUTPUTS:
         # The same operations in another order, some fused.
-        assert found.by(output, "speed") == pytest.approx(alone.by(output, "speed"), rel=1e-8, abs=1e-12)
+        assert result.by(output, "speed") == pytest.approx(alone.by(output, "speed"), rel=1e-8, abs=1e-12)
 
     core, cover = BALL.pieces
 
@@ -109,7 +109,7 @@ def test_derivatives_by_the_size_of_a_piece():
         return launch(ball=replace(BALL, pieces=(core, replace(cover, thickness=outer - radius))))
 
     at = BALL.diameter / 2.0 - cover.thickness
-    check(found, "core.radius", differences(with_core, at, 1e-6 * at))
+    check(result, "core.radius", differences(with_core, at, 1e-6 * at))
 
 
 def test_four_variables_take_one_run_whatever_they_change():
@@ -119,7 +119,7 @@ def test_four_variables_take_one_run_whatever_they_change():
         runs.add(count)
 
     names = ("core.c10", "core.poisson", "cover.shear", "speed")
-    found = fem.sensitivity(
+    result = fem.sensitivity(
         "driver", speed=45.0, loft=0.2, by=names, ball=BALL, friction=0.2, settings=SETTINGS, progress=watch
     )
     assert runs == {1}
@@ -127,7 +127,7 @@ def test_four_variables_take_one_run_whatever_they_change():
     for name in names:
         alone = fem.sensitivity("driver", speed=45.0, loft=0.2, by=name, ball=BALL, friction=0.2, settings=SETTINGS)
         for output in OUTPUTS:
-            assert found.by(output, name) == pytest.approx(alone.by(output, name), rel=1e-12), (name, output)
+            assert result.by(output, name) == pytest.approx(alone.by(output, name), rel=1e-12), (name, output)
 
 
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
@@ -135,9 +135,9 @@ def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
     rigid = club("driver").replace(characteristic_time=0.0)
     run = fem.strike(rigid, **hit)
     assert run.settings.safety < fem.strike(rigid, **hit | {"speed": 45.0}).settings.safety
-    found = fem.sensitivity(rigid, by="speed", **hit)
+    result = fem.sensitivity(rigid, by="speed", **hit)
     # The same operations, but on numbers with derivatives.
-    assert found.values["ball_speed"] == pytest.approx(run.launch.ball_speed, rel=1e-9)
+    assert result.values["ball_speed"] == pytest.approx(run.launch.ball_speed, rel=1e-9)
     with pytest.raises(ShotError, match="choose a smaller `safety`"):
         fem.sensitivity(rigid, by="speed", **hit | {"settings": replace(SETTINGS, safety=0.9)})
 

@@ -30,8 +30,8 @@ def codes(blow):
 
 
 def face_of(head, **blow):
-    [found] = [part for part in stress.peak_stress(head, **{**BLOW, **blow}) if part.part == "face"]
-    return found
+    [result] = [part for part in stress.peak_stress(head, **{**BLOW, **blow}) if part.part == "face"]
+    return result
 
 
 def test_a_face_yields_where_its_margin_is_negative_and_not_where_it_is_positive():
@@ -43,10 +43,10 @@ def test_a_face_yields_where_its_margin_is_negative_and_not_where_it_is_positive
         metal = with_face(head, yield_stress=share * elastic.stress, points=7, rule="lobatto")
         # The same elastic stress, whatever would yield: points instead of resultants change rounding alone, 2% for the
         # single precision of fields and peaks between two records.
-        found = face_of(metal)
-        assert found.stress == pytest.approx(elastic.stress, rel=0.02)
-        assert found.margin == pytest.approx(share - 1.0, abs=0.02)
-        assert (found.margin < 0.0) is yields
+        result = face_of(metal)
+        assert result.stress == pytest.approx(elastic.stress, rel=0.02)
+        assert result.margin == pytest.approx(share - 1.0, abs=0.02)
+        assert (result.margin < 0.0) is yields
         ran = fem.strike(metal, ball=BLOW["ball"], speed=BLOW["speed"])
         assert bool(ran.energy["plastic"][-1] > 0.0) is yields
 
@@ -56,13 +56,13 @@ def test_a_thick_face_and_a_slow_blow_have_less_stress():
     face = head.parts[0].elements
     thick = head.thickness.copy()
     thick[:face] *= 1.5
-    found = face_of(head)
-    assert face_of(replace(head, thickness=thick)).stress < found.stress
-    assert face_of(head, speed="25 m/s").stress < 0.7 * found.stress
+    result = face_of(head)
+    assert face_of(replace(head, thickness=thick)).stress < result.stress
+    assert face_of(head, speed="25 m/s").stress < 0.7 * result.stress
     # Where the ball is, and while it is there.
-    assert abs(found.place[1]) < 0.01
-    assert abs(found.place[2]) < 0.01
-    assert 1e-4 < found.time < 4e-4
+    assert abs(result.place[1]) < 0.01
+    assert abs(result.place[2]) < 0.01
+    assert 1e-4 < result.time < 4e-4
     assert face_of(head, toe="20 mm").place[2] > 0.01
 
 
@@ -97,13 +97,13 @@ def test_the_surface_is_closed_and_looks_outwards():
 
 def test_the_stress_of_an_iron_hardly_depends_on_the_layers_of_its_mesh():
     # At the centres of elements two layers have half of the stress of bending, and four three quarters: 30% apart.
-    found = [stress.peak_stress(iron(layers), **BLOW)[0] for layers in (2, 3, 4)]
-    values = [part.stress for part in found]
+    result = [stress.peak_stress(iron(layers), **BLOW)[0] for layers in (2, 3, 4)]
+    values = [part.stress for part in result]
     assert max(values) < 1.06 * min(values)
     # Behind the ball, in the cavity, at the surface: where the blade is bent most.
     recovery = SurfaceRecovery.of_mesh(iron(2).mesh().nodes, iron(2).mesh().hexahedra)
-    assert any(np.allclose(found[0].place, node) for node in iron(2).mesh().nodes[recovery.nodes])
-    assert found[0].place[0] < -0.003
+    assert any(np.allclose(result[0].place, node) for node in iron(2).mesh().nodes[recovery.nodes])
+    assert result[0].place[0] < -0.003
 
 
 def test_a_wall_of_one_layer_has_a_note_on_bending():
@@ -113,17 +113,17 @@ def test_a_wall_of_one_layer_has_a_note_on_bending():
 
 
 def test_a_head_of_dimensions_has_the_spread_of_its_stress_over_meshes():
-    told = []
+    shares = []
     design = replace(from_toml(builtin_path("head", "7-iron", "fem_heads")), elements=(12, 8, 2))
-    blow = stress.blow_stress(design, **BLOW, meshes=2, progress=lambda time, whole: told.append(time / whole))
+    blow = stress.blow_stress(design, **BLOW, meshes=2, progress=lambda time, whole: shares.append(time / whole))
     [part] = blow.parts
     # 15 and 10 elements, even as 12 and 8 are, and 3 layers.
     assert [elements for elements, _ in part.by_mesh] == [12 * 8 * 2, 16 * 10 * 3]
     assert part.by_mesh[0][1] == part.stress
     assert part.spread == pytest.approx(abs(part.by_mesh[1][1] / part.stress - 1.0))
     assert codes(blow) == []
-    assert told == sorted(told)
-    assert told[-1] == pytest.approx(1.0, abs=0.01)
+    assert shares == sorted(shares)
+    assert shares[-1] == pytest.approx(1.0, abs=0.01)
     # A mesh alone cannot be made finer.
     single = stress.blow_stress(design.mesh(), **BLOW, meshes=3)
     assert single.parts[0].spread is None

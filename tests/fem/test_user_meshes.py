@@ -31,8 +31,8 @@ def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, write, name):
     lighter = fem.head(MeshHead(name="x", file=tmp_path / name, groups=GROUPS, **FACE))
     assert head.club.cg_x > lighter.club.cg_x
     assert head.club.cg_y > lighter.club.cg_y
-    found = fem.strike(head, speed="40 m/s", ball=coarse(), settings=fem.Settings(duration=60e-6))
-    assert found.peak_force > 1000.0
+    result = fem.strike(head, speed="40 m/s", ball=coarse(), settings=fem.Settings(duration=60e-6))
+    assert result.peak_force > 1000.0
 
 
 WEIGHT = '[[masses]]\nname = "weight"\nx = 0.0\ny = 0.0\nz = 0.0\nmass = "1 g"\n'
@@ -76,15 +76,15 @@ MISTAKES = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "said"), MISTAKES)
-def test_a_mistake_in_a_head_is_named(tmp_path, old, new, said):
+@pytest.mark.parametrize(("old", "new", "message"), MISTAKES)
+def test_a_mistake_in_a_head_is_named(tmp_path, old, new, message):
     write_mesh(tmp_path)
     path = tmp_path / "own.toml"
     assert old in HEAD
     path.write_text(HEAD.replace(old, new))
-    with pytest.raises(ClubfaceError, match=re.escape(said)) as told:
+    with pytest.raises(ClubfaceError, match=re.escape(message)) as caught:
         _ = fem.head(path).club
-    assert "\n" not in str(told.value)
+    assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -105,10 +105,10 @@ def test_a_section_of_the_wrong_length_is_named_with_its_line(tmp_path):
     (tmp_path / "own.toml").write_text(HEAD)
     for section in ("$Nodes", "$Elements"):
         at = lines.index(section) + 1
-        found = int(lines[at])
-        for told in (found - 1, found + 1):
-            changed = [*lines[:at], str(told), *lines[at + 1 :]]
+        result = int(lines[at])
+        for count in (result - 1, result + 1):
+            changed = [*lines[:at], str(count), *lines[at + 1 :]]
             (tmp_path / "head.msh").write_text("\n".join(changed) + "\n")
-            message = f"head.msh:{at + 1}: this section says that it has {told} lines, and has {found}"
+            message = f"head.msh:{at + 1}: this section says that it has {count} lines, and has {result}"
             with pytest.raises(FileError, match=re.escape(message)):
                 fem.head(tmp_path / "own.toml")

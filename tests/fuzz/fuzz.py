@@ -50,8 +50,8 @@ def work(seed: int, numbers: range, folder: str, results: Any) -> None:
         path = Path(folder) / f"input.{READERS[name].ending}"
         path.write_bytes(data)
         results.send((number, name, None))
-        found = finding(name, path, measure=number % 20 == 0)
-        results.send((number, name, found or ""))
+        result = finding(name, path, measure=number % 20 == 0)
+        results.send((number, name, result or ""))
     results.send(None)
 
 
@@ -76,7 +76,7 @@ class Worker:
             try:
                 if not self.results.poll(PATIENCE):
                     raise EOFError
-                told = self.results.recv()
+                report = self.results.recv()
             except EOFError:
                 self.process.kill()
                 self.process.join()
@@ -85,11 +85,11 @@ class Worker:
                     break
                 self.start(range(number + 1, self.numbers.stop))
                 continue
-            if told is None:
+            if report is None:
                 break
-            number, name, found = told
-            if found is not None:
-                yield number, name, found
+            number, name, result = report
+            if result is not None:
+                yield number, name, result
         self.end()
 
     def end(self) -> None:
@@ -102,7 +102,7 @@ class Worker:
 def fuzz(seed: int, numbers: range, output: Path, *, seconds: float, workers: int) -> int:
     """Read inputs, until all are read or the time is over, and write findings to a folder; return their number."""
     pieces = iter([range(at, min(at + PIECE, numbers.stop)) for at in range(numbers.start, numbers.stop, PIECE)])
-    told: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    reports: queue.SimpleQueue[Any] = queue.SimpleQueue()
     began, taking = time.monotonic(), threading.Lock()
 
     def over() -> bool:
@@ -117,12 +117,12 @@ def fuzz(seed: int, numbers: range, output: Path, *, seconds: float, workers: in
                     break
                 worker = Worker(seed, piece)
                 for each in worker.findings():
-                    told.put(each)
+                    reports.put(each)
                     if over():
                         worker.end()
                         break
         finally:
-            told.put(None)
+            reports.put(None)
 
     kinds: Counter[str] = Counter()
     done, running = 0, workers
@@ -130,17 +130,17 @@ def fuzz(seed: int, numbers: range, output: Path, *, seconds: float, workers: in
         for _ in range(workers):
             pool.submit(read)
         while running:
-            result = told.get()
+            result = reports.get()
             if result is None:
                 running -= 1
                 continue
             done += 1
-            number, name, found = result
-            if found:
-                kind = f"{name}: {found.partition(':')[0]}"
+            number, name, computed = result
+            if computed:
+                kind = f"{name}: {computed.partition(':')[0]}"
                 kinds[kind] += 1
                 if kinds[kind] <= SHOWN:
-                    keep(seed, number, found, output)
+                    keep(seed, number, computed, output)
             if done % 100 == 0:
                 rate = f"{done / (time.monotonic() - began):.0f} a second"
                 end = "\n" if done % 10_000 == 0 else "\r"
@@ -151,7 +151,7 @@ def fuzz(seed: int, numbers: range, output: Path, *, seconds: float, workers: in
     return sum(kinds.values())
 
 
-def keep(seed: int, number: int, found: str, output: Path) -> None:
+def keep(seed: int, number: int, result: str, output: Path) -> None:
     """Write an input and what was found with it, named as the corpus of the tests names them."""
     from fuzz_input import content
     from fuzz_readers import READERS
@@ -160,8 +160,8 @@ def keep(seed: int, number: int, found: str, output: Path) -> None:
     output.mkdir(parents=True, exist_ok=True)
     path = output / f"{name}--{seed}-{number}.{READERS[name].ending}"
     path.write_bytes(data)
-    path.with_suffix(".txt").write_text(f"seed {seed}, input {number}: {found}\n")
-    print(f"{path}: {found}", flush=True)
+    path.with_suffix(".txt").write_text(f"seed {seed}, input {number}: {result}\n")
+    print(f"{path}: {result}", flush=True)
 
 
 def main() -> None:

@@ -33,14 +33,14 @@ def captured(swing, cameras, *, seed=1, mapping=None, **options):
     return capture(cameras.record(swing, seed), prepare(mapping, swing.club, **options))
 
 
-def errors(found, swing):
+def errors(measured, swing):
     """Captured less true values, in the units of SHOWN, in the order of QUANTITIES."""
-    return np.array([(getattr(found.delivery, name) - swing.truth[name]) * SHOWN[name] for name in QUANTITIES])
+    return np.array([(getattr(measured.delivery, name) - swing.truth[name]) * SHOWN[name] for name in QUANTITIES])
 
 
-def deviations(found):
+def deviations(measured):
     """The stated standard deviations in the same units and order."""
-    return np.array([found.uncertainty[name] * SHOWN[name] for name in QUANTITIES])
+    return np.array([measured.uncertainty[name] * SHOWN[name] for name in QUANTITIES])
 
 
 def swings(count, **options):

@@ -90,10 +90,10 @@ def without_units(path: Path) -> None:
         plain = read_rows(own_table(values, random, USUAL), Path(name))
         bare: Rows = own_table(values, random, kept)
         try:
-            found = read_rows(bare, Path(name), "bare.csv")
+            result = read_rows(bare, Path(name), "bare.csv")
         except ClubfaceError:
             return
-        same_shots(plain, found)
+        same_shots(plain, result)
 
 
 def bare(random: Random) -> bytes:
@@ -146,13 +146,13 @@ def spins(path: Path) -> None:
     rows = [["ball_speed_mph", "launch_deg", *heads]]
     rows += [[speed, "12", *row] for speed, *row in zip(speeds, *cells, strict=True)]
     with tempfile.TemporaryDirectory(prefix="clubface-fuzz-") as name:
-        found = read_rows(rows, Path(name)).launches
+        result = read_rows(rows, Path(name)).launches
     for name in whole:
         unit = np.pi / (180 if name == "spin_axis" else 30)
-        if name not in found:
+        if name not in result:
             raise InconsistentError(f"{name} does not follow from {names}")
-        if not np.allclose(found[name], np.array(whole[name]) * unit, rtol=1e-3, atol=1e-2):
-            raise InconsistentError(f"{name} is {found[name][:3] / unit} instead of {whole[name][:3]}, from {names}")
+        if not np.allclose(result[name], np.array(whole[name]) * unit, rtol=1e-3, atol=1e-2):
+            raise InconsistentError(f"{name} is {result[name][:3] / unit} instead of {whole[name][:3]}, from {names}")
 
 
 def some_spins(random: Random) -> bytes:
@@ -288,11 +288,11 @@ def _predict(edit: Any) -> bytes:
 def _study(edit: Any) -> list[list[Any]]:
     asked = read_study("study.toml")
     task = asked.kind.prepare(asked)
-    found = []
+    result = []
     for start in range(0, asked.design.count, 4):
         edit(start)
-        found.append(task.run(range(start, start + 4)).columns["ball_speed"].tolist())
-    return found
+        result.append(task.run(range(start, start + 4)).columns["ball_speed"].tolist())
+    return result
 
 
 RUNS = {"predict": _predict, "study": _study}

@@ -67,10 +67,10 @@ def _splice(data: bytes, other: bytes, random: Random) -> bytes:
 
 
 def _number(data: bytes, other: bytes, random: Random) -> bytes:
-    found = list(_NUMBER.finditer(data))
-    if not found:
+    result = list(_NUMBER.finditer(data))
+    if not result:
         return _flip(data, other, random)
-    where = random.choice(found)
+    where = random.choice(result)
     return data[: where.start()] + random.choice(NUMBERS) + data[where.end() :]
 
 

@@ -292,12 +292,12 @@ def _launches() -> RecordedShots:
 def _parquet() -> list[bytes]:
     import pandas
 
-    table, found = pandas.read_csv(io.BytesIO(TABLE)), []
+    table, result = pandas.read_csv(io.BytesIO(TABLE)), []
     for options in ({}, {"compression": None}):
         file = io.BytesIO()
         table.to_parquet(file, index=False, **options)
-        found.append(file.getvalue())
-    return found
+        result.append(file.getvalue())
+    return result
 
 
 def _workbooks() -> list[bytes]:
@@ -377,14 +377,14 @@ def _swing(path: Path) -> None:
 
 
 def _messages(path: Path) -> None:
-    stream, found = ObjectStream(), []
+    stream, result = ObjectStream(), []
     data = path.read_bytes()
     for start in range(0, len(data), 4096):
         for each in stream.feed(data[start : start + 4096]):
             if not isinstance(each, Broken):
                 with suppress(MessageError):
-                    found.append(from_json(each))
-    shots = [each for each in found if each.kind == "shot"]
+                    result.append(from_json(each))
+    shots = [each for each in result if each.kind == "shot"]
     if shots:
         recorded(shots)
 

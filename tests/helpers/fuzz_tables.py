@@ -58,10 +58,10 @@ def own_values(random: Random) -> dict[str, list[float]]:
     """Return shots, by column, in the first unit of each kind; numbers as monitors round them."""
     columns = random.sample([name for name in OWN if name != "club_speed"], random.randint(3, len(OWN) - 1))
     names = [name for name in OWN if name in columns or name == "club_speed"]
-    found = {name: [round(random.gauss(*OWN[name][1:]), 1) for _ in range(SHOTS)] for name in names}
-    if "ball_speed" in found:  # no ball is near the fastest that its club can send
-        found["ball_speed"] = [round(random.uniform(1.3, 1.46) * each, 1) for each in found["club_speed"]]
-    return found
+    result = {name: [round(random.gauss(*OWN[name][1:]), 1) for _ in range(SHOTS)] for name in names}
+    if "ball_speed" in result:  # no ball is near the fastest that its club can send
+        result["ball_speed"] = [round(random.uniform(1.3, 1.46) * each, 1) for each in result["club_speed"]]
+    return result
 
 
 def own_table(values: dict[str, list[float]], random: Random, units: dict[str, str] | None = None) -> Rows:
@@ -123,10 +123,10 @@ def permute(rows: Rows, random: Random) -> Rows:
 
 def blank_lines(rows: Rows, random: Random) -> Rows:
     """Put empty rows between the rows of the table."""
-    found = list(rows)
+    result = list(rows)
     for _ in range(random.randint(1, 3)):
-        found.insert(random.randint(_first(rows), len(found)), [])
-    return found
+        result.insert(random.randint(_first(rows), len(result)), [])
+    return result
 
 
 def empty_column(rows: Rows, random: Random) -> Rows:
@@ -144,11 +144,11 @@ def _with_column(rows: Rows, random: Random, heading: str, words: list[str]) -> 
     width, head, first = _width(rows), _header(rows), _first(rows)
     at = random.randint(0, width)
     cells = [heading if place == head else "" if place < first else random.choice(words) for place in range(len(rows))]
-    found = []
+    result = []
     for place, (row, cell) in enumerate(zip(rows, cells, strict=True)):
         here = at if place >= head else width  # a title stays in the first cell
-        found.append([*row[:here], cell, *row[here:]] if len(row) == width else row)
-    return found
+        result.append([*row[:here], cell, *row[here:]] if len(row) == width else row)
+    return result
 
 
 def _first(rows: Rows) -> int:
@@ -166,7 +166,7 @@ def summaries(rows: Rows, random: Random) -> Rows:
     texts = [place for place, each in enumerate(numeric) if each and not any(each)]
     if len(shots) < 3 or not texts or any(any(each) and not all(each) for each in numeric):
         return rows  # it has summaries, or cells that are no numbers, already
-    at, found = random.choice(texts[:3]), list(rows)
+    at, result = random.choice(texts[:3]), list(rows)
     for words, figure in ((MEANS, np.mean), (DEVIATIONS, np.std)):
         row = []
         for cells, each in zip(columns, numeric, strict=True):
@@ -175,8 +175,8 @@ def summaries(rows: Rows, random: Random) -> Rows:
             text = f"{figure(numbers):.{digits}f}" if numbers else ""
             row.append(text.replace(".", ",") if any("," in cell for cell in cells) else text)
         row[at] = random.choice(words)
-        found.append(row)
-    return found
+        result.append(row)
+    return result
 
 
 def _is_number(cell: str) -> bool:

@@ -61,14 +61,14 @@ def fitted(shots, model, *, club="driver", free=None, cost="published", accuracy
     return simulator, cost_of(cost, prepared.launches, prepared.quantities), point
 
 
-def widths_in_standard_errors(found):
+def widths_in_standard_errors(result):
     """Return the width of each interval over that of 95% by Cramer-Rao standard errors.
 
     Information says how small the error of any estimate can be at the least. That of a mean absolute error is 1.25
     times as large for normal deviations, more with weights that are not those of the noise.
     """
-    spans = {name: upper - lower for name, (lower, upper) in found.settings["bounds"].items()}
-    errors = dict(zip(found.identifiability.names, found.identifiability.errors, strict=True))
+    spans = {name: upper - lower for name, (lower, upper) in result.settings["bounds"].items()}
+    errors = dict(zip(result.identifiability.names, result.identifiability.errors, strict=True))
     return {
-        name: (high - low) / (2.0 * 1.96 * errors[name] * spans[name]) for name, (low, high) in found.intervals.items()
+        name: (high - low) / (2.0 * 1.96 * errors[name] * spans[name]) for name, (low, high) in result.intervals.items()
     }

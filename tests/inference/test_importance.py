@@ -38,40 +38,40 @@ def linear(dimensions=6, measured=3, noise=0.05, seed=0):
 @pytest.mark.parametrize("noise", [1.0, 0.05, 0.002])
 def test_a_linear_measurement_gives_its_normal_posterior(noise):
     likelihood, mean, covariance, evidence = linear(noise=noise)
-    found = drawn(likelihood, 6, size=4000, seed=1)
-    assert found.effective >= 8000
+    result = drawn(likelihood, 6, size=4000, seed=1)
+    assert result.effective >= 8000
     # Means of 4000 draws: five standard errors; covariances to 5 % of the largest of their row and column.
     deviation = np.sqrt(np.diag(covariance))
-    assert np.abs(found.points.mean(axis=0) - mean).max() < (5 * deviation / math.sqrt(4000)).max()
-    assert np.abs(np.cov(found.points.T) - covariance).max() < 0.08 * covariance.max()
+    assert np.abs(result.points.mean(axis=0) - mean).max() < (5 * deviation / math.sqrt(4000)).max()
+    assert np.abs(np.cov(result.points.T) - covariance).max() < 0.08 * covariance.max()
     # The mean of at least 8000 effective weights: relative error 1/sqrt(8000), five of these.
-    assert found.log_evidence == pytest.approx(evidence, abs=0.06)
+    assert result.log_evidence == pytest.approx(evidence, abs=0.06)
 
 
 def test_a_posterior_of_two_places_is_drawn_from_both():
     # The square of the first coordinate is measured as 4: half the posterior is near -2 and half near 2.
-    found = drawn(lambda x: -0.5 * ((x[:, 0] ** 2 - 4.0) / 0.3) ** 2, 3, size=4000, seed=2)
-    positive = np.mean(found.points[:, 0] > 0.0)
+    result = drawn(lambda x: -0.5 * ((x[:, 0] ** 2 - 4.0) / 0.3) ** 2, 3, size=4000, seed=2)
+    positive = np.mean(result.points[:, 0] > 0.0)
     # Of 4000 draws, five standard deviations of a fair coin.
     assert positive == pytest.approx(0.5, abs=0.04)
-    assert np.abs(np.abs(found.points[:, 0]) - 2.0).max() < 0.5
+    assert np.abs(np.abs(result.points[:, 0]) - 2.0).max() < 0.5
 
 
 def test_impossible_points_are_never_returned():
     def likelihood(x):
         return np.where(x[:, 0] > 1.0, -0.5 * x[:, 1] ** 2, np.nan)
 
-    found = drawn(likelihood, 2, size=1000, seed=3)
-    assert (found.points[:, 0] > 1.0).all()
+    result = drawn(likelihood, 2, size=1000, seed=3)
+    assert (result.points[:, 0] > 1.0).all()
     # A standard normal beyond 1 has the mean phi(1)/Q(1) = 1.5251; its deviation there is 0.45.
-    assert found.points[:, 0].mean() == pytest.approx(1.5251, abs=5 * 0.45 / math.sqrt(1000))
+    assert result.points[:, 0].mean() == pytest.approx(1.5251, abs=5 * 0.45 / math.sqrt(1000))
 
 
 def test_one_proposal_that_is_good_enough_is_one_stage_of_draws():
     prior = standard_normal(2)
-    found = attempt(lambda x: prior.log_density(x) - 0.02 * x[:, 0] ** 2, prior, size=400, seed=1)
-    assert found.stages == 1
-    assert found.effective >= 800
+    result = attempt(lambda x: prior.log_density(x) - 0.02 * x[:, 0] ** 2, prior, size=400, seed=1)
+    assert result.stages == 1
+    assert result.effective >= 800
     # A posterior narrower than the proposal gets no more than the draws of that one stage.
     poor = attempt(lambda x: -0.5 * np.sum((x - 1.0) ** 2, axis=1) / 0.04, prior, size=400, seed=1)
     assert poor.stages == 1

@@ -19,7 +19,7 @@ DRIVE = {"ball_speed": "159 mph", "launch": "14.5 deg", "azimuth": "1.5 deg", "b
 
 
 @pytest.fixture(scope="module")
-def found():
+def inferred():
     return infer(DRIVE, club="driver", model="slip")
 
 
@@ -33,10 +33,10 @@ def synthetic(club, count, seed, model="slip"):
     return truth, seen
 
 
-def test_every_draw_makes_the_launch(found):
-    launch = clubface.impact("driver", found.deliveries, model="slip")
-    for name, value in found.launch.items():
-        away = (getattr(launch, name) - value) / found.noise[name]
+def test_every_draw_makes_the_launch(inferred):
+    launch = clubface.impact("driver", inferred.deliveries, model="slip")
+    for name, value in inferred.launch.items():
+        away = (getattr(launch, name) - value) / inferred.noise[name]
         # The prior is ten times wider than the noise, so that the draws have its spread to a percent or two, and 2000
         # draws show it to some 3 %; three of these.
         assert np.mean(away**2) == pytest.approx(1.0, abs=0.12), name
@@ -46,16 +46,16 @@ def test_the_sample_is_that_of_the_linearised_launch_where_it_is_nearly_linear()
     """At the launch of the prior's mean delivery, about which launches bend least."""
     prior = prior_of("elite", clubface.club("driver"))
     launch = clubface.impact("driver", prior.mean, model="slip")
-    found = infer({name: float(getattr(launch, name)) for name in QUANTITIES}, club="driver", model="slip")
-    mean, names = found.mean, found.names
+    result = infer({name: float(getattr(launch, name)) for name in QUANTITIES}, club="driver", model="slip")
+    mean, names = result.mean, result.names
     table = clubface.sensitivity("driver", mean, model="slip", outputs=list(QUANTITIES), variables=names)
-    noise = np.array([found.noise[name] for name in QUANTITIES])
+    noise = np.array([result.noise[name] for name in QUANTITIES])
     scaled = prior.deliveries(np.eye(len(names)))
     root = np.array([scaled[name] - prior.mean[name] for name in names])
     jacobian = table.si / noise[:, None]
     covariance = np.linalg.inv(np.linalg.inv(root @ root.T) + jacobian.T @ jacobian)
     expected = dict(zip(names, np.sqrt(np.diag(covariance)), strict=True))
-    for name, deviation in found.deviation.items():
+    for name, deviation in result.deviation.items():
         # 6 %: 2000 draws and the curvature of the launch over two or three degrees and five millimetres.
         assert deviation == pytest.approx(expected[name], rel=0.06), name
 
@@ -92,21 +92,21 @@ def test_the_truth_has_any_rank_among_the_draws_with_the_same_probability(club, 
         assert chi2 < 33.7, name
 
 
-def test_quantities_that_a_launch_ties_together_are_named(found):
-    tied = [{each.data["first"], each.data["second"]} for each in found.ties]
+def test_quantities_that_a_launch_ties_together_are_named(inferred):
+    tied = [{each.data["first"], each.data["second"]} for each in inferred.ties]
     for pair in ({"attack", "loft"}, {"toe", "face"}, {"path", "face"}):
         assert pair in tied
-    assert found.not_learned == ["lie", "closure", "pitch_rate", "lie_rate"]
-    correlation = dict(zip(found.names, found.correlation[found.names.index("face")], strict=True))
+    assert inferred.not_learned == ["lie", "closure", "pitch_rate", "lie_rate"]
+    correlation = dict(zip(inferred.names, inferred.correlation[inferred.names.index("face")], strict=True))
     # Toe side and closed face: the gear effect takes the ball back where an open face would send it.
     assert correlation["toe"] < -0.9
     assert correlation["path"] > 0.9
 
 
-def test_an_angle_that_is_measured_better_ties_the_delivery_more(found):
+def test_an_angle_that_is_measured_better_ties_the_delivery_more(inferred):
     sharp = infer(DRIVE, club="driver", model="slip", noise={"launch": "0.05 deg", "backspin": "10 rpm"})
-    assert sharp.deviation["loft"] < found.deviation["loft"]
-    assert abs(sharp.correlation[1, 3]) > abs(found.correlation[1, 3])
+    assert sharp.deviation["loft"] < inferred.deviation["loft"]
+    assert abs(sharp.correlation[1, 3]) > abs(inferred.correlation[1, 3])
 
 
 def test_one_number_alone_is_enough_to_ask():
@@ -141,12 +141,12 @@ def test_a_left_handers_deliveries_are_the_mirror_image():
         assert left.mean[name] == pytest.approx(right.mean[name], abs=0.2 * right.deviation[name])
 
 
-def test_a_launch_that_contradicts_the_prior_is_warned_of(found):
+def test_a_launch_that_contradicts_the_prior_is_warned_of(inferred):
     slow = infer({**DRIVE, "ball_speed": "120 mph"}, club="driver", model="slip", samples=300)
     assert slow.warnings[0].code == "contradicts-prior"
     wide = infer({**DRIVE, "ball_speed": "120 mph"}, club="driver", model="slip", samples=300, prior="wide")
     assert not any(each.code.startswith("contradicts") for each in wide.warnings)
-    assert found.warnings == []
+    assert inferred.warnings == []
 
 
 def test_a_launch_out_of_reach_is_refused_with_what_the_prior_expects():
@@ -237,48 +237,50 @@ def test_errors_of_users_name_what_is_allowed(launch, options, words_of_error):
         infer(launch, club="driver", **options)
 
 
-def test_draws_become_shots_that_can_be_predicted(found, tmp_path):
-    found.shots().write(tmp_path / "draws.csv")
+def test_draws_become_shots_that_can_be_predicted(inferred, tmp_path):
+    inferred.shots().write(tmp_path / "draws.csv")
     again = clubface.read_shots(tmp_path / "draws.csv")
     assert len(again) == 2000
-    assert again.deliveries["loft"] == pytest.approx(found.deliveries["loft"], rel=1e-12)
-    assert list(found.to_pandas().columns) == list(found.names)
+    assert again.deliveries["loft"] == pytest.approx(inferred.deliveries["loft"], rel=1e-12)
+    assert list(inferred.to_pandas().columns) == list(inferred.names)
 
 
-def test_the_picture_is_drawn(found, tmp_path):
+def test_the_picture_is_drawn(inferred, tmp_path):
     pytest.importorskip("matplotlib")
     from clubface.present.drawing import draw
 
-    picture = pairs_picture(found, truth=found.mean)
+    picture = pairs_picture(inferred, truth=inferred.mean)
     drawn = [panel.x.label for panel in picture.rows[-1]]
     assert drawn == ["speed", "attack", "path", "loft", "face", "toe", "high"]
     assert len(draw(picture).axes) == 49
 
 
-def test_a_posterior_is_a_result_with_all_its_numbers(found):
-    document = found.to_dict()
+def test_a_posterior_is_a_result_with_all_its_numbers(inferred):
+    document = inferred.to_dict()
     rows = {row["quantity"]: row for row in document["tables"]["deliveries"]["rows"]}
-    assert rows["loft"]["mean"] == pytest.approx(found.mean["loft"] / DEG, rel=1e-14)
-    assert (rows["loft"]["low"], rows["loft"]["high"]) == pytest.approx(tuple(np.array(found.interval("loft")) / DEG))
+    assert rows["loft"]["mean"] == pytest.approx(inferred.mean["loft"] / DEG, rel=1e-14)
+    assert (rows["loft"]["low"], rows["loft"]["high"]) == pytest.approx(
+        tuple(np.array(inferred.interval("loft")) / DEG)
+    )
     measured = {row["quantity"]: row for row in document["tables"]["measured"]["rows"]}
     assert measured["backspin"]["value"] == pytest.approx(2900.0)
-    assert document["values"]["effective"] == found.effective
-    assert found.to_pandas("measured")["reproduced"].tolist() == list(found.reproduced.values())
+    assert document["values"]["effective"] == inferred.effective
+    assert inferred.to_pandas("measured")["reproduced"].tolist() == list(inferred.reproduced.values())
 
 
-def test_samples_and_confidences_are_taken_to_their_ends(found):
+def test_samples_and_confidences_are_taken_to_their_ends(inferred):
     for samples in (1, 100_000):
         assert Inference(club="driver", model="slip", samples=samples) is not None
     for samples in (0, 100_001, True, 10.0):
         with pytest.raises(InputError, match=r"samples is .*; it must be a whole number from 1 to 100000"):
             Inference(club="driver", model="slip", samples=samples)
-    (low, high), (within_low, within_high) = (found.interval("speed", each) for each in (0.999, 0.001))
-    assert low < within_low < found.mean["speed"] + found.deviation["speed"]
+    (low, high), (within_low, within_high) = (inferred.interval("speed", each) for each in (0.999, 0.001))
+    assert low < within_low < inferred.mean["speed"] + inferred.deviation["speed"]
     assert low < within_low <= within_high < high
     for confidence in (0.0, 1.0):
         with pytest.raises(InputError, match=r"confidence is [01].0; it must be between 0 and 1"):
-            found.interval("speed", confidence)
+            inferred.interval("speed", confidence)
     # Half of the draws of the speed lie in the interval of 0.5, and a quarter on either side of it.
-    low, high = found.interval("speed", 0.5)
-    speeds = found.deliveries["speed"]
+    low, high = inferred.interval("speed", 0.5)
+    speeds = inferred.deliveries["speed"]
     assert [np.mean(speeds < low), np.mean(speeds > high)] == pytest.approx([0.25, 0.25], abs=2e-3)

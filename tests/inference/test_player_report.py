@@ -54,10 +54,10 @@ def test_the_typical_shot_is_the_mean_of_the_file():
 
 
 def test_a_carry_that_was_not_measured_is_computed_and_said_so():
-    found = club_statistics(shots(), "Driver")
+    result = club_statistics(shots(), "Driver")
     flight = clubface.fly({name: shots().launches[name] for name in ("ball_speed", "launch", "azimuth", "total_spin",
                                                                      "spin_axis")})  # fmt: skip
-    text = " ".join(player_sentences.measured(found))
+    text = " ".join(player_sentences.measured(result))
     assert f"It carries {np.mean(flight.carry) / YD:.0f} yards (computed" in text
     assert "carry" not in text[: text.index(".")]
 
@@ -69,27 +69,27 @@ def test_sides_are_in_words():
     assert re.search(r"As measured, your club face points [23]\.\d° to the right", text)
     assert re.search(r"your club moves [12]\.\d° to the left", text)
     assert re.search(r"The face looks [45]\.\d° further right than the club moves", text)
-    for value, name, told in (
+    for value, name, words_ in (
         (-2 * DEG, "face", "2.0° to the left"), (0.1 * DEG, "path", "straight"), (4e-3, "toe", "4 mm towards the toe"),
         (-4e-3, "toe", "4 mm towards the heel"), (-5e-3, "high", "5 mm low"), (3 * DEG, "attack", "3.0° upwards"),
         (YD, "side", "1 yard to the right"),
     ):  # fmt: skip
-        assert player_sentences.sided(value, name) == told
+        assert player_sentences.sided(value, name) == words_
 
 
 def test_a_closing_face_is_told_with_what_it_does_to_start_and_bend():
     """A face that closes on the way moves to the left, which is a face open to that path: left start, bend right."""
-    found = club_statistics(shots(), "Driver")
-    assert found.inferred is not None
-    base = found.inferred.mean
+    result = club_statistics(shots(), "Driver")
+    assert result.inferred is not None
+    base = result.inferred.mean
     without = clubface.impact("driver", {**base, "closure": 0.0})
     moved = clubface.impact("driver", base).azimuth - without.azimuth
     # To the first order: what the second adds over all of the rate is some per cent of it.
-    assert found.closing["azimuth"] == pytest.approx(moved, rel=0.1)
-    text = " ".join(player_sentences.line(found))
+    assert result.closing["azimuth"] == pytest.approx(moved, rel=0.1)
+    text = " ".join(player_sentences.line(result))
     assert "usual for golfers of your speed, and so moves to the left" in text
     assert (
-        f"starts the ball {abs(np.degrees(found.closing['azimuth'])):.1f}° further left and bends it to the right"
+        f"starts the ball {abs(np.degrees(result.closing['azimuth'])):.1f}° further left and bends it to the right"
         in text
     )
     measured = shots()
@@ -105,20 +105,20 @@ def test_the_only_player_of_a_file_is_named():
 
 
 def test_a_mile_per_hour_more_is_told_to_a_tenth_of_ball_speed():
-    found = club_statistics(shots(), "Driver")
-    faster = next(each for each in found.changes if each.name == "speed")
-    told = f"ball speed {faster.launch['ball_speed'] / MPH:+.1f} mph"
-    assert any(each.startswith("If you swing 1 mph faster: " + told) for each in player_sentences.what_if(found))
+    result = club_statistics(shots(), "Driver")
+    faster = next(each for each in result.changes if each.name == "speed")
+    phrase = f"ball speed {faster.launch['ball_speed'] / MPH:+.1f} mph"
+    assert any(each.startswith("If you swing 1 mph faster: " + phrase) for each in player_sentences.what_if(result))
 
 
 def test_a_strike_that_was_measured_is_told_and_one_that_was_not_is_estimated_with_its_doubt():
     assert "the face 8 mm towards the toe and at the middle height" in " ".join(
         player_sentences.strike(club_statistics(shots(), "Driver"))
     )
-    found = club_statistics(shots(drop=("toe", "high")), "Driver")
-    text = " ".join(player_sentences.strike(found))
-    assert found.inferred is not None
-    low, high = (1e3 * (found.inferred.mean["toe"] + sign * 2.0 * found.inferred.doubt["toe"]) for sign in (-1, 1))
+    result = club_statistics(shots(drop=("toe", "high")), "Driver")
+    text = " ".join(player_sentences.strike(result))
+    assert result.inferred is not None
+    low, high = (1e3 * (result.inferred.mean["toe"] + sign * 2.0 * result.inferred.doubt["toe"]) for sign in (-1, 1))
     # Face and path were measured, so that gear effect and start line betray the strike; the truth is inside.
     assert low < 8.0 < high
     assert f"to {high:.0f} mm towards the toe (19 times out of 20)" in text
@@ -126,10 +126,10 @@ def test_a_strike_that_was_measured_is_told_and_one_that_was_not_is_estimated_wi
 
 
 def test_the_what_if_is_that_of_the_model():
-    found = club_statistics(shots(), "Driver")
-    assert found.inferred is not None
-    base = found.inferred.mean
-    face = next(each for each in found.changes if each.name == "face")
+    result = club_statistics(shots(), "Driver")
+    assert result.inferred is not None
+    base = result.inferred.mean
+    face = next(each for each in result.changes if each.name == "face")
     moved = clubface.impact("driver", {**base, "face": base["face"] + DEG})
     still = clubface.impact("driver", base)
     # A derivative over one degree: the launch bends by less than a tenth of the change.
@@ -139,20 +139,20 @@ def test_the_what_if_is_that_of_the_model():
     assert any(
         "turn the face 1° more to the right: " in each
         and f"finishing {face.side / YD:.0f} yards more to the right" in each
-        for each in player_sentences.what_if(found)
+        for each in player_sentences.what_if(result)
     )
 
 
 def test_a_change_of_spin_says_whether_there_is_more_or_less_of_it():
-    found = club_statistics(shots(), "Driver")
-    texts = list(player_sentences.what_if(found))
-    assert len(texts) == len(found.changes)
+    result = club_statistics(shots(), "Driver")
+    texts = list(player_sentences.what_if(result))
+    assert len(texts) == len(result.changes)
     signs = set()
-    for change, text in zip(found.changes, texts, strict=True):
+    for change, text in zip(result.changes, texts, strict=True):
         rpm = change.launch["backspin"] / RPM
-        (told,) = re.findall(r"backspin ([+-]?[\d,]+) rpm", text)
-        assert float(told.replace(",", "")) == pytest.approx(rpm, abs=0.5)
-        signs.add(told[0])
+        (printed,) = re.findall(r"backspin ([+-]?[\d,]+) rpm", text)
+        assert float(printed.replace(",", "")) == pytest.approx(rpm, abs=0.5)
+        signs.add(printed[0])
     assert {"+", "-"} <= signs
 
 
@@ -178,9 +178,9 @@ def test_shots_whose_figures_do_not_go_together_are_named():
 
 
 def test_two_of_three_shots_lie_between_what_is_told():
-    found = statistic(np.arange(13.0))
-    assert found is not None
-    assert (found.low, found.high, found.count) == (2.0, 10.0, 13)
+    result = statistic(np.arange(13.0))
+    assert result is not None
+    assert (result.low, result.high, result.count) == (2.0, 10.0, 13)
     assert statistic(np.array([np.nan])) is None
 
 
@@ -291,9 +291,9 @@ def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, w
 def test_how_many_shots_more_would_tell_twice_as_well(count):
     """The error of a mean falls with the square root of the number of shots."""
     text = " ".join(player_sentences.doubt(club_statistics(shots(count), "Driver")))
-    told = re.search(r"With (\d+) more shots we would know the averages about twice", text)
+    sentence = re.search(r"With (\d+) more shots we would know the averages about twice", text)
     if not 5 <= count < 10:
-        assert told is None
+        assert sentence is None
         assert ("are few" in text) == (count < 5)
     else:
-        assert np.sqrt((count + int(told[1])) / count) == 2.0
+        assert np.sqrt((count + int(sentence[1])) / count) == 2.0

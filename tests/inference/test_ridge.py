@@ -44,8 +44,8 @@ def test_most_draws_are_effective_where_a_normal_distribution_would_not_do():
         points, log_volume = sheet.points(coordinates)
         return density(points) + log_volume
 
-    found = attempt(bent, standard_t(4), size=1000, seed=0)
-    assert found.effective > 0.5 * found.draws
+    result = attempt(bent, standard_t(4), size=1000, seed=0)
+    assert result.effective > 0.5 * result.draws
     # The integral on a fine grid of what is not measured; the measured two are narrow enough to be integrated by hand:
     # the density of (0.5 - 0.4 b^2) and of ((-0.3 - 0.2 d) / (1 + 0.3 b)), each times the noise's own integral.
     b, d = np.meshgrid(*[np.linspace(-6.0, 6.0, 1201)] * 2)
@@ -54,4 +54,4 @@ def test_most_draws_are_effective_where_a_normal_distribution_would_not_do():
     mass = np.sum(phi / np.abs(1.0 + 0.3 * b)) * 0.01**2 * 2.0 * np.pi * NOISE**2
     # The noise's width, 0.05, changes the prior across it by some 0.1 %; the mean of 2000 effective weights is known to
     # 2 %: four of these.
-    assert found.log_evidence == pytest.approx(np.log(mass), abs=0.09)
+    assert result.log_evidence == pytest.approx(np.log(mass), abs=0.09)

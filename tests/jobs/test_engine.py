@@ -77,14 +77,14 @@ def test_shares_in_any_order_are_the_whole(tmp_path_factory, shares, count, rand
 
 
 def test_progress_rises_to_the_whole_and_an_interruption_says_where_the_parts_are(tmp_path):
-    folder, told = tmp_path / "out.unfinished", []
-    progress = lambda done, whole: told.append((done, whole))  # noqa: E731
+    folder, messages = tmp_path / "out.unfinished", []
+    progress = lambda done, whole: messages.append((done, whole))  # noqa: E731
     message = rf"^2 of 5 runs are done; they are in {folder}, and the same command goes on after them$"
     with Store(folder, {}) as store, pytest.raises(KeyboardInterrupt, match=message):
         run(Job("runs", range(5), Interrupted(2)), in_sequence, store=store, progress=progress)
     with pytest.raises(KeyboardInterrupt, match=r"^2 of 5 runs are done$"):
         run(Job("runs", range(5), Interrupted(2)))
-    assert told == [(1, 5), (2, 5)]
+    assert messages == [(1, 5), (2, 5)]
     with Store(folder, {}) as store:
         run(Job("runs", range(5), square), store=store, progress=progress)
-    assert told[2:] == [(2, 5), (3, 5), (4, 5), (5, 5)]
+    assert messages[2:] == [(2, 5), (3, 5), (4, 5), (5, 5)]

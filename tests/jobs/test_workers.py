@@ -116,11 +116,11 @@ def test_a_program_that_is_killed_is_gone_on_with_and_leaves_no_process(tmp_path
         time.sleep(0.02)
     child.send_signal(kill)
     begun = time.monotonic()
-    out, said = child.communicate(timeout=30)  # which waits for every process that holds its output
+    out, message = child.communicate(timeout=30)  # which waits for every process that holds its output
     assert time.monotonic() - begun < 2.0  # 0.1 s on a machine that has nothing else to do
     assert out == "begun\n"
     if kill == signal.SIGINT:
-        assert "of 200 squares are done; they are in" in said
+        assert "of 200 squares are done; they are in" in message
     with Store(folder, {}) as store:
         assert 0 < len(store.resumed) < 200
         job = Job("squares", range(200), job_parts.square)

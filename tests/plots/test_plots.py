@@ -129,8 +129,8 @@ def test_finite_elements_look_like_no_other_model():
     from clubface.equipment.models import models
 
     names = [*models(), "fem"]
-    for of in (look, marker):
-        assert len({of(name)["color"] for name in names}) == len(names)
+    for line in (look, marker):
+        assert len({line(name)["color"] for name in names}) == len(names)
     assert len({str(marker(name)["marker"]) for name in names}) == len(names)
     for name in models():
         assert str(look(name)["linestyle"]) != str(look("fem")["linestyle"])

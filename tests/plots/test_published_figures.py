@@ -35,10 +35,10 @@ def within_axes(axes, x, y):
 
 @cache
 def panels_of_paper():
-    found = coarse_drive()
-    picture = paper_picture({"penalty": found})
+    result = coarse_drive()
+    picture = paper_picture({"penalty": result})
     axes = draw(picture).axes
-    return found, {panel.y.heading: drawn for panel, drawn in zip(picture.panels(), axes, strict=True)}
+    return result, {panel.y.heading: drawn for panel, drawn in zip(picture.panels(), axes, strict=True)}
 
 
 # Roh and Lee, typed from their text: end or value in time [us] and height. None stands for what the run gives.

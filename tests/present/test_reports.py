@@ -33,9 +33,9 @@ NUMBERS = st.one_of(st.floats(allow_nan=False, allow_infinity=False), st.integer
 @given(st.lists(st.tuples(NUMBERS, st.text(st.characters(codec="utf-8", exclude_characters="\r\x00"))), max_size=5))
 def test_the_data_behind_a_table_come_back_with_every_digit(rows):
     text = Data("any", ("a (m)", 'b, "c"'), rows).as_csv()
-    headings, *found = csv.reader(io.StringIO(text, newline=""))
+    headings, *result = csv.reader(io.StringIO(text, newline=""))
     assert headings == ["a (m)", 'b, "c"']
-    assert [(type(number)(each[0]), each[1]) for (number, _), each in zip(rows, found, strict=True)] == rows
+    assert [(type(number)(each[0]), each[1]) for (number, _), each in zip(rows, result, strict=True)] == rows
 
 
 def test_what_is_not_known_is_an_empty_cell():
@@ -158,8 +158,8 @@ def test_a_table_of_any_width_is_printed_whole_and_legibly(count):
     # Together they hold every column once and in order, the first in each.
     assert all(rows[0][0] == "quantity 0 (m/s)" for _, rows in parts)
     for line, expected in enumerate([table.headings, *table.rows]):
-        found = [expected[0], *(cell for _, rows in parts for cell in rows[line][1:])]
-        assert found == list(expected)
+        result = [expected[0], *(cell for _, rows in parts for cell in rows[line][1:])]
+        assert result == list(expected)
     for size, rows in parts:
         assert 6.0 <= size <= 9.0
         # A4 is 210 mm wide with margins of 18 mm, 493 pt; digits of the widest usual type take 0.64 of their size.

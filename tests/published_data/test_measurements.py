@@ -115,16 +115,16 @@ def test_averages_of_tours_have_the_sums_of_another_transcription(name, sums):
     """Club speed, attack, ball speed, launch and spin summed over clubs elsewhere: a mistyped cell shows."""
     table = published_data.table(name)
     columns = {"club_speed": "mph", "attack": "deg", "ball_speed": "mph", "launch": "deg", "spin": "rpm"}
-    found = [table.get(column, unit).sum() for column, unit in columns.items()]
-    assert found == pytest.approx(sums, rel=1e-12)
+    result = [table.get(column, unit).sum() for column, unit in columns.items()]
+    assert result == pytest.approx(sums, rel=1e-12)
 
 
 def test_the_robots_irons_have_the_sums_of_the_transcription():
     """Dynamic loft, spin, carry, landing angle and apex summed over 26 heads: a mistyped cell shows."""
     table = published_data.table("robot-7-irons-2026")
     columns = {"dynamic_loft": "deg", "spin": "rpm", "carry": "yd", "landing_angle": "deg", "apex": "ft"}
-    found = [table.get(column, unit).sum() for column, unit in columns.items()]
-    assert found == pytest.approx([662.4, 140516, 3953.1, 1170.7, 2181.0], rel=1e-12)
+    result = [table.get(column, unit).sum() for column, unit in columns.items()]
+    assert result == pytest.approx([662.4, 140516, 3953.1, 1170.7, 2181.0], rel=1e-12)
 
 
 def test_what_is_not_there_is_said_with_the_nearest_name():

@@ -46,10 +46,10 @@ UNITS = ("mph", "deg", "deg", "rpm", "rpm")
 
 
 def test_the_published_errors_of_the_models_are_those_of_the_tables():
-    found = published()
-    assert len(found) == 2 * len(ERRORS)
+    result = published()
+    assert len(result) == 2 * len(ERRORS)
     for model, rows in ERRORS.items():
         for place, club in enumerate(("driver", "7-iron")):
-            mae = list(found[model, club].mae.values())
+            mae = list(result[model, club].mae.values())
             typed = [to_si(row[place], unit) for row, unit in zip(rows, UNITS, strict=True)]
             assert mae == pytest.approx(typed, rel=1e-12), (model, club)  # a conversion rounds

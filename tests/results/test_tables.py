@@ -46,9 +46,9 @@ def test_a_difference_of_temperatures_has_no_offset():
 
 
 def test_rows_of_mixed_quantities_carry_quantity_and_unit_of_each():
-    of = [quantity("carry"), quantity("ball_speed")]
+    kinds = [quantity("carry"), quantity("ball_speed")]
     made = table("figures", text("figure", ["a", "b"]), column("published", [200.0, 70.0], "carry"))
-    made = table("figures", text("figure", ["a", "b"]), made.columns[1].__class__("published", [200.0, 70.0], of))
+    made = table("figures", text("figure", ["a", "b"]), made.columns[1].__class__("published", [200.0, 70.0], kinds))
     assert [list(each.values()) for each in made.records()] == [
         ["a", "carry", "m", 200.0],
         ["b", "ball_speed", "m/s", 70.0],

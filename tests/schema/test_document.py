@@ -65,9 +65,9 @@ def test_tables_in_lists_and_braces_have_lines_of_their_own():
 @pytest.mark.parametrize("before", ["", 'name = "x"\n'])
 @pytest.mark.parametrize("after", ["", "\n", "\nloft = 1\n"])
 def test_a_name_with_a_colon_is_to_be_quoted_even_on_the_last_line(before, after):
-    with pytest.raises(FileError, match=r'put the name into quotes: "club:HEAD1" = \.\.\.') as told:
+    with pytest.raises(FileError, match=r'put the name into quotes: "club:HEAD1" = \.\.\.') as caught:
         Document(f"{before}club:HEAD1 = 1{after}", "x.toml")
-    assert told.value.line == 1 + before.count("\n")
+    assert caught.value.line == 1 + before.count("\n")
 
 
 def test_a_byte_order_mark_is_no_part_of_the_first_name(tmp_path):

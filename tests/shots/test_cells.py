@@ -24,8 +24,8 @@ MPH, KMH, YD, RPM, DEG = (to_si(1.0, each) for each in ("mph", "km/h", "yd", "rp
     ],
 )  # fmt: skip
 def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity, value, unit):
-    found = reading(cell, quantity, decimal_comma=False)
-    assert (found.value, found.unit) == (value, unit)
+    result = reading(cell, quantity, decimal_comma=False)
+    assert (result.value, result.unit) == (value, unit)
     assert unit_in(cell, quantity) == unit
 
 
@@ -49,9 +49,9 @@ def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity,
     ],
 )  # fmt: skip
 def test_people_write_sides_units_and_thousands_in_many_ways(cell, quantity, value):
-    found = reading(cell, quantity, decimal_comma="," in cell)
-    assert found.value == value
-    assert found.side is None or abs(found.side.sign) == 1
+    result = reading(cell, quantity, decimal_comma="," in cell)
+    assert result.value == value
+    assert result.side is None or abs(result.side.sign) == 1
 
 
 def test_a_sign_beside_a_letter_is_that_of_its_column():

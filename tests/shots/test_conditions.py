@@ -61,13 +61,13 @@ def shots():
     ],
 )
 def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, condition, mask, undecided):
-    found = match_shots(shots, condition)
-    assert found.mask.tolist() == [bool(each) for each in mask]
-    assert found.undecided == undecided
+    result = match_shots(shots, condition)
+    assert result.mask.tolist() == [bool(each) for each in mask]
+    assert result.undecided == undecided
 
 
 @pytest.mark.parametrize(
-    ("condition", "said"),
+    ("condition", "message"),
     [
         ("ball_speed > 150", r"150 needs a unit: ball_speed is in m/s or mph"),
         ("ball_speed > 150 deg", "of different kinds: speed, angle"),
@@ -94,8 +94,8 @@ def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, cond
         ("smash > '\0'", "a condition"),
     ],
 )
-def test_what_is_no_condition_is_refused_and_never_run(shots, condition, said):
-    with pytest.raises(InputError, match=said) as caught:
+def test_what_is_no_condition_is_refused_and_never_run(shots, condition, message):
+    with pytest.raises(InputError, match=message) as caught:
         match_shots(shots, condition)
     assert len(str(caught.value)) < 1500
 

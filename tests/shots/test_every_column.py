@@ -17,9 +17,9 @@ DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
 
 def assert_si(shots, **expected):
     """Quantities in the unit that each is given with; a conversion costs a rounding or two."""
-    found = shots.deliveries | shots.launches
+    result = shots.deliveries | shots.launches
     for name, (values, unit) in expected.items():
-        np.testing.assert_allclose(found[name], to_si(np.array(values, float), unit), rtol=1e-13, err_msg=name)
+        np.testing.assert_allclose(result[name], to_si(np.array(values, float), unit), rtol=1e-13, err_msg=name)
 
 
 @pytest.mark.parametrize(

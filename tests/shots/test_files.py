@@ -18,11 +18,11 @@ NAN = math.nan
 
 def assert_values(shots, **expected):
     """Every quantity there is, and no other; a unit conversion costs a rounding or two: 1e-14."""
-    found = shots.deliveries | shots.launches
+    result = shots.deliveries | shots.launches
     for name, values in expected.items():
-        np.testing.assert_allclose(found[name], values, rtol=1e-14, atol=0, err_msg=name)
+        np.testing.assert_allclose(result[name], values, rtol=1e-14, atol=0, err_msg=name)
     derived = {"backspin", "sidespin", "total_spin", "spin_axis"}
-    assert set(found) - set(expected) <= derived
+    assert set(result) - set(expected) <= derived
 
 
 def test_trackman_is_read_with_its_units_row_its_signs_and_its_empty_cells():
@@ -365,9 +365,9 @@ def test_any_file_is_read_through_a_mapping(hand, mirror):
 def test_clubfaces_own_tables_are_recognised(write, tmp_path):
     first = launch_monitor.read(DATA / "trackman.csv")
     first.write(tmp_path / "own.csv")
-    found = launch_monitor.read(tmp_path / "own.csv", hand="left")
-    assert (found.format, found.hand.tolist()) == ("clubface", ["left"] * 3)
-    np.testing.assert_allclose(found.launches["spin_axis"], first.launches["spin_axis"], rtol=1e-14)
+    result = launch_monitor.read(tmp_path / "own.csv", hand="left")
+    assert (result.format, result.hand.tolist()) == ("clubface", ["left"] * 3)
+    np.testing.assert_allclose(result.launches["spin_axis"], first.launches["spin_axis"], rtol=1e-14)
     assert len(read_shots(tmp_path / "own.csv")) == 3
 
 
@@ -389,7 +389,7 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "message"),
     [
         (b"", "the file is empty"),
         (b"\n\n", "the file is empty"),
@@ -411,8 +411,8 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
         (b"Side Angle,Tilt Angle,Handed\n1,2,up\n", "Handed: 'up' is not a hand"),
     ],
 )
-def test_a_file_that_cannot_be_used_is_refused_with_the_reason(write, content, said):
-    with pytest.raises(FileError, match=said):
+def test_a_file_that_cannot_be_used_is_refused_with_the_reason(write, content, message):
+    with pytest.raises(FileError, match=message):
         launch_monitor.read(write(content))
 
 

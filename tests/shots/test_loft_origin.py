@@ -83,8 +83,8 @@ def test_clubs_and_files_are_told_apart():
         replace(session("driver", 20, seed=2), source="camera.csv"),
         replace(session("7-iron", 20, ratio=0.97, seed=3), source="third.csv"),
     ])  # fmt: skip
-    found = {(each.file, each.club): each.origin for each in loft_origins(mixed)}
-    assert found == {
+    result = {(each.file, each.club): each.origin for each in loft_origins(mixed)}
+    assert result == {
         ("radar.csv", "driver"): COMPUTED, ("camera.csv", "driver"): FROM_MEASUREMENT,
         ("third.csv", "7-iron"): COMPUTED,
     }  # fmt: skip
@@ -108,9 +108,9 @@ def test_monitor_read_says_once_that_lofts_were_computed_and_warns_of_no_ball(tm
     monkeypatch.setattr(loft_origin, "_ball", loft_origin._ball.__wrapped__)
     path = str(tmp_path / "radar.csv")
     session("7-iron", 12, ratio=1.137, step=0.1).write(path)
-    found = clubface_("monitor", "read", path, "--json").json
-    assert found["tables"]["loft_origins"]["rows"][0]["origin"] == COMPUTED
-    notes = [note["text"] for note in found["notes"]]
+    result = clubface_("monitor", "read", path, "--json").json
+    assert result["tables"]["loft_origins"]["rows"][0]["origin"] == COMPUTED
+    notes = [note["text"] for note in result["notes"]]
     assert [note for note in notes if "--at-launch" in note] == notes[:1]
     shown = clubface_("monitor", "read", path)
     assert shown.out.count("computed from the ball") == 1

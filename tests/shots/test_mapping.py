@@ -14,7 +14,7 @@ COLUMN = '[columns.speed]\nheading = "Tempo"\nunit = "km/h"\n'
 
 
 @pytest.mark.parametrize(
-    ("content", "line", "said"),
+    ("content", "line", "message"),
     [
         ("", None, "these keys are missing: columns"),
         ("columns = 3", 1, r"columns is 3; it must be a table, as in \[columns.speed\]"),
@@ -39,8 +39,8 @@ COLUMN = '[columns.speed]\nheading = "Tempo"\nunit = "km/h"\n'
         ("columns.speed = 3", 1, r"columns.speed is 3; it must be a table"),
     ],
 )
-def test_a_mistake_in_a_mapping_is_told_with_its_line(write, content, line, said):
-    with pytest.raises(FileError, match=said) as caught:
+def test_a_mistake_in_a_mapping_is_told_with_its_line(write, content, line, message):
+    with pytest.raises(FileError, match=message) as caught:
         mapping_of(write(content, "mapping.toml"))
     assert caught.value.line == line
 

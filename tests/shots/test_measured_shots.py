@@ -120,9 +120,9 @@ def test_club_data_of_a_monitor_is_referred_however_the_shots_are_given(tmp_path
     both = [path, read, launch_monitor.read(path, club="driver"), tmp_path / "own.csv"]
     both.append(launch_monitor.read(tmp_path / "own.csv", club={"Driver": "driver"}))
     for shots in both:
-        found = measured_shots(shots, club="driver", only="Driver")
+        result = measured_shots(shots, club="driver", only="Driver")
         # A driver's bulge of 305 mm turns the normal by 1.9 degrees over 10 mm, towards the toe.
-        assert found.delivery["face"] == pytest.approx(-np.arcsin(10 / 305), rel=0.03)
-        assert len(set(found.notes)) == len(found.notes)
+        assert result.delivery["face"] == pytest.approx(-np.arcsin(10 / 305), rel=0.03)
+        assert len(set(result.notes)) == len(result.notes)
     # An iron is flat.
     assert measured_shots(path, club="7-iron", only="7 Iron").delivery["face"] == pytest.approx(0.0, abs=1e-12)

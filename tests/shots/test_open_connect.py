@@ -50,17 +50,17 @@ def changed(message=SHOT, **parts):
 
 
 def test_a_message_is_a_shot_in_si():
-    found = from_json(SHOT)
-    assert (found.kind, found.device, found.shot_number, found.is_ready, found.sees_ball) == (
+    result = from_json(SHOT)
+    assert (result.kind, result.device, result.shot_number, result.is_ready, result.sees_ball) == (
         "shot", "radar", 13, True, False
     )  # fmt: skip
     expected = {"ball_speed": 147.5 * MPH, "launch": 14.3 * DEG, "azimuth": 2.3 * DEG, "carry": 256.5 * 0.9144}
     expected |= {"spin_axis": -13.2 * DEG, "total_spin": 3250 * RPM}
     # Total spin and axis are what the protocol requires; backspin and sidespin, here of another ball, follow from them.
     expected |= {"backspin": 3250 * RPM * math.cos(13.2 * DEG), "sidespin": -3250 * RPM * math.sin(13.2 * DEG)}
-    assert "contradict" in found.notes[0]
-    assert found.launch == pytest.approx(expected, rel=1e-14)
-    assert found.delivery == pytest.approx(
+    assert "contradict" in result.notes[0]
+    assert result.launch == pytest.approx(expected, rel=1e-14)
+    assert result.delivery == pytest.approx(
         {"speed": 100 * MPH, "attack": -1.5 * DEG, "face": 1.25 * DEG, "lie": 0.5 * DEG, "loft": 14 * DEG}
         | {"path": -2.5 * DEG, "high": 0.004, "toe": -0.008, "closure": 2500 * DEG},
         rel=1e-14,
@@ -72,18 +72,18 @@ def test_a_message_is_a_shot_in_si():
 def test_spin_may_be_told_by_its_parts_and_zeros_stand_for_not_measured():
     ball = {"Speed": "147.5", "HLA": 0, "VLA": 14, "BackSpin": 2500, "SideSpin": -800, "CarryDistance": 0}
     club = dict.fromkeys(SHOT["ClubData"], 0.0)
-    found = from_json(SHOT | {"BallData": ball, "ClubData": club})
-    assert set(found.launch) == {"ball_speed", "azimuth", "launch", "backspin", "sidespin", "total_spin", "spin_axis"}
-    assert found.delivery == {}
-    found = from_json(SHOT | {"BallData": ball, "ClubData": club | {"Path": 2.0}})
-    assert set(found.delivery) == {"attack", "face", "lie", "path"}
-    shots = recorded([found, from_json(HEARTBEAT)], hand="left")
+    result = from_json(SHOT | {"BallData": ball, "ClubData": club})
+    assert set(result.launch) == {"ball_speed", "azimuth", "launch", "backspin", "sidespin", "total_spin", "spin_axis"}
+    assert result.delivery == {}
+    result = from_json(SHOT | {"BallData": ball, "ClubData": club | {"Path": 2.0}})
+    assert set(result.delivery) == {"attack", "face", "lie", "path"}
+    shots = recorded([result, from_json(HEARTBEAT)], hand="left")
     assert (len(shots), shots.format, shots.hand.tolist()) == (1, "open-connect", ["left"])
     assert shots.launches["spin_axis"][0] == pytest.approx(-math.atan2(800, 2500), rel=1e-14)
 
 
 @pytest.mark.parametrize(
-    ("message", "said"),
+    ("message", "words"),
     [
         ({}, "ShotDataOptions is missing"),
         (SHOT | {"ShotDataOptions": [1]}, "ShotDataOptions must be an object"),
@@ -105,29 +105,29 @@ def test_spin_may_be_told_by_its_parts_and_zeros_stand_for_not_measured():
         ),
     ],
 )
-def test_a_message_that_is_none_says_which_field(message, said):
-    with pytest.raises(MessageError, match=said):
+def test_a_message_that_is_none_says_which_field(message, words):
+    with pytest.raises(MessageError, match=words):
         from_json(message)
 
 
 @pytest.mark.parametrize("value", ["", " ", "n/a", "12,3", "1_000", [], {}, True, math.nan, math.inf, -math.inf])
 @pytest.mark.parametrize("name", ["Speed", "Lie", "ClosureRate"])
 def test_a_field_of_the_club_that_holds_no_number_costs_that_field_and_not_the_shot(name, value):
-    whole, found = from_json(SHOT), from_json(changed(ClubData={name: value}))
+    whole, result = from_json(SHOT), from_json(changed(ClubData={name: value}))
     quantity = {"Speed": "speed", "Lie": "lie", "ClosureRate": "closure"}[name]
-    assert found.launch == whole.launch
-    assert found.delivery == {each: number for each, number in whole.delivery.items() if each != quantity}
-    assert [note for note in found.notes if f"ClubData.{name}" in note]
-    assert any(f"ClubData.{name}" in note and "1 of 2 shots" in note for note in recorded([whole, found]).notes)
+    assert result.launch == whole.launch
+    assert result.delivery == {each: number for each, number in whole.delivery.items() if each != quantity}
+    assert [note for note in result.notes if f"ClubData.{name}" in note]
+    assert any(f"ClubData.{name}" in note and "1 of 2 shots" in note for note in recorded([whole, result]).notes)
 
 
 @pytest.mark.parametrize("value", [-1, -999, 16777215, 65535, 9999, 3.4e38, "65535"])
 def test_what_stands_for_a_value_that_was_not_measured_costs_the_field_and_is_said(value):
-    found = from_json(changed(ClubData={"Speed": value, "VerticalFaceImpact": value if value != -1 else 9999}))
-    assert not {"speed", "high"} & set(found.delivery)
-    assert "high" in found.impossible
-    assert "speed" in found.impossible or "ClubData.Speed" in "".join(found.notes)
-    assert found.delivery["path"] == from_json(SHOT).delivery["path"]
+    result = from_json(changed(ClubData={"Speed": value, "VerticalFaceImpact": value if value != -1 else 9999}))
+    assert not {"speed", "high"} & set(result.delivery)
+    assert "high" in result.impossible
+    assert "speed" in result.impossible or "ClubData.Speed" in "".join(result.notes)
+    assert result.delivery["path"] == from_json(SHOT).delivery["path"]
 
 
 def test_numbers_as_texts_are_numbers():
@@ -139,11 +139,11 @@ def test_numbers_as_texts_are_numbers():
 @pytest.mark.parametrize("missing", [{}, None])
 def test_ball_or_club_data_that_are_missing_do_not_cost_the_other(name, missing):
     message = {each: part for each, part in SHOT.items() if each != name} | ({name: None} if missing is None else {})
-    found, whole = from_json(message), from_json(SHOT)
+    result, whole = from_json(message), from_json(SHOT)
     kept = "delivery" if name == "BallData" else "launch"
-    assert getattr(found, kept) == getattr(whole, kept)
-    assert found.launch == {} or found.delivery == {}
-    assert f"{name} is missing" in found.notes
+    assert getattr(result, kept) == getattr(whole, kept)
+    assert result.launch == {} or result.delivery == {}
+    assert f"{name} is missing" in result.notes
 
 
 def test_without_options_a_message_is_a_shot_of_what_it_holds():
@@ -157,9 +157,9 @@ def test_without_options_a_message_is_a_shot_of_what_it_holds():
 def test_a_carry_in_a_unit_that_the_protocol_does_not_have_is_not_taken():
     assert from_json(SHOT | {"Units": None}).launch["carry"] == from_json(SHOT).launch["carry"]
     for units in ("Feet", "", 3, ["Yards"]):
-        found = from_json(SHOT | {"Units": units})
-        assert "carry" not in found.launch
-        assert any("Units" in note for note in found.notes)
+        result = from_json(SHOT | {"Units": units})
+        assert "carry" not in result.launch
+        assert any("Units" in note for note in result.notes)
 
 
 @pytest.mark.parametrize(
@@ -178,36 +178,36 @@ def test_a_carry_in_a_unit_that_the_protocol_does_not_have_is_not_taken():
 )  # fmt: skip
 def test_the_spins_of_a_message_are_one_vector_and_nothing_is_made_up(spin, expected):
     ball = {name: value for name, value in SHOT["BallData"].items() if "Spin" not in name}
-    found = from_json(SHOT | {"BallData": ball | spin})
+    result = from_json(SHOT | {"BallData": ball | spin})
     for name, value in expected.items():
         # The rounded numbers are those of a screen; others follow to rounding.
-        assert found.launch.get(name) == (value if value is None else pytest.approx(value, rel=2e-4)), name
-    assert found.launch["ball_speed"] == 147.5 * MPH
+        assert result.launch.get(name) == (value if value is None else pytest.approx(value, rel=2e-4)), name
+    assert result.launch["ball_speed"] == 147.5 * MPH
 
 
 def test_a_shot_with_one_field_that_is_no_number_goes_over_the_socket_and_is_said_once():
     spoiled = json.dumps(changed(BallData={"BackSpin": None}, ClubData={"Lie": math.nan, "Loft": ""})).encode()
     assert b"NaN" in spoiled
-    with listening() as (listener, heard, told), raw(listener.port) as (client, answers):
+    with listening() as (listener, heard, messages), raw(listener.port) as (client, answers):
         client.sendall(spoiled + spoiled)
         assert [each["Code"] for each in answers(2)] == [200, 200]
         wait_for(lambda: len(heard) == 2)
     assert all("lie" not in each.delivery and each.launch["ball_speed"] for each in heard)
     for name in ("Lie", "Loft"):
-        assert sum(f"ClubData.{name}" in each for each in told) == 1
+        assert sum(f"ClubData.{name}" in each for each in messages) == 1
 
 
 def test_values_that_no_shot_can_have_are_not_measured_when_the_shot_arrives():
     polar = {"BackSpin": None, "SideSpin": None}
-    found = from_json(
+    result = from_json(
         changed(BallData=polar | {"TotalSpin": -21474836480, "CarryDistance": 900}, ClubData={"Speed": 500})
     )
-    assert set(found.impossible) == {"total_spin", "carry", "speed"}
-    assert set(found.launch) == {"ball_speed", "launch", "azimuth", "spin_axis"}
-    assert "speed" not in found.delivery
-    assert found.delivery["path"] == pytest.approx(-2.5 * DEG, rel=1e-14)
+    assert set(result.impossible) == {"total_spin", "carry", "speed"}
+    assert set(result.launch) == {"ball_speed", "launch", "azimuth", "spin_axis"}
+    assert "speed" not in result.delivery
+    assert result.delivery["path"] == pytest.approx(-2.5 * DEG, rel=1e-14)
     # The limits are those of files: a table of the same numbers loses the same values.
-    shots = recorded([found, *(from_json(changed(BallData=polar, ClubData=club)) for club in ({}, {"Speed": 300}))])
+    shots = recorded([result, *(from_json(changed(BallData=polar, ClubData=club)) for club in ({}, {"Speed": 300}))])
     assert shots.notes == (
         "values that no shot can have were taken as not measured: speed in 2 of 3 shots, such as 500 mph; "
         "total_spin in 1 of 3 shots, such as -21474836480 rpm; carry in 1 of 3 shots, such as 900 yd",
@@ -223,15 +223,15 @@ def test_values_that_no_shot_can_have_are_not_measured_when_the_shot_arrives():
 
 def test_a_launch_becomes_a_message_and_comes_back():
     launch = clubface.impact("driver", speed="108 mph", attack="2 deg", loft="13 deg", face="1 deg", toe="8 mm")
-    found = from_json(json.loads(json.dumps(to_json(launch, shot_number=3))))
-    assert found.shot_number == 3
-    for name, value in found.launch.items():
+    result = from_json(json.loads(json.dumps(to_json(launch, shot_number=3))))
+    assert result.shot_number == 3
+    for name, value in result.launch.items():
         # The protocol has no spin about the direction of launch: its total is that of backspin and sidespin.
         expected = math.hypot(launch.backspin, launch.sidespin) if name == "total_spin" else getattr(launch, name)
         assert value == pytest.approx(expected, rel=1e-13), name
-    for name, value in found.delivery.items():
+    for name, value in result.delivery.items():
         assert value == pytest.approx(launch.delivery[name], rel=1e-13), name
-    assert {"ball_speed", "launch", "azimuth", *SPINS} == set(found.launch)
+    assert {"ball_speed", "launch", "azimuth", *SPINS} == set(result.launch)
     given = from_json(to_json({"ball_speed": "150 mph", "launch": "12 deg"}, shot_number=1))
     assert given.launch == pytest.approx({"ball_speed": 150 * MPH, "launch": 12 * DEG, "azimuth": 0})
     assert given.impossible == {"total_spin": 0.0}  # the message must have a number, and no ball leaves without spin
@@ -291,8 +291,8 @@ def test_objects_are_found_wherever_the_bytes_are_cut():
     expected = [json.loads(text) for text in texts]
     for size in (1, 2, 7, 100, len(data)):
         stream = ObjectStream()
-        found = [each for start in range(0, len(data), size) for each in stream.feed(data[start : start + size])]
-        assert found == expected
+        result = [each for start in range(0, len(data), size) for each in stream.feed(data[start : start + size])]
+        assert result == expected
         assert not stream.is_partial
     for cut in range(1, len(data), 13):
         stream = ObjectStream()
@@ -300,7 +300,7 @@ def test_objects_are_found_wherever_the_bytes_are_cut():
 
 
 @pytest.mark.parametrize(
-    ("data", "said"),
+    ("data", "message"),
     [
         (b"GET / HTTP/1.1\r\n\r\n", "no JSON object begins with 'G'"),
         (b'{"a": }', "not JSON"),
@@ -309,11 +309,11 @@ def test_objects_are_found_wherever_the_bytes_are_cut():
         (b'{"a": "' + b"x" * LARGEST, "longer than 65536"),
     ],
 )
-def test_garbage_is_told_once_and_the_next_message_is_read(data, said):
+def test_garbage_is_told_once_and_the_next_message_is_read(data, message):
     stream = ObjectStream()
-    found = stream.feed(data) + stream.feed(b' "}}]]]]' + json.dumps(HEARTBEAT).encode())
-    assert isinstance(found[0], Broken)
-    assert said in found[0].reason
+    result = stream.feed(data) + stream.feed(b' "}}]]]]' + json.dumps(HEARTBEAT).encode())
+    assert isinstance(result[0], Broken)
+    assert message in result[0].reason
     stream.drop()
     assert stream.feed(json.dumps(SHOT).encode()) == [SHOT]
 
@@ -327,11 +327,11 @@ def test_garbage_is_told_once_and_the_next_message_is_read(data, said):
 def test_whatever_comes_the_stream_goes_on(pieces):
     stream = ObjectStream()
     for piece in pieces:
-        for found in stream.feed(piece):
-            assert isinstance(found, Broken | dict)
-            if isinstance(found, dict):
+        for result in stream.feed(piece):
+            assert isinstance(result, Broken | dict)
+            if isinstance(result, dict):
                 with contextlib.suppress(MessageError):
-                    from_json(found)
+                    from_json(result)
     stream.drop()
     assert stream.feed(b' {"a": 1}') == [{"a": 1}]
 
@@ -339,12 +339,12 @@ def test_whatever_comes_the_stream_goes_on(pieces):
 @contextmanager
 def listening(**options):
     """A listener in a thread of its own, and what it has heard and told."""
-    heard, told = [], []
-    listener = Listener(0, on_problem=told.append, **options)
+    heard, messages = [], []
+    listener = Listener(0, on_problem=messages.append, **options)
     thread = threading.Thread(target=lambda: heard.extend(listener.messages()))
     thread.start()
     try:
-        yield listener, heard, told
+        yield listener, heard, messages
     finally:
         listener.stop()
         thread.join(5)
@@ -359,12 +359,12 @@ def raw(port):
         stream = ObjectStream()
 
         def answers(count):
-            found = []
-            while len(found) < count:
+            result = []
+            while len(result) < count:
                 data = connection.recv(4096)
                 assert data, "closed"
-                found += stream.feed(data)
-            return found
+                result += stream.feed(data)
+            return result
 
         yield connection, answers
 
@@ -378,24 +378,28 @@ def wait_for(condition):
 
 def test_shots_go_over_the_socket_and_are_answered():
     launch = clubface.impact("7-iron", speed="82 mph", attack="-4 deg", loft="24 deg")
-    with listening(hand="left", club="I7") as (listener, heard, told):
+    with listening(hand="left", club="I7") as (listener, heard, messages):
         with Sender(listener.port, device="test") as sender:
             sender.heartbeat()
             assert tuple(sender.send(launch)) == (200, "Shot received successfully")
             assert sender.send({"ball_speed": 50.0, "launch": 0.3, "backspin": 500.0}).was_taken
             assert sender.player == {"Handed": "LH", "Club": "I7"}
-        wait_for(lambda: len(told) == 2)
+        wait_for(lambda: len(messages) == 2)
     assert [each.kind for each in heard] == ["heartbeat", "shot", "shot"]
     shots = recorded(heard)
     assert shots.rows.tolist() == [1, 2]
     assert shots.launches["ball_speed"] == pytest.approx([launch.ball_speed, 50.0], rel=1e-13)
     assert shots.deliveries["loft"][0] == pytest.approx(24 * DEG, rel=1e-13)
-    assert [each.rpartition(" ")[2] for each in told] == ["connected", "left"]
+    assert [each.rpartition(" ")[2] for each in messages] == ["connected", "left"]
 
 
 def test_pieces_several_at_once_garbage_and_several_monitors(monkeypatch):
     text = json.dumps(SHOT).encode()
-    with listening() as (listener, heard, told), raw(listener.port) as (first, answers), raw(listener.port) as other:
+    with (
+        listening() as (listener, heard, messages),
+        raw(listener.port) as (first, answers),
+        raw(listener.port) as other,
+    ):
         first.sendall(text[:100])
         other[0].sendall(text + text + json.dumps(HEARTBEAT).encode() + text[:50])
         assert [each["Code"] for each in other[1](2)] == [200, 200]
@@ -406,38 +410,38 @@ def test_pieces_several_at_once_garbage_and_several_monitors(monkeypatch):
         first.sendall(text)
         assert answers(1)[0]["Code"] == 200
     assert [each.kind for each in heard].count("shot") == 5
-    assert sum("no JSON object begins with 'n'" in each for each in told) == 1
+    assert sum("no JSON object begins with 'n'" in each for each in messages) == 1
 
 
 def test_a_message_that_does_not_end_is_given_up_and_the_next_is_read(monkeypatch):
     monkeypatch.setattr(open_connect, "PARTIAL", 0.2)
-    with listening() as (listener, heard, told), raw(listener.port) as (client, answers):
+    with listening() as (listener, heard, messages), raw(listener.port) as (client, answers):
         client.sendall(json.dumps(SHOT).encode()[:-1])
         assert answers(1)[0] == {"Code": 501, "Message": "the message did not end"}
         client.sendall(json.dumps(SHOT).encode())
         assert answers(1)[0]["Code"] == 200
         client.sendall(b'{"DeviceID"')
         client.close()
-        wait_for(lambda: any("left in the middle of a message" in each for each in told))
+        wait_for(lambda: any("left in the middle of a message" in each for each in messages))
     assert len(heard) == 1
 
 
 def test_the_iteration_ends_when_nothing_comes_and_a_monitor_too_many_is_turned_away(monkeypatch):
     monkeypatch.setattr(open_connect, "MOST_CLIENTS", 1)
-    told = []
-    with Listener(0, on_problem=told.append) as listener, raw(listener.port), raw(listener.port) as (second, _):
+    messages = []
+    with Listener(0, on_problem=messages.append) as listener, raw(listener.port), raw(listener.port) as (second, _):
         assert list(listener.messages(timeout=0.2)) == []
         assert second.recv(10) == b""
-    assert "turned away" in told[-1]
+    assert "turned away" in messages[-1]
     assert list(listener.messages()) == []
 
 
 def test_connections_that_say_nothing_do_not_lock_out_a_monitor(monkeypatch):
     monkeypatch.setattr(open_connect, "SILENT", 0.3)
-    with listening() as (listener, heard, told), ExitStack() as idle:
+    with listening() as (listener, heard, messages), ExitStack() as idle:
         connections = [idle.enter_context(raw(listener.port))[0] for _ in range(open_connect.MOST_CLIENTS)]
-        wait_for(lambda: len(told) == len(connections))
-        wait_for(lambda: sum("silent for too long" in each for each in told) == len(connections))
+        wait_for(lambda: len(messages) == len(connections))
+        wait_for(lambda: sum("silent for too long" in each for each in messages) == len(connections))
         assert all(connection.recv(10) == b"" for connection in connections)
         with Sender(listener.port) as ninth:
             assert ninth.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0}).was_taken
@@ -447,7 +451,7 @@ def test_connections_that_say_nothing_do_not_lock_out_a_monitor(monkeypatch):
 def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stays(monkeypatch):
     monkeypatch.setattr(open_connect, "SILENT", 0.3)
     monkeypatch.setattr(open_connect, "MOST_CLIENTS", 2)
-    with listening() as (listener, heard, told), Sender(listener.port) as quiet, Sender(listener.port) as busy:
+    with listening() as (listener, heard, messages), Sender(listener.port) as quiet, Sender(listener.port) as busy:
         for each in (quiet, busy):
             each.heartbeat()
         wait_for(lambda: len(heard) == 2)
@@ -459,7 +463,7 @@ def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stay
             wait_for(lambda: len(heard) == 4)
         busy.heartbeat()
         wait_for(lambda: len(heard) == 5)
-        assert sum("makes room" in each for each in told) == 1
+        assert sum("makes room" in each for each in messages) == 1
         with pytest.raises(LinkError):
             quiet.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0})
 
@@ -481,7 +485,7 @@ def test_a_port_that_is_taken_or_nobody_listens_on_is_told():
 
 
 @pytest.mark.parametrize(
-    ("answer", "said"),
+    ("answer", "message"),
     [
         (None, "did not answer shot 1 within 0.3 s"),
         (b"", "closed the connection"),
@@ -489,7 +493,7 @@ def test_a_port_that_is_taken_or_nobody_listens_on_is_told():
         (b'{"Message": "fine"}', "answered without a code"),
     ],
 )
-def test_a_simulator_that_does_not_answer_is_told(answer, said):
+def test_a_simulator_that_does_not_answer_is_told(answer, message):
     with socket.create_server(("127.0.0.1", 0)) as server:
 
         def serve():
@@ -503,7 +507,7 @@ def test_a_simulator_that_does_not_answer_is_told(answer, said):
 
         thread = threading.Thread(target=serve)
         thread.start()
-        with Sender(server.getsockname()[1], timeout=0.3) as sender, pytest.raises(LinkError, match=said):
+        with Sender(server.getsockname()[1], timeout=0.3) as sender, pytest.raises(LinkError, match=message):
             sender.send({"ball_speed": 50.0, "launch": 0.3})
         thread.join(5)
 
@@ -537,7 +541,7 @@ def test_a_shot_is_acknowledged_only_once_it_is_kept():
     thread = threading.Thread(target=lambda: next(iter(listener.messages(timeout=10))), daemon=True)
     thread.start()
     answer = listener._answer
-    listener._answer = lambda *told: (order.append("answered"), answer(*told))
+    listener._answer = lambda *messages: (order.append("answered"), answer(*messages))
     with Sender(listener.port, timeout=10) as sender:
         assert sender.send({"ball_speed": 60.0, "launch": 0.2}).was_taken
     thread.join(10)

@@ -106,8 +106,8 @@ def test_a_condition_on_the_player_chooses_his_shots(clubface_, range_session, t
     lines = target.read_text().splitlines()
     assert len(lines) == 5
     assert "player" in lines[0].split(",")
-    told = clubface_("monitor", "summary", str(DATA / "foresight-play.csv"), "--where", "player == 'x'")
-    assert "foresight-play.csv do not say the player" in told.err
+    ran = clubface_("monitor", "summary", str(DATA / "foresight-play.csv"), "--where", "player == 'x'")
+    assert "foresight-play.csv do not say the player" in ran.err
 
 
 def test_the_drives_of_two_players_are_no_club_of_one(clubface_, range_session, tmp_path):

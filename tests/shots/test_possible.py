@@ -40,7 +40,7 @@ def test_a_sentinel_is_told_and_counted_and_in_no_mean(trackman, heading):
     shots = launch_monitor.read(trackman(**{heading.replace(" ", "_"): SENTINELS[heading]}))
     (note,) = [note for note in shots.notes if "no shot can have" in note]
     assert "in 1 of 2 shots, such as" in note
-    values, right = (of.deliveries | of.launches for of in (shots, whole))
+    values, right = (table.deliveries | table.launches for table in (shots, whole))
     for name in right:
         np.testing.assert_array_equal(values[name][~np.isnan(values[name])], right[name][0])
     assert sum(int(np.isnan(each).sum()) for each in values.values()) == 1

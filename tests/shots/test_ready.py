@@ -24,40 +24,40 @@ def session(write):
 
 
 def test_shots_are_chosen_completed_and_then_referred(session):
-    found = ready_shots(
+    result = ready_shots(
         session, only="dr", where="ball_speed > 110 mph", assume={"high": "5 mm", "closure": "2400 deg/s"}
     )
-    assert (found.club.name, found.rows.tolist(), found.places.tolist()) == ("driver", [4, 5], [2, 3])
-    assert (found.face_at, found.speed_at) == ("face", "cg")
+    assert (result.club.name, result.rows.tolist(), result.places.tolist()) == ("driver", [4, 5], [2, 3])
+    assert (result.face_at, result.speed_at) == ("face", "cg")
     # What is stated takes part in what follows from it: both face angles are referred from their points of impact.
     measured = shots.read(session).select([2, 3])
     measured.deliveries["high"][0] = 0.005
     measured.deliveries["closure"] = np.full(2, 2400 * DEG)
     for name, values in shots.refer(measured, "driver").deliveries.items():
-        np.testing.assert_array_equal(found.deliveries[name], values, err_msg=name)
-    assert abs(found.deliveries["face"][0] - 2 * DEG) > 1.5 * DEG
-    for said in (
+        np.testing.assert_array_equal(result.deliveries[name], values, err_msg=name)
+    assert abs(result.deliveries["face"][0] - 2 * DEG) > 1.5 * DEG
+    for message in (
         "3 of 4 shots fulfil ball_speed > 110 mph",
         "high was not measured in 1 of 2 shots, which take 5 mm for it, as stated",
         "closure was not measured in 2 of 2 shots, which take 2400 deg/s for it, as stated",
     ):
-        assert said in found.notes
+        assert message in result.notes
 
 
 def test_what_was_measured_is_not_replaced(session):
-    found = ready_shots(session, only="7i", assume={"toe": "9 mm", "face": 0.5})
-    np.testing.assert_allclose(found.deliveries["toe"], [0.009, 0.004], rtol=1e-14)
-    assert "face was measured in every shot: the 0.5 rad stated for it is not used" in found.notes
-    assert (np.abs(found.deliveries["face"]) < 2 * DEG).all()
+    result = ready_shots(session, only="7i", assume={"toe": "9 mm", "face": 0.5})
+    np.testing.assert_allclose(result.deliveries["toe"], [0.009, 0.004], rtol=1e-14)
+    assert "face was measured in every shot: the 0.5 rad stated for it is not used" in result.notes
+    assert (np.abs(result.deliveries["face"]) < 2 * DEG).all()
 
 
 def test_shots_that_are_ready_stay_as_they_are(session):
-    found = ready_shots(session, only="7i", assume={"toe": "0 mm"})
-    assert ready_shots(found) is found
-    taken = measured_shots(found)
+    result = ready_shots(session, only="7i", assume={"toe": "0 mm"})
+    assert ready_shots(result) is result
+    taken = measured_shots(result)
     assert taken.places.tolist() == [0, 1]
     assert len(taken.notes) == len(set(taken.notes))
-    (one,) = found.select([1]).places
+    (one,) = result.select([1]).places
     assert one == 1
 
 

@@ -41,10 +41,10 @@ def shots(**changes):
 
 
 def test_every_value_comes_in_si_with_its_line_and_empty_cells_are_nan(write):
-    found = read_shots(write(TEXT))
-    assert found.rows.tolist() == [2, 3]
-    assert found.clubs.tolist() == ["Driver", "7-iron"]
-    assert found.hand.tolist() == ["right", "left"]
+    result = read_shots(write(TEXT))
+    assert result.rows.tolist() == [2, 3]
+    assert result.clubs.tolist() == ["Driver", "7-iron"]
+    assert result.hand.tolist() == ["right", "left"]
     expected = {
         "speed": [100 * MPH, 90 * MPH],
         "attack": [-2 * DEG, math.nan],
@@ -57,27 +57,27 @@ def test_every_value_comes_in_si_with_its_line_and_empty_cells_are_nan(write):
         "sidespin": [1500 * RPM, math.nan],
         "carry": [250 * 0.9144, math.nan],
     }
-    assert set(expected) == set(found.deliveries) | set(found.launches)
+    assert set(expected) == set(result.deliveries) | set(result.launches)
     for name, values in expected.items():
         # A unit conversion costs one rounding, the cosine and sine another: 4 ulp is 1e-15.
-        np.testing.assert_allclose((found.deliveries | found.launches)[name], values, rtol=1e-15, err_msg=name)
-    assert found.rejected == (
+        np.testing.assert_allclose((result.deliveries | result.launches)[name], values, rtol=1e-15, err_msg=name)
+    assert result.rejected == (
         RejectedRow(4, "nothing was measured: every cell of a delivery or launch is empty"),
         RejectedRow(5, "Attack Angle [deg]: 'x' is not a number"),
         RejectedRow(6, "8 cells where there are 11 columns"),
         RejectedRow(7, "Handedness: the cell is empty"),
     )
-    assert (found.source.endswith("shots.csv"), found.format, len(found)) == (True, "clubface", 2)
+    assert (result.source.endswith("shots.csv"), result.format, len(result)) == (True, "clubface", 2)
 
 
 def test_backspin_and_sidespin_give_total_and_axis_and_measured_values_stay():
-    found = shots().launches
-    np.testing.assert_allclose(found["total_spin"], [math.hypot(300, 40), np.nan], rtol=1e-15)
-    np.testing.assert_allclose(found["spin_axis"], [-math.atan(40 / 300), np.nan], rtol=1e-15)
+    result = shots().launches
+    np.testing.assert_allclose(result["total_spin"], [math.hypot(300, 40), np.nan], rtol=1e-15)
+    np.testing.assert_allclose(result["spin_axis"], [-math.atan(40 / 300), np.nan], rtol=1e-15)
     given = {"backspin": [99.45, np.nan], "total_spin": [100.0, 100.0], "spin_axis": [0.1, -0.1]}
-    found = shots(launches=given).launches
-    np.testing.assert_allclose(found["backspin"], [99.45, 100 * math.cos(0.1)], rtol=1e-15)
-    np.testing.assert_allclose(found["sidespin"], [100 * math.sin(0.1), -100 * math.sin(0.1)], rtol=1e-15)
+    result = shots(launches=given).launches
+    np.testing.assert_allclose(result["backspin"], [99.45, 100 * math.cos(0.1)], rtol=1e-15)
+    np.testing.assert_allclose(result["sidespin"], [100 * math.sin(0.1), -100 * math.sin(0.1)], rtol=1e-15)
 
 
 def test_spins_that_contradict_each_other_are_said_with_line_and_values_and_only_once():
@@ -86,19 +86,19 @@ def test_spins_that_contradict_each_other_are_said_with_line_and_values_and_only
         "sidespin": [1703 * RPM, 0.0],
         "total_spin": [3000 * RPM, 2500 * RPM],
     }
-    found = shots(launches=given)
-    (note,) = found.notes
+    result = shots(launches=given)
+    (note,) = result.notes
     for part in ("line 2", "2650 rpm", "1703 rpm", "3000 rpm", "kept: backspin and sidespin"):
         assert part in note
-    np.testing.assert_allclose(found.launches["total_spin"][0], math.hypot(2650, 1703) * RPM, rtol=1e-12)
-    assert found.select([True, False]).notes == found.notes
+    np.testing.assert_allclose(result.launches["total_spin"][0], math.hypot(2650, 1703) * RPM, rtol=1e-12)
+    assert result.select([True, False]).notes == result.notes
 
 
 def test_a_changed_spin_changes_those_that_follow_from_it():
     """Backspin was measured, total spin follows: a corrected backspin does not contradict the old total."""
-    found = shots()
-    launches = found.launches | {"backspin": 1.1 * found.launches["backspin"]}
-    corrected = replace(found, launches=launches)
+    result = shots()
+    launches = result.launches | {"backspin": 1.1 * result.launches["backspin"]}
+    corrected = replace(result, launches=launches)
     assert corrected.notes == ()
     np.testing.assert_allclose(corrected.launches["total_spin"], [math.hypot(330, 40), np.nan], rtol=1e-12)
     assert set(corrected.derived) == {"backspin", "sidespin", "total_spin", "spin_axis"}
@@ -107,14 +107,14 @@ def test_a_changed_spin_changes_those_that_follow_from_it():
 
 def test_what_is_written_is_read_back(write, tmp_path):
     pytest.importorskip("pyarrow")
-    found = read_shots(write(TEXT))
+    result = read_shots(write(TEXT))
     for name in ("out.csv", "out.parquet", "out.tsv"):
-        found.write(tmp_path / name)
+        result.write(tmp_path / name)
         again = read_shots(tmp_path / name)
-        assert again.clubs.tolist() == found.clubs.tolist()
-        assert again.hand.tolist() == found.hand.tolist()
+        assert again.clubs.tolist() == result.clubs.tolist()
+        assert again.hand.tolist() == result.hand.tolist()
         for kind in ("deliveries", "launches"):
-            first, second = getattr(found, kind), getattr(again, kind)
+            first, second = getattr(result, kind), getattr(again, kind)
             assert list(first) == list(second)
             for quantity, values in first.items():
                 # To the unit of the column and back: two roundings each way.
@@ -134,10 +134,10 @@ def test_every_quantity_has_a_column_that_is_read_as_itself(tmp_path):
     launches |= {"backspin": [300.0], "sidespin": [-40.0]}
     launches |= {"total_spin": [math.hypot(300, 40)], "spin_axis": [math.atan2(-40, 300)]}  # one vector
     shots(deliveries=deliveries, launches=launches, rows=[1]).write(tmp_path / "all.csv")
-    found = read_shots(tmp_path / "all.csv")
+    result = read_shots(tmp_path / "all.csv")
     for name, values in (deliveries | launches).items():
-        np.testing.assert_allclose((found.deliveries | found.launches)[name], values, rtol=1e-15, err_msg=name)
-    assert found.notes == ()
+        np.testing.assert_allclose((result.deliveries | result.launches)[name], values, rtol=1e-15, err_msg=name)
+    assert result.notes == ()
 
 
 def test_the_table_that_is_written_can_be_predicted(write, tmp_path):
@@ -148,19 +148,19 @@ def test_the_table_that_is_written_can_be_predicted(write, tmp_path):
 
 
 def test_a_selection_keeps_the_shots_asked_for_and_delivers_them_with_their_hand(write):
-    found = read_shots(write(TEXT))
+    result = read_shots(write(TEXT))
     for which in ([False, True], [1], slice(1, None), 1, np.array([1])):
-        picked = found.select(which)
+        picked = result.select(which)
         assert (len(picked), picked.rows[0], picked.hand[0], picked.clubs[0]) == (1, 3, "left", "7-iron")
         assert picked.launches["launch"].tolist() == [18 * DEG]
-        assert picked.rejected == found.rejected
-    assert found.delivery()["hand"].tolist() == [1.0, -1.0]
-    launch = clubface.impact("driver", delivery=found.select([0]).delivery())
+        assert picked.rejected == result.rejected
+    assert result.delivery()["hand"].tolist() == [1.0, -1.0]
+    launch = clubface.impact("driver", delivery=result.select([0]).delivery())
     assert launch.shape == (1,)
     with pytest.raises(InputError, match="2 shots"):
-        found.select([2])
+        result.select([2])
     with pytest.raises(InputError, match="2 shots"):
-        found.select([True])
+        result.select([True])
 
 
 def test_a_data_frame_has_a_row_a_shot_and_says_its_units(write):
@@ -187,7 +187,7 @@ def test_arrays_that_do_not_fit_are_refused_with_their_name():
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "message"),
     [
         (b"", "empty"),
         (b"speed_mph\n", "there are no shots"),
@@ -201,8 +201,8 @@ def test_arrays_that_do_not_fit_are_refused_with_their_name():
         (b'speed_mph\n"1', "does not end"),
     ],
 )
-def test_a_file_that_cannot_be_used_is_refused_with_the_reason(write, content, said):
-    with pytest.raises(FileError, match=said):
+def test_a_file_that_cannot_be_used_is_refused_with_the_reason(write, content, message):
+    with pytest.raises(FileError, match=message):
         read_shots(write(content))
 
 
@@ -235,11 +235,11 @@ def test_whatever_a_file_holds_only_an_error_of_the_package_comes_out(tmp_path, 
     path = tmp_path / "fuzz.csv"
     path.write_bytes(content)
     try:
-        found = read_shots(path)
+        result = read_shots(path)
     except ClubfaceError:
         return
-    assert len(found) > 0
-    assert not set(found.rows) & {each.line for each in found.rejected}
+    assert len(result) > 0
+    assert not set(result.rows) & {each.line for each in result.rejected}
 
 
 def test_units_that_are_told_are_those_of_columns_without_one(tmp_path):

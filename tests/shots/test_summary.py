@@ -61,11 +61,11 @@ def test_the_command_prints_a_table_and_draws_a_picture(clubface_, bag, tmp_path
     assert ran.status == 0
     rows = [line.split() for line in ran.out.splitlines()]
     assert ["Dr", "2", "148.0", "2.8", "1.460", "0.014", "2500", "245.0", "7.1", "0.0", "14.1", "87.0"] in rows
-    said = " ".join(ran.out.split())
-    assert "total_spin in 1 of 6 shots, such as -21474836480 rpm" in said
-    assert "total spin was not measured in every shot: 1 of 2 of Dr, 2 of 3 of 7i" in said
-    assert "the gap between 7i and PW is not sure: 38.0 yd with a single shot" in said
-    assert "between Dr and 7i" not in said
+    message = " ".join(ran.out.split())
+    assert "total_spin in 1 of 6 shots, such as -21474836480 rpm" in message
+    assert "total spin was not measured in every shot: 1 of 2 of Dr, 2 of 3 of 7i" in message
+    assert "the gap between 7i and PW is not sure: 38.0 yd with a single shot" in message
+    assert "between Dr and 7i" not in message
     assert picture.read_text().count("<svg") == 1
 
 

@@ -22,7 +22,7 @@ RULES = (239e-6, 257e-6)
 """The limit of the Equipment Rules, without and with its tolerance [s]."""
 
 
-def told(model, club="driver", **given):
+def face_times(model, club="driver", **given):
     """Return the characteristic times that the core is given: the club's, and that which the parameters include."""
     launch = clubface.impact(club, speed=50.0, model=model, **given)
     return launch.input("characteristic_time"), launch.input("included_time")
@@ -42,8 +42,8 @@ def test_a_published_set_and_the_defaults_of_a_model_say_which_face_they_include
     assert clubface.club("driver").characteristic_time == OWN
     included = OWN if model != "response" else 0.0  # Its values belong to the ball.
     for parameters in (None, ParameterSet.defaults(model)):
-        assert told(model, parameters=parameters) == (OWN, included)
-        assert told(model, of_time(RULES[0]), parameters=parameters) == (RULES[0], included)
+        assert face_times(model, parameters=parameters) == (OWN, included)
+        assert face_times(model, of_time(RULES[0]), parameters=parameters) == (RULES[0], included)
 
 
 @pytest.mark.parametrize("name", models())
@@ -93,15 +93,15 @@ def test_the_derivative_by_the_characteristic_time_is_the_slope(name):
 
 
 def test_a_club_without_a_characteristic_time_has_the_included_face():
-    assert told("slip", of_time(0.0)) == (OWN, OWN)
-    assert told("slip", of_time(0.0, "7-iron")) == (IRON, IRON)
-    assert told("response", of_time(0.0)) == (0.0, 0.0)
+    assert face_times("slip", of_time(0.0)) == (OWN, OWN)
+    assert face_times("slip", of_time(0.0, "7-iron")) == (IRON, IRON)
+    assert face_times("response", of_time(0.0)) == (0.0, 0.0)
 
 
 def test_a_set_that_says_nothing_of_the_face_includes_the_face_of_any_club():
     mine = dataclasses.replace(ParameterSet.builtin("slip", "driver"), characteristic_time=None)
     for time in (0.0, 240e-6):
-        assert told("slip", of_time(time), parameters=mine) == (time, time)
+        assert face_times("slip", of_time(time), parameters=mine) == (time, time)
 
 
 def test_the_value_of_a_ball_that_tells_the_restitution_goes_with_the_face_of_the_club():
@@ -109,9 +109,9 @@ def test_the_value_of_a_ball_that_tells_the_restitution_goes_with_the_face_of_th
         size = {"mass": 0.0459, "radius": 0.02135, "inertia": 8.3e-6}
         return clubface.Ball(name="mine", **size, parameters={"slip": values})
 
-    assert told("slip", ball=ball(cor=0.78)) == (OWN, 0.0)
-    assert told("slip", ball=ball(slip_y=0.05)) == (OWN, OWN)
-    assert told("standard", ball=ball(cor=0.78)) == (OWN, OWN)
+    assert face_times("slip", ball=ball(cor=0.78)) == (OWN, 0.0)
+    assert face_times("slip", ball=ball(slip_y=0.05)) == (OWN, OWN)
+    assert face_times("standard", ball=ball(cor=0.78)) == (OWN, OWN)
 
 
 def test_restitution_of_ball_and_face_is_that_of_finite_elements():
@@ -120,15 +120,15 @@ def test_restitution_of_ball_and_face_is_that_of_finite_elements():
     for time, wanted in zip(RULES, (0.823, 0.829), strict=True):
         speed = 160.0 * 0.3048
         club = of_time(time)
-        found = clubface.impact(club, speed=speed, loft=0.0, model="standard", parameters=alone, ball="modern")
+        result = clubface.impact(club, speed=speed, loft=0.0, model="standard", parameters=alone, ball="modern")
         turn = np.array([[np.cos(club.loft), np.sin(club.loft)], [-np.sin(club.loft), np.cos(club.loft)]])
         x, y = turn @ club.cg[:2]
-        point = found.club_velocity_x + found.club_spin_y * club.cg_z - found.club_spin_z * y
-        assert (found.velocity_x - point) / speed == pytest.approx(wanted, abs=0.004), x
+        point = result.club_velocity_x + result.club_spin_y * club.cg_z - result.club_spin_z * y
+        assert (result.velocity_x - point) / speed == pytest.approx(wanted, abs=0.004), x
 
 
 def test_finite_elements_strike_with_the_face_of_the_club():
-    assert told("fem") == told("fem", parameters={"friction": 0.3}) == (OWN, 0.0)
+    assert face_times("fem") == face_times("fem", parameters={"friction": 0.3}) == (OWN, 0.0)
 
 
 def test_a_time_given_with_the_shot_is_taken_as_it_is():
@@ -139,15 +139,15 @@ def test_a_time_given_with_the_shot_is_taken_as_it_is():
 
 def test_every_way_to_a_model_keeps_the_rule_and_tells_of_it():
     shot = {"speed": 50.0, "loft": 0.2}
-    for found in (
+    for result in (
         clubface.impact("driver", shot, model="volumetric"),
         clubface.history("driver", shot, model="volumetric").launch,
         clubface.sensitivity("driver", shot, model="volumetric").launch,
     ):
-        assert found.input("characteristic_time") == found.input("included_time") == OWN
-        told_of = found.provenance["parameters"]
+        assert result.input("characteristic_time") == result.input("included_time") == OWN
+        told_of = result.provenance["parameters"]
         assert (told_of["includes_face"], told_of["characteristic_time"]) == (True, OWN)
-        assert found.provenance["changed"]["values"] == {}
+        assert result.provenance["changed"]["values"] == {}
 
 
 def test_parameters_change_nothing_of_the_club_but_its_face():

@@ -36,9 +36,9 @@ def test_a_launch_flies_as_its_vectors_do():
 @pytest.mark.parametrize("azimuth", [-0.2, 0.0, 0.3])
 def test_the_terms_of_a_launch_monitor_are_those_of_a_launch(azimuth):
     """Backspin is (w_z v_x - w_x v_z) / |v_level|, sidespin -w_y: the definitions of a launch, arithmetic to 1e-14."""
-    found = vectors({"ball_speed": 70.0, "launch": 0.2, "azimuth": azimuth, "backspin": 300.0, "sidespin": 40.0})
-    v = np.array([found[f"velocity_{axis}"] for axis in "xyz"])
-    w = np.array([found[f"spin_{axis}"] for axis in "xyz"])
+    result = vectors({"ball_speed": 70.0, "launch": 0.2, "azimuth": azimuth, "backspin": 300.0, "sidespin": 40.0})
+    v = np.array([result[f"velocity_{axis}"] for axis in "xyz"])
+    w = np.array([result[f"spin_{axis}"] for axis in "xyz"])
     level = math.hypot(v[0], v[2])
     assert np.linalg.norm(v) == pytest.approx(70.0, rel=1e-14)
     assert math.atan2(v[1], level) == pytest.approx(0.2, rel=1e-14)
@@ -144,7 +144,7 @@ def test_a_topped_ball_still_flies_or_rolls():
 
 
 @pytest.mark.parametrize(
-    ("launch", "options", "error", "said"),
+    ("launch", "options", "error", "message"),
     [
         (3.0, {}, InputError, "Launch or a mapping"),
         ({}, {}, InputError, "velocity_x"),
@@ -170,8 +170,8 @@ def test_a_topped_ball_still_flies_or_rolls():
         ({"ball_speed": [70.0, 71.0], "launch": [0.1, 0.2, 0.3]}, {}, InputError, "broadcast"),
     ],
 )
-def test_a_mistake_is_told(launch, options, error, said):
-    with pytest.raises(error, match=said):
+def test_a_mistake_is_told(launch, options, error, message):
+    with pytest.raises(error, match=message):
         clubface.fly(launch, **options)
 
 

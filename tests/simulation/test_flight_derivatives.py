@@ -24,18 +24,18 @@ def test_the_derivatives_of_a_flight_are_those_of_central_differences(name):
     for side in (1.0, -1.0):
         moved = {**columns, name: columns[name] + side * STEPS[name]}
         sides.append(differentiated(moved).values)
-    found = flight_derivatives(DRIVE, **AIR)
+    result = flight_derivatives(DRIVE, **AIR)
     for quantity in ("carry", "side", "apex", "landing_angle", "flight_time", "total", "total_side"):
         difference = (sides[0][quantity] - sides[1][quantity]) / (2.0 * STEPS[name])
-        scale = abs(difference) + 1e-6 * abs(found.values[quantity]) / STEPS[name]
-        assert found.by(quantity, name) == pytest.approx(difference, abs=1e-4 * scale), quantity
+        scale = abs(difference) + 1e-6 * abs(result.values[quantity]) / STEPS[name]
+        assert result.by(quantity, name) == pytest.approx(difference, abs=1e-4 * scale), quantity
 
 
 def test_its_values_are_those_of_the_flight_itself():
     launch = clubface.impact("driver", speed="105 mph", toe="9 mm")
-    flown, found = clubface.fly(launch, **AIR), flight_derivatives(launch, **AIR)
-    assert found.values == {name: float(getattr(flown, name)) for name in found.values}
-    assert found.jacobian.shape == (len(found.values), len(flight_inputs()))
+    flown, result = clubface.fly(launch, **AIR), flight_derivatives(launch, **AIR)
+    assert result.values == {name: float(getattr(flown, name)) for name in result.values}
+    assert result.jacobian.shape == (len(result.values), len(flight_inputs()))
 
 
 def test_it_is_of_one_launch_and_of_known_names():

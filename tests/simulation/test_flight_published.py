@@ -41,8 +41,8 @@ def rms(values):
 def test_carries_heights_and_descents_are_those_of_published_launches(table, most):
     """Root mean square over the clubs: carry [%], height [yd], descent [deg]. Averages of launches make no average
     flight, and the ranges' air is unknown; coefficients of the spin parameter alone missed the descents by 5 to 6."""
-    found = rms(deviations(table))
-    assert (found < most).all(), found
+    result = rms(deviations(table))
+    assert (result < most).all(), result
 
 
 def test_a_monitors_flights_are_its_own():

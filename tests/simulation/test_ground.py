@@ -108,13 +108,13 @@ def test_runs_on_a_firm_fairway_are_those_of_trackmans_chart():
     and 50 for the flatter ones of the longest total. At the same landing a TrackMan of today has 1.3 to 1.8 times less,
     so that the chart's ground is a firm one. Single drives within 19 yards: slow, low ones run too far, fast ones not
     far enough, since the tilt grows with the speed."""
-    optimum, published, found = trackman()
-    assert len(found) == 51
+    optimum, published, result = trackman()
+    assert len(result) == 51
     for which, tolerance in (("carry", 8.0), ("total", 8.0)):
         rows = optimum == which
-        assert found[rows].mean() == pytest.approx(published[rows].mean(), abs=tolerance), which
-    assert np.sqrt(np.mean((found - published) ** 2)) < 8.0
-    assert np.abs(found - published).max() < 19.0
+        assert result[rows].mean() == pytest.approx(published[rows].mean(), abs=tolerance), which
+    assert np.sqrt(np.mean((result - published) ** 2)) < 8.0
+    assert np.abs(result - published).max() < 19.0
 
 
 @pytest.mark.parametrize("table", ["flights-computed-trackman", "flights-tracked-trackman"])
@@ -145,8 +145,8 @@ def test_a_low_drive_comes_to_rest_where_it_did():
 def test_the_average_drives_of_the_tours_run_as_far_as_published(tour, ground, published):
     """Driving distance less carry. PGA Tour: 292 less 277 yards (2017), 288 less 266 (2007), 300 less 275 (2023).
     LPGA Tour: 260 (2021) less TrackMan's 223, which takes a firm fairway."""
-    found = run_of(drive(TOUR_DRIVES[tour], ground=ground))
-    assert published[0] < found < published[1]
+    result = run_of(drive(TOUR_DRIVES[tour], ground=ground))
+    assert published[0] < result < published[1]
 
 
 def test_named_grounds_go_from_firm_to_soft_and_from_green_to_fairway():
@@ -182,11 +182,11 @@ def test_where_a_ball_comes_to_rest_has_derivatives_and_does_not_jump(launch, qu
     columns = flight_columns(shots, None, None, None).columns
     outputs, inputs = list(flight_outputs()), list(columns)
     wanted = [inputs.index(f"velocity_{axis}") for axis in "xyz"]
-    found, rejects = core.fly_sensitivities(list(columns.values()), 2001, [outputs.index(quantity)], wanted)
+    result, rejects = core.fly_sensitivities(list(columns.values()), 2001, [outputs.index(quantity)], wanted)
     assert not rejects
     velocity = np.array([columns[f"velocity_{axis}"] for axis in "xyz"])
-    slope = (found[1:] * velocity / np.linalg.norm(velocity, axis=0)).sum(axis=0)
+    slope = (result[1:] * velocity / np.linalg.norm(velocity, axis=0)).sum(axis=0)
     step = np.diff(np.linalg.norm(velocity, axis=0))
-    left = np.diff(found[0]) - 0.5 * (slope[1:] + slope[:-1]) * step
+    left = np.diff(result[0]) - 0.5 * (slope[1:] + slope[:-1]) * step
     assert np.abs(left).max() < 5e-5
-    assert np.abs(np.diff(found[0])).max() > 1e-5
+    assert np.abs(np.diff(result[0])).max() > 1e-5

@@ -53,19 +53,19 @@ def test_only_single_shots_by_contact_models_have_a_history():
 def test_cover_and_core_of_a_layered_ball_turn_by_themselves():
     """Both together have the ball's angular momentum, and their difference winds up the spring between them."""
     shot = {"speed": "88.95 mph", "attack": "-5.5 deg", "loft": "25.65 deg", "toe": "8 mm", "face": "3 deg"}
-    of = clubface.history("7-iron", shot, model="volumetric", accuracy=1e-12)
-    values, ball = of.launch.parameters.values, of.launch.ball
+    history = clubface.history("7-iron", shot, model="volumetric", accuracy=1e-12)
+    values, ball = history.launch.parameters.values, history.launch.ball
     core_part = (1.0 - values["cover_thickness"] / ball.radius) ** 5  # equal densities
-    both = core_part * of.core_spin + (1.0 - core_part) * of.cover_spin
-    assert both == pytest.approx(of.ball_spin, rel=1e-12, abs=1e-9)
-    assert (of.core_spin[0] == 0.0).all()
-    twisting = of.cover_spin - of.core_spin
+    both = core_part * history.core_spin + (1.0 - core_part) * history.cover_spin
+    assert both == pytest.approx(history.ball_spin, rel=1e-12, abs=1e-9)
+    assert (history.core_spin[0] == 0.0).all()
+    twisting = history.cover_spin - history.core_spin
     lost = values["layer_damping"] * (twisting**2).sum(axis=1)
     # Some 2000 steps, trapezoids: 1e-4 leaves room for both.
-    assert np.trapezoid(lost, of.time) == pytest.approx(of.layer_work[-1], rel=1e-4)
+    assert np.trapezoid(lost, history.time) == pytest.approx(history.layer_work[-1], rel=1e-4)
 
 
 def test_a_ball_in_one_piece_turns_as_a_whole():
-    of = clubface.history("driver", speed="108 mph", loft="13 deg", model="area")
-    assert of.cover_spin == pytest.approx(of.ball_spin)
-    assert (of.core_spin == of.cover_spin).all()
+    history = clubface.history("driver", speed="108 mph", loft="13 deg", model="area")
+    assert history.cover_spin == pytest.approx(history.ball_spin)
+    assert (history.core_spin == history.cover_spin).all()

@@ -190,16 +190,16 @@ def test_a_club_file_is_read_anew_at_every_call(tmp_path):
 
 def test_provenance_says_what_a_launch_was_computed_from():
     shots = clubface.impact("driver", speed=[50.0, 51.0], model="volumetric", club_mass="200 g")
-    told = shots.provenance
-    assert told["clubface_version"] == clubface.__version__
-    assert told["model"]["name"] == "volumetric"
-    assert told["parameters"]["values"]["friction"] == 0.372
+    provenance = shots.provenance
+    assert provenance["clubface_version"] == clubface.__version__
+    assert provenance["model"]["name"] == "volumetric"
+    assert provenance["parameters"]["values"]["friction"] == 0.372
     used = shots.parameters
     of_values = [f"{name}: {text}" for name, text in used.value_caveats.items()]
     assert used.caveats
-    assert told["parameters"]["caveats"] == [*used.caveats, *of_values]
-    assert told["changed"]["values"] == {"club_mass": 0.2}
-    assert "array of shape (2,)" in told["delivery"]["values"]["speed"]
+    assert provenance["parameters"]["caveats"] == [*used.caveats, *of_values]
+    assert provenance["changed"]["values"] == {"club_mass": 0.2}
+    assert "array of shape (2,)" in provenance["delivery"]["values"]["speed"]
 
 
 def test_tables_hold_inputs_units_and_provenance():
@@ -230,8 +230,8 @@ def test_a_single_shot_loads_no_table_library():
         "import sys, clubface; clubface.impact('driver', speed=50.0); "
         "print(sorted({'pandas', 'xarray', 'pyarrow', 'matplotlib'} & set(sys.modules)))"
     )
-    found = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True)
-    assert found.stdout.strip() == "[]"
+    result = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True)
+    assert result.stdout.strip() == "[]"
 
 
 def test_a_delivery_names_every_input_of_its_group():
@@ -248,11 +248,11 @@ def test_one_model_is_the_default_of_everything():
     from clubface.validation.run import validate
 
     assert DEFAULT_MODEL in models()
-    for of, name in (
+    for source, name in (
         (clubface.impact, "model"), (clubface.sensitivity, "model"), (predict, "model"), (infer, "model"),
         (validate, "models"), (Study.launch_errors, "model"),
     ):  # fmt: skip
-        assert inspect.signature(of).parameters[name].default is DEFAULT_MODEL, of
+        assert inspect.signature(source).parameters[name].default is DEFAULT_MODEL, source
     shot = clubface.impact("driver", **DRIVE)
     assert shot.model == DEFAULT_MODEL
     assert same(shot, clubface.impact("driver", **DRIVE, model=DEFAULT_MODEL))

@@ -48,7 +48,7 @@ def obeys(model, law):
     return law in declared.laws or law in without
 
 
-def of(launch, name):
+def vector(launch, name):
     return np.array([launch.get(f"{name}_{axis}") for axis in "xyz"])
 
 
@@ -98,8 +98,8 @@ def test_momentum_is_kept(model, delivery, club):
     launch = clubface.impact(club, delivery, model=model)
     velocity, _ = incoming(delivery)
     head = launch.club.mass + adjustments(launch)[0]
-    gained = launch.ball.mass * of(launch, "velocity")
-    lost = head * (velocity - of(launch, "club_velocity"))
+    gained = launch.ball.mass * vector(launch, "velocity")
+    lost = head * (velocity - vector(launch, "club_velocity"))
     assert np.abs(gained - lost).max() < 1e-12 * head * delivery["speed"]
 
 
@@ -119,12 +119,12 @@ def test_angular_momentum_is_kept_by_the_models_that_say_so(model, delivery):
     centre = turn @ (point + loft @ (np.array([ball.radius, 0.0, 0.0]) + adjustments(launch)[1]))
     inertia = turn @ np.array(club.inertia) @ turn.T
     before = inertia @ incoming(delivery)[1]
-    after = inertia @ of(launch, "club_spin") + ball.inertia * of(launch, "spin")
-    after = after + np.cross(centre, ball.mass * of(launch, "velocity"))
+    after = inertia @ vector(launch, "club_spin") + ball.inertia * vector(launch, "spin")
+    after = after + np.cross(centre, ball.mass * vector(launch, "velocity"))
     size = ball.mass * delivery["speed"] * np.linalg.norm(centre)
     change = after - before
     if model == "response":
-        change = change @ of(launch, "velocity") / np.linalg.norm(of(launch, "velocity"))
+        change = change @ vector(launch, "velocity") / np.linalg.norm(vector(launch, "velocity"))
     assert np.abs(change).max() < 1e-12 * size
 
 
@@ -144,9 +144,9 @@ def test_an_impulse_creates_no_energy(model, delivery, club):
         return 0.5 * mass * velocity @ velocity + 0.5 * spin @ inertia @ spin
 
     before = energy(*incoming(delivery))
-    after = energy(of(launch, "club_velocity"), of(launch, "club_spin"))
-    after += 0.5 * ball.mass * of(launch, "velocity") @ of(launch, "velocity")
-    after += 0.5 * ball.inertia * of(launch, "spin") @ of(launch, "spin")
+    after = energy(vector(launch, "club_velocity"), vector(launch, "club_spin"))
+    after += 0.5 * ball.mass * vector(launch, "velocity") @ vector(launch, "velocity")
+    after += 0.5 * ball.inertia * vector(launch, "spin") @ vector(launch, "spin")
     assert after <= before * (1.0 + 1e-12)
 
 

@@ -53,12 +53,12 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("values", "parameter", "said"), BAD, ids=[str(each[0]) for each in BAD])
-def test_a_mistake_names_parameter_value_and_what_is_allowed(values, parameter, said):
+@pytest.mark.parametrize(("values", "parameter", "message"), BAD, ids=[str(each[0]) for each in BAD])
+def test_a_mistake_names_parameter_value_and_what_is_allowed(values, parameter, message):
     with pytest.raises(InputError) as caught:
         clubface.impact("driver", **values)
     assert caught.value.parameter == parameter
-    assert said in str(caught.value)
+    assert message in str(caught.value)
 
 
 def test_an_unknown_club_names_the_nearest():
@@ -123,12 +123,12 @@ def test_memory_is_enough_for_the_reasons_of_shots_that_all_fail(monkeypatch, as
     launch = {"ball_speed": 1e3 - wrong, "launch": 0.2, "backspin": 300.0, "sidespin": 0.0}
     tracemalloc.start()
     if ask == "impact":
-        found = clubface.impact("driver", speed=wrong, on_error="nan")
+        result = clubface.impact("driver", speed=wrong, on_error="nan")
     else:
-        found = compute(launch, on_error="nan")
+        result = compute(launch, on_error="nan")
     used = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert len(found.problems) == wrong.size
+    assert len(result.problems) == wrong.size
     assert used < max(counted)
 
 

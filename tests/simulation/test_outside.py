@@ -33,16 +33,16 @@ def quietly(*arguments, **values):
 
 
 def test_the_strikes_of_the_fit_fill_the_range_and_none_is_outside():
-    found = {name: [] for name in ("speed", "club_mass", "characteristic_time", "friction", "incidence")}
+    result = {name: [] for name in ("speed", "club_mass", "characteristic_time", "friction", "incidence")}
     with without_warnings():
         for head, delivery, friction in heads(256, 7):
             launch = quietly(head, delivery, parameters={"friction": friction})
             assert remark(launch) == ""
             for name in ("speed", "club_mass", "characteristic_time"):
-                found[name].append(launch.input(name))
-            found["friction"].append(friction)
-            found["incidence"].append(delivery["loft"] - delivery["attack"])
-    for name, values in found.items():
+                result[name].append(launch.input(name))
+            result["friction"].append(friction)
+            result["incidence"].append(delivery["loft"] - delivery["attack"])
+    for name, values in result.items():
         least, most = RANGE[name]
         assert max(values) > most - 0.05 * (most - least), name
         assert min(values) < least + 0.05 * (most - least), name
@@ -112,8 +112,8 @@ def test_derivatives_and_histories_warn_too():
 def test_jorgensen_speaks_of_gear_effect_off_centre_alone():
     assert remark(quietly("driver", speed=50.0, model="jorgensen")) == ""
     for where in ({"toe": 1e-3}, {"high": -1e-3}, {"toe": np.array([0.0, 1e-3])}):
-        told = remark(quietly("driver", speed=50.0, model="jorgensen", **where))
-        assert told == "jorgensen has no gear effect off centre"
+        message = remark(quietly("driver", speed=50.0, model="jorgensen", **where))
+        assert message == "jorgensen has no gear effect off centre"
 
 
 def test_a_shot_that_cannot_be_computed_is_not_counted():
@@ -140,9 +140,9 @@ def test_a_set_of_ones_own_may_have_a_range(write):
     own = write(text.replace("[set.range]", '[set.range]\nattack = ["1 deg", "2 deg"]'), "bad.toml")
     with pytest.raises(FileError, match=r"bad\.toml:\d+: unknown key 'attack'.* speed, incidence"):
         ParameterSet.from_toml(own)
-    for wrong, said in (("[52.0, 40.0]", "least and greatest"), ('["1 kg", "2 kg"]', "speed is"), ("3", "two")):
+    for wrong, message in (("[52.0, 40.0]", "least and greatest"), ('["1 kg", "2 kg"]', "speed is"), ("3", "two")):
         line = next(each for each in text.splitlines() if each.startswith("speed = "))
-        with pytest.raises(FileError, match=said):
+        with pytest.raises(FileError, match=message):
             ParameterSet.from_toml(write(text.replace(line, f"speed = {wrong}"), "bad.toml"))
 
 
@@ -154,9 +154,9 @@ def test_the_range_of_a_model_is_that_of_every_set_without_its_own():
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 def test_a_ball_of_other_pieces_without_coefficients_is_told():
-    told = "response has no coefficients of the ball paper and takes those of modern"
+    message = "response has no coefficients of the ball paper and takes those of modern"
     paper = clubface.ball("paper")
-    assert remark(quietly("driver", speed=50.0, ball=paper)) == told
+    assert remark(quietly("driver", speed=50.0, ball=paper)) == message
     assert remark(quietly("driver", speed=50.0, ball=paper, model="standard")) == ""
     # Pieces and coefficients, neither, and coefficients that somebody chose.
     for ball in ("distance", "published", paper.replace(parameters={"response": {"sharpness": 10.0}})):
@@ -171,9 +171,9 @@ def test_an_inferred_delivery_is_told_by_its_mean_and_a_file_of_them_in_its_rema
 
     slow = Prior(name="slow", mean={"speed": 40.0, "loft": 0.25}, deviation={"speed": 2.0, "loft": 0.03})
     with pytest.warns(RangeWarning, match=r"of slip: clubhead speed 8\d\.\d+ mph \(101 to 118 mph\)") as caught:
-        found = clubface.infer({"ball_speed": 56.0}, club="driver", model="slip", prior=slow, samples=20)
+        result = clubface.infer({"ball_speed": 56.0}, club="driver", model="slip", prior=slow, samples=20)
     assert len(caught) == 1
-    assert found.outside in str(caught[0].message)
+    assert result.outside in str(caught[0].message)
     shots = RecordedShots(deliveries={}, launches={"ball_speed": np.array([56.0, 74.0])}, rows=np.array([1, 2]),
                           source="a.csv", format="clubface")  # fmt: skip
     with warnings.catch_warnings():
@@ -187,8 +187,8 @@ def test_an_inferred_delivery_is_told_by_its_mean_and_a_file_of_them_in_its_rema
 def test_what_compares_models_warns_once_in_all():
     with pytest.warns(RangeWarning) as caught:
         tour(["slip", "adjusted", DEFAULT_MODEL], table="lpga-2019")
-    (told,) = [str(each.message) for each in caught]
-    assert told == "outside the range of slip, adjusted: clubhead speed in 3 of 10 shots (101 to 118 mph)"
+    (message,) = [str(each.message) for each in caught]
+    assert message == "outside the range of slip, adjusted: clubhead speed in 3 of 10 shots (101 to 118 mph)"
     with pytest.warns(RangeWarning, match=r"of adjusted: clubhead speed in \d+ of \d+ shots") as caught:
         validate("adjusted", checks=["amateur-drives", "tour-driver"])
     assert len(caught) == 1

@@ -142,9 +142,9 @@ def test_what_other_models_refuse_is_refused():
         clubface.impact("driver", speed=45.0, toe="90 mm", model="mine")
     with pytest.raises(InputError, match="outside the face outline"):
         clubface.history("driver", speed=45.0, toe="90 mm", model="mine")
-    found = clubface.impact("driver", speed=np.array([45.0, -1.0, 45.0]), model="mine", on_error="nan")
-    assert np.isnan(found.ball_speed).tolist() == [False, True, False]
-    assert found.problems[0].parameter == "speed"
+    result = clubface.impact("driver", speed=np.array([45.0, -1.0, 45.0]), model="mine", on_error="nan")
+    assert np.isnan(result.ball_speed).tolist() == [False, True, False]
+    assert result.problems[0].parameter == "speed"
     with pytest.raises(ShotError, match="leave it out: a law of one's own describes ball and face"):
         clubface.impact("driver", speed=45.0, characteristic_time="100 us", model="mine")
 
@@ -168,10 +168,10 @@ def test_a_law_that_fails_says_where(law, message):
 def test_a_law_that_fails_in_one_shot_leaves_the_others_alone(wrong):
     registered(lambda touch, values: (wrong() if touch.rate > 44.0 else 3e11 * touch.depth**1.5, 0.0, 0.0))
     speeds = np.array([40.0, 47.0, 41.0])
-    found = clubface.impact("driver", speed=speeds, model="mine", on_error="nan")
-    assert np.isnan(found.ball_speed).tolist() == [False, True, False]
-    assert [each.row for each in found.problems] == [(1,)]
-    assert found.ball_speed[2] == clubface.impact("driver", speed=41.0, model="mine").ball_speed
+    result = clubface.impact("driver", speed=speeds, model="mine", on_error="nan")
+    assert np.isnan(result.ball_speed).tolist() == [False, True, False]
+    assert [each.row for each in result.problems] == [(1,)]
+    assert result.ball_speed[2] == clubface.impact("driver", speed=41.0, model="mine").ball_speed
     with pytest.raises(RunError, match="law of contact"):
         clubface.impact("driver", speed=speeds, model="mine")
 
@@ -207,9 +207,9 @@ def test_what_design_asks_of_a_model_a_law_answers():
         {name: {"club": "driver", "delivery": swing | {"loft": name}, "model": "mine"} for name in ("13 deg", "14 deg")}
     )
     assert compared.difference("14 deg", "launch") > 0.0
-    found = clubface.map_face("driver", **swing, model="mine", grid=(5, 3))
+    result = clubface.map_face("driver", **swing, model="mine", grid=(5, 3))
     middle = clubface.impact("driver", **swing, model="mine")
-    assert found.at(0.0, 0.0)["ball_speed"] == pytest.approx(middle.ball_speed, rel=1e-3)
+    assert result.at(0.0, 0.0)["ball_speed"] == pytest.approx(middle.ball_speed, rel=1e-3)
 
 
 def test_what_needs_derivatives_says_what_it_takes_and_unknown_names_list_the_law():

@@ -98,7 +98,7 @@ def test_units_outputs_and_variables_can_be_chosen():
 
 
 @pytest.mark.parametrize(
-    ("values", "error", "said"),
+    ("values", "error", "message"),
     [
         ({"speed": [50.0, 51.0], "toe": [0.0, 0.06]}, ShotError, "60.0 mm"),
         ({"speed": 50.0, "toe": 0.06}, ShotError, "52.5 mm"),
@@ -109,8 +109,8 @@ def test_units_outputs_and_variables_can_be_chosen():
         ({"speed": 50.0, "units": {"tow": "mm"}}, UnknownNameError, "toe"),
     ],
 )
-def test_errors_of_users_name_the_value(values, error, said):
-    with pytest.raises(error, match=said.replace(".", r"\.")):
+def test_errors_of_users_name_the_value(values, error, message):
+    with pytest.raises(error, match=message.replace(".", r"\.")):
         clubface.sensitivity("driver", **values)
 
 

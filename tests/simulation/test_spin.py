@@ -33,8 +33,8 @@ def vector(back, side):
 
 def completed(**values):
     """The spins that follow from some, in rpm and degrees, and the contradictions."""
-    found = complete({name: np.array([value * UNITS[name]]) for name, value in values.items()})
-    return {name: float(each[0] / UNITS[name]) for name, each in found.values.items()}, found.contradictions
+    result = complete({name: np.array([value * UNITS[name]]) for name, value in values.items()})
+    return {name: float(each[0] / UNITS[name]) for name, each in result.values.items()}, result.contradictions
 
 
 @pytest.mark.parametrize("names", SUFFICIENT, ids="-".join)
@@ -42,12 +42,12 @@ def completed(**values):
 @given(ball=balls)
 def test_every_sufficient_part_of_a_spin_gives_the_whole(names, ball):
     whole = vector(*ball)
-    found = complete({name: np.array([whole[name]]) for name in names})
-    assert not found.contradictions
-    assert not found.notes
+    result = complete({name: np.array([whole[name]]) for name in names})
+    assert not result.contradictions
+    assert not result.notes
     for name in SPINS:
         # The tangent of an axis near 90 degrees costs digits: 100 rpm beside 12,000 are two of them.
-        assert found.values[name][0] == pytest.approx(whole[name], rel=1e-10), name
+        assert result.values[name][0] == pytest.approx(whole[name], rel=1e-10), name
 
 
 @pytest.mark.parametrize("names", INSUFFICIENT, ids="-".join)
@@ -55,10 +55,10 @@ def test_every_sufficient_part_of_a_spin_gives_the_whole(names, ball):
 @given(ball=balls)
 def test_what_does_not_follow_is_not_made_up(names, ball):
     whole = vector(*ball)
-    found = complete({name: np.array([whole[name]]) for name in names})
-    assert set(found.values) == set(names)
-    assert all(found.values[name][0] == whole[name] for name in names)
-    assert bool(found.notes) == ("total_spin" in names)
+    result = complete({name: np.array([whole[name]]) for name in names})
+    assert set(result.values) == set(names)
+    assert all(result.values[name][0] == whole[name] for name in names)
+    assert bool(result.notes) == ("total_spin" in names)
 
 
 @settings(max_examples=25, deadline=None)
@@ -67,25 +67,25 @@ def test_spins_as_monitors_round_them_do_not_contradict_each_other(ball):
     whole = vector(*ball)
     for step, degrees in ((1.0, 0.1), (10.0, 1.0)):
         steps = {"backspin": step * RPM, "sidespin": step * RPM, "total_spin": step * RPM, "spin_axis": degrees * DEG}
-        found = complete({name: np.array([round(whole[name] / steps[name]) * steps[name]]) for name in SPINS})
-        assert not found.contradictions
+        result = complete({name: np.array([round(whole[name] / steps[name]) * steps[name]]) for name in SPINS})
+        assert not result.contradictions
 
 
 @settings(max_examples=25, deadline=None)
 @given(ball=balls, name=st.sampled_from(["backspin", "sidespin", "total_spin"]), off=st.sampled_from([1.4, 0.6, -1.0]))
 def test_one_of_four_that_the_others_contradict_is_said_and_left_out(ball, name, off):
     whole = {each: value / UNITS[each] for each, value in vector(*ball).items()}
-    found, (contradiction,) = completed(**whole | {name: off * whole[name]})
+    result, (contradiction,) = completed(**whole | {name: off * whole[name]})
     assert name not in contradiction.kept
     assert contradiction.given[name] == pytest.approx(off * whole[name] * RPM, rel=1e-14)
     for each, value in whole.items():
-        assert found[each] == pytest.approx(value, rel=1e-9, abs=1e-6), each
+        assert result[each] == pytest.approx(value, rel=1e-9, abs=1e-6), each
 
 
 def test_the_vector_of_a_backspin_with_an_axis_of_40_degrees():
     """2650 rpm / cos 40 deg = 3459 rpm and 2650 rpm tan 40 deg = 2224 rpm."""
-    found, _ = completed(backspin=2650, spin_axis=40)
-    assert (round(found["total_spin"]), round(found["sidespin"]), found["backspin"]) == (3459, 2224, 2650)
+    result, _ = completed(backspin=2650, spin_axis=40)
+    assert (round(result["total_spin"]), round(result["sidespin"]), result["backspin"]) == (3459, 2224, 2650)
 
 
 def test_axes_count_through_a_whole_turn_and_a_topped_ball_has_one_beyond_90_degrees():
@@ -123,10 +123,10 @@ def test_axes_count_through_a_whole_turn_and_a_topped_ball_has_one_beyond_90_deg
     ],
 )  # fmt: skip
 def test_of_spins_that_contradict_each_other_the_rule_says_what_is_kept(spins, kept):
-    found, (contradiction,) = completed(**spins)
+    result, (contradiction,) = completed(**spins)
     assert set(contradiction.kept) == set(kept)
-    assert all(found[name] == pytest.approx(spins[name], rel=1e-12, abs=1e-12) for name in kept)
-    assert [name for name in spins if math.isnan(found[name])] == (
+    assert all(result[name] == pytest.approx(spins[name], rel=1e-12, abs=1e-12) for name in kept)
+    assert [name for name in spins if math.isnan(result[name])] == (
         [] if len(kept) > 1 else list(spins)[: 2 - len(kept)]
     )
 
@@ -138,14 +138,14 @@ def test_a_sidespin_of_a_few_turns_or_an_axis_of_nearly_a_right_angle_says_nothi
 
 
 def test_total_spin_and_sidespin_leave_a_topped_ball_out_and_say_so():
-    found = complete({"total_spin": np.array([300.0]), "sidespin": np.array([-40.0])})
-    assert found.values["backspin"] == pytest.approx([math.sqrt(300**2 - 40**2)], rel=1e-12)
-    assert "not topped" in found.notes[0]
+    result = complete({"total_spin": np.array([300.0]), "sidespin": np.array([-40.0])})
+    assert result.values["backspin"] == pytest.approx([math.sqrt(300**2 - 40**2)], rel=1e-12)
+    assert "not topped" in result.notes[0]
 
 
 def test_a_total_spin_that_holds_the_spin_about_the_direction_of_launch_contradicts_nothing():
-    found = complete({"backspin": np.array([290.0]), "sidespin": np.array([-40.0]), "total_spin": np.array([295.0])})
-    assert (found.contradictions, found.values["total_spin"][0]) == ((), 295.0)
+    result = complete({"backspin": np.array([290.0]), "sidespin": np.array([-40.0]), "total_spin": np.array([295.0])})
+    assert (result.contradictions, result.values["total_spin"][0]) == ((), 295.0)
 
 
 @pytest.mark.parametrize(
@@ -161,9 +161,9 @@ def test_a_total_spin_that_holds_the_spin_about_the_direction_of_launch_contradi
     ],
 )
 def test_a_computation_that_needs_the_whole_vector_says_what_it_assumes(given, back, side, assumed):
-    found = parts(given)
-    assert found[:2] == pytest.approx((back, side), rel=1e-12)
-    assert (assumed in found[2]) if assumed else not found[2]
+    result = parts(given)
+    assert result[:2] == pytest.approx((back, side), rel=1e-12)
+    assert (assumed in result[2]) if assumed else not result[2]
 
 
 @pytest.mark.parametrize(

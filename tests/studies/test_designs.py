@@ -26,10 +26,10 @@ def joined(of, size):
 
 
 def test_evenly_spaced_values_begin_and_end_where_the_file_says():
-    found = axis("speed", {"from": "90 mph", "to": "120 mph", "count": 31}, SPEED).at(np.arange(31))
-    assert found[0] == to_si(90.0, "mph")
-    assert found[-1] == to_si(120.0, "mph")
-    np.testing.assert_allclose(np.diff(found), to_si(1.0, "mph"), rtol=1e-12)  # rounding of values of 50 m/s
+    result = axis("speed", {"from": "90 mph", "to": "120 mph", "count": 31}, SPEED).at(np.arange(31))
+    assert result[0] == to_si(90.0, "mph")
+    assert result[-1] == to_si(120.0, "mph")
+    np.testing.assert_allclose(np.diff(result), to_si(1.0, "mph"), rtol=1e-12)  # rounding of values of 50 m/s
 
 
 @settings(max_examples=200, deadline=None)
@@ -71,9 +71,9 @@ def test_values_of_more_digits_than_a_float_holds_are_evenly_spaced_too():
 def test_samples_of_whole_numbers_are_whole_and_each_as_frequent(method):
     pytest.importorskip("scipy")
     made = axis("swing", {"from": 3, "to": 10}, Swept("1", limits=(0, 10**9)))
-    found = Samples([made], 64, method, 1).values(range(64))["swing"]
-    assert np.bincount(found.astype(int)).tolist() == [0] * 3 + [8] * 8
-    assert (found == np.floor(found)).all()
+    result = Samples([made], 64, method, 1).values(range(64))["swing"]
+    assert np.bincount(result.astype(int)).tolist() == [0] * 3 + [8] * 8
+    assert (result == np.floor(result)).all()
 
 
 @pytest.mark.parametrize(
@@ -132,16 +132,16 @@ def test_steps_reach_the_last_value_in_spite_of_the_rounding_of_units():
 
 
 def test_a_grid_changes_its_last_input_first():
-    found = Grid([CLUB, X, Y]).values(range(12))
-    assert found["y"].tolist() == [5.0, 7.0] * 6
-    assert found["x"].tolist() == [0.0, 0.0, 0.5, 0.5, 1.0, 1.0] * 2
-    assert found["club"].tolist() == [0] * 6 + [1] * 6
+    result = Grid([CLUB, X, Y]).values(range(12))
+    assert result["y"].tolist() == [5.0, 7.0] * 6
+    assert result["x"].tolist() == [0.0, 0.0, 0.5, 0.5, 1.0, 1.0] * 2
+    assert result["club"].tolist() == [0] * 6 + [1] * 6
 
 
 def test_a_grid_of_a_billion_tasks_is_made_where_it_is_asked_for():
     axes = [Axis(name=name, unit="1", ends=(0.0, 999.0), count=1000) for name in "abc"]
-    found = Grid(axes).values(range(123_456_789, 123_456_791))
-    assert [found[name].tolist() for name in "abc"] == [[123.0, 123.0], [456.0, 456.0], [789.0, 790.0]]
+    result = Grid(axes).values(range(123_456_789, 123_456_791))
+    assert [result[name].tolist() for name in "abc"] == [[123.0, 123.0], [456.0, 456.0], [789.0, 790.0]]
 
 
 @settings(max_examples=10, deadline=None)
@@ -181,18 +181,18 @@ def test_a_sobol_sequence_is_scipys_wherever_it_is_entered(monkeypatch):
 def test_samples_have_one_value_in_each_of_as_many_equal_parts(method):
     """What defines a Latin hypercube, and holds for every coordinate of a scrambled Sobol sequence of 2**m points."""
     pytest.importorskip("scipy")
-    found = Samples(BETWEEN, 64, method, 1).values(range(64))
-    assert sorted(np.floor((found["x"] - 2.0) / 2.0 * 64).astype(int)) == list(range(64))
-    assert np.bincount(found["club"]).tolist() == [32, 32]
+    result = Samples(BETWEEN, 64, method, 1).values(range(64))
+    assert sorted(np.floor((result["x"] - 2.0) / 2.0 * 64).astype(int)) == list(range(64))
+    assert np.bincount(result["club"]).tolist() == [32, 32]
 
 
 def test_the_rows_of_a_table_are_computed_for_every_name(write):
     path = write("club_speed_mph,attack_deg,note\n90,-1,a\n100,2,b\n")
     columns = table_columns(path, {"speed": SPEED, "attack": Swept("rad")})
-    found = Rows(columns, [CLUB]).values(range(4))
-    assert found["club"].tolist() == [0, 0, 1, 1]
-    np.testing.assert_allclose(found["speed"], to_si(np.array([90.0, 100.0, 90.0, 100.0]), "mph"))
-    assert found["attack"][1] == math.radians(2.0)
+    result = Rows(columns, [CLUB]).values(range(4))
+    assert result["club"].tolist() == [0, 0, 1, 1]
+    np.testing.assert_allclose(result["speed"], to_si(np.array([90.0, 100.0, 90.0, 100.0]), "mph"))
+    assert result["attack"][1] == math.radians(2.0)
 
 
 @pytest.mark.parametrize(

@@ -18,9 +18,9 @@ def computed(folder, kind, table, sweep, study=""):
     path = folder / "study.toml"
     path.write_text(f'[study]\nkind = "{kind}"\n{study}\n[{kind}]\n{table}\n[sweep]\n{sweep}\n')
     study = read_study(path)
-    found = study.kind.prepare(study).run(range(study.design.count))
-    assert not found.failed, found.failed
-    return found.columns
+    result = study.kind.prepare(study).run(range(study.design.count))
+    assert not result.failed, result.failed
+    return result.columns
 
 
 def flown(club="driver", *, parameters=None, model="area", hand=None, **conditions):
@@ -50,9 +50,9 @@ def test_what_the_other_shot_has_is_not_swept_in_it(tmp_path, other, sweep, seco
         with pytest.raises(FileError, match=r"friction is in \[sweep\] and for one model as other.parameters"):
             computed(tmp_path, "comparison", table, sweep)
         return
-    found = computed(tmp_path, "comparison", table, sweep)
-    assert found["total_side_other"].tolist() == [flown(**second).total_side] * 2
-    assert found["total_side"][0] != found["total_side"][1]
+    result = computed(tmp_path, "comparison", table, sweep)
+    assert result["total_side_other"].tolist() == [flown(**second).total_side] * 2
+    assert result["total_side"][0] != result["total_side"][1]
 
 
 def test_the_other_shot_keeps_what_it_does_not_change(tmp_path):
@@ -60,17 +60,17 @@ def test_the_other_shot_keeps_what_it_does_not_change(tmp_path):
     table = BASE + 'model = "area"\noutputs = ["total"]\nair = { altitude = "1600 m" }\nground = "firm fairway"\n'
     table += 'parameters = { friction = 0.2 }\nother.air = { temperature = "0 degC" }\n'
     table += "other.ground = { rolling_friction = 0.3 }\nother.parameters = { friction = 0.4 }"
-    found = computed(tmp_path, "comparison", table, 'humidity = ["10 %"]')
+    result = computed(tmp_path, "comparison", table, 'humidity = ["10 %"]')
     ground = {**GROUNDS["firm fairway"], "rolling_friction": 0.3}
     air = {"altitude": "1600 m", "temperature": "0 degC", "humidity": "10 %"}
-    assert found["total_other"][0] == pytest.approx(flown(parameters={"friction": 0.4}, air=air, ground=ground).total)
+    assert result["total_other"][0] == pytest.approx(flown(parameters={"friction": 0.4}, air=air, ground=ground).total)
 
 
 def test_the_other_shot_keeps_the_crosswind_of_a_wind_that_is_given_as_a_list(tmp_path):
     table = BASE + 'model = "area"\noutputs = ["total"]\nwind = ["1 m/s", "0 m/s", "4 m/s"]\n'
-    found = computed(tmp_path, "comparison", table + 'other.wind = { wind_x = "5 m/s" }', 'humidity = ["10 %"]')
+    result = computed(tmp_path, "comparison", table + 'other.wind = { wind_x = "5 m/s" }', 'humidity = ["10 %"]')
     expected = flown(air={"humidity": "10 %"}, wind=("5 m/s", "0 m/s", "4 m/s")).total
-    assert found["total_other"][0] == pytest.approx(expected, rel=1e-12)
+    assert result["total_other"][0] == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_set_of_parameters_beside_a_swept_parameter_is_refused_in_the_other_shot(tmp_path):
@@ -115,24 +115,24 @@ def test_a_column_of_a_table_is_not_held_as_well(tmp_path):
 
 def test_the_hand_is_swept_in_maps(tmp_path):
     table = 'club = "driver"\nheld = { speed = "105 mph", face = "2 deg" }\ngrid = [9, 7]\noutputs = ["longest_toe"]'
-    found = computed(tmp_path, "map", table, 'hand = ["right", "left"]')
+    result = computed(tmp_path, "map", table, 'hand = ["right", "left"]')
     for place, hand in enumerate(("right", "left")):
         one = clubface.map_face(clubface.club("driver").replace(hand=1 - 2 * place), speed="105 mph", face="2 deg",
                                 grid=(9, 7))  # fmt: skip
-        assert found["longest_toe"][place] == one.best("carry").toe, hand
+        assert result["longest_toe"][place] == one.best("carry").toe, hand
 
 
 def test_the_hand_is_swept_in_dispersions_and_mirrors_the_golfer(tmp_path):
     table = 'golfer = "bogey-driver"\nshots = 256\noutputs = ["side_mean", "carry_mean"]'
-    found = computed(tmp_path, "dispersion", table, 'hand = ["right", "left"]')
-    of = golfer("bogey-driver")
-    one = dispersion(of, clubface.club(of.club).replace(hand=-1), count=256)
-    assert found["side_mean"][1] == one.mean("side")
-    assert found["side_mean"][0] == pytest.approx(-found["side_mean"][1], rel=1e-6)
-    assert found["carry_mean"][0] == pytest.approx(found["carry_mean"][1], rel=1e-9)
+    result = computed(tmp_path, "dispersion", table, 'hand = ["right", "left"]')
+    player = golfer("bogey-driver")
+    one = dispersion(player, clubface.club(player.club).replace(hand=-1), count=256)
+    assert result["side_mean"][1] == one.mean("side")
+    assert result["side_mean"][0] == pytest.approx(-result["side_mean"][1], rel=1e-6)
+    assert result["carry_mean"][0] == pytest.approx(result["carry_mean"][1], rel=1e-9)
 
 
 def test_the_hand_is_swept_in_best_lofts(tmp_path):
-    found = computed(tmp_path, "best-loft", 'club = "driver"\nheld = { speed = 45, toe = 0.01 }', 'hand = ["left"]')
+    result = computed(tmp_path, "best-loft", 'club = "driver"\nheld = { speed = 45, toe = 0.01 }', 'hand = ["left"]')
     one = best_loft(45, club=clubface.club("driver").replace(hand=-1), toe=0.01)
-    assert found["best_loft"][0] == one.loft[0]
+    assert result["best_loft"][0] == one.loft[0]

@@ -20,16 +20,16 @@ def computed(path):
 
 
 def test_tasks_are_single_shots_and_their_flights(tmp_path):
-    study, found = computed(shots(tmp_path))
+    study, result = computed(shots(tmp_path))
     inputs = study.design.values(range(study.design.count))
     for task in (0, 7, 23):
         delivery = {name: float(each[task]) for name, each in inputs.items()}
         launch = clubface.impact("driver", delivery, speed="105 mph")
         flight = clubface.fly(launch)
-        assert found.columns["ball_speed"][task] == launch.ball_speed
-        assert found.columns["backspin"][task] == launch.backspin
-        assert found.columns["carry"][task] == flight.carry
-        assert found.columns["side"][task] == flight.side
+        assert result.columns["ball_speed"][task] == launch.ball_speed
+        assert result.columns["backspin"][task] == launch.backspin
+        assert result.columns["carry"][task] == flight.carry
+        assert result.columns["side"][task] == flight.side
 
 
 def test_models_clubs_balls_and_hands_are_swept_by_name(tmp_path):
@@ -43,13 +43,13 @@ club = ["driver", "7-iron"]
 ball = ["modern", "distance"]
 hand = ["right", "left"]
 """
-    study, found = computed(shots(tmp_path, text=text))
+    study, result = computed(shots(tmp_path, text=text))
     inputs = study.design.values(range(16))
     axes = {each.name: each for each in study.design.axes}
     for task in range(16):
         named = {name: axes[name].choices[each[task]] for name, each in inputs.items()}
         launch = clubface.impact(named.pop("club"), speed="105 mph", toe="8 mm", **named)
-        assert found.columns["sidespin"][task] == launch.sidespin
+        assert result.columns["sidespin"][task] == launch.sidespin
 
 
 def test_properties_of_the_club_and_parameters_are_swept(tmp_path):
@@ -66,12 +66,12 @@ club_mass = ["190 g", "204 g"]
 bulge = ["305 mm", "flat"]
 friction = [0.1, 0.4]
 """
-    _, found = computed(shots(tmp_path, text=text))
+    _, result = computed(shots(tmp_path, text=text))
     launch = clubface.impact(
         "driver", model="area", speed="105 mph", club_mass="204 g", bulge="flat", parameters={"friction": 0.1}
     )
-    assert found.columns["backspin"][6] == launch.backspin
-    assert len(set(found.columns["ball_speed"].tolist())) > 1
+    assert result.columns["backspin"][6] == launch.backspin
+    assert len(set(result.columns["ball_speed"].tolist())) > 1
 
 
 def test_parameters_are_a_table_of_values_or_one_for_each_model(tmp_path):
@@ -85,11 +85,11 @@ volumetric = { friction = 0.1, stiffness = "6e9 N/m3" }
 model = ["area", "volumetric"]
 speed = ["110 mph"]
 """
-    _, found = computed(shots(tmp_path, text=text.replace("{", "{{").replace("}", "}}")))
+    _, result = computed(shots(tmp_path, text=text.replace("{", "{{").replace("}", "}}")))
     changed = {"friction": 0.1, "stiffness": "6e9 N/m3"}
     one = clubface.impact("driver", model="area", speed="110 mph").backspin
     other = clubface.impact("driver", model="volumetric", speed="110 mph", parameters=changed).backspin
-    assert found.columns["backspin"].tolist() == [one, other]
+    assert result.columns["backspin"].tolist() == [one, other]
     text = text.replace("volumetric = { ", "").replace(' }\n[sweep]\nmodel = ["area", "volumetric"]', "\n[sweep]")
     text = text.replace(", stiffness", "\nstiffness").replace("[impact]", '[impact]\nmodel = "volumetric"')
     path = shots(tmp_path, text=text)
@@ -107,9 +107,9 @@ wind = ["-10 mph", 0, 0]
 [sweep]
 speed = ["100 mph"]
 """
-    _, found = computed(shots(tmp_path, text=text))
+    _, result = computed(shots(tmp_path, text=text))
     launch = clubface.impact("driver", speed="100 mph", loft="12 deg")
-    assert found.columns["carry"][0] == clubface.fly(launch, wind=("-10 mph", 0, 0)).carry
+    assert result.columns["carry"][0] == clubface.fly(launch, wind=("-10 mph", 0, 0)).carry
 
 
 def test_a_club_and_parameters_of_files_beside_the_study_are_used(tmp_path):
@@ -124,9 +124,9 @@ outputs = ["ball_speed", "backspin"]
 [sweep]
 speed = ["100 mph", "110 mph"]
 """
-    _, found = computed(shots(tmp_path, text=text))
+    _, result = computed(shots(tmp_path, text=text))
     launch = clubface.impact(tmp_path / "mine.toml", model="area", parameters=tmp_path / "soft.toml", speed="110 mph")
-    assert found.columns["backspin"][1] == launch.backspin
+    assert result.columns["backspin"][1] == launch.backspin
 
 
 def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path, in_this_process):
@@ -146,9 +146,9 @@ def test_shots_outside_the_range_of_a_model_are_told(tmp_path, in_this_process):
 
 def test_finite_elements_are_swept_as_every_other_model(tmp_path):
     text = shots_of_speeds('["45 mph"]', 'model = "fem"\nball = "reference"')
-    study, found = computed(shots(tmp_path, text=text))
+    study, result = computed(shots(tmp_path, text=text))
     launch = clubface.impact("driver", model="fem", ball="reference", speed="45 mph")
-    assert found.columns["ball_speed"][0] == launch.ball_speed  # on one thread as on all
+    assert result.columns["ball_speed"][0] == launch.ball_speed  # on one thread as on all
     assert "processor" in kind("impact").prepare(study).depends_on
 
 
@@ -198,23 +198,23 @@ def flown(**conditions):
 )  # fmt: skip
 def test_every_number_of_air_wind_and_ground_is_swept(tmp_path, swept, values, conditions):
     sweep = f"{swept} = {list(values)}".replace("'", '"')
-    _, found = computed(shots(tmp_path, text=CONDITIONS.replace("{held}", "").replace("{sweep}", sweep)))
+    _, result = computed(shots(tmp_path, text=CONDITIONS.replace("{held}", "").replace("{sweep}", sweep)))
     for task, each in enumerate(values):
-        assert found.columns["total"][task] == flown(**conditions(each)).total
-    assert found.columns["total"][0] != found.columns["total"][1]
+        assert result.columns["total"][task] == flown(**conditions(each)).total
+    assert result.columns["total"][0] != result.columns["total"][1]
 
 
 def test_conditions_are_held_and_swept_together_in_a_design_of_samples(tmp_path):
     text = CONDITIONS.replace("{held}", 'wind = {{ wind_speed = "6 m/s" }}\nair = {{ altitude = "1600 m" }}')
     sweep = 'wind.direction = {{ from = "0 deg", to = "180 deg" }}\nair.humidity = {{ from = 0, to = 1 }}'
     text = text.replace("{sweep}", sweep).replace("[impact]", '[study]\ndesign = "sobol"\nsamples = 4\n[impact]', 1)
-    study, found = computed(shots(tmp_path, text=text))
+    study, result = computed(shots(tmp_path, text=text))
     inputs = study.design.values(range(4))
     for task in range(4):
         angle, humidity = inputs["wind_direction"][task], inputs["humidity"][task]
         wind = (6.0 * np.cos(angle), 0.0, 6.0 * np.sin(angle))
-        assert found.columns["side"][task] == flown(wind=wind, air={"altitude": "1600 m", "humidity": humidity}).side
-    assert (found.columns["side"] > flown(air={"altitude": "1600 m"}).side).all()  # it blows to the right
+        assert result.columns["side"][task] == flown(wind=wind, air={"altitude": "1600 m", "humidity": humidity}).side
+    assert (result.columns["side"] > flown(air={"altitude": "1600 m"}).side).all()  # it blows to the right
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
@@ -224,10 +224,10 @@ def test_conditions_are_columns_of_a_table(tmp_path, in_this_process):
     text = CONDITIONS.replace("{sweep}", 'table = "days.csv"').replace("{held}", "")
     text = text.replace("[impact]", '[study]\ndesign = "table"\n[impact]\nmodel = "area"', 1)
     path = shots(tmp_path, text=text)
-    _, found = computed(path)
+    _, result = computed(path)
     launch = clubface.impact("driver", speed="100 mph", loft="12 deg", model="area", parameters={"friction": 0.4})
     cold = clubface.fly(launch, air={"temperature": "5 degC", "altitude": "0 m"}, wind=("-10 mph", 0, 0))
-    assert found.columns["carry"][0] == pytest.approx(float(cold.carry), rel=1e-12)  # cos 180 deg, sin 180 deg round
+    assert result.columns["carry"][0] == pytest.approx(float(cold.carry), rel=1e-12)  # cos 180 deg, sin 180 deg round
     studies.run(path, workers=1)
     studies.join(path, tmp_path / "all.csv")
     heads = (tmp_path / "all.csv").read_text().splitlines()[0].split(",")

@@ -59,8 +59,8 @@ CASES = {
 def contents(name, changed):
     """Return the text of mine.toml, and one that makes other shots."""
     if name == "parameters":
-        found = clubface.ParameterSet.builtin("slip", "driver")
-        return found.replace(cor=0.5 if changed else 0.8).to_toml()
+        result = clubface.ParameterSet.builtin("slip", "driver")
+        return result.replace(cor=0.5 if changed else 0.8).to_toml()
     if name.endswith("ball"):
         ball = clubface.Ball.builtin("modern")
         return ball.replace(name="mine", mass=0.044 if changed else 0.0459).to_toml()

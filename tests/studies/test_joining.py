@@ -56,13 +56,13 @@ def test_a_csv_file_has_practical_units_and_the_same_sums(drives, tmp_path):
 def test_a_study_is_summed_up_as_the_definitions_say(drives, tmp_path):
     studies.join(drives, tmp_path / "all.parquet")
     table = pa.read_table(tmp_path / "all.parquet")
-    found = studies.summary(drives, quantities=["carry", "side"])
+    result = studies.summary(drives, quantities=["carry", "side"])
     carry, loft = (table.column(name).to_numpy() for name in ("carry", "loft"))
     # Sums of 24 numbers differ by rounding alone.
-    assert found.overall.mean[0] == pytest.approx(carry.mean(), rel=1e-14)
-    assert found.overall.deviation[0] == pytest.approx(carry.std(), rel=1e-12)
-    assert (found.overall.least[0], found.overall.most[0]) == (carry.min(), carry.max())
-    (along,) = [each for each in found.along if each.name == "loft"]
+    assert result.overall.mean[0] == pytest.approx(carry.mean(), rel=1e-14)
+    assert result.overall.deviation[0] == pytest.approx(carry.std(), rel=1e-12)
+    assert (result.overall.least[0], result.overall.most[0]) == (carry.min(), carry.max())
+    (along,) = [each for each in result.along if each.name == "loft"]
     assert along.levels == np.unique(loft).tolist()
     for level, figures in zip(along.levels, along.figures, strict=True):
         here = carry[loft == level]
@@ -80,11 +80,11 @@ def test_quantities_to_sum_up_are_a_list(drives, quantities):
 def test_many_values_are_put_into_classes(tmp_path):
     path = squares(tmp_path, count=1001, chunk=37)
     studies.run(path)
-    found = studies.summary(path)
+    result = studies.summary(path)
     # Of x squared over [0, 1]: mean 1/3, deviation sqrt(4/45); the ends count as whole points, 1e-3 each.
-    assert found.overall.mean[0] == pytest.approx(1 / 3, abs=1e-3)
-    assert found.overall.deviation[0] == pytest.approx(math.sqrt(4 / 45), abs=1e-3)
-    (along,) = found.along
+    assert result.overall.mean[0] == pytest.approx(1 / 3, abs=1e-3)
+    assert result.overall.deviation[0] == pytest.approx(math.sqrt(4 / 45), abs=1e-3)
+    (along,) = result.along
     assert len(along.levels) == 10
     assert along.levels[9] == (pytest.approx(0.9), 1.0)
     assert sum(figures.count[0] for figures in along.figures) == 1001
@@ -106,8 +106,8 @@ bulge = [{bulges}, "flat"]
 """
     path = shots(tmp_path, chunk=20, text=text)
     studies.run(path)
-    found = studies.summary(path)
-    (along,) = found.along
+    result = studies.summary(path)
+    (along,) = result.along
     assert [each.count[0] for each in along.figures] == [5] * 10 + [1]
     assert along.levels[-1] == math.inf
     assert along.levels[9] == (pytest.approx(0.2941), pytest.approx(0.299))
@@ -117,17 +117,17 @@ bulge = [{bulges}, "flat"]
     pytest.importorskip("matplotlib")
     from clubface.present.drawing import draw
 
-    draw(summary_picture(found)).canvas.draw()
+    draw(summary_picture(result)).canvas.draw()
 
 
 def test_a_summary_does_not_depend_on_chunks_beyond_rounding(tmp_path):
     small, large = squares(tmp_path, chunk=7), squares(tmp_path, chunk=50, name="large.toml")
-    found = []
+    result = []
     for each in (small, large):
         studies.run(each)
-        found.append(studies.summary(each).overall)
-    assert found[0].mean[0] == pytest.approx(found[1].mean[0], rel=1e-14)
-    assert found[0].deviation[0] == pytest.approx(found[1].deviation[0], rel=1e-13)
+        result.append(studies.summary(each).overall)
+    assert result[0].mean[0] == pytest.approx(result[1].mean[0], rel=1e-14)
+    assert result[0].deviation[0] == pytest.approx(result[1].deviation[0], rel=1e-13)
 
 
 def test_a_picture_shows_every_quantity_along_every_input(drives):

@@ -12,7 +12,7 @@ pytestmark = pytest.mark.usefixtures("in_this_process")
 
 
 @pytest.fixture
-def told():
+def progress():
     """A progress that keeps what it is told, and the checks on it."""
 
     class Wording(list):
@@ -30,32 +30,32 @@ def told():
     return Wording()
 
 
-def test_of_a_study(told, tmp_path):
+def test_of_a_study(progress, tmp_path):
     """20 chunks of 10 tasks; a summary reads each twice, once to find the ends of the classes."""
     path = squares(tmp_path)
-    studies.run(path, progress=told)
-    told.check(20)
-    studies.status(path, check=True, progress=told)
-    told.check(20)
-    studies.join(path, tmp_path / "all.parquet", progress=told)
-    told.check(20)
-    studies.summary(path, progress=told)
-    assert len(told) == 40
-    told.check(40)
+    studies.run(path, progress=progress)
+    progress.check(20)
+    studies.status(path, check=True, progress=progress)
+    progress.check(20)
+    studies.join(path, tmp_path / "all.parquet", progress=progress)
+    progress.check(20)
+    studies.summary(path, progress=progress)
+    assert len(progress) == 40
+    progress.check(40)
 
 
-def test_of_a_study_that_is_half_done(told, tmp_path):
+def test_of_a_study_that_is_half_done(progress, tmp_path):
     path = squares(tmp_path)
     studies.run(path, shard="1/2")
-    studies.run(path, progress=told)
-    told.check(20)
+    studies.run(path, progress=progress)
+    progress.check(20)
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
-def test_of_other_long_work(told, tmp_path):
-    tour(["standard", "slip"], progress=told)
-    told.check(told[0][1])
-    synthesize(tmp_path, 2, progress=told)
-    told.check(2)
-    clubface.dispersion("tour-driver", count=40_000, progress=told)
-    told.check(told[0][1])
+def test_of_other_long_work(progress, tmp_path):
+    tour(["standard", "slip"], progress=progress)
+    progress.check(progress[0][1])
+    synthesize(tmp_path, 2, progress=progress)
+    progress.check(2)
+    clubface.dispersion("tour-driver", count=40_000, progress=progress)
+    progress.check(progress[0][1])

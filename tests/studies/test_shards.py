@@ -26,7 +26,7 @@ def test_shares_joined_are_the_whole(tmp_path, in_this_process):
 
 
 @pytest.mark.parametrize(
-    ("text", "environment", "found"),
+    ("text", "environment", "result"),
     [
         ("3/40", {}, (3, 40)),
         ("3/40", SLURM, (3, 40)),
@@ -37,8 +37,8 @@ def test_shares_joined_are_the_whole(tmp_path, in_this_process):
         ("kubernetes/40", {"JOB_COMPLETION_INDEX": "39"}, (40, 40)),
     ],
 )
-def test_a_share_is_typed_or_taken_from_the_scheduler(text, environment, found):
-    assert shard_of(text, environment) == found
+def test_a_share_is_typed_or_taken_from_the_scheduler(text, environment, result):
+    assert shard_of(text, environment) == result
 
 
 @pytest.mark.parametrize(

@@ -153,10 +153,15 @@ def test_a_part_tells_where_it_comes_from_to_any_program(tmp_path):
     table = pyarrow.parquet.read_table(part(path, 1))
     assert table.column_names == ["loft", "toe", "attack", "ball_speed", "backspin", "carry", "side"]
     assert table.schema.field("loft").metadata == {b"unit": b"rad"}
-    _, told = open_store(path).read(1)
-    assert (told["first"], told["tasks"], told["name"], told["kind"]) == (5, 5, "shots", "impact")
-    assert told["inputs"]["held"] == {"speed": "105 mph"}
-    assert told["clubface_version"]
+    _, description = open_store(path).read(1)
+    assert (description["first"], description["tasks"], description["name"], description["kind"]) == (
+        5,
+        5,
+        "shots",
+        "impact",
+    )
+    assert description["inputs"]["held"] == {"speed": "105 mph"}
+    assert description["clubface_version"]
 
 
 @pytest.mark.parametrize(
@@ -220,8 +225,8 @@ def test_a_damaged_record_is_told(tmp_path):
 def test_an_unfinished_study_is_not_joined(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1, shard="1/4")
-    found = studies.status(path)
-    assert (found.done, found.chunks, found.missing[:4]) == (5, 20, (1, 2, 3, 5))
+    result = studies.status(path)
+    assert (result.done, result.chunks, result.missing[:4]) == (5, 20, (1, 2, 3, 5))
     for command in (studies.join, studies.summary):
         with pytest.raises(FileError, match="15 of 20 chunks are not done yet"):
             command(path)

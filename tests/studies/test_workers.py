@@ -57,8 +57,8 @@ def test_workers_killed_between_writing_and_renaming_lose_nothing(tmp_path, undi
     command = started(
         "study", "run", path, "--workers", "2", path=[tmp_path / "killer"], KILLED_RENAMES=str(tmp_path / "renames")
     )
-    _, said = command.communicate(timeout=60)
-    assert command.returncode == 0, said
+    _, message = command.communicate(timeout=60)
+    assert command.returncode == 0, message
     renames = len(os.listdir(tmp_path / "renames"))
     assert renames - (renames + 2) // 3 == 20  # every chunk once, beside those that were killed
     assert sums(path) == undisturbed
@@ -74,8 +74,8 @@ def test_workers_killed_at_random_are_replaced(tmp_path, undisturbed):
         for worker in children(command.pid)[:1]:
             os.kill(worker, signal.SIGKILL)
             killed += 1
-    _, said = command.communicate(timeout=60)
-    assert command.returncode == 0, said
+    _, message = command.communicate(timeout=60)
+    assert command.returncode == 0, message
     assert killed
     assert sums(path) == undisturbed
 
@@ -89,10 +89,10 @@ def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
         time.sleep(0.02)
     command.send_signal(kill)
     begun = time.monotonic()
-    _, said = command.communicate(timeout=30)
+    _, message = command.communicate(timeout=30)
     if kill == signal.SIGINT:
         assert command.returncode == 130
-        assert "of 20 chunks are done and kept in" in said
+        assert "of 20 chunks are done and kept in" in message
         assert time.monotonic() - begun < 2.0  # 0.1 s on a machine that has nothing else to do
     done = studies.run(path, workers=1)
     assert 0 < done.computed < 20

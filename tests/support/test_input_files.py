@@ -49,12 +49,12 @@ def reads(tree):
 
 
 def test_no_other_module_opens_files_that_a_computation_depends_on():
-    found = {
+    result = {
         path.relative_to(ROOT).as_posix()
         for path in ROOT.rglob("*.py")
         if list(reads(ast.parse(path.read_text(encoding="utf-8"))))
     }
-    assert found <= NO_INPUTS.keys()
+    assert result <= NO_INPUTS.keys()
 
 
 def test_a_file_that_is_edited_during_a_computation_stays_as_it_was_read(tmp_path):

@@ -95,7 +95,7 @@ def writers(tree):
 
 def test_files_are_written_in_one_place():
     root = Path(clubface.__file__).parent
-    found = {
+    result = {
         path.relative_to(root).as_posix()
         for path in root.rglob("*.py")
         if list(writers(ast.parse(path.read_text(encoding="utf-8"))))
@@ -103,8 +103,8 @@ def test_files_are_written_in_one_place():
     # The others open a lock, devices and pipes in the place of an output, or copy inputs for a library that opens files
     # itself: none of them makes a file of results.
     pipes = {"cli/app.py", "cli/failures.py", "fem/heads/mesh_file.py", "support/isolated_script.py"}
-    assert found <= {"support/files.py", "jobs/lock.py", "jobs/store.py", *pipes}
-    assert "support/files.py" in found
+    assert result <= {"support/files.py", "jobs/lock.py", "jobs/store.py", *pipes}
+    assert "support/files.py" in result
 
 
 @pytest.mark.parametrize("text", ["p.open('w')", "open(p, 'xb')", "p.write_text('a')", "os.replace(a, b)"])

@@ -73,29 +73,29 @@ def test_drives_are_as_fast_as_those_published():
 
 
 def test_a_true_launch_is_that_of_its_model_with_the_true_delivery(club, shots):
-    of = recipe(club)
-    for name in of.mixture:
+    made_by = recipe(club)
+    for name in made_by.mixture:
         own = shots.model == name
         delivery = {key: each[own] for key, each in shots.truth.deliveries.items()}
-        found = benchmark_recipe.launches(of, name, delivery, shots.restitution_offset[own])
-        for key, values in found.items():
+        result = benchmark_recipe.launches(made_by, name, delivery, shots.restitution_offset[own])
+        for key, values in result.items():
             # Half of the last of five decimals, in the unit of the file.
             assert np.abs(values - shots.truth.launches[key][own]).max() <= 0.51e-5 * UNIT[key]
 
 
 def test_every_model_of_the_mixture_has_its_share_of_the_shots(club, shots):
-    of = recipe(club)
-    share = 1 / len(of.mixture)
-    for name in of.mixture:
+    made_by = recipe(club)
+    share = 1 / len(made_by.mixture)
+    for name in made_by.mixture:
         # Four standard deviations of a binomial share.
-        allowed = 4 * math.sqrt(share * (1 - share) / of.shots)
+        allowed = 4 * math.sqrt(share * (1 - share) / made_by.shots)
         assert np.mean(shots.model == name) == pytest.approx(share, abs=allowed)
 
 
 def test_the_models_of_the_mixture_agree_at_the_mean_delivery(club):
-    of = recipe(club)
-    mean = {name: np.array([spread.mean]) for name, spread in of.delivery.items()}
-    launches = {name: benchmark_recipe.launches(of, name, mean, 0.0) for name in of.mixture}
+    made_by = recipe(club)
+    mean = {name: np.array([spread.mean]) for name, spread in made_by.delivery.items()}
+    launches = {name: benchmark_recipe.launches(made_by, name, mean, 0.0) for name in made_by.mixture}
     for name, launch in launches.items():
         # The parameters were solved to this and written with three or four digits.
         assert abs(launch["ball_speed"] - launches["slip"]["ball_speed"])[0] < 0.1 * MPH, name
@@ -111,17 +111,17 @@ def test_damping_gives_the_restitution_it_was_made_for(name):
         "7-iron", speed=speed, loft=0.0, static_loft=0.0, cg_y=0.0, cg_z=0.0, ixy=0.0, ixz=0.0, iyz=0.0,
         model=name, parameters={"damping": damping}, accuracy=1e-9,
     )  # fmt: skip
-    found = (launch.velocity_x - launch.club_velocity_x) / speed
-    assert found == pytest.approx(wanted, abs=1e-6)
+    result = (launch.velocity_x - launch.club_velocity_x) / speed
+    assert result == pytest.approx(wanted, abs=1e-6)
 
 
 def test_the_shaft_moves_mass_centre_and_inertia_as_two_bodies_have_them(club):
-    of, head = recipe(club), clubface.club(HEADS[club])
-    both = benchmark_recipe.with_shaft(of)
-    assert both.mass == pytest.approx(head.mass + of.shaft_mass, rel=1e-15)
+    made_by, head = recipe(club), clubface.club(HEADS[club])
+    both = benchmark_recipe.with_shaft(made_by)
+    assert both.mass == pytest.approx(head.mass + made_by.shaft_mass, rel=1e-15)
     shift = np.array([getattr(head, f"cg_{x}") - getattr(both, f"cg_{x}") for x in "xyz"])
     # First moments about the head's CG, then Steiner for each body about the common one.
-    assert both.mass * shift == pytest.approx(of.shaft_mass * of.hosel, rel=1e-9)
+    assert both.mass * shift == pytest.approx(made_by.shaft_mass * made_by.hosel, rel=1e-9)
 
     def tensor(of_club):
         names = ["xx xy xz", "xy yy yz", "xz yz zz"]
@@ -130,38 +130,38 @@ def test_the_shaft_moves_mass_centre_and_inertia_as_two_bodies_have_them(club):
     def steiner(mass, arm):
         return mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
 
-    expected = tensor(head) + steiner(head.mass, -shift) + steiner(of.shaft_mass, of.hosel - shift)
+    expected = tensor(head) + steiner(head.mass, -shift) + steiner(made_by.shaft_mass, made_by.hosel - shift)
     assert tensor(both) == pytest.approx(expected, rel=1e-9)
 
 
 def test_capture_without_noise_of_a_straight_steady_head_is_the_truth(club):
-    of = recipe(club)._replace(
+    made_by = recipe(club)._replace(
         arc_radius=1e7, position_noise=0.0, attitude_noise=0.0, time_noise=0.0,
         growth=dict.fromkeys(("closure", "pitch_rate", "lie_rate"), (0.0, 0.0)),
     )  # fmt: skip
     random = np.random.default_rng(1)
-    truth = benchmark_recipe.deliveries(of, random)
-    seen = benchmark_recipe.captured(of, truth, random)
+    truth = benchmark_recipe.deliveries(made_by, random)
+    seen = benchmark_recipe.captured(made_by, truth, random)
     for name, values in truth.items():
         # 1e-7: what an arc of ten thousand kilometres still bends within 4 ms, and rounding.
         assert seen[name] == pytest.approx(values, abs=1e-7), name
 
 
 def test_straight_lines_through_an_arc_miss_as_much_as_its_curvature_says(club):
-    of = recipe(club)._replace(
+    made_by = recipe(club)._replace(
         position_noise=0.0, attitude_noise=0.0, time_noise=0.0,
         growth=dict.fromkeys(("closure", "pitch_rate", "lie_rate"), (1000.0, 0.0)),
     )  # fmt: skip
     random = np.random.default_rng(1)
-    truth = benchmark_recipe.deliveries(of, random)
-    seen = benchmark_recipe.captured(of, truth, random)
+    truth = benchmark_recipe.deliveries(made_by, random)
+    seen = benchmark_recipe.captured(made_by, truth, random)
     # Through values at -t and -t - h, a line misses a parabola at 0 by half its second derivative times t (t + h),
     # which is evenly spread in t; the mean of t (t + h) over a frame is 5/6 h^2.
-    mean = 0.5 * 5 / 6 * of.frame**2
+    mean = 0.5 * 5 / 6 * made_by.frame**2
     closing = truth["face"] - seen["face"]
     assert closing.mean() == pytest.approx(-1000.0 * mean, rel=0.1)
-    inward = np.mean(truth["speed"]) ** 2 / of.arc_radius
-    rise = inward * math.sin(of.swing_plane) * mean
+    inward = np.mean(truth["speed"]) ** 2 / made_by.arc_radius
+    rise = inward * math.sin(made_by.swing_plane) * mean
     # The head is really higher than the line says, so that the ball is believed too high on the face: 10 % for the
     # few shots of a sample, 10 % for the loft by which the face leans back.
     assert (seen["high"] - truth["high"]).mean() == pytest.approx(rise, rel=0.2)

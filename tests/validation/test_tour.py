@@ -50,9 +50,9 @@ def test_the_published_averages_are_read_with_their_units():
     ],
 )
 def test_every_table_has_its_own_rows_and_source(table, row):
-    found = {each.club: each for each in averages(table)}[row[0]]
+    computed = {each.club: each for each in averages(table)}[row[0]]
     parts = ("club_speed", "mph"), ("attack", "deg"), ("ball_speed", "mph"), ("launch", "deg"), ("spin", "rpm")
-    assert [float(units.from_si(getattr(found, name), unit)) for name, unit in parts] == pytest.approx(row[1:])
+    assert [float(units.from_si(getattr(computed, name), unit)) for name, unit in parts] == pytest.approx(row[1:])
     result = job.tour(["standard"], table=table)
     assert result.table is clubface.published_data.table(table)
     assert notes(result)["published-table"]["source"] == result.table.source
@@ -251,9 +251,9 @@ def test_a_launch_angle_from_which_the_loft_was_solved_is_no_prediction_and_has_
 def test_without_any_published_loft_no_launch_angle_is_compared():
     newer = job.tour(["standard"])
     assert math.isnan(newer.mean_absolute_error("standard")["launch"])
-    found = newer.to_result()
-    assert found.table("mean_absolute_error").records()[0]["launch_deg"] is None
-    assert "launch" not in [each.name for each in found.tables]
+    computed = newer.to_result()
+    assert computed.table("mean_absolute_error").records()[0]["launch_deg"] is None
+    assert "launch" not in [each.name for each in computed.tables]
     assert notes(newer)["tour-lofts-solved"]["others"] == ["pga-2019", "lpga-2019"]
 
 
@@ -261,13 +261,13 @@ def test_the_mean_over_several_tables_is_that_of_all_their_rows(result):
     other = job.tour(["standard", "volumetric"], table="lpga-2019")
     spins = np.concatenate([each.errors("standard")["spin"] for each in (result, other)])
     assert len(spins) == 22
-    found = job.mean_absolute_error([result, other], "standard")["spin"]
-    assert found == pytest.approx(np.abs(spins).mean(), rel=1e-14)
+    computed = job.mean_absolute_error([result, other], "standard")["spin"]
+    assert computed == pytest.approx(np.abs(spins).mean(), rel=1e-14)
     (row,) = [
         each for each in mean_table([result, other]).records()
         if (each["averages"], each["model"]) == ("all", "standard")
     ]  # fmt: skip
-    assert row["spin_rpm"] == pytest.approx(units.from_si(found, "rpm"), rel=1e-12)
+    assert row["spin_rpm"] == pytest.approx(units.from_si(computed, "rpm"), rel=1e-12)
 
 
 def test_the_lofts_of_the_models_stand_beside_the_published_ones(result):

@@ -82,7 +82,7 @@ def test_every_check_has_its_own_name_its_sources_and_a_reason():
 
 def test_the_published_figures_are_those_of_the_tables():
     """Typed again by hand from the sources as quoted: check, what, quantity, unit, value."""
-    found = validate("standard").figures["standard"]
+    result = validate("standard").figures["standard"]
     for check, what, quantity, unit, value in (
         ("irons-at-launch", "robot, two blades, 7-iron", "spin", "rpm", (5908 + 6007) / 2),
         ("launch-shares", "7-iron", "share of start direction (PING)", "1", 0.69),
@@ -92,7 +92,7 @@ def test_the_published_figures_are_those_of_the_tables():
         ("gear-effect", "driver, 13 mm towards the heel", "spin axis", "deg", 20),
         ("longest-drives-ping", "ball 160 mph, attack +0 deg", "spin", "rpm", 2600),
     ):
-        (each,) = [one for one in found[check] if (one.case, one.quantity) == (what, quantity)]
+        (each,) = [one for one in result[check] if (one.case, one.quantity) == (what, quantity)]
         assert [units.from_si(end, unit) for end in each.published] == pytest.approx([value, value])
         assert each.unit == unit
     for check, what, quantity, unit, value in (
@@ -103,7 +103,7 @@ def test_the_published_figures_are_those_of_the_tables():
         ("irons-at-launch", "one golfer, TrackMan 4, 7-iron", "spin", "rpm", 6390),
         ("drives-at-launch", "many golfers, 110 mph", "ball speed", "mph", 161.3),
     ):
-        (each,) = [one for one in found[check] if (one.case, one.quantity) == (what, quantity)]
+        (each,) = [one for one in result[check] if (one.case, one.quantity) == (what, quantity)]
         low, high = (units.from_si(end, unit) for end in each.published)
         assert low - 1e-9 <= value <= high + 1e-9
         assert each.unit == unit
@@ -152,9 +152,9 @@ OF_EACH = {
 
 
 def test_no_tolerance_is_wider_than_was_agreed():
-    found = validate("standard").figures["standard"]
-    assert set(found) == {*ALLOWED, *OF_EACH}
-    for check, figures in found.items():
+    result = validate("standard").figures["standard"]
+    assert set(result) == {*ALLOWED, *OF_EACH}
+    for check, figures in result.items():
         for each in figures:
             size = 0.01 if each.relative else units.size(each.unit)
             of_each = OF_EACH.get(check)
@@ -164,12 +164,12 @@ def test_no_tolerance_is_wider_than_was_agreed():
 
 def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
     """TrackMan's standard pitching wedge and the drive of a male handicap of 10, typed again from the sources."""
-    found = launches.deliveries()
+    result = launches.deliveries()
     wedge = {"speed": 72 * 0.44704, "attack": -3.9 * DEG, "loft": 36.7 * DEG}
-    assert found["pitching-wedge"] == pytest.approx(wedge, rel=1e-12)
-    assert found["7-iron"]["speed"] == pytest.approx(82 * 0.44704, rel=1e-12)
+    assert result["pitching-wedge"] == pytest.approx(wedge, rel=1e-12)
+    assert result["7-iron"]["speed"] == pytest.approx(82 * 0.44704, rel=1e-12)
     drive = {"speed": 95 * 0.44704, "attack": -1.2 * DEG, "loft": 14.1 * DEG}
-    assert found["driver"] == pytest.approx(drive, rel=1e-12)
+    assert result["driver"] == pytest.approx(drive, rel=1e-12)
 
 
 def test_at_its_own_launch_a_model_has_its_own_spin_whatever_the_loft_was():
@@ -254,20 +254,20 @@ def test_golfers_who_swing_faster_scatter_less_and_irons_have_no_known_scatter_o
 
 def test_a_driver_is_fastest_nearer_to_its_mass_centre_and_loses_speed_with_the_square_of_the_distance():
     """Typed in by hand: ball speeds of one model over the face at one launch, 1 mm apart."""
-    found = {(each.case, each.quantity): each for each in strikes.best_strike(Judged("standard"))}
-    best = found["driver, launch 12 deg", "fastest strike, high"].computed
+    result = {(each.case, each.quantity): each for each in strikes.best_strike(Judged("standard"))}
+    best = result["driver, launch 12 deg", "fastest strike, high"].computed
     places = np.arange(-12e-3, 12e-3, 1e-3)
     speeds = Judged("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, high=places).ball_speed
     # The parabola through three strikes 10 mm apart is off the true top by less than a mm.
     assert best == pytest.approx(places[np.argmax(speeds)], abs=1.2e-3)
-    loss = found["driver, launch 12 deg", "speed lost 10 mm away, high"].computed
+    loss = result["driver, launch 12 deg", "speed lost 10 mm away, high"].computed
     assert 0.004 < loss < 0.012
 
 
 def test_what_other_models_computed_is_shown_but_judges_no_model():
-    found = validate("standard", checks=["curvature", "toe-hits"])
-    assert found.verdict("standard").of == len(found.summary("standard", "toe-hits"))
-    assert {each.certainty for each in found.figures["standard"]["curvature"]} == {A_MODEL}
+    result = validate("standard", checks=["curvature", "toe-hits"])
+    assert result.verdict("standard").of == len(result.summary("standard", "toe-hits"))
+    assert {each.certainty for each in result.figures["standard"]["curvature"]} == {A_MODEL}
     for each in CHECKS:
         assert each.certainty in CERTAINTIES
         assert each.measured == any(table.kind != "computed" for table in each.tables)
@@ -278,13 +278,13 @@ def test_the_tangential_restitution_of_slip_on_a_plate_is_its_parameter(restitut
     values = {"slip_y": restitution, "cor": 0.8}
     shot = Judged("slip").strike(strikes.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
     # The plate is heavier than a ball by 2e4, and as much is missing.
-    found = strikes.restitutions(shot, 30.0, 40 * DEG)
-    assert found == pytest.approx((0.8, restitution), abs=2e-4)
+    result = strikes.restitutions(shot, 30.0, 40 * DEG)
+    assert result == pytest.approx((0.8, restitution), abs=2e-4)
 
 
 def test_a_head_that_does_not_turn_has_the_restitution_of_the_model():
-    for of in (strikes.PLATE, strikes.HEAD):
-        normal, _ = strikes.restitutions(Judged("standard").strike(of, speed=48.768), 48.768, 0.0)
+    for body in (strikes.PLATE, strikes.HEAD):
+        normal, _ = strikes.restitutions(Judged("standard").strike(body, speed=48.768), 48.768, 0.0)
         assert normal == pytest.approx(0.83, abs=1e-9)
 
 
@@ -299,16 +299,16 @@ def test_the_share_is_one_where_balls_start_along_the_normal_and_falls_with_grip
 
 
 def test_an_open_face_curves_to_the_right_by_as_much_as_it_is_open():
-    found = launches.curvature(Judged("standard"))
-    assert all(np.sign(each.computed) == np.sign(each.published[0]) for each in found)
-    curve = {each.case: each.computed for each in found}
+    result = launches.curvature(Judged("standard"))
+    assert all(np.sign(each.computed) == np.sign(each.published[0]) for each in result)
+    curve = {each.case: each.computed for each in result}
     right, left = (curve[f"PGA Tour, 6-iron, face to path {each} deg"] for each in (2, -5))
     # The mass centre of the 6-iron is before its face centre but for a mm to the side, so that it is nearly symmetric.
     assert left / right == pytest.approx(-2.5, rel=0.05)
 
 
 def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
-    found = {each.case: each.computed for each in launches.curvature(Judged("slip"))}
+    result = {each.case: each.computed for each in launches.curvature(Judged("slip"))}
     average = next(each for each in averages("lpga-2019") if each.club == "driver")
     shot = clubface.impact(
         "driver", speed=average.club_speed, attack=average.attack, loft="15.5 deg", face="-2.5 deg", path="2.5 deg",
@@ -318,7 +318,7 @@ def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
     started = {name: getattr(shot, name) for name in ("ball_speed", "launch", "backspin", "sidespin")}
     straight = clubface.fly(started)
     # Backspin and sidespin leave out the spin about the horizontal line of launch, 1% of the curve.
-    assert found["LPGA Tour, driver, face to path -5 deg"] == pytest.approx(straight.side, rel=0.02)
+    assert result["LPGA Tour, driver, face to path -5 deg"] == pytest.approx(straight.side, rel=0.02)
 
 
 def test_the_spin_by_a_degree_is_that_between_two_lofts_a_degree_from_the_mean():
@@ -382,7 +382,7 @@ def test_the_gear_effect_is_that_of_a_face_turned_back_by_its_bulge():
 
     With the face the mass centre turns, 42 mm behind it, towards the line of impact.
     """
-    found = {each.case: each.computed for each in strikes.gear_effect(Judged("standard")) if each.unit == "deg"}
+    result = {each.case: each.computed for each in strikes.gear_effect(Judged("standard")) if each.unit == "deg"}
     flat = clubface.club("driver").replace(bulge="flat")
     lever = -0.0127 + 0.0421 * 0.0127 / 0.305
     centre, heel = (
@@ -390,13 +390,13 @@ def test_the_gear_effect_is_that_of_a_face_turned_back_by_its_bulge():
         for toe in (0.0, lever)
     )
     axis = float(heel.spin_axis - centre.spin_axis)
-    assert found["driver, 13 mm towards the heel"] == pytest.approx(axis, abs=0.5 * DEG)
+    assert result["driver, 13 mm towards the heel"] == pytest.approx(axis, abs=0.5 * DEG)
 
 
 def test_another_ball_is_the_one_that_is_hit():
-    found = validate("standard", checks=["tour-driver"], ball="conforming")
-    assert found.ball == "conforming"
-    assert found.figures != validate("standard", checks=["tour-driver"]).figures
+    result = validate("standard", checks=["tour-driver"], ball="conforming")
+    assert result.ball == "conforming"
+    assert result.figures != validate("standard", checks=["tour-driver"]).figures
 
 
 def test_unknown_names_and_nothing_to_do_are_refused():
@@ -410,9 +410,9 @@ def test_unknown_names_and_nothing_to_do_are_refused():
 
 
 def test_progress_tells_of_every_check_of_every_model():
-    told = []
-    validate(["standard", "slip"], checks=["tour-driver", "plates"], progress=lambda *each: told.append(each))
-    assert told == [(done, 4) for done in range(1, 5)]
+    progress = []
+    validate(["standard", "slip"], checks=["tour-driver", "plates"], progress=lambda *each: progress.append(each))
+    assert progress == [(done, 4) for done in range(1, 5)]
 
 
 # What the models meet
@@ -451,8 +451,8 @@ TARGETS = {
 
 @pytest.mark.parametrize(("check", "quantity"), TARGETS)
 def test_the_finite_elements_meet(by_fem, check, quantity):
-    (found,) = [each for each in summary(by_fem[check]) if each.quantity == quantity]
-    assert found.met, f"{found}: {TARGETS[check, quantity]}"
+    (result,) = [each for each in summary(by_fem[check]) if each.quantity == quantity]
+    assert result.met, f"{result}: {TARGETS[check, quantity]}"
 
 
 def test_the_ball_of_the_finite_elements_lies_between_the_camps_of_published_irons(by_fem):
@@ -516,7 +516,7 @@ def test_the_command_sums_up_and_shows_the_figures_of_a_check_that_is_named(club
     assert "tour-irons" not in one
     assert "pitching-wedge" in one
     assert "doi 10.3390/proceedings2020049027" in one
-    found = clubface_("validate", "--check", "plates,toe-hits", "--json").json["tables"]
-    assert [each["check"] for each in found["checks"]["rows"]] == ["plates", "toe-hits"]
+    result = clubface_("validate", "--check", "plates,toe-hits", "--json").json["tables"]
+    assert [each["check"] for each in result["checks"]["rows"]] == ["plates", "toe-hits"]
     # A bound has no upper end, and JSON no infinity.
-    assert None in [each["published_most"] for each in found["figures"]["rows"]]
+    assert None in [each["published_most"] for each in result["figures"]["rows"]]

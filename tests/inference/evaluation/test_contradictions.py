@@ -36,23 +36,23 @@ KNOWN = {
 """What fails with the default sets. A new failure is a mistake, or a set that has changed; so is one that is gone."""
 
 
-def told(found):
+def by_club_and_quantity(result):
     """The pairs by club and quantity."""
     by: dict[tuple[str, str], set[str]] = {}
-    for each in found:
+    for each in result:
         by.setdefault((each.club, each.quantity), set()).add(f"{each.first} {each.second}")
     return by
 
 
 def test_the_published_sets_contradict_each_other_where_it_is_known_and_nowhere_else():
-    assert told(contradictions()) == KNOWN
+    assert by_club_and_quantity(contradictions()) == KNOWN
 
 
 def test_every_pair_of_models_is_compared_with_both_clubs_in_every_quantity():
-    found = pairs()
-    assert {(each.club, each.quantity) for each in found} == {(c, q) for c in benchmark_data.CLUBS for q in QUANTITIES}
-    assert len(found) == len({each[:4] for each in found}) == 2 * 5 * 15
-    assert {each.first for each in found} | {each.second for each in found} == {name for name, _ in published()}
+    result = pairs()
+    assert {(each.club, each.quantity) for each in result} == {(c, q) for c in benchmark_data.CLUBS for q in QUANTITIES}
+    assert len(result) == len({each[:4] for each in result}) == 2 * 5 * 15
+    assert {each.first for each in result} | {each.second for each in result} == {name for name, _ in published()}
 
 
 def test_the_rings_of_the_7_iron_differ_from_slip_by_more_than_both_errors():
@@ -76,7 +76,7 @@ def test_the_rings_of_the_7_iron_differ_from_slip_by_more_than_both_errors():
 
 def test_stiffer_rings_agree_with_slip():
     stiffer = ParameterSet.builtin("rings", "7-iron").replace(ring_modulus="7.4e7 Pa")
-    left = told(contradictions({("rings", "7-iron"): stiffer}))
+    left = by_club_and_quantity(contradictions({("rings", "7-iron"): stiffer}))
     assert not any("slip rings" in each for each in left.values())
     assert left["driver", "backspin"] == KNOWN["driver", "backspin"]
 
@@ -106,7 +106,7 @@ def test_the_clearest_contradiction_stands_first():
 def test_a_wrong_parameter_set_is_detected():
     """Planted: a restitution of 0.7 for the driver of `slip`, which costs some 7% of ball speed."""
     planted = ParameterSet.builtin("slip", "driver").replace(cor=0.7)
-    found = told(contradictions({("slip", "driver"): planted}))
-    assert found["driver", "ball_speed"] == {f"{name} slip" for name in ("standard", "adjusted")} | {
+    result = by_club_and_quantity(contradictions({("slip", "driver"): planted}))
+    assert result["driver", "ball_speed"] == {f"{name} slip" for name in ("standard", "adjusted")} | {
         f"slip {name}" for name in ("volumetric", "rings", "area")
     }

@@ -87,42 +87,42 @@ def test_the_published_noise_of_the_monitor_is_the_floor(result):
 
 def test_noise_of_the_delivery_reaches_the_launch_by_its_sensitivity():
     shots = made(300, face=0.0, path=0.0, toe=0.0, high=0.0, attack=0.02, loft=0.27, speed=50.0)
-    found = evaluate(
+    computed = evaluate(
         shots, club="driver", models="slip", delivery_noise={"face": "0.5 deg"}, noise={"azimuth": 0.0, "launch": 0.0}
     )
     slope = clubface.sensitivity("driver", speed=50.0, attack=0.02, loft=0.27, model="slip").value("azimuth", "face")
     # 2400 draws know a standard deviation to 1.4 %; three of these.
-    assert found.floor["azimuth"] == pytest.approx(TO_MEAN_ABSOLUTE * abs(slope) * 0.5 * DEG, rel=0.045)
-    assert found.floor["launch"] < 0.1 * found.floor["azimuth"]
+    assert computed.floor["azimuth"] == pytest.approx(TO_MEAN_ABSOLUTE * abs(slope) * 0.5 * DEG, rel=0.045)
+    assert computed.floor["launch"] < 0.1 * computed.floor["azimuth"]
 
 
 def test_a_shot_that_one_model_cannot_compute_is_left_out_for_all():
     shots = made(30)
     shots.deliveries["toe"][4] = 0.2
-    found = evaluate(shots, club="driver", models=["standard", "slip"])
-    assert len(found.shots) == 29
-    (failed,) = found.failed
+    computed = evaluate(shots, club="driver", models=["standard", "slip"])
+    assert len(computed.shots) == 29
+    (failed,) = computed.failed
     assert failed.line == 6
     assert failed.reason.startswith("standard: impact at 200.0 mm is outside the face")
-    assert codes(found)["shots-not-computed"]["shots"] == 1
+    assert codes(computed)["shots-not-computed"]["shots"] == 1
 
 
 def test_missing_values_leave_out_no_more_than_they_must():
     shots = made(30)
     shots.launches["backspin"][3:13] = np.nan
     shots.deliveries["speed"][0] = np.nan
-    found = evaluate(shots, club="driver", models=["standard"])
-    assert found.sizes["backspin"]["standard"].shots == 19
-    assert found.sizes["launch"]["standard"].shots == 29
-    assert found.shots.dropped == ((2, "speed was not measured"),)
+    computed = evaluate(shots, club="driver", models=["standard"])
+    assert computed.sizes["backspin"]["standard"].shots == 19
+    assert computed.sizes["launch"]["standard"].shots == 29
+    assert computed.shots.dropped == ((2, "speed was not measured"),)
 
 
 def test_groups_are_one_a_shot_of_the_source():
     shots = made(30)
     shots.deliveries["speed"][0] = np.nan
     players = np.repeat(np.arange(6), 5)
-    found = evaluate(shots, club="driver", models="standard", groups=players)
-    assert found.sizes["launch"]["standard"].shots == 29
+    computed = evaluate(shots, club="driver", models="standard", groups=players)
+    assert computed.sizes["launch"]["standard"].shots == 29
     with pytest.raises(InputError, match=r"one for each shot: \(30,\)"):
         evaluate(shots, club="driver", models="standard", groups=players[:5])
 
@@ -136,15 +136,15 @@ def test_shots_of_a_file_belong_together_by_their_player(tmp_path):
     read = clubface.read_shots(tmp_path / "shots.csv")
     assert read.players is not None
     assert read.players.tolist() == players.tolist()
-    found = evaluate(tmp_path / "shots.csv", club="driver", models=["standard", "slip"])
-    assert found.groups == 4  # a shot without a name belongs to nobody
+    computed = evaluate(tmp_path / "shots.csv", club="driver", models=["standard", "slip"])
+    assert computed.groups == 4  # a shot without a name belongs to nobody
     by_hand = [*["A"] * 19, *["B"] * 19, "C", "D"]
     same = evaluate(read, club="driver", models=["standard", "slip"], groups=by_hand)
     alone = evaluate(read, club="driver", models=["standard", "slip"], groups=range(40))
-    assert found.sizes["launch"]["slip"] == same.sizes["launch"]["slip"]
-    assert found.sizes["launch"]["slip"].mae_interval != alone.sizes["launch"]["slip"].mae_interval
-    assert all(not each.is_worse for best in found.best.values() for each in best.rivals)
-    assert codes(found)["evaluation-intervals"]["drawn"] == "4 groups of shots, such as players"
+    assert computed.sizes["launch"]["slip"] == same.sizes["launch"]["slip"]
+    assert computed.sizes["launch"]["slip"].mae_interval != alone.sizes["launch"]["slip"].mae_interval
+    assert all(not each.is_worse for best in computed.best.values() for each in best.rivals)
+    assert codes(computed)["evaluation-intervals"]["drawn"] == "4 groups of shots, such as players"
     one = dataclasses.replace(read, players=np.full(40, "Ann", dtype=object))
     assert evaluate(one, club="driver", models="standard").groups is None
 
@@ -157,10 +157,10 @@ def test_as_many_resamples_are_asked_for_as_a_correction_for_many_rivals_needs()
     # 2^(1 - G) times 7 rivals: 0.055 for 8 shots, 0.027 for 9; of one rival 0.0625 for 5 and 0.031 for 6.
     assert [fewest_groups(count) for count in (2, 8)] == [6, 9]
     worse = np.linspace(1.0, 2.0, 280)
-    for groups, told in ((8, False), (9, True)):
+    for groups, is_worse in ((8, False), (9, True)):
         resampled = {"good": 0.0 * worse, **{f"bad {place}": worse for place in range(7)}}
         best = best_of({name: float(each.mean()) for name, each in resampled.items()}, resampled, groups)
-        assert all(each.is_worse is told for each in best.rivals)
+        assert all(each.is_worse is is_worse for each in best.rivals)
     fewer = {name: each[:278] for name, each in resampled.items()}
     best = best_of({name: float(each.mean()) for name, each in fewer.items()}, fewer, 9)
     assert not any(each.is_worse for each in best.rivals)
@@ -216,10 +216,10 @@ def test_pictures_are_drawn_of_few_quantities_and_shots(tmp_path):
 
 def test_the_same_seed_gives_the_same_result_and_another_one_does_not():
     def document(seed):
-        found = evaluate(
+        computed = evaluate(
             made(), club="driver", models=["standard", "slip", "volumetric"], seed=seed, noise={"ball_speed": 0.2}
         )
-        document = found.to_dict()
+        document = computed.to_dict()
         for each in document["tables"]["models"]["rows"]:
             del each["processor_time_s"]
         return json.dumps(document)
@@ -232,8 +232,8 @@ def test_shots_of_another_club_are_refused_or_noted():
     shots = benchmark_data.load("7-iron").measured
     with pytest.raises(InputError, match="the shots name 7-iron, not driver"):
         evaluate(shots, club="driver", models="standard", resamples=100)
-    found = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
-    assert "is this the right club?" in found.to_result().notes[0].sentence
+    computed = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
+    assert "is this the right club?" in computed.to_result().notes[0].sentence
 
 
 def test_one_shot_and_shots_all_alike_leave_empty_what_they_cannot_show():
@@ -252,8 +252,8 @@ def test_one_shot_and_shots_all_alike_leave_empty_what_they_cannot_show():
 def test_a_report_is_written_with_pictures_and_fingerprints_of_its_files(tmp_path):
     pytest.importorskip("matplotlib")
     made(40).write(tmp_path / "shots.csv")
-    found = evaluate(tmp_path / "shots.csv", club="driver", models=["standard", "slip"])
-    files = {each.name: each for each in found.write(tmp_path / "new" / "out")}
+    computed = evaluate(tmp_path / "shots.csv", club="driver", models=["standard", "slip"])
+    files = {each.name: each for each in computed.write(tmp_path / "new" / "out")}
     assert set(files) >= {
         "evaluation.md", "evaluation.html", "evaluation.json", "evaluation.csv", "errors.png", "errors.svg",
         "trends.png", "trends.svg", "agreement.png", "agreement.svg", "errors.csv", "trends.csv",
@@ -262,7 +262,7 @@ def test_a_report_is_written_with_pictures_and_fingerprints_of_its_files(tmp_pat
     (row,) = (
         each for each in document["tables"]["errors"]["rows"] if (each["model"], each["quantity"]) == ("slip", "launch")
     )
-    assert row["mae"] == pytest.approx(found.sizes["launch"]["slip"].mae / DEG, rel=1e-14)
+    assert row["mae"] == pytest.approx(computed.sizes["launch"]["slip"].mae / DEG, rel=1e-14)
     (used,) = document["provenance"]["files"]
     assert used["sha256"] == hashlib.sha256((tmp_path / "shots.csv").read_bytes()).hexdigest()
     assert used["sha256"] in files["evaluation.html"].read_text()
@@ -295,9 +295,11 @@ def test_the_noise_explains_all_of_a_perfect_model_and_little_of_a_wrong_one(res
     """A normal error of standard deviation s has the mean magnitude s sqrt(2 / pi) and the mean square s^2."""
     # The model that made the shots is off by the noise alone: 100 %, of which 200 shots tell 10 % three times over.
     assert [row["share"] for row in rows_of(result, "noise")] == pytest.approx([1.0] * len(QUANTITIES), abs=0.3)
-    found = evaluate(made(noise=False), club="driver", models=["standard"], noise={"ball_speed": 0.05})
-    for row, (name, least) in zip(rows_of(found, "noise"), found.floor.items(), strict=True):
-        assert row["share"] == pytest.approx(min(1.0, least**2 * math.pi / 2 / found.sizes[name]["standard"].rms ** 2))
+    computed = evaluate(made(noise=False), club="driver", models=["standard"], noise={"ball_speed": 0.05})
+    for row, (name, least) in zip(rows_of(computed, "noise"), computed.floor.items(), strict=True):
+        assert row["share"] == pytest.approx(
+            min(1.0, least**2 * math.pi / 2 / computed.sizes[name]["standard"].rms ** 2)
+        )
     perfect = evaluate(made(noise=False), club="driver", models=["slip"], parameters={"slip": TRUTH})
     assert {row["share"] for row in rows_of(perfect, "noise")} == {1.0}
 

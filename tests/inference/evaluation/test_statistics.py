@@ -99,15 +99,15 @@ def test_probabilities_are_corrected_as_holm_did():
 
 def test_equal_models_are_distinguished_as_rarely_as_stated():
     random = np.random.default_rng(4)
-    found = 0
+    result = 0
     for seed in range(200):
         errors = {"one": random.standard_normal(80), "two": random.standard_normal(80)}
         resampled = Resamples(400, 80, seed, None).means(np.abs(np.stack(list(errors.values()))))
         best = best_of({name: float(np.abs(each).mean()) for name, each in errors.items()},
                        dict(zip(errors, resampled.T, strict=True)), 80)  # fmt: skip
-        found += best.rivals[0].is_worse
+        result += best.rivals[0].is_worse
     # 5 % of 200 are 10, with a standard deviation of 3.1; the bootstrap of 80 shots is a little too sure of itself.
-    assert 2 <= found <= 21
+    assert 2 <= result <= 21
 
 
 def test_a_model_is_not_worse_than_its_twin():

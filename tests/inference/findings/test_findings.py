@@ -74,15 +74,15 @@ def test_parts_of_the_error_are_what_they_are_called():
 
 @pytest.mark.parametrize("club", benchmark_data.CLUBS)
 def test_the_sizes_of_the_effects_are_those_the_recipe_gives_them(club):
-    shots, of = benchmark_data.load(club), recipe(club)
+    shots, mixture = benchmark_data.load(club), recipe(club)
     sizes = effect_sizes(shots)
     # Ball speed changes with restitution e as v M / (M + m) with the effective masses; at the centre of these heads
     # M / (M + m) is 0.8, and off it less. Mean magnitude of a normal scatter: 0.8 of its deviation.
     speed = np.mean(shots.truth.deliveries["speed"])
-    scatter = math.sqrt(2 / math.pi) * of.ball_scatter * speed * np.cos(np.mean(shots.truth.deliveries["loft"]))
+    scatter = math.sqrt(2 / math.pi) * mixture.ball_scatter * speed * np.cos(np.mean(shots.truth.deliveries["loft"]))
     assert sizes["ball"]["ball_speed"] == pytest.approx(0.8 * scatter, rel=0.1)
-    distance = np.hypot(shots.truth.deliveries["toe"], shots.truth.deliveries["high"]) / of.flex_radius
-    ratio = of.flex_drop * np.mean(distance**2) / (math.sqrt(2 / math.pi) * of.ball_scatter)
+    distance = np.hypot(shots.truth.deliveries["toe"], shots.truth.deliveries["high"]) / mixture.flex_radius
+    ratio = mixture.flex_drop * np.mean(distance**2) / (math.sqrt(2 / math.pi) * mixture.ball_scatter)
     assert sizes["face"]["ball_speed"] / sizes["ball"]["ball_speed"] == pytest.approx(ratio, rel=0.1)
     # Five grams at the hosel move the CG towards the heel, which with a driver turns the axis of its gear effect.
     assert sizes["shaft"]["sidespin"] > 10 * sizes["ball"]["sidespin"]
@@ -98,34 +98,34 @@ def test_lines_through_frames_without_noise_miss_only_by_the_arc():
 
 
 def test_one_set_for_all_clubs_is_better_than_the_published_ones_and_launches_as_published():
-    found = findings.fit("slip")
+    result = findings.fit("slip")
     before = findings.Bag(tour.averages(findings.SEASON))
     published_set = ParameterSet(
         model="slip", club="any", name="x", values=ParameterSet.builtin("slip", "7-iron").values
     )
-    assert before.misfit(found.parameters) < 0.5 * before.misfit(published_set)
-    solved = np.isnan(found.errors["launch"])
+    assert before.misfit(result.parameters) < 0.5 * before.misfit(published_set)
+    solved = np.isnan(result.errors["launch"])
     assert solved.sum() == 10
-    launch = before.strike(found.lofts, found.parameters).launch
+    launch = before.strike(result.lofts, result.parameters).launch
     # Eight steps, each of which leaves less than a quarter of the 0.1 rad that were missing: 1.5e-6.
     assert np.abs(launch - before.launch)[solved].max() < 2e-6
     # A club alone, with its own values, is launched as in the batch.
-    place = found.clubs.index("9-iron")
+    place = result.clubs.index("9-iron")
     average = tour.averages(findings.SEASON)[place]
     alone = clubface.impact(
-        "9-iron", speed=average.club_speed, attack=average.attack, loft=float(found.lofts[place]), model="slip",
-        parameters=found.parameters, ball=published_ball(),
+        "9-iron", speed=average.club_speed, attack=average.attack, loft=float(result.lofts[place]), model="slip",
+        parameters=result.parameters, ball=published_ball(),
     )  # fmt: skip
-    assert alone.total_spin - average.spin == pytest.approx(found.errors["spin"][place], rel=1e-9)
-    assert clubface.fly(alone).carry - average.carry == pytest.approx(found.carry[place], rel=1e-9)
+    assert alone.total_spin - average.spin == pytest.approx(result.errors["spin"][place], rel=1e-9)
+    assert clubface.fly(alone).carry - average.carry == pytest.approx(result.carry[place], rel=1e-9)
 
 
 def test_a_club_left_out_has_no_part_in_its_own_prediction():
-    found = findings.fit("standard")
+    result = findings.fit("standard")
     # One parameter, restitution: without the driver, which is the livest, the others ask for less of it.
-    driver = found.clubs.index("driver")
-    assert found.left_out["ball_speed"][driver] < found.errors["ball_speed"][driver]
-    assert found.mean_absolute_error("ball_speed", left_out=True) > found.mean_absolute_error("ball_speed")
+    driver = result.clubs.index("driver")
+    assert result.left_out["ball_speed"][driver] < result.errors["ball_speed"][driver]
+    assert result.mean_absolute_error("ball_speed", left_out=True) > result.mean_absolute_error("ball_speed")
 
 
 def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
@@ -146,7 +146,7 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
     monkeypatch.setattr(findings, "evaluate", lambda *a, **o: evaluate(*a, **{**o, "resamples": 200}))
     with pytest.raises(KeyboardInterrupt):
         findings.run(tmp_path)
-    found = findings.run(tmp_path)
+    result = findings.run(tmp_path)
     # Only what was interrupted was computed twice.
     driver = "driver-as-printed"
     assert calls == [
@@ -154,16 +154,16 @@ def test_a_study_is_resumed_and_keeps_what_was_finished(tmp_path, monkeypatch):
         # On the shots that they made themselves.
         (driver, "adjusted"), (driver, "slip"), ("7-iron", "adjusted"), ("7-iron", "slip"),
     ]  # fmt: skip
-    assert findings.run(tmp_path) == found
+    assert findings.run(tmp_path) == result
     monkeypatch.setattr(findings, "BOOTSTRAP", {"rings": 7})
     with pytest.raises(FileError, match="begun with another bootstrap; give a new folder"):
         findings.run(tmp_path)
-    fits = found["clubs"]["7-iron"]["fits"]
+    fits = result["clubs"]["7-iron"]["fits"]
     assert set(fits) == {"adjusted", "slip"}
-    own = found["clubs"]["driver"]["own"]["slip"]
+    own = result["clubs"]["driver"]["own"]["slip"]
     assert own["shots"] == (benchmark_data.load("driver").model == "slip").sum()
     assert own["true"]["slip_y"] == ParameterSet.builtin("slip", "driver").values["slip_y"]
-    held = found["clubs"]["7-iron"]["held_out"]
+    held = result["clubs"]["7-iron"]["held_out"]
     costs = {name: each["cost_holdout"] for name, each in fits.items()}
     best = min(costs, key=lambda name: costs[name])
     assert held[best]["more"] == 0.0

@@ -40,7 +40,7 @@ def says(pattern):
 
 @pytest.mark.parametrize("club", benchmark_data.CLUBS)
 def test_the_identified_parameters_have_the_errors_stored(club):
-    shots, found = benchmark_data.load(club), FOUND["clubs"][club]
+    shots, result = benchmark_data.load(club), FOUND["clubs"][club]
     for model in FOUND["models"]:
         launch = clubface.impact(
             shots.head,
@@ -55,10 +55,10 @@ def test_the_identified_parameters_have_the_errors_stored(club):
             mae = np.abs(getattr(launch, name) - measured).mean()
             cost += mae / np.abs(measured).mean()
             # Nine digits are stored, of parameters too; the last one moves the steps through contact by some 1e-5.
-            assert found["errors"]["sizes"][name][model]["mae"] == pytest.approx(mae, rel=1e-4), (model, name)
-        assert found["errors"]["cost"][model] == pytest.approx(cost, rel=1e-4)
-        if found["fits"][model]["shots"] == len(shots):
-            assert found["fits"][model]["cost"] == pytest.approx(cost, rel=1e-4)
+            assert result["errors"]["sizes"][name][model]["mae"] == pytest.approx(mae, rel=1e-4), (model, name)
+        assert result["errors"]["cost"][model] == pytest.approx(cost, rel=1e-4)
+        if result["fits"][model]["shots"] == len(shots):
+            assert result["fits"][model]["cost"] == pytest.approx(cost, rel=1e-4)
 
 
 def test_no_identification_is_worse_than_the_published_set():
@@ -71,19 +71,19 @@ def test_no_identification_is_worse_than_the_published_set():
 
 @pytest.mark.parametrize("club", benchmark_data.CLUBS)
 def test_models_on_their_own_shots_have_the_cost_stored_and_the_true_values_of_the_recipe(club):
-    shots, of = benchmark_data.load(club), recipe(club)
-    for model, found in FOUND["clubs"][club]["own"].items():
+    shots, recipe_used = benchmark_data.load(club), recipe(club)
+    for model, result in FOUND["clubs"][club]["own"].items():
         own = np.flatnonzero(shots.model == model)
-        assert found["shots"] == len(own)
+        assert result["shots"] == len(own)
         delivery = {name: values[own] for name, values in shots.measured.deliveries.items()}
-        values = findings._parameters(club, model, found)
+        values = findings._parameters(club, model, result)
         launch = clubface.impact(shots.head, delivery, model=model, parameters=values, ball=published_ball())
         measured = {name: shots.measured.launches[name][own] for name in QUANTITIES}
         cost = sum(np.abs(getattr(launch, name) - measured[name]).mean() / np.abs(measured[name]).mean()
                    for name in QUANTITIES)  # fmt: skip
-        assert found["cost"] == pytest.approx(cost, rel=1e-4), model
-        for name, value in of.mixture[model].changed.items():
-            assert found["true"].get(name, value) == pytest.approx(value, rel=1e-8)
+        assert result["cost"] == pytest.approx(cost, rel=1e-4), model
+        for name, value in recipe_used.mixture[model].changed.items():
+            assert result["true"].get(name, value) == pytest.approx(value, rel=1e-8)
 
 
 def test_the_error_budget_is_that_of_the_parameters_stored():
@@ -95,17 +95,17 @@ def test_the_error_budget_is_that_of_the_parameters_stored():
 
 @pytest.mark.parametrize("model", list(findings.FREE))
 def test_one_set_for_all_clubs_has_the_errors_stored(model):
-    found = FOUND["tour"][model]
-    of = ParameterSet(model=model, club="any", name="x", values=found["parameters"])
-    errors, lofts = findings.Bag(tour.averages(findings.SEASON)).errors(of)
+    result = FOUND["tour"][model]
+    shared = ParameterSet(model=model, club="any", name="x", values=result["parameters"])
+    errors, lofts = findings.Bag(tour.averages(findings.SEASON)).errors(shared)
     # Parameters of nine digits; the errors are differences of numbers a hundred times larger. In a contact model the
     # tenth digit can move a step through contact, and its launch is computed to 1e-4: by `area`, whose launch angle
     # hardly changes with some lofts, that moves a solved loft by 3e-5 and a spin by 6e-4 of the largest error.
     contact = clubface.models()[model].kind == "contact"
-    assert found["lofts"] == pytest.approx(lofts, abs=5e-5 if contact else 1e-8)
+    assert result["lofts"] == pytest.approx(lofts, abs=5e-5 if contact else 1e-8)
     for name in ("ball_speed", "spin"):
         closely = 1e-3 if contact else 1e-7
-        assert found["errors"][name] == pytest.approx(errors[name], abs=closely * np.abs(errors[name]).max())
+        assert result["errors"][name] == pytest.approx(errors[name], abs=closely * np.abs(errors[name]).max())
 
 
 def test_the_sentences_on_one_set_for_all_clubs_are_those_of_the_fits():
@@ -139,10 +139,10 @@ def test_the_sentences_on_azimuth_and_sidespin_are_those_of_the_budget():
     assert budget["all"]["azimuth"] < 0.5 * given.mae["azimuth"]
     assert budget["all"]["sidespin"] / given.mae["sidespin"] == pytest.approx(2 / 3, abs=0.05)
     # Of synthetic swings, the figures of the page on motion capture, and how much less the sum of squares is without.
-    told = says(r"say ([\d.]+)° and (\d+) rpm for straight-line extrapolation .*?, and ([\d.]+)° and (\d+) rpm")
+    stated = says(r"say ([\d.]+)° and (\d+) rpm for straight-line extrapolation .*?, and ([\d.]+)° and (\d+) rpm")
     rows = [row for row in CAPTURE.splitlines() if row.startswith(("| azimuth, deg |", "| sidespin, rpm |"))]
     azimuth, sidespin = ([float(cell) for cell in row.split("|")[2:11]] for row in rows[:2])
-    assert [azimuth[0], sidespin[0], azimuth[2], sidespin[2]] == list(told)
+    assert [azimuth[0], sidespin[0], azimuth[2], sidespin[2]] == list(stated)
     assert azimuth[2] / azimuth[8] == pytest.approx(1 / 3, abs=0.05)
     assert sidespin[2] / sidespin[8] == pytest.approx(1 / 2, abs=0.05)
     falls = [100 * (1 - math.sqrt(1 - (each[2] / each[8]) ** 2)) for each in (azimuth, sidespin)]
@@ -179,8 +179,8 @@ def test_the_sentences_on_hold_out_are_those_of_the_costs():
 
 
 def test_the_order_of_the_models_is_the_one_stated():
-    for found in FOUND["clubs"].values():
-        costs = found["errors"]["cost"]
+    for result in FOUND["clubs"].values():
+        costs = result["errors"]["cost"]
         assert min(costs, key=lambda name: costs[name]) == "adjusted"
     costs = FOUND["clubs"]["driver"]["errors"]["cost"]
     given = {
@@ -203,10 +203,10 @@ def test_the_sentences_on_impulse_models_are_those_of_the_fits():
     assert ParameterSet.builtin("adjusted", "driver").values["dcg_y"] == pytest.approx(published_y * 1e-3)
     low, high = driver["fits"]["adjusted"]["intervals"]["dcg_y"]
     assert published_y * 1e-3 < low - 10 * (high - low)
-    told = says(r"come out of its own drives as ([\d.]+) and (-[\d.]+), with intervals of ([\d.]+) and ([\d.]+);")
+    stated = says(r"come out of its own drives as ([\d.]+) and (-[\d.]+), with intervals of ([\d.]+) and ([\d.]+);")
     slip, names = driver["own"]["slip"], ("slip_y", "slip_z")
     ends = [slip["intervals"][name] for name in names]
-    assert told == pytest.approx([*(slip["parameters"][name] for name in names), *(b - a for a, b in ends)], abs=6e-4)
+    assert stated == pytest.approx([*(slip["parameters"][name] for name in names), *(b - a for a, b in ends)], abs=6e-4)
     made = says(r"the drives were made with (-[\d.]+) and (-[\d.]+)\.")
     assert made == pytest.approx([slip["true"][name] for name in names], abs=6e-4)
     assert all(not low <= value <= high for value, (low, high) in zip(made, ends, strict=True))
@@ -215,13 +215,15 @@ def test_the_sentences_on_impulse_models_are_those_of_the_fits():
 def test_the_true_values_are_held_as_often_as_stated():
     held = [
         low <= own["true"][name] <= high
-        for found in FOUND["clubs"].values()
-        for own in found["own"].values()
+        for result in FOUND["clubs"].values()
+        for own in result["own"].values()
         for name, (low, high) in own["intervals"].items()
     ]
-    of, holding, nominal = says(r"Of the (\d+) parameters .* (\d+) intervals hold the true value; .* should be (\d+)\.")
-    assert (len(held), sum(held)) == (of, holding)
-    assert nominal == round(0.95 * of)
+    whole, holding, nominal = says(
+        r"Of the (\d+) parameters .* (\d+) intervals hold the true value; .* should be (\d+)\."
+    )
+    assert (len(held), sum(held)) == (whole, holding)
+    assert nominal == round(0.95 * whole)
 
 
 def test_what_cannot_be_known_is_what_the_identification_says():
@@ -232,8 +234,8 @@ def test_what_cannot_be_known_is_what_the_identification_says():
         [each / unit for each in irons], abs=0.5
     )
     times, forces, known = [], [], []
-    for found in clubs.values():
-        own, fit = found["own"]["volumetric"], found["fits"]["volumetric"]
+    for result in clubs.values():
+        own, fit = result["own"]["volumetric"], result["fits"]["volumetric"]
         times.append(fit["parameters"]["stiffness"] / own["true"]["stiffness"])
         forces += [each for each in fit["warnings"] if "contact lasts" in each]
         assert fit["identified"]["damping"] == "yes"
@@ -250,17 +252,17 @@ def test_what_cannot_be_known_is_what_the_identification_says():
     likelihood, cost = says(r"puts it at (\d+) GN/m³ or more, and the fit by the published cost at (\d+)\.")
     assert fit["profile_intervals"]["stiffness"][0] / unit == pytest.approx(likelihood, rel=0.03)
     assert fit["parameters"]["stiffness"] / unit == pytest.approx(cost, abs=0.5)
-    told = says(r"made with ([\d.]+) N m s/rad and a friction of ([\d.]+) are fitted best by ([\d.]+) and ([\d.]+)\.")
+    stated = says(r"made with ([\d.]+) N m s/rad and a friction of ([\d.]+) are fitted best by ([\d.]+) and ([\d.]+)\.")
     both = [own[what][name] for what in ("true", "parameters") for name in ("layer_damping", "friction")]
-    assert told == pytest.approx(both, abs=6e-3)
-    for found in clubs.values():
-        area = found["fits"]["area"]
+    assert stated == pytest.approx(both, abs=6e-3)
+    for result in clubs.values():
+        area = result["fits"]["area"]
         assert any("poisson" in each and "no launch changes" in each for each in area["weak"])
         assert area["parameters"]["area_damping"] > 999
     low, high = says(r"In `rings`, `shear_modulus` ends at its upper bound, (\d+) to (\d+) times the published value")
-    for club, found in clubs.items():
+    for club, result in clubs.items():
         ratio = (
-            found["fits"]["rings"]["parameters"]["shear_modulus"]
+            result["fits"]["rings"]["parameters"]["shear_modulus"]
             / ParameterSet.builtin("rings", club).values["shear_modulus"]
         )
         assert low <= ratio <= high

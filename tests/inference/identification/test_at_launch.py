@@ -104,8 +104,8 @@ def test_every_shot_of_every_point_meets_its_launch_whatever_company_it_is_in():
 def test_a_shot_that_no_loft_launches_so_is_left_out_with_its_row():
     shots = session("7-iron", 12)
     shots.launches["launch"][3] = 1.4
-    found = clubface.identify(shots, **QUICK, compared_at="launch")
-    assert [(each.line, "no loft" in each.reason) for each in found.dropped] == [(5, True)]
+    computed = clubface.identify(shots, **QUICK, compared_at="launch")
+    assert [(each.line, "no loft" in each.reason) for each in computed.dropped] == [(5, True)]
     result = clubface.evaluate(shots, club="7-iron", models="slip", compared_at="launch", resamples=100)
     assert [(each.line, "no loft" in each.reason) for each in result.failed] == [(5, True)]
 

@@ -26,13 +26,13 @@ def reported(monkeypatch, model, cost, *, shots, samples, repeat, club="driver",
         return Population(generations, truth[None, :], costs_of(truth[None, :]))
 
     monkeypatch.setattr(run, "search", search)
-    found = clubface.identify(
+    result = clubface.identify(
         recorded(shots, model, club=club, noise=1.0, seed=repeat), club=club, model=model, cost=cost, free=free,
         refined=1, folds=0, bootstrap=samples, profiles=(), seed=repeat, threads=1,
     )  # fmt: skip
     return {
-        name: np.array([found.parameters.values[name], low, high]) - true.values[name]
-        for name, (low, high) in found.intervals.items()
+        name: np.array([result.parameters.values[name], low, high]) - true.values[name]
+        for name, (low, high) in result.intervals.items()
     }
 
 
@@ -100,7 +100,7 @@ STUDIES = [
 @pytest.mark.parametrize(("model", "club", "cost", "shots", "samples", "free"), STUDIES)
 def test_intervals_hold_the_truth_at_the_nominal_rate(monkeypatch, model, club, cost, shots, samples, free):
     held, _ = coverage(monkeypatch, model, cost, club=club, shots=shots, samples=samples, repeats=400, free=free)
-    told = ", ".join(f"{name} {part:.4f}" for name, part in held.items())
-    print(f"\n{model}, {club}, {cost} cost, {shots} shots, {samples} samples: {told}")
+    shares = ", ".join(f"{name} {part:.4f}" for name, part in held.items())
+    print(f"\n{model}, {club}, {cost} cost, {shots} shots, {samples} samples: {shares}")
     # 95%: a standard error of 1.1% over 400 repeats.
     assert all(0.915 <= part <= 0.98 for part in held.values()), held

@@ -12,18 +12,18 @@ HELD = np.array([12.0, 11.0, 99.0, -9.0])
 
 
 def test_each_figure_is_that_of_its_definition():
-    found = _deviation(MEASURED, FITTED, BEFORE, HELD)
-    assert found.mean == pytest.approx(28.0 / 3.0)
-    assert found.mae == pytest.approx((1.0 + 0.5 + 1.0) / 3.0)
-    assert found.bias == pytest.approx((1.0 - 0.5 - 1.0) / 3.0)
+    result = _deviation(MEASURED, FITTED, BEFORE, HELD)
+    assert result.mean == pytest.approx(28.0 / 3.0)
+    assert result.mae == pytest.approx((1.0 + 0.5 + 1.0) / 3.0)
+    assert result.bias == pytest.approx((1.0 - 0.5 - 1.0) / 3.0)
     # Errors 1, -0.5 and -1 about their mean of -1/6, over n - 1.
-    assert found.std == pytest.approx(np.sqrt(((7 / 6) ** 2 + (1 / 3) ** 2 + (5 / 6) ** 2) / 2.0))
-    assert found.mae_before == pytest.approx((4.0 + 2.0 + 1.0) / 3.0)
-    assert found.mae_holdout == pytest.approx((2.0 + 1.0 + 3.0) / 3.0)
+    assert result.std == pytest.approx(np.sqrt(((7 / 6) ** 2 + (1 / 3) ** 2 + (5 / 6) ** 2) / 2.0))
+    assert result.mae_before == pytest.approx((4.0 + 2.0 + 1.0) / 3.0)
+    assert result.mae_holdout == pytest.approx((2.0 + 1.0 + 3.0) / 3.0)
 
 
 def test_what_one_shot_or_no_fold_cannot_tell_is_not_known():
-    found = _deviation(MEASURED[:1], FITTED[:1], BEFORE[:1], None)
-    assert (found.mae, found.bias) == (1.0, 1.0)
-    assert np.isnan(found.std)
-    assert np.isnan(found.mae_holdout)
+    result = _deviation(MEASURED[:1], FITTED[:1], BEFORE[:1], None)
+    assert (result.mae, result.bias) == (1.0, 1.0)
+    assert np.isnan(result.std)
+    assert np.isnan(result.mae_holdout)

@@ -151,9 +151,9 @@ def test_least_absolute_deviations_are_those_of_a_linear_program(seed, count, fr
         rows[:, -1] = rows[:, free // 2]
     reach = 10.0 ** rng.uniform(-3, 1) * np.abs(deviations).mean()
     lower, upper = -reach * rng.uniform(0, 1, free), reach * rng.uniform(0, 1, free)
-    found = least_absolute(deviations, rows, lower, upper)
-    assert (found >= lower).all()
-    assert (found <= upper).all()
+    result = least_absolute(deviations, rows, lower, upper)
+    assert (result >= lower).all()
+    assert (result <= upper).all()
     bound = np.concatenate([-deviations, deviations])
     identity = np.eye(len(deviations))
     expected = linprog(
@@ -163,16 +163,16 @@ def test_least_absolute_deviations_are_those_of_a_linear_program(seed, count, fr
         bounds=[*zip(lower, upper, strict=True), *[(0.0, None)] * len(deviations)],
     )
     # Ties are told apart by 1e-9 of the mean deviation; the program's own tolerance is 1e-7.
-    assert np.abs(deviations + rows @ found).sum() <= expected.fun + 1e-6 * np.abs(deviations).sum()
+    assert np.abs(deviations + rows @ result).sum() <= expected.fun + 1e-6 * np.abs(deviations).sum()
 
 
 def test_a_refinement_keeps_to_bounds_and_to_what_is_held():
     simulator, cost, point = fitted(
         recorded(20, "slip"), "slip", free=["cor", "slip_y", "slip_z"], bounds={"slip_y": (-0.009, 0.5)}
     )
-    found = refine(simulator, cost, np.clip(point + 0.02, 0.0, 1.0))
+    result = refine(simulator, cost, np.clip(point + 0.02, 0.0, 1.0))
     # The truth, -0.0103, lies below the bound.
-    assert found.point[simulator.free.names.index("slip_y")] == 0.0
+    assert result.point[simulator.free.names.index("slip_y")] == 0.0
     held = np.array([True, False, False])
     start = np.clip(point + 0.02, 0.0, 1.0)
     assert refine(simulator, cost, start, held=held).point[0] == start[0]
@@ -203,47 +203,47 @@ def test_what_changes_no_launch_is_proven_and_named():
     """In the area model shear modulus G and Poisson's ratio nu enter as G / (1 - nu) alone (published Eq. 15)."""
     shots = recorded(20, "area")
     simulator, cost, point = fitted(shots, "area", free=["shear_modulus", "poisson", "damping"])
-    told = identifiability(simulator, point, scatter(simulator.launch(point) - cost.measured, np.full(5, 1e-3)))
-    assert [each.strength for each in told.directions] == ["none", "known", "known"]
-    assert "poisson up and shear_modulus down together" in told.directions[0].words
-    assert set(told.unknown) == {"shear_modulus", "poisson"}
+    identified = identifiability(simulator, point, scatter(simulator.launch(point) - cost.measured, np.full(5, 1e-3)))
+    assert [each.strength for each in identified.directions] == ["none", "known", "known"]
+    assert "poisson up and shear_modulus down together" in identified.directions[0].words
+    assert set(identified.unknown) == {"shear_modulus", "poisson"}
     # Along it G / (1 - nu) stays: dG / G = -d nu / (1 - nu), in coordinates ln G / ln 1000 and nu / 0.499.
-    step = told.directions[0].vector / told.directions[0].vector[1]
+    step = identified.directions[0].vector / identified.directions[0].vector[1]
     assert step[0] == pytest.approx(-0.499 / (1.0 - 0.398) / np.log(1000.0), rel=1e-6)
 
 
 def test_the_interval_of_what_is_not_known_holds_the_fit():
     """Profiles are of least squares, samples lead anywhere: both may miss a fit that is as good as any."""
     simulator, cost, point = fitted(recorded(20, "area"), "area", free=["shear_modulus", "poisson", "damping"])
-    told = identifiability(simulator, point, noise_of(simulator.shots.quantities))
+    identified = identifiability(simulator, point, noise_of(simulator.shots.quantities))
     fit = simulator.free.values(point)
     stages: Any = SimpleNamespace(simulator=simulator, cost=cost, settings={"confidence": 0.95})
     samples = np.repeat([1.2 * fit], 20, axis=0)
     profile: Any = SimpleNamespace(interval=(2.0 * fit[0], 3.0 * fit[0]))
-    found = Stages._intervals(stages, point, told, samples, {"shear_modulus": profile})
-    assert found["shear_modulus"] == pytest.approx((fit[0], 3.0 * fit[0]), rel=1e-12)
-    assert found["poisson"] == pytest.approx((simulator.free.lower[1], simulator.free.upper[1]), abs=1e-12)
-    assert found["damping"] == pytest.approx((1.2 * fit[2], 1.2 * fit[2]), rel=1e-12)
+    result = Stages._intervals(stages, point, identified, samples, {"shear_modulus": profile})
+    assert result["shear_modulus"] == pytest.approx((fit[0], 3.0 * fit[0]), rel=1e-12)
+    assert result["poisson"] == pytest.approx((simulator.free.lower[1], simulator.free.upper[1]), abs=1e-12)
+    assert result["damping"] == pytest.approx((1.2 * fit[2], 1.2 * fit[2]), rel=1e-12)
 
 
 def test_standard_errors_are_those_of_linear_least_squares():
     simulator, _, point = fitted(recorded(30, "slip"), "slip")
     noise = np.array([1.0, 0.01, 0.01, 5.0, 5.0])
-    told = identifiability(simulator, point, noise)
+    identified = identifiability(simulator, point, noise)
     rows = (simulator.derivatives(point)[1] / noise[:, None, None]).transpose(0, 2, 1).reshape(-1, 2)
     covariance = np.linalg.inv(rows.T @ rows)
-    assert told.errors == pytest.approx(np.sqrt(np.diag(covariance)), rel=1e-9)
+    assert identified.errors == pytest.approx(np.sqrt(np.diag(covariance)), rel=1e-9)
     expected = covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1])
-    assert told.correlations[0, 1] == pytest.approx(expected, abs=1e-9)
+    assert identified.correlations[0, 1] == pytest.approx(expected, abs=1e-9)
 
 
 def test_the_profile_of_a_nearly_linear_model_is_its_normal_interval():
     simulator, cost, point = fitted(recorded(40, "slip", noise=1.0), "slip", cost="least-squares")
     noise = noise_of(simulator.shots.quantities)
     optimum = refine(simulator, cost, point).point
-    told = identifiability(simulator, optimum, noise)
-    profile = Profiler(simulator, noise, told.errors).profile(0, optimum)
-    reach = 1.959964 * told.errors[0] * np.array([-1.0, 1.0])
+    identified = identifiability(simulator, optimum, noise)
+    profile = Profiler(simulator, noise, identified.errors).profile(0, optimum)
+    reach = 1.959964 * identified.errors[0] * np.array([-1.0, 1.0])
     expected = simulator.free.values(optimum + np.array([[1.0, 0.0]]) * reach[:, None])[:, 0]
     # The curvature of the launches over one standard error, 0.2% of the range, changes it by about 1%.
     assert profile.interval == pytest.approx(expected, abs=0.02 * np.ptp(expected))
@@ -268,19 +268,21 @@ def test_without_a_bootstrap_the_errors_are_those_of_the_cost_that_is_minimised(
     """Of least squares those of the information, of mean absolute errors sqrt(pi / 2) times those."""
     shots = recorded(40, "adjusted", noise=1.0)
     simulator, squares, point = fitted(shots, "adjusted", cost="least-squares")
-    told = identifiability(simulator, point, noise_of(simulator.shots.quantities))
-    assert errors_of_minimum(simulator, squares, point, told) == pytest.approx(told.errors, rel=1e-9)
-    absolute = errors_of_minimum(simulator, squares.absolute(), point, told)
-    assert absolute == pytest.approx(np.sqrt(np.pi / 2.0) * told.errors, rel=1e-9)
+    identified = identifiability(simulator, point, noise_of(simulator.shots.quantities))
+    assert errors_of_minimum(simulator, squares, point, identified) == pytest.approx(identified.errors, rel=1e-9)
+    absolute = errors_of_minimum(simulator, squares.absolute(), point, identified)
+    assert absolute == pytest.approx(np.sqrt(np.pi / 2.0) * identified.errors, rel=1e-9)
     _, huber, _ = fitted(shots, "adjusted", cost="robust")
     # 95% efficient: P. J. Huber's 1.345.
-    assert errors_of_minimum(simulator, huber, point, told) == pytest.approx(told.errors / np.sqrt(0.95), rel=1e-3)
+    assert errors_of_minimum(simulator, huber, point, identified) == pytest.approx(
+        identified.errors / np.sqrt(0.95), rel=1e-3
+    )
     # The published weights are not those of the noise.
     _, published_, _ = fitted(shots, "adjusted")
-    assert np.all(errors_of_minimum(simulator, published_, point, told) > 1.01 * absolute)
+    assert np.all(errors_of_minimum(simulator, published_, point, identified) > 1.01 * absolute)
 
 
 def test_what_changes_no_launch_has_no_error_by_any_cost():
     simulator, cost, point = fitted(recorded(20, "area"), "area", free=["shear_modulus", "poisson", "damping"])
-    told = identifiability(simulator, point, noise_of(simulator.shots.quantities))
-    assert np.isfinite(errors_of_minimum(simulator, cost, point, told)).tolist() == [False, False, True]
+    identified = identifiability(simulator, point, noise_of(simulator.shots.quantities))
+    assert np.isfinite(errors_of_minimum(simulator, cost, point, identified)).tolist() == [False, False, True]

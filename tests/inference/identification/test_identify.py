@@ -34,27 +34,27 @@ QUICK = {"population": 30, "generations": 8, "refined": 3, "folds": 0, "bootstra
 )
 def test_parameters_come_back_from_shots_of_the_same_model(model, club, cost, options):
     shots = recorded(12 if model == "rings" else 30, model, club=club)
-    found = clubface.identify(shots, club=club, model=model, cost=cost, **{**QUICK, **options})
-    assert found.cost < 1e-8
-    for name in found.free:
+    result = clubface.identify(shots, club=club, model=model, cost=cost, **{**QUICK, **options})
+    assert result.cost < 1e-8
+    for name in result.free:
         true = published(model, club).values[name]
-        assert found.parameters.values[name] == pytest.approx(true, rel=1e-4, abs=ZERO.get(name, 0.0))
-    assert not any("no launch changes" in each.sentence for each in found.warnings)
+        assert result.parameters.values[name] == pytest.approx(true, rel=1e-4, abs=ZERO.get(name, 0.0))
+    assert not any("no launch changes" in each.sentence for each in result.warnings)
 
 
 def test_what_cannot_be_recovered_is_reported_and_the_rest_recovered():
     """The shear modulus G and Poisson's ratio nu of the area model enter as G / (1 - nu) alone."""
-    found = clubface.identify(recorded(30, "area"), club="driver", model="area", **QUICK)
-    values, true = found.parameters.values, published("area").values
-    assert {name for name in found.free if found.identified(name) == "not alone"} == {"shear_modulus", "poisson"}
-    assert any("poisson" in each.sentence and "no launch changes" in each.sentence for each in found.warnings)
+    result = clubface.identify(recorded(30, "area"), club="driver", model="area", **QUICK)
+    values, true = result.parameters.values, published("area").values
+    assert {name for name in result.free if result.identified(name) == "not alone"} == {"shear_modulus", "poisson"}
+    assert any("poisson" in each.sentence and "no launch changes" in each.sentence for each in result.warnings)
     for name in ("damping", "friction"):
         assert values[name] == pytest.approx(true[name], rel=1e-4)
     stiffness = [each["shear_modulus"] / (1.0 - each["poisson"]) for each in (values, true)]
     assert stiffness[0] == pytest.approx(stiffness[1], rel=1e-4)
     # Its true value is its lower bound.
     assert values["area_damping"] == pytest.approx(0.0, abs=1e-2)
-    assert found.intervals["poisson"] == (0.0, 0.499)
+    assert result.intervals["poisson"] == (0.0, 0.499)
 
 
 SMALL = {
@@ -67,8 +67,8 @@ def small(**changes):
     return clubface.identify(recorded(25, "slip", noise=1.0), **{**SMALL, **changes})
 
 
-def answer(found):
-    document = found.to_dict()
+def answer(result):
+    document = result.to_dict()
     return json.dumps({**document, "values": {**document["values"], "wall_time_s": 0.0}})
 
 
@@ -141,38 +141,38 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
 
 
 def test_the_effort_is_that_of_a_search_of_p1():
-    found = small(folds=0, bootstrap=0, profiles=())
-    assert found.evaluations >= 40 + 2 * 2
-    assert found.impacts == found.evaluations * 25
-    assert found.method == "information"
-    assert np.isnan(found.cost_holdout)
+    result = small(folds=0, bootstrap=0, profiles=())
+    assert result.evaluations >= 40 + 2 * 2
+    assert result.impacts == result.evaluations * 25
+    assert result.method == "information"
+    assert np.isnan(result.cost_holdout)
 
 
 def test_the_hold_out_and_the_intervals_say_what_a_fit_is_worth():
-    found = small(folds=5, bootstrap=60, noise={"backspin": "60 rpm"})
+    result = small(folds=5, bootstrap=60, noise={"backspin": "60 rpm"})
     # Held out, a fit is worse than on what it was made from; three parameters on 25 shots cost it little.
-    assert found.cost < found.cost_holdout < 1.5 * found.cost
+    assert result.cost < result.cost_holdout < 1.5 * result.cost
     # The held-out launches themselves: the published cost of them is the one stated.
-    assert found.held_out is not None
-    measured = np.array([recorded(25, "slip", noise=1.0).launches[name] for name in found.deviations])
-    parts = np.abs(found.held_out - measured).mean(axis=1) / np.abs(measured).mean(axis=1)
-    assert parts.sum() == pytest.approx(found.cost_holdout, rel=1e-12)
-    assert set(found.intervals) == {"cor", "slip_y", "slip_z"}
+    assert result.held_out is not None
+    measured = np.array([recorded(25, "slip", noise=1.0).launches[name] for name in result.deviations])
+    parts = np.abs(result.held_out - measured).mean(axis=1) / np.abs(measured).mean(axis=1)
+    assert parts.sum() == pytest.approx(result.cost_holdout, rel=1e-12)
+    assert set(result.intervals) == {"cor", "slip_y", "slip_z"}
     # 60 samples know an end of an interval to 15%; the cost costs up to twice the least error there can be.
-    ratios = widths_in_standard_errors(found)
+    ratios = widths_in_standard_errors(result)
     assert all(0.7 < ratio < 2.5 for ratio in ratios.values()), ratios
-    assert found.deviations["backspin"].mae < found.deviations["backspin"].mae_holdout
+    assert result.deviations["backspin"].mae < result.deviations["backspin"].mae_holdout
 
 
 def test_the_parameters_are_a_set_to_use_and_to_write(write):
-    found = small()
-    path = write(found.to_toml(), "fit.toml")
+    result = small()
+    path = write(result.to_toml(), "fit.toml")
     read = clubface.ParameterSet.from_toml(path)
-    assert dict(read.values) == dict(found.parameters.values)
+    assert dict(read.values) == dict(result.parameters.values)
     assert "95% intervals: cor 0.8" in read.caveats[-1]
-    launch = clubface.impact("driver", speed=50.0, model="slip", parameters=found.parameters)
+    launch = clubface.impact("driver", speed=50.0, model="slip", parameters=result.parameters)
     assert launch.ball_speed == clubface.impact("driver", speed=50.0, model="slip", parameters=path).ball_speed
-    text = repr(found)
+    text = repr(result)
     assert text.startswith("Parameters of slip from 25 shots with driver")
     assert "slip_y" in text
     assert "backspin" in text
@@ -181,29 +181,29 @@ def test_the_parameters_are_a_set_to_use_and_to_write(write):
 def test_a_fit_at_a_bound_is_warned_of():
     # The true slip ratio is -0.0103.
     shots = recorded(20, "slip", noise=0.1)
-    found = clubface.identify(shots, club="driver", model="slip", bounds={"slip_y": (-0.01, 0.5)}, **QUICK)
-    assert {"parameter": "slip_y", "side": "lower", "bound": "-0.01"} in [each.data for each in found.warnings]
+    result = clubface.identify(shots, club="driver", model="slip", bounds={"slip_y": (-0.01, 0.5)}, **QUICK)
+    assert {"parameter": "slip_y", "side": "lower", "bound": "-0.01"} in [each.data for each in result.warnings]
     # A value at a bound is not found but stopped; the others are found.
-    assert found.at_bound == ("slip_y",)
-    assert {name: found.identified(name) for name in found.free if name != "slip_y"} == {"slip_z": "yes"}
-    assert found.identified("slip_y") == "at its bound"
-    rows = {row["parameter"]: row for row in found.to_dict()["tables"]["parameters"]["rows"]}
+    assert result.at_bound == ("slip_y",)
+    assert {name: result.identified(name) for name in result.free if name != "slip_y"} == {"slip_z": "yes"}
+    assert result.identified("slip_y") == "at its bound"
+    rows = {row["parameter"]: row for row in result.to_dict()["tables"]["parameters"]["rows"]}
     assert (rows["slip_y"]["identified"], rows["slip_y"]["at_bound"]) == ("at its bound", True)
     assert clubface.identify(shots, club="driver", model="slip", **QUICK).warnings == ()
 
 
 def test_a_parameter_whose_interval_does_not_hold_its_value_is_not_called_identified():
-    found = clubface.identify(recorded(20, "slip", noise=0.1), club="driver", model="slip", **QUICK)
-    assert found.identified("slip_z") == "yes"
-    value = float(found.parameters.values["slip_z"])
+    result = clubface.identify(recorded(20, "slip", noise=0.1), club="driver", model="slip", **QUICK)
+    assert result.identified("slip_z") == "yes"
+    value = float(result.parameters.values["slip_z"])
     for interval in ((value + 0.01, value + 0.02), (value - 0.02, value - 0.01)):
-        moved = dataclasses.replace(found, intervals={**found.intervals, "slip_z": interval})
+        moved = dataclasses.replace(result, intervals={**result.intervals, "slip_z": interval})
         assert moved.identified("slip_z") == "contradicted"
-        told = contradicted(found.parameters.values, moved.intervals, {})
-        assert (told[0].code, told[0].data) == ("fit-contradicted", {"names": ["slip_z"]})
+        warned = contradicted(result.parameters.values, moved.intervals, {})
+        assert (warned[0].code, warned[0].data) == ("fit-contradicted", {"names": ["slip_z"]})
     held = Profile("slip_z", np.array([]), np.array([]), (value + 0.01, value + 0.02), (True, True))
-    assert dataclasses.replace(found, profiles={"slip_z": held}).identified("slip_z") == "contradicted"
-    assert contradicted(found.parameters.values, found.intervals, {}) == []
+    assert dataclasses.replace(result, profiles={"slip_z": held}).identified("slip_z") == "contradicted"
+    assert contradicted(result.parameters.values, result.intervals, {}) == []
 
 
 def test_a_fit_that_makes_a_quantity_worse_says_so():
@@ -211,15 +211,15 @@ def test_a_fit_that_makes_a_quantity_worse_says_so():
     shots = recorded(25, "slip")
     spoiled = {**shots.launches, "backspin": 1.3 * shots.launches["backspin"]}
     shots = dataclasses.replace(shots, launches=spoiled)
-    found = clubface.identify(shots, club="driver", model="slip", free=["slip_y"], **QUICK)
-    better, spoilt = found.deviations["backspin"], found.deviations["launch"]
+    result = clubface.identify(shots, club="driver", model="slip", free=["slip_y"], **QUICK)
+    better, spoilt = result.deviations["backspin"], result.deviations["launch"]
     assert better.mae < better.mae_before
     assert spoilt.mae > spoilt.mae_before
-    (told,) = [each.data["names"] for each in found.warnings if each.code == "fit-worse"]
-    names = [name.split()[0] for name in told]
+    (warned,) = [each.data["names"] for each in result.warnings if each.code == "fit-worse"]
+    names = [name.split()[0] for name in warned]
     assert "launch" in names
     assert "backspin" not in names
-    assert "deg before)" in told[names.index("launch")]
+    assert "deg before)" in warned[names.index("launch")]
     # Before is the published set, which is impact's own.
     launch = clubface.impact("driver", shots.delivery(), model="slip")
     off = np.mean(np.abs(launch.backspin - shots.launches["backspin"]))
@@ -230,19 +230,21 @@ def test_an_unphysical_contact_is_warned_of():
     shots = recorded(20, "area")
     options = {"club": "driver", "model": "area", "free": ["friction", "damping"], **QUICK}
     # G 17 times too large: contact of some 170 us at 36 kN.
-    told = {each.code for each in clubface.identify(shots, parameters={"shear_modulus": "9e8 Pa"}, **options).warnings}
-    assert told >= {"fit-contact-time", "fit-peak-force"}
-    told = {each.code for each in clubface.identify(shots, **options).warnings}
-    assert not told & {"fit-contact-time", "fit-peak-force"}
+    warned = {
+        each.code for each in clubface.identify(shots, parameters={"shear_modulus": "9e8 Pa"}, **options).warnings
+    }
+    assert warned >= {"fit-contact-time", "fit-peak-force"}
+    warned = {each.code for each in clubface.identify(shots, **options).warnings}
+    assert not warned & {"fit-contact-time", "fit-peak-force"}
 
 
 def test_an_evaluation_finds_the_cost_of_the_fit():
-    found = small()
+    result = small()
     shots = recorded(25, "slip", noise=1.0)
     evaluated = clubface.evaluate(
-        shots, club="driver", models=["slip"], parameters={"slip": found.parameters}, resamples=100
+        shots, club="driver", models=["slip"], parameters={"slip": result.parameters}, resamples=100
     )
-    assert evaluated.cost("slip") == pytest.approx(found.cost, rel=1e-12)
+    assert evaluated.cost("slip") == pytest.approx(result.cost, rel=1e-12)
 
 
 @pytest.mark.parametrize(

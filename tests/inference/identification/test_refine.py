@@ -57,14 +57,14 @@ def square():
 )
 def test_a_refinement_stops_where_a_step_promises_too_little_or_the_next_one_would(fall, steps, linearised):
     simulator = square()
-    found = refine(simulator, cost_to(0.25), np.array([0.6]), fall=fall)
-    assert (found.steps, len(simulator.tried), len(simulator.linearised)) == (steps, steps, linearised)
+    result = refine(simulator, cost_to(0.25), np.array([0.6]), fall=fall)
+    assert (result.steps, len(simulator.tried), len(simulator.linearised)) == (steps, steps, linearised)
     newton = [0.6]
     while len(newton) <= steps:
         newton.append(0.5 * (newton[-1] + 0.25 / newton[-1]))
     # Rounding of the step, about 1e-16 of its size.
-    assert found.point[0] == pytest.approx(newton[-1], rel=1e-14)
-    assert found.cost == pytest.approx(1.0 + (newton[-1] ** 2 - 0.25) ** 2, rel=1e-14)
+    assert result.point[0] == pytest.approx(newton[-1], rel=1e-14)
+    assert result.cost == pytest.approx(1.0 + (newton[-1] ** 2 - 0.25) ** 2, rel=1e-14)
 
 
 @pytest.mark.parametrize(("distance", "steps"), [(5e-10, 1), (5e-11, 0)])
@@ -87,11 +87,11 @@ def test_the_region_grows_by_two_and_a_half_where_a_step_at_its_edge_keeps_its_p
 
 def test_the_region_shrinks_to_a_quarter_of_a_step_that_fails_and_the_point_stays():
     simulator = Function(lambda x: x**8, lambda x: 8.0 * x**7)
-    found = refine(simulator, cost_to(0.1), np.array([0.5]))
+    result = refine(simulator, cost_to(0.1), np.array([0.5]))
     # From 0.6 the edge, 0.25 away, overshoots: 0.85^8 = 0.27. A quarter of it keeps its promise, so that 0.16 are
     # allowed; Newton's step of 0.14 overshoots again and its quarter does not.
     newton = (0.1 - 0.6625**8) / (8.0 * 0.6625**7)
     tried = [0.6, 0.85, 0.6625, 0.6625 + newton, 0.6625 + 0.25 * newton]
     assert simulator.tried[:5] == pytest.approx(tried, abs=1e-12)
     assert simulator.linearised[:4] == pytest.approx([0.5, 0.6, 0.6625, 0.6625 + 0.25 * newton], abs=1e-12)
-    assert found.point[0] == pytest.approx(0.1 ** (1 / 8), abs=1e-9)
+    assert result.point[0] == pytest.approx(0.1 ** (1 / 8), abs=1e-9)

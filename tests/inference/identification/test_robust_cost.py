@@ -18,10 +18,10 @@ def test_hubers_loss_is_square_to_the_knee_and_then_a_line_of_the_same_slope():
     measured = np.zeros((1, 4))
     cost = cost_of("robust", measured, ("ball_speed",), noise={"ball_speed": 0.5})
     inside, outside = 0.5 * HUBER * 0.99, 0.5 * HUBER * 4.0  # of the knee, which lies at HUBER deviations
-    found = cost.value(np.array([[inside, -inside, outside, -outside]]))
+    result = cost.value(np.array([[inside, -inside, outside, -outside]]))
     t, k = np.array([inside, outside]) / 0.5, HUBER
     by_hand = 2.0 * np.array([0.5 * t[0] ** 2, k * t[1] - 0.5 * k**2])
-    assert found == pytest.approx(by_hand.mean(), rel=1e-12)
+    assert result == pytest.approx(by_hand.mean(), rel=1e-12)
     # 95% efficient for normal noise: the tuning constant of the literature, to its four digits.
     assert pytest.approx(1.345, abs=5e-4) == HUBER
 

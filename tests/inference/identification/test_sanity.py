@@ -43,13 +43,13 @@ def test_a_parameter_at_either_bound_is_reported_with_it(place, side):
     ],
 )  # fmt: skip
 def test_an_unphysical_contact_is_reported(time, force, speed, words):
-    of = SimpleNamespace(
+    simulator = SimpleNamespace(
         contact=lambda _: (np.array([time, time]), np.array([force, force])),
         shots=SimpleNamespace(mean=lambda name: {"speed": speed}[name]),
     )
-    told = unphysical_contacts(of, np.array([0.5]))
-    assert len(told) == len(words)
-    assert all(word in each.sentence for word, each in zip(words, told, strict=True))
+    warned = unphysical_contacts(simulator, np.array([0.5]))
+    assert len(warned) == len(words)
+    assert all(word in each.sentence for word, each in zip(words, warned, strict=True))
 
 
 def test_a_quantity_that_a_fit_makes_worse_by_more_than_a_twentieth_is_reported():
@@ -57,10 +57,10 @@ def test_a_quantity_that_a_fit_makes_worse_by_more_than_a_twentieth_is_reported(
         return SimpleNamespace(mae=mae, mae_before=before, mean=60.0)
 
     mph = 0.44704
-    told = worse(
+    warned = worse(
         {"ball_speed": figures(1.06 * mph, mph), "launch": figures(1.04, 1.0), "backspin": figures(1e-5, 0.0)},
         "registry",
     )
-    assert len(told) == 1
-    assert told[0].data == {"before": "registry", "names": ["ball_speed (MAE 1.06 mph, 1 mph before)"]}
+    assert len(warned) == 1
+    assert warned[0].data == {"before": "registry", "names": ["ball_speed (MAE 1.06 mph, 1 mph before)"]}
     assert worse({"launch": figures(1.04, 1.0)}, "registry") == []

@@ -35,11 +35,11 @@ def test_rows_without_a_number_are_left_out_with_their_reason():
     backspin[4] = np.nan
     toe = shots.deliveries["toe"].copy()
     toe[7] = 0.2
-    found = clubface.identify(edited(shots, speed=speed, backspin=backspin, toe=toe), **{**SMALL, "free": "slip_y"})
-    assert found.shots == 8
-    assert [each.line for each in found.dropped] == [4, 9]
-    assert "speed" in found.dropped[0].reason
-    assert "face outline" in found.dropped[1].reason
+    result = clubface.identify(edited(shots, speed=speed, backspin=backspin, toe=toe), **{**SMALL, "free": "slip_y"})
+    assert result.shots == 8
+    assert [each.line for each in result.dropped] == [4, 9]
+    assert "speed" in result.dropped[0].reason
+    assert "face outline" in result.dropped[1].reason
     with pytest.raises(InputError, match="speed"):
         clubface.identify(edited(shots, speed=np.full(10, np.nan)), **SMALL)
     nothing = dict.fromkeys(shots.launches, np.full(10, np.nan))
@@ -64,9 +64,9 @@ def test_the_mirror_image_of_shots_by_a_left_hander_gives_the_same_parameters():
 
 def test_a_quantity_that_was_not_measured_is_left_out_with_a_note():
     shots = recorded(10, "slip", noise=1.0)
-    found = clubface.identify(edited(shots, azimuth=np.full(10, np.nan)), **SMALL)
-    assert list(found.deviations) == ["ball_speed", "launch", "backspin", "sidespin"]
-    assert ("not-in-the-cost", {"names": ["azimuth"]}) in found.notes
+    result = clubface.identify(edited(shots, azimuth=np.full(10, np.nan)), **SMALL)
+    assert list(result.deviations) == ["ball_speed", "launch", "backspin", "sidespin"]
+    assert ("not-in-the-cost", {"names": ["azimuth"]}) in result.notes
 
 
 def test_shots_of_a_player_are_left_out_and_drawn_together():
@@ -76,7 +76,7 @@ def test_shots_of_a_player_are_left_out_and_drawn_together():
     options = {**SMALL, "free": ["slip_y", "slip_z"], "bootstrap": 80, "folds": 12, "profiles": ()}
     single, loose = clubface.identify(one, **options), clubface.identify(four, **options)
     grouped = clubface.identify(four, groups=np.repeat(np.arange(12), 4), **options)
-    width = {name: np.ptp(found.intervals["slip_y"]) for name, found in
+    width = {name: np.ptp(result.intervals["slip_y"]) for name, result in
              (("single", single), ("loose", loose), ("grouped", grouped))}  # fmt: skip
     # Half of sqrt(4), up to the scatter of 80 samples.
     assert 0.3 < width["loose"] / width["single"] < 0.75
@@ -129,8 +129,8 @@ def test_shots_that_are_all_the_same_say_what_they_leave_open():
         InputError, match=r"at most 5.*all 30 shots have the same delivery.*Not determined: .*stiffness"
     ):
         clubface.identify(shots, club="driver", model="volumetric", **QUICK)
-    found = clubface.identify(shots, club="driver", model="volumetric", free=["damping", "friction"], **QUICK)
-    assert "fit-same-delivery" in {each.code for each in found.notes}
+    result = clubface.identify(shots, club="driver", model="volumetric", free=["damping", "friction"], **QUICK)
+    assert "fit-same-delivery" in {each.code for each in result.notes}
 
 
 def test_more_parameters_than_information_are_refused():
@@ -143,8 +143,8 @@ def test_shots_of_another_club_are_refused():
     shots = recorded(10, "slip")
     with pytest.raises(InputError, match=r"club is '7-iron'.*dynamic loft is .* static loft of 7-iron 30.5 deg"):
         clubface.identify(shots, **{**SMALL, "club": "7-iron"})
-    found = clubface.identify(shots, **{**SMALL, "club": "7-iron"}, mismatch="note")
-    assert any("static loft" in each.sentence for each in found.notes)
+    result = clubface.identify(shots, **{**SMALL, "club": "7-iron"}, mismatch="note")
+    assert any("static loft" in each.sentence for each in result.notes)
     named = RecordedShots(
         deliveries=shots.deliveries, launches=shots.launches, clubs=np.array(["7 Iron"] * 10, dtype=object),
         rows=shots.rows, source="range.csv", format="clubface",

@@ -31,14 +31,14 @@ def test_parquet_in_and_out_keeps_types_and_says_where_it_comes_from(write, tmp_
     assert (report.rows, report.written) == (4, 1)
     assert [line for line, _ in report.first_rejects] == [2, 3, 4]
     assert [row["row"] for row in table(report.rejects)] == ["2", "3", "4"]
-    for said, (_, reason) in zip(("empty", "nan is not", "80.0 mm"), report.first_rejects, strict=True):
-        assert said in reason
-    found = files.read_table(tmp_path / "out.parquet")
-    assert found.schema.field("when").type == pyarrow.timestamp("ms")
-    assert found["ball_speed_mps"][0].as_py() == pytest.approx(
+    for message, (_, reason) in zip(("empty", "nan is not", "80.0 mm"), report.first_rejects, strict=True):
+        assert message in reason
+    result = files.read_table(tmp_path / "out.parquet")
+    assert result.schema.field("when").type == pyarrow.timestamp("ms")
+    assert result["ball_speed_mps"][0].as_py() == pytest.approx(
         clubface.impact("driver", speed="113 mph", toe="5 mm", attack="-1.3 deg").ball_speed, rel=1e-14
     )
-    assert json.loads(found.schema.metadata[b"clubface"])["model"]["name"] == DEFAULT_MODEL
+    assert json.loads(result.schema.metadata[b"clubface"])["model"]["name"] == DEFAULT_MODEL
     predict(tmp_path / "in.parquet", club="driver", output=tmp_path / "out.csv")
     assert table(tmp_path / "out.csv")[0]["when"] == "1970-01-01 00:00:00.001000"
     for content in (b"PAR1nonsensePAR1", b"", b"a,b\n"):

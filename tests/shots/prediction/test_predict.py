@@ -120,8 +120,8 @@ def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
     assert [(row["line"], row["id"]) for row in kept] == [
         ("2", "a"), ("4", "c"), ("5", "d"), ("6", "e"), ("8", "g"), ("10", "i"),
     ]  # fmt: skip
-    said = ["'x' is not a number", "80.0 mm", "2 cells", "'y' is not a number", "90.0 mm", "above 0"]
-    assert all(text in row["reason"] for text, row in zip(said, kept, strict=True))
+    reasons = ["'x' is not a number", "80.0 mm", "2 cells", "'y' is not a number", "90.0 mm", "above 0"]
+    assert all(text in row["reason"] for text, row in zip(reasons, kept, strict=True))
     for row in table(tmp_path / "out.csv"):
         alone = clubface.impact("driver", speed=row["speed_mph"] + " mph", toe=row["toe_mm"] + " mm")
         assert float(row["ball_speed_mps"]) == pytest.approx(alone.ball_speed, rel=5.1e-9)
@@ -143,13 +143,13 @@ def test_the_size_of_the_pieces_changes_no_byte(write, tmp_path):
     rng = np.random.default_rng(3)
     rows = [f"{i},{speed:.2f},{toe:.1f}" for i, (speed, toe) in enumerate(zip(rng.normal(105, 9, 500), rng.normal(0, 30, 500), strict=True))]  # fmt: skip  # noqa: E501
     path = write("id,speed_mph,toe_mm\n" + "\n".join(rows))
-    found = []
+    result = []
     for chunk in (1, 7, 10_000):
         report = predict(path, club="driver", output=tmp_path / "out.csv", chunk_rows=chunk)
         assert report.written + report.rejected == 500
         assert 0 < report.rejected < 100
-        found.append([(tmp_path / "out.csv").read_bytes(), (tmp_path / "out.rejects.csv").read_bytes()])
-    assert found[0] == found[1] == found[2]
+        result.append([(tmp_path / "out.csv").read_bytes(), (tmp_path / "out.rejects.csv").read_bytes()])
+    assert result[0] == result[1] == result[2]
 
 
 @pytest.mark.parametrize(
@@ -248,10 +248,10 @@ BAD_FILES = [
 ]
 
 
-@pytest.mark.parametrize(("content", "line", "said"), BAD_FILES, ids=[each[2] for each in BAD_FILES])
-def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, tmp_path, content, line, said):
+@pytest.mark.parametrize(("content", "line", "message"), BAD_FILES, ids=[each[2] for each in BAD_FILES])
+def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, tmp_path, content, line, message):
     path = write(content)
-    with pytest.raises(FileError, match=said.replace("(", r"\(")) as caught:
+    with pytest.raises(FileError, match=message.replace("(", r"\(")) as caught:
         predict(path, club="driver", output=tmp_path / "out.csv")
     assert (caught.value.path, caught.value.line) == (str(path), line)
     assert [each.name for each in tmp_path.iterdir()] == ["shots.csv"]
@@ -259,10 +259,10 @@ def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, t
 
 def test_paths_that_cannot_be_are_refused(write, tmp_path):
     path = write(GOOD)
-    for output, said in ((path, "another file than the one that is read"), (tmp_path / "no" / "out.csv", "no folder"),
+    for output, words in ((path, "another file than the one that is read"), (tmp_path / "no" / "out.csv", "no folder"),
                          (tmp_path / "out.xlsx", "must end in"), (tmp_path / "dir.csv", "is a folder")):  # fmt: skip
         (tmp_path / "dir.csv").mkdir(exist_ok=True)
-        with pytest.raises(FileError, match=said):
+        with pytest.raises(FileError, match=words):
             predict(path, club="driver", output=output)
     with pytest.raises(FileError, match="another file than the output"):
         predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")

@@ -96,8 +96,10 @@ def test_rows_and_results_stay_together_beside_rows_that_are_left_out(write):
 
 
 def test_a_monitors_rejected_rows_are_told_once_whatever_the_chunks(tmp_path):
-    said = {"club": "7-iron", "only": "7i", "assume": {"speed": "80 mph", "path": 0.0, "attack": 0.0}}
-    whole, parts = (predict(TRACKMAN, output=tmp_path / f"{rows}.csv", chunk_rows=rows, **said) for rows in (1000, 1))
+    options = {"club": "7-iron", "only": "7i", "assume": {"speed": "80 mph", "path": 0.0, "attack": 0.0}}
+    whole, parts = (
+        predict(TRACKMAN, output=tmp_path / f"{rows}.csv", chunk_rows=rows, **options) for rows in (1000, 1)
+    )
     assert (whole.written, whole.rejected) == (parts.written, parts.rejected) == (2, 3)
     assert Path(whole.output).read_bytes() == Path(parts.output).read_bytes()
     assert Path(whole.rejects).read_bytes() == Path(parts.rejects).read_bytes()
@@ -128,8 +130,8 @@ def test_an_interrupted_run_over_chosen_rows_goes_on_where_it_stopped(write, tmp
         pytest.importorskip("pyarrow")
     lines = CONTACT.splitlines()
     source = write("\n".join([lines[0], *lines[1:] * 5, "Driver,contact,A,fast,13,2,15,0,0"]))
-    said = {"club": "driver", "only": "Driver", "assume": {"toe": "2 mm"}}
-    whole = predict(source, output=tmp_path / f"whole.{ending}", **said)
+    options = {"club": "driver", "only": "Driver", "assume": {"toe": "2 mm"}}
+    whole = predict(source, output=tmp_path / f"whole.{ending}", **options)
     assert (whole.written, whole.rejected) == (15, 1)
 
     def stop(part, rows):
@@ -138,9 +140,9 @@ def test_an_interrupted_run_over_chosen_rows_goes_on_where_it_stopped(write, tmp
 
     target = tmp_path / f"parts.{ending}"
     with pytest.raises(KeyboardInterrupt):
-        predict(source, output=target, chunk_rows=3, progress=stop, **said)
+        predict(source, output=target, chunk_rows=3, progress=stop, **options)
     assert unfinished_folder(target).exists()
-    report = predict(source, output=target, chunk_rows=4, resume=True, **said)
+    report = predict(source, output=target, chunk_rows=4, resume=True, **options)
     assert (report.written, report.rejected) == (15, 1)
     assert report.resumed >= 5
     if ending == "csv":
@@ -155,11 +157,11 @@ def test_a_resumed_run_of_other_choices_is_another_run(shots, tmp_path):
     def stop(part, rows):
         raise KeyboardInterrupt
 
-    said = {"club": "driver", "only": "Driver", "output": tmp_path / "out.csv", "chunk_rows": 1}
+    options = {"club": "driver", "only": "Driver", "output": tmp_path / "out.csv", "chunk_rows": 1}
     with pytest.raises(KeyboardInterrupt):
-        predict(shots, progress=stop, assume={"toe": "0 mm"}, **said)
+        predict(shots, progress=stop, assume={"toe": "0 mm"}, **options)
     with pytest.raises(FileError, match="another choice of shots"):
-        predict(shots, resume=True, assume={"toe": "9 mm"}, **said)
+        predict(shots, resume=True, assume={"toe": "9 mm"}, **options)
 
 
 def test_a_monitors_file_becomes_parquet_with_what_was_measured(tmp_path):

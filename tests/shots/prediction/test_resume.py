@@ -82,8 +82,8 @@ def test_a_run_over_parquet_goes_on_with_pieces_of_another_size(write, tmp_path)
     assert predict(tmp_path / "in.parquet", chunk_rows=20, resume=True, **options).rows == 100
     import pyarrow.parquet
 
-    found = pyarrow.parquet.read_table(tmp_path / "out.parquet")["id"].to_pylist()
-    assert found == [str(number) for number in range(100)]
+    result = pyarrow.parquet.read_table(tmp_path / "out.parquet")["id"].to_pylist()
+    assert result == [str(number) for number in range(100)]
 
 
 @pytest.mark.parametrize("name", ["000000000020+10.csv", "000000000020+10.rejects.csv"])

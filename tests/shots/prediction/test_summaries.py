@@ -40,8 +40,8 @@ def test_an_average_is_no_task_of_a_study(text, write, tmp_path):
 
 def test_an_average_is_not_compared(write):
     notes = []
-    found = read_deliveries(write(SUMMED_UP["in the column of shots"]), 10, notes.append)
-    assert list(found) == ["1", "2"]
+    result = read_deliveries(write(SUMMED_UP["in the column of shots"]), 10, notes.append)
+    assert list(result) == ["1", "2"]
     assert [each[:6] for each in notes if "sums up" in each] == ["line 4", "line 5"]
 
 
