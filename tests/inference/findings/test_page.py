@@ -23,7 +23,7 @@ pytest.importorskip("pyarrow")
 DOCS = Path(__file__).parents[3] / "docs"
 FOUND = json.loads((DOCS / "findings.json").read_text(encoding="utf-8"))
 CAPTURE = (DOCS / "motion-capture.md").read_text(encoding="utf-8")
-TEXT = " ".join((DOCS / "findings.md").read_text(encoding="utf-8").split())
+NUMBER = re.compile(r"(?<![\w.])(-?\d+(\.\d+)?)(?![\d]|\.\d)(?: ?(°|%|rpm|mm|µs|s/m|GN/m³|N m s/rad|degrees)(?!\w))?")
 RPM, DEG = math.pi / 30, math.pi / 180
 
 
@@ -31,11 +31,41 @@ def parameters(club, model):
     return findings._parameters(club, model, FOUND["clubs"][club]["fits"][model])
 
 
-def says(pattern):
-    """Return the numbers of a sentence of the page."""
-    match = re.search(pattern, TEXT)
-    assert match, pattern
-    return [float(each) for each in match.groups()]
+def sections():
+    """Every section of the page: of each sentence its numbers, as (value, step of the last digit, unit)."""
+    for section in (DOCS / "findings.md").read_text(encoding="utf-8").split("\n#")[1:]:
+        title, text = section.lstrip("# ").split("\n", 1)
+        sentences = re.split(r"(?<=\.)\s+(?=[A-Z`*])|\n\n", text)
+        yield (
+            title,
+            [
+                [
+                    (float(number), 10.0 ** -max(len(digits) - 1, 0), unit)
+                    for number, digits, unit in NUMBER.findall(" ".join(each.split()))
+                ]
+                for each in sentences
+            ],
+        )
+
+
+SECTIONS = dict(sections())
+
+
+def stated(section, *figures, slack=0.5):
+    """Whether a sentence of a section has these numbers, whatever its words.
+
+    Each figure is (value, unit), in the order of the sentence; the unit is "" where no unit follows the number. The
+    number is that value rounded, to `slack` of its last digit.
+    """
+    return any(_in_order(sentence, figures, slack) for sentence in SECTIONS[section])
+
+
+def _in_order(sentence, figures, slack):
+    rest = iter(sentence)
+    return all(
+        any(unit == stated_unit and abs(value - number) <= slack * step for number, step, stated_unit in rest)
+        for value, unit in figures
+    )
 
 
 @pytest.mark.parametrize("club", benchmark_data.CLUBS)
@@ -117,8 +147,8 @@ def test_the_sentences_on_one_set_for_all_clubs_are_those_of_the_fits():
             assert min(FOUND["tour"], key=lambda model: mean(model, kind, name)) == "rings"
         assert mean("rings", "left_out", name) < 1.2 * mean("rings", "errors", name)
     errors = FOUND["tour"]["rings"]["errors"]
-    (largest,) = says(r"that of `rings` is up to (\d+) rpm off")
-    assert np.abs(errors["spin"]).max() / RPM == pytest.approx(largest, abs=5)
+    # To the nearest ten.
+    assert stated("One set for all clubs", (np.abs(errors["spin"]).max() / RPM, "rpm"), slack=5)
     speeds = dict(zip(FOUND["tour"]["rings"]["clubs"], errors["ball_speed"], strict=True))
     assert sorted(speeds, key=lambda club: abs(speeds[club]))[-2:] == ["driver", "pitching-wedge"]
     assert speeds["driver"] < 0.0 < speeds["5-iron"]
@@ -126,27 +156,24 @@ def test_the_sentences_on_one_set_for_all_clubs_are_those_of_the_fits():
 
 def test_the_sentences_on_azimuth_and_sidespin_are_those_of_the_budget():
     budget = FOUND["clubs"]["driver"]["budget"]["adjusted"]
-    lines, side = says(r"alone make ([\d.]+)° of azimuth and (\d+) rpm of sidespin")
-    assert budget["extrapolation"]["azimuth"] / DEG == pytest.approx(lines, abs=0.006)
-    assert budget["extrapolation"]["sidespin"] / RPM == pytest.approx(side, abs=1)
-    capture, side = says(r"all of motion capture ([\d.]+)° and (\d+) rpm")
-    assert budget["capture"]["azimuth"] / DEG == pytest.approx(capture, abs=0.006)
-    assert budget["capture"]["sidespin"] / RPM == pytest.approx(side, abs=1)
-    azimuth, side = says(r"three times out of four, ([\d.]+)° and (\d+) rpm")
-    assert budget["all"]["azimuth"] / DEG == pytest.approx(azimuth, abs=0.006)
-    assert budget["all"]["sidespin"] / RPM == pytest.approx(side, abs=1)
+
+    def figures(source):
+        return (budget[source]["azimuth"] / DEG, "°"), (budget[source]["sidespin"] / RPM, "rpm")
+
+    assert stated("Where the errors come from", *figures("extrapolation"), *figures("capture"))
+    assert stated("Where the errors come from", *figures("all"))
     given = published()["adjusted", "driver"]
     assert budget["all"]["azimuth"] < 0.5 * given.mae["azimuth"]
     assert budget["all"]["sidespin"] / given.mae["sidespin"] == pytest.approx(2 / 3, abs=0.05)
     # Of synthetic swings, the figures of the page on motion capture, and how much less the sum of squares is without.
-    stated = says(r"say ([\d.]+)° and (\d+) rpm for straight-line extrapolation .*?, and ([\d.]+)° and (\d+) rpm")
     rows = [row for row in CAPTURE.splitlines() if row.startswith(("| azimuth, deg |", "| sidespin, rpm |"))]
     azimuth, sidespin = ([float(cell) for cell in row.split("|")[2:11]] for row in rows[:2])
-    assert [azimuth[0], sidespin[0], azimuth[2], sidespin[2]] == list(stated)
+    swings = ((azimuth[0], "°"), (sidespin[0], "rpm"), (azimuth[2], "°"), (sidespin[2], "rpm"))
+    assert stated("Where the errors come from", *swings, slack=1e-6)
     assert azimuth[2] / azimuth[8] == pytest.approx(1 / 3, abs=0.05)
     assert sidespin[2] / sidespin[8] == pytest.approx(1 / 2, abs=0.05)
     falls = [100 * (1 - math.sqrt(1 - (each[2] / each[8]) ** 2)) for each in (azimuth, sidespin)]
-    assert says(r"published errors would fall by (\d+)% and (\d+)%") == pytest.approx(falls, abs=0.5)
+    assert stated("Where the errors come from", *((each, "%") for each in falls))
     # A random face error that lifts the mean magnitude to the published one; a degree of face is 0.85 of azimuth.
     missing = math.sqrt(given.mae["azimuth"] ** 2 - budget["all"]["azimuth"] ** 2) * math.sqrt(math.pi / 2) / 0.85
     assert missing / DEG == pytest.approx(1.0, abs=0.1)
@@ -159,8 +186,8 @@ def test_the_sentences_on_bias_are_those_of_the_published_figures():
             pair = (given.mae["azimuth"], given.std["azimuth"])
             ratios.append(pair[0] / pair[1])
             biases += [bias_of(*pair) / DEG, bias_of_magnitudes(*pair) / DEG]
-    assert says(r"mean magnitude ([\d.]+) to ([\d.]+) times") == pytest.approx([min(ratios), max(ratios)], abs=0.06)
-    assert says(r"A constant ([\d.]+) to ([\d.]+) degrees") == pytest.approx([min(biases), max(biases)], abs=0.06)
+    assert stated("Where the errors come from", (min(ratios), ""), (max(ratios), ""))
+    assert stated("Where the errors come from", (min(biases), ""), (max(biases), "degrees"))
 
 
 def test_the_sentences_on_hold_out_are_those_of_the_costs():
@@ -169,13 +196,13 @@ def test_the_sentences_on_hold_out_are_those_of_the_costs():
         fit = iron["fits"][model]
         assert fit["cost_holdout"] / fit["cost"] - 1 == pytest.approx(loss, abs=0.003)
     low, high = iron["held_out"]["volumetric"]["interval"]
-    (reach,) = says(r"such an interval reaches some (\d+)% of the cost")
-    assert 100 * 0.5 * (high - low) / iron["fits"]["adjusted"]["cost_holdout"] == pytest.approx(reach, abs=0.5)
+    reach = 0.5 * (high - low) / iron["fits"]["adjusted"]["cost_holdout"]
+    assert stated("Held out", (100 * reach, "%"))
     # It has no lead, by either reading.
     assert iron["held_out"]["volumetric"]["more"] > 0
     given = published()
-    lead = 1 - given["volumetric", "7-iron"].cost / given["adjusted", "7-iron"].cost
-    assert 100 * lead == pytest.approx(7, abs=0.5)
+    costs = [given[model, "7-iron"].cost for model in ("volumetric", "adjusted")]
+    assert stated("Held out", (costs[0], ""), (costs[1], ""), (100 * (1 - costs[0] / costs[1]), "%"))
 
 
 def test_the_order_of_the_models_is_the_one_stated():
@@ -196,20 +223,19 @@ def test_the_order_of_the_models_is_the_one_stated():
 
 def test_the_sentences_on_impulse_models_are_those_of_the_fits():
     driver = FOUND["clubs"]["driver"]
-    (slope,) = says(r"the one they were made with, (-[\d.]+) s/m")
-    assert slope == pytest.approx(recipe("driver").restitution_slope)
+    slope = recipe("driver").restitution_slope
+    assert stated("Impulse models", (slope, "s/m"))
+    # Half a unit of the last digit with which the page states it.
     assert driver["fits"]["standard"]["parameters"]["cor_slope"] == pytest.approx(slope, abs=5e-5)
-    (published_y,) = says(r"published (-[\d.]+) mm for `dcg_y`")
-    assert ParameterSet.builtin("adjusted", "driver").values["dcg_y"] == pytest.approx(published_y * 1e-3)
+    published_y = ParameterSet.builtin("adjusted", "driver").values["dcg_y"]
+    assert stated("Impulse models", (1e3 * published_y, "mm"))
     low, high = driver["fits"]["adjusted"]["intervals"]["dcg_y"]
-    assert published_y * 1e-3 < low - 10 * (high - low)
-    stated = says(r"come out of its own drives as ([\d.]+) and (-[\d.]+), with intervals of ([\d.]+) and ([\d.]+);")
+    assert published_y < low - 10 * (high - low)
     slip, names = driver["own"]["slip"], ("slip_y", "slip_z")
     ends = [slip["intervals"][name] for name in names]
-    assert stated == pytest.approx([*(slip["parameters"][name] for name in names), *(b - a for a, b in ends)], abs=6e-4)
-    made = says(r"the drives were made with (-[\d.]+) and (-[\d.]+)\.")
-    assert made == pytest.approx([slip["true"][name] for name in names], abs=6e-4)
-    assert all(not low <= value <= high for value, (low, high) in zip(made, ends, strict=True))
+    own, true = ([slip[kind][name] for name in names] for kind in ("parameters", "true"))
+    assert stated("Impulse models", *((each, "") for each in (*own, *(high - low for low, high in ends), *true)))
+    assert all(not low <= value <= high for value, (low, high) in zip(true, ends, strict=True))
 
 
 def test_the_true_values_are_held_as_often_as_stated():
@@ -219,20 +245,15 @@ def test_the_true_values_are_held_as_often_as_stated():
         for own in result["own"].values()
         for name, (low, high) in own["intervals"].items()
     ]
-    whole, holding, nominal = says(
-        r"Of the (\d+) parameters .* (\d+) intervals hold the true value; .* should be (\d+)\."
-    )
-    assert (len(held), sum(held)) == (whole, holding)
-    assert nominal == round(0.95 * whole)
+    counts = ((len(held), ""), (sum(held), ""), (95, "%"), (round(0.95 * len(held)), ""))
+    assert stated("Impulse models", *counts, slack=0)
 
 
 def test_what_cannot_be_known_is_what_the_identification_says():
     clubs, unit = FOUND["clubs"], 1e9
     drives, irons = ([*clubs[club]["own"]["volumetric"]["intervals"]["stiffness"]] for club in benchmark_data.CLUBS)
-    assert says(r"an interval from ([\d.]+) to (\d+) GN/m³") == pytest.approx([each / unit for each in drives], abs=0.5)
-    assert says(r"the interval goes from ([\d.]+) to (\d+)\.") == pytest.approx(
-        [each / unit for each in irons], abs=0.5
-    )
+    assert stated("Contact models", (drives[0] / unit, ""), (drives[1] / unit, "GN/m³"))
+    assert stated("Contact models", *((each / unit, "") for each in irons))
     times, forces, known = [], [], []
     for result in clubs.values():
         own, fit = result["own"]["volumetric"], result["fits"]["volumetric"]
@@ -243,26 +264,24 @@ def test_what_cannot_be_known_is_what_the_identification_says():
         known.append(50.0 * (high - low) / fit["parameters"]["damping"])
         # In every fit to all shots something of the grip meets a bound.
         assert any(re.match("(layer|cover|transition|friction).* meets its", each) for each in fit["warnings"])
-    assert known == pytest.approx(says(r"known to (\d+)% from the drives and (\d+)% from"), abs=0.5)
+    assert stated("Contact models", *((each, "%") for each in known))
     assert times == pytest.approx([4, 10], rel=0.06)
-    assert [int(re.search(r"(\d+) us on average", each)[1]) for each in forces] == says(r"lasts (\d+) and (\d+) µs")
+    drive, iron = (int(re.search(r"(\d+) us on average", each)[1]) for each in forces)
+    assert stated("Contact models", (drive, ""), (iron, "µs"), slack=0)
     driver = clubs["driver"]
     fit, own = driver["fits"]["volumetric"], driver["own"]["volumetric"]
     assert own["parameters"]["stiffness"] / own["true"]["stiffness"] == pytest.approx(1.5, abs=0.05)
-    likelihood, cost = says(r"puts it at (\d+) GN/m³ or more, and the fit by the published cost at (\d+)\.")
-    assert fit["profile_intervals"]["stiffness"][0] / unit == pytest.approx(likelihood, rel=0.03)
-    assert fit["parameters"]["stiffness"] / unit == pytest.approx(cost, abs=0.5)
-    stated = says(r"made with ([\d.]+) N m s/rad and a friction of ([\d.]+) are fitted best by ([\d.]+) and ([\d.]+)\.")
-    both = [own[what][name] for what in ("true", "parameters") for name in ("layer_damping", "friction")]
-    assert stated == pytest.approx(both, abs=6e-3)
+    likelihood = fit["profile_intervals"]["stiffness"][0]
+    assert stated("Contact models", (likelihood / unit, "GN/m³"), (fit["parameters"]["stiffness"] / unit, ""))
+    both = [own[kind][name] for kind in ("true", "parameters") for name in ("layer_damping", "friction")]
+    assert stated("Contact models", *zip(both, ("N m s/rad", "", "", ""), strict=True))
     for result in clubs.values():
         area = result["fits"]["area"]
         assert any("poisson" in each and "no launch changes" in each for each in area["weak"])
         assert area["parameters"]["area_damping"] > 999
-    low, high = says(r"In `rings`, `shear_modulus` ends at its upper bound, (\d+) to (\d+) times the published value")
-    for club, result in clubs.items():
-        ratio = (
-            result["fits"]["rings"]["parameters"]["shear_modulus"]
-            / ParameterSet.builtin("rings", club).values["shear_modulus"]
-        )
-        assert low <= ratio <= high
+    ratios = [
+        result["fits"]["rings"]["parameters"]["shear_modulus"]
+        / ParameterSet.builtin("rings", club).values["shear_modulus"]
+        for club, result in clubs.items()
+    ]
+    assert stated("Contact models", (min(ratios), ""), (max(ratios), ""))
