@@ -19,4 +19,6 @@ def test_columns_are_quantities() -> None:
     quantities = {each["name"]: each for each in _core.quantities()}
     for column in (*_core.inputs(), *_core.outputs(), *_core.flight_inputs(), *_core.flight_outputs()):
         assert column["unit"] == quantities[column["name"]]["unit"]
-        assert column["meaning"].startswith(quantities[column["name"]]["meaning"])
+        meaning = quantities[column["name"]]["meaning"]
+        assert meaning
+        assert column["meaning"].startswith(meaning)

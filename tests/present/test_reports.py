@@ -155,6 +155,7 @@ def test_a_table_of_any_width_is_printed_whole_and_legibly(count):
     rows = [[f"{row - 9000.5 * k:.3f}" for k in columns] for row in range(3)]
     table = Table([f"quantity {k} (m/s)" for k in columns], rows)
     parts = printed(as_html([table]))
+    assert parts
     # Together they hold every column once and in order, the first in each.
     assert all(rows[0][0] == "quantity 0 (m/s)" for _, rows in parts)
     for line, expected in enumerate([table.headings, *table.rows]):
