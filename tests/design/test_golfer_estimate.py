@@ -30,8 +30,8 @@ def known(**changes):
     return Golfer(**{"name": "known", "variables": NAMES, "mean": mean, "covariance": covariance, **changes})
 
 
-def strike_session(of, count, seed, drift=0.0, **more):
-    drawn = of.deliveries(np.random.default_rng(seed).random((count, of.dimensions)))
+def strike_session(player, count, seed, drift=0.0, **more):
+    drawn = player.deliveries(np.random.default_rng(seed).random((count, player.dimensions)))
     way = drift * np.linspace(-1.0, 1.0, count)
     deliveries = {name: drawn[name] + way * SPREAD[place] for place, name in enumerate(NAMES)}
     shots = RecordedShots(

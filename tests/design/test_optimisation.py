@@ -32,8 +32,8 @@ def study(variables, *, objective='"carry"', shots=256, head=HEAD, golfer_="boge
     )
 
 
-def problem(of, shots=256, objective=None):
-    return of.problem(of.landings(shots, seed=of.seed), objective or of.objectives[0])
+def problem(task, shots=256, objective=None):
+    return task.problem(task.landings(shots, seed=task.seed), objective or task.objectives[0])
 
 
 FACE = {"loft": '["8 deg", "16 deg"]', "bulge": '["200 mm", "500 mm"]', "roll": '["200 mm", "500 mm"]'}

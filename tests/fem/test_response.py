@@ -61,8 +61,8 @@ def test_a_strike_of_the_table_is_what_the_finite_elements_give(tmp_path):
 
 def rows_of(path, lines):
     """The lines of a table that are of the same strikes as some lines of another."""
-    found = {tuple(line.split(",")[:2]): line for line in path.read_text(encoding="utf-8").splitlines()}
-    return [found[tuple(line.split(",")[:2])] for line in lines]
+    result = {tuple(line.split(",")[:2]): line for line in path.read_text(encoding="utf-8").splitlines()}
+    return [result[tuple(line.split(",")[:2])] for line in lines]
 
 
 def numbers(line):
@@ -93,7 +93,7 @@ def test_another_ball_is_refused_by_the_table(tmp_path):
 
 def test_held_out_strikes_are_met_as_the_page_says(table):
     """The percentiles that docs/models/response.md gives, rounded up in their last digit."""
-    found = summary(DEFAULTS, table, PARTS)
+    result = summary(DEFAULTS, table, PARTS)
     asked = {
         "clubs, held out": {
             "speed": 0.0026, "direction": np.radians(0.18),
@@ -118,7 +118,7 @@ def test_held_out_strikes_are_met_as_the_page_says(table):
     }  # fmt: skip
     for part, limits in asked.items():
         for quantity, limit in limits.items():
-            assert 0.5 * limit < found[part][quantity][1] < limit, (part, quantity)
+            assert 0.5 * limit < result[part][quantity][1] < limit, (part, quantity)
 
 
 def test_spins_before_impact_are_within_the_range_and_about_all_axes():
@@ -144,8 +144,8 @@ def test_the_fit_finds_the_coefficients_from_strikes_by_the_model(table):
         **{name: DEFAULTS[name] * (1.0 + 0.02 * each) for name, each in zip(fitted(), shift, strict=True)},
     }
     made, _ = simulated(truth, few, fitted()[:1])
-    found = fit(few._replace(results=made), np.ones(len(made)))
-    got, _ = simulated(found, few, fitted()[:1])
+    result = fit(few._replace(results=made), np.ones(len(made)))
+    got, _ = simulated(result, few, fitted()[:1])
     # The ridge on the coefficients leaves a hundredth of what counts as one.
     assert np.sqrt(np.mean(((got - made) / scales(few._replace(results=made))) ** 2)) < 0.02
 

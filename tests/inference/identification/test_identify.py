@@ -78,7 +78,7 @@ class Stop:
     def __init__(self, after):
         self.left = after
 
-    def __call__(self, stage, done, of, best):
+    def __call__(self, stage, done, total, best):
         self.left -= 1
         if self.left == 0:
             raise KeyboardInterrupt

@@ -21,8 +21,8 @@ def test_a_run_killed_at_random_moments_ends_with_the_same_bytes():
 def test_other_bytes_are_seen(tmp_path):
     folder = kills.prepared(tmp_path / "run")
     whole = {"out.csv": b"other", "out.rejects.csv": b"other"}
-    (told,) = kills.disturbed(kills.SMALL, folder, whole, 0.0, random.Random(1), 0)
-    assert "the last run is not as the undisturbed one" in told
+    (message,) = kills.disturbed(kills.SMALL, folder, whole, 0.0, random.Random(1), 0)
+    assert "the last run is not as the undisturbed one" in message
 
 
 def test_the_program_of_the_findings_starts():
