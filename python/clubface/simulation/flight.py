@@ -419,7 +419,7 @@ def fly(
     wind
         Velocity of the wind to the target, up and right, three values (``("-10 mph", 0, 0)`` is a headwind), or a
         mapping of ``wind_x``, ``wind_y``, ``wind_z``, or of ``wind_speed`` and ``wind_direction`` [rad], where a
-        level wind blows to: 0 to the target, 90 degrees to the right, 180 degrees against the ball. No wind if left out.
+        level wind blows to: 0 to the target, 90 degrees right, 180 degrees against the ball. No wind if left out.
     ground
         "fairway" (so if left out), "firm fairway", "soft fairway", "green", "firm green", "soft green", or a mapping of
         ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``, ``grass_length``.
