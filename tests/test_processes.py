@@ -7,6 +7,7 @@ import pickle
 import signal
 import time
 import warnings
+from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 import pytest
@@ -94,7 +95,7 @@ def _carry(launch):
 
 
 def test_results_go_to_a_spawned_process_and_back():
-    with multiprocessing.get_context("spawn").Pool(1) as pool:
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
         (result,) = pool.map(_carry, [EXAMPLES["launch"]])
     assert exact(result) == exact(EXAMPLES["flight"])
 
