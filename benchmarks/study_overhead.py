@@ -18,7 +18,7 @@ from typing import Any
 from clubface import studies
 from clubface.jobs.shards import Shard
 from clubface.jobs.workers import in_processes
-from clubface.studies.axes import Axis
+from clubface.studies.axes import SweepAxis
 from clubface.studies.designs import Grid, Samples
 from clubface.studies.running import order
 from clubface.studies.store import StudyStore, open_store
@@ -121,10 +121,10 @@ def shots(folder: Path) -> None:
 def full_count() -> None:
     """The inputs at the end of a thousand million tasks."""
     count = 1000**3
-    axes = [Axis(name=name, unit="1", ends=(0.0, 1.0), count=1000) for name in "abc"]
+    axes = [SweepAxis(name=name, unit="1", ends=(0.0, 1.0), count=1000) for name in "abc"]
     _, used = measured(lambda: Grid(axes).values(range(count - 1000, count)))
     print(f"the last 1000 tasks of a grid of 10^9: {1e3 * used:.2f} ms")
-    spans = [Axis(name=name, unit="1", ends=(0.0, 1.0)) for name in "abcdef"]
+    spans = [SweepAxis(name=name, unit="1", ends=(0.0, 1.0)) for name in "abcdef"]
     made = Samples(spans, count, "sobol", 1)
     _, used = measured(lambda: made.values(range(count - 1000, count)))
     print(f"the last 1000 points of a Sobol sequence of 10^9 in 6 dimensions: {used:.1f} s, once a worker")

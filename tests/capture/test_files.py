@@ -11,7 +11,7 @@ from hypothesis import given, settings, strategies as st
 
 from captures import Cameras, random_swing
 from clubface.capture.markers import MarkerMap, template
-from clubface.capture.recording import Layout, Recording, check_layout, read_c3d, write_c3d
+from clubface.capture.recording import Recording, RecordingHeader, check_layout, read_c3d, write_c3d
 from clubface.capture.synthetic.laboratory import calibration_map, positions_map
 from clubface.errors import FileError, InputError
 
@@ -37,7 +37,7 @@ def test_what_is_written_is_read_back(recording, file):
     result = read_c3d(file)
     assert result.labels == recording.labels
     assert (result.rate, result.first_frame, result.path) == (720.0, 1, str(file))
-    assert check_layout(file) == Layout(3, 0, 40, 1)
+    assert check_layout(file) == RecordingHeader(3, 0, 40, 1)
     # A file holds mm in single precision: 2000 mm to 1e-4 mm.
     assert np.array_equal(np.isnan(result.positions), np.isnan(recording.positions))
     assert np.nanmax(np.abs(result.positions - recording.positions)) < 1.2e-7
@@ -234,7 +234,7 @@ def test_a_file_that_is_one_byte_too_short_is_refused_and_one_that_just_fits_is_
     # 40 frames of 3 points of 4 numbers of 4 bytes.
     needed = points_at(content) + 40 * 3 * 4 * 4
     file.write_bytes(content[:needed])
-    assert check_layout(file) == Layout(3, 0, 40, 1)
+    assert check_layout(file) == RecordingHeader(3, 0, 40, 1)
     assert read_c3d(file).positions.shape == (40, 3, 3)
     file.write_bytes(content[: needed - 1])
     with pytest.raises(FileError, match=f"cut short: {needed - 1} bytes of at least {needed} for 40 frames"):

@@ -5,7 +5,7 @@ import pytest
 
 import clubface
 from clubface.design import dispersion as module
-from clubface.design.dispersion import FLOWN, LAUNCHED, ImpactSetup, Scale, Tally, dispersion, forward, shots_file
+from clubface.design.dispersion import FLOWN, LAUNCHED, ImpactSetup, Scale, ShotTally, dispersion, forward, shots_file
 from clubface.design.golfer import golfer
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import club
@@ -67,7 +67,7 @@ def test_an_ellipse_and_an_interval_hold_their_share_of_fresh_shots(drives, shar
 def test_the_ellipse_of_normal_landings_is_the_one_of_chi_square():
     """Half the axes are sigma sqrt(-2 ln(1 - share)), and the long one lies where it was laid."""
     scales = {name: FLOWN[name] for name in ("carry", "side")}
-    tally = Tally(scales, {"carry": 200.0, "side": 0.0})
+    tally = ShotTally(scales, {"carry": 200.0, "side": 0.0})
     draw = np.random.default_rng(3).standard_normal((2, 200_000)) * [[15.0], [6.0]]
     angle = 0.4
     ahead = 200.0 + np.cos(angle) * draw[0] - np.sin(angle) * draw[1]
@@ -83,7 +83,7 @@ def test_the_ellipse_of_normal_landings_is_the_one_of_chi_square():
 
 
 def test_quantiles_lie_evenly_within_a_bin():
-    tally = Tally({"side": Scale(0.0, 10.0, 10)}, {"side": 0.0})
+    tally = ShotTally({"side": Scale(0.0, 10.0, 10)}, {"side": 0.0})
     tally.add({"side": np.array([2.5, 2.5, 2.5, 7.5])})
     assert tally.quantile("side", 0.375) == pytest.approx(2.5)
     assert tally.quantile("side", 0.75) == pytest.approx(3.0)
@@ -197,7 +197,7 @@ def test_histograms_are_as_fine_as_told_and_reach_beyond_every_shot():
 def test_a_shot_is_counted_where_it_is_and_beyond_the_ends_in_the_last_bin(name):
     player = {**LAUNCHED, **FLOWN}[name]
     least, most, width = COUNTED[name]
-    tally = Tally({name: player}, {name: 0.5 * (least + most)})
+    tally = ShotTally({name: player}, {name: 0.5 * (least + most)})
     values = np.array([least + 1.5 * width, least + 1.5 * width, most - 0.5 * width])
     tally.add({name: values})
     edges, counts = tally.histogram(name, width)
@@ -207,7 +207,7 @@ def test_a_shot_is_counted_where_it_is_and_beyond_the_ends_in_the_last_bin(name)
     assert tally.quantile(name, 1.0 / 3.0) == pytest.approx(least + 1.5 * width, abs=1e-9)
     assert tally.mean(name) == pytest.approx(values.mean(), abs=1e-9)
     assert tally.spread(name) == pytest.approx(values.std(), rel=1e-12)
-    beyond = Tally({name: player}, {name: 0.0})
+    beyond = ShotTally({name: player}, {name: 0.0})
     beyond.add({name: np.array([least - 1.0, most + 1.0, np.nan])})
     edges, counts = beyond.histogram(name, width)
     assert (counts[0], counts[-1], counts.sum()) == (1, 1, 2)

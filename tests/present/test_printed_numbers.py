@@ -10,7 +10,16 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.present.document import Bullets, Data, Heading, Paragraph, Picture, Table, as_html, as_markdown
+from clubface.present.document import (
+    Bullets,
+    Data,
+    DocumentPicture,
+    Heading,
+    Paragraph,
+    TextTable,
+    as_html,
+    as_markdown,
+)
 from clubface.present.report import provenance_blocks, report_blocks
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.shot_result import shot_result
@@ -91,7 +100,7 @@ def test_what_rounds_to_no_yard_is_on_the_line(two, yards, place):
 
 def test_every_number_of_the_table(two):
     launches, flights, blocks = two
-    table = of_kind(blocks, Table)[0]
+    table = of_kind(blocks, TextTable)[0]
     assert [row[0] for row in table.rows] == ["response", "slip"]
     printed = {name: each for name, each in PRINTED.items() if name not in ("total", "apex", "landing_angle")}
     for model, row in zip(launches, table.rows, strict=True):
@@ -117,15 +126,16 @@ def test_headings_stand_one_below_the_other(two):
 
 
 def test_what_nothing_was_given_for_is_not_listed(two):
-    inputs = of_kind(two[2], Table)[1]
+    inputs = of_kind(two[2], TextTable)[1]
     assert [row[0] for row in inputs.rows] == ["speed", "loft", "face", "air", "wind", "ground"]
     assert inputs.data.rows == inputs.rows
 
 
 BLOCKS = (
     Heading(1, "Title"), Heading(3, "Below"), Paragraph(("One.", "Two.")), Bullets(("first", "second")),
-    Table(("a", "b", "c"), [("1", "2", "3")], Data("behind", ("a",), [(1.0,)])), Table(("d",), [("4",)]),
-    Picture("What it Shows: 3", "<svg></svg>"), Picture("Other", "<svg></svg>", Data("named", ("e",), [(5.0,)])),
+    TextTable(("a", "b", "c"), [("1", "2", "3")], Data("behind", ("a",), [(1.0,)])), TextTable(("d",), [("4",)]),
+    DocumentPicture("What it Shows: 3", "<svg></svg>"),
+    DocumentPicture("Other", "<svg></svg>", Data("named", ("e",), [(5.0,)])),
 )  # fmt: skip
 
 

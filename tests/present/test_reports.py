@@ -14,10 +14,10 @@ from clubface.errors import InputError
 from clubface.present.document import (
     Bullets,
     Data,
+    DocumentPicture,
     Heading,
     Paragraph,
-    Picture,
-    Table,
+    TextTable,
     as_html,
     as_markdown,
     write_document,
@@ -45,7 +45,7 @@ def test_what_is_not_known_is_an_empty_cell():
 NASTY = "<script>alert('&')</script> | a"
 PIECES = (
     Heading(1, NASTY), Paragraph((NASTY,)), Bullets((NASTY,)),
-    Table((NASTY, "b"), [(NASTY, "1")], Data("x", ("a",), [(1.0,)])), Picture(NASTY, "<svg></svg>"),
+    TextTable((NASTY, "b"), [(NASTY, "1")], Data("x", ("a",), [(1.0,)])), DocumentPicture(NASTY, "<svg></svg>"),
 )  # fmt: skip
 
 
@@ -71,7 +71,7 @@ def test_only_pages_and_markdown_are_written(tmp_path):
 def test_the_end_of_a_report_has_inputs_versions_and_every_source():
     launch = clubface.impact("driver", {"speed": ["105 mph", "110 mph"], "attack": "-2 deg"}, model="slip")
     blocks = list(provenance_blocks(provenance_of([launch], {"air": "15 C"})))
-    table = next(each for each in blocks if isinstance(each, Table))
+    table = next(each for each in blocks if isinstance(each, TextTable))
     assert table.rows == [
         ("speed", "105 to 110 mph"),
         ("attack", "-2 deg"),
@@ -153,7 +153,7 @@ def printed(page):
 def test_a_table_of_any_width_is_printed_whole_and_legibly(count):
     columns = range(count)
     rows = [[f"{row - 9000.5 * k:.3f}" for k in columns] for row in range(3)]
-    table = Table([f"quantity {k} (m/s)" for k in columns], rows)
+    table = TextTable([f"quantity {k} (m/s)" for k in columns], rows)
     parts = printed(as_html([table]))
     assert parts
     # Together they hold every column once and in order, the first in each.
@@ -169,6 +169,6 @@ def test_a_table_of_any_width_is_printed_whole_and_legibly(count):
 
 
 def test_numbers_are_never_broken_over_lines_and_long_words_are():
-    page = as_html([Table(("file", "SHA-256", "bytes"), [("head.msh", "ab" * 32, "123456789")])])
+    page = as_html([TextTable(("file", "SHA-256", "bytes"), [("head.msh", "ab" * 32, "123456789")])])
     assert "td{white-space:nowrap}" in page
     assert re.findall(r"<td( class=\"text\")?>", page) == ["", ' class="text"', ""]

@@ -9,15 +9,15 @@ from hypothesis import given, settings, strategies as st
 
 from clubface.errors import FileError, InputError
 from clubface.studies import designs
-from clubface.studies.axes import Axis, Swept, axis
-from clubface.studies.designs import Grid, Remembered, Rows, Samples, design, table_columns
+from clubface.studies.axes import SweepAxis, Swept, axis
+from clubface.studies.designs import DesignRows, Grid, Remembered, Samples, design, table_columns
 from clubface.units import to_si
 
 SPEED = Swept("m/s")
-X = Axis(name="x", unit="1", ends=(0.0, 1.0), count=3)
-Y = Axis(name="y", unit="1", values=(5.0, 7.0), count=2)
-CLUB = Axis(name="club", unit=None, choices=("driver", "3-wood"), count=2)
-BETWEEN = (Axis(name="x", unit="1", ends=(2.0, 4.0)), Axis(name="y", unit="1", ends=(-1.0, 1.0)), CLUB)
+X = SweepAxis(name="x", unit="1", ends=(0.0, 1.0), count=3)
+Y = SweepAxis(name="y", unit="1", values=(5.0, 7.0), count=2)
+CLUB = SweepAxis(name="club", unit=None, choices=("driver", "3-wood"), count=2)
+BETWEEN = (SweepAxis(name="x", unit="1", ends=(2.0, 4.0)), SweepAxis(name="y", unit="1", ends=(-1.0, 1.0)), CLUB)
 
 
 def joined(of, size):
@@ -139,7 +139,7 @@ def test_a_grid_changes_its_last_input_first():
 
 
 def test_a_grid_of_a_billion_tasks_is_made_where_it_is_asked_for():
-    axes = [Axis(name=name, unit="1", ends=(0.0, 999.0), count=1000) for name in "abc"]
+    axes = [SweepAxis(name=name, unit="1", ends=(0.0, 999.0), count=1000) for name in "abc"]
     result = Grid(axes).values(range(123_456_789, 123_456_791))
     assert [result[name].tolist() for name in "abc"] == [[123.0, 123.0], [456.0, 456.0], [789.0, 790.0]]
 
@@ -189,7 +189,7 @@ def test_samples_have_one_value_in_each_of_as_many_equal_parts(method):
 def test_the_rows_of_a_table_are_computed_for_every_name(write):
     path = write("club_speed_mph,attack_deg,note\n90,-1,a\n100,2,b\n")
     columns = table_columns(path, {"speed": SPEED, "attack": Swept("rad")})
-    result = Rows(columns, [CLUB]).values(range(4))
+    result = DesignRows(columns, [CLUB]).values(range(4))
     assert result["club"].tolist() == [0, 0, 1, 1]
     np.testing.assert_allclose(result["speed"], to_si(np.array([90.0, 100.0, 90.0, 100.0]), "mph"))
     assert result["attack"][1] == math.radians(2.0)
@@ -250,7 +250,7 @@ def test_designs_and_axes_that_do_not_fit_are_told():
     with pytest.raises(InputError, match="samples is missing"):
         design("sobol", BETWEEN, None, 0)
     with pytest.raises(InputError, match="at most"):
-        Grid([Axis(name=name, unit="1", ends=(0.0, 1.0), count=10**7) for name in "ab"])
+        Grid([SweepAxis(name=name, unit="1", ends=(0.0, 1.0), count=10**7) for name in "ab"])
 
 
 def test_a_table_without_units_is_refused_until_the_study_gives_them(tmp_path):

@@ -66,7 +66,7 @@ ODD = 4.0
 less certain."""
 
 
-class Blow(NamedTuple):
+class FaceImpact(NamedTuple):
     """Where and when a head loses speed.
 
     Attributes
@@ -117,7 +117,7 @@ def find_blow(
     where: str,
     roughness: float = ROUGHNESS,
     cg: Array | None = None,
-) -> Blow:
+) -> FaceImpact:
     """Find the blow in a recording; refuse one that has none with a :class:`FileError`.
 
     Parameters
@@ -350,7 +350,7 @@ def _cross(
     cg: Array,
     roughness: float,
     where: str,
-) -> Blow | None:
+) -> FaceImpact | None:
     """Return the blow between two frames from where the paths on either side cross; None with too few frames."""
     before, after = frames
     known = np.flatnonzero(followed.known)
@@ -385,7 +385,7 @@ def _cross(
     across = float(apart @ weight @ apart)
     early = time - 0.5 * CONTACT
     values, *_ = _at(ahead, early)
-    return Blow(
+    return FaceImpact(
         before=before, after=after, touch=start + early,
         deviation=math.sqrt(max(1.0, 0.5 * across / ODD) / float(lost @ weight @ lost) + CONTACT_DEVIATION**2),
         lost=0.0, velocity=one[1][:3], later=-two[1],

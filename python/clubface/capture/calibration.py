@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.capture.blow import Blow, find_blow, last_before
+from clubface.capture.blow import FaceImpact, find_blow, last_before
 from clubface.capture.geometry import Known, usual_place
 from clubface.capture.markers import MarkerMap
 from clubface.capture.recording import Recording
@@ -450,7 +450,7 @@ def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Tra
     return track(first - first.mean(0), seen, names, recording.path)
 
 
-def _attitude(blow: Blow, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
+def _attitude(blow: FaceImpact, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
     """Return loft, face angle and lie at first touch from the direction of the blow, and their covariance."""
     from clubface.simulation.impact import impact
 

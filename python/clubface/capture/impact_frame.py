@@ -28,7 +28,7 @@ STILL = 3e-3
 """Metres; a ball that moves less has not been hit."""
 
 
-class Interval(NamedTuple):
+class FrameInterval(NamedTuple):
     """Two frames between which the face meets the ball.
 
     Attributes
@@ -49,7 +49,7 @@ class Interval(NamedTuple):
 def find_impact(
     position: Array, rotation: Array, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float,
     rate: float, where: str,
-) -> tuple[Interval, RestingBall]:  # fmt: skip
+) -> tuple[FrameInterval, RestingBall]:  # fmt: skip
     """Find the frames between which the face passes where the ball lies, and make sure that it hit the ball.
 
     Parameters
@@ -113,7 +113,7 @@ def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
     return (first, ball.departure - 1) if ball.departure - first >= WIDEST - 1 else None
 
 
-def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> Interval | None:
+def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> FrameInterval | None:
     """Return the frames between which the face passes a ball while it lies there, None if it does not."""
     known = np.flatnonzero(np.isfinite(ahead))
     first, second = known[:-1], known[1:]
@@ -127,10 +127,10 @@ def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> Inte
     # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
     key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
     chosen = places[int(np.argmax(key))]
-    return Interval(int(first[chosen]), int(second[chosen]))
+    return FrameInterval(int(first[chosen]), int(second[chosen]))
 
 
-def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -> Interval | None:
+def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -> FrameInterval | None:
     """Return the interval of a head that is lost from sight before the ball leaves, or is lost from sight as well."""
     gone = ball.span[1] + 1 if ball.departure is None else ball.departure
     earlier = known[known < gone]
@@ -138,11 +138,11 @@ def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -
         return None
     if not ahead[earlier[-2]] > ahead[earlier[-1]] > 0.0:
         return None
-    return Interval(int(earlier[-1]), gone, ("the clubhead is lost from sight before it meets the ball",))
+    return FrameInterval(int(earlier[-1]), gone, ("the clubhead is lost from sight before it meets the ball",))
 
 
 def _make_sure(
-    position: Array, seen_ball: Array, ball: RestingBall, result: Interval, rate: float, where: str
+    position: Array, seen_ball: Array, ball: RestingBall, result: FrameInterval, rate: float, where: str
 ) -> tuple[str, ...]:
     """Refuse a pass that moved neither ball nor head; return what could not be made sure."""
     frames = f"frames {result.before + 1} and {result.after + 1}"
@@ -211,7 +211,7 @@ class Approach(NamedTuple):
 
 
 def follow(
-    times: Array, followed: Track, interval: Interval, ball: Array, club: Club, radius: float,
+    times: Array, followed: Track, interval: FrameInterval, ball: Array, club: Club, radius: float,
     *, noise: float, name: str, roughness: float, where: str,
 ) -> Approach:  # fmt: skip
     """Extend the path of the clubhead to the place where it first touches the ball.

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface.capture.ball_flight import RestingBall, resting_places
-from clubface.capture.blow import FEWEST, Blow, End, find_blow, impact_at_end, last_before
+from clubface.capture.blow import FEWEST, End, FaceImpact, find_blow, impact_at_end, last_before
 from clubface.capture.calibration import Registration
 from clubface.capture.geometry import Known
 from clubface.capture.impact_frame import Approach, find_impact, follow, follow_until
@@ -203,7 +203,7 @@ def _in_front(approach: Approach, setup: Setup) -> Array:
     return values[:3] + attitude @ (np.array(head.cg) + face_axes(head.loft) @ (touched + setup.ball.radius * normal))
 
 
-def _blow_remark(blow: Blow) -> str:
+def _blow_remark(blow: FaceImpact) -> str:
     message = f"impact is taken from the blow: the head loses {100.0 * blow.lost:.0f}% of its speed"
     if blow.again is None:
         return message

@@ -46,7 +46,7 @@ NOT_C3D = "this is not a C3D file"
 DAMAGED = "this C3D file is damaged"
 
 
-class Layout(NamedTuple):
+class RecordingHeader(NamedTuple):
     """What the header says.
 
     Attributes
@@ -65,7 +65,7 @@ class Layout(NamedTuple):
     first_frame: int
 
 
-def check_layout(path: str | os.PathLike[str]) -> Layout:
+def check_layout(path: str | os.PathLike[str]) -> RecordingHeader:
     """Return what a C3D file says it holds; one that is empty, cut short or damaged is a :class:`FileError`."""
     name = os.fspath(path)
     content = read_input(path)
@@ -123,7 +123,7 @@ class _Reader:
     def integer(self, at: int) -> int:
         return struct.unpack_from(f"{self.order}H", self.content, at)[0]
 
-    def layout(self) -> Layout:
+    def layout(self) -> RecordingHeader:
         points, analogues, first, last = (self.integer(at) for at in (2, 4, 6, 8))
         data = (self.integer(16) - 1) * BLOCK
         end = self.start + self.content[self.start + 2] * BLOCK
@@ -145,7 +145,7 @@ class _Reader:
                 None,
                 f"the file is cut short: {len(self.content)} bytes of at least {needed} for {frames} frames",
             )
-        return Layout(points, analogues, frames, first)
+        return RecordingHeader(points, analogues, frames, first)
 
     def parameters(self, end: int) -> None:
         """Walk through groups and parameters; refuse what points outside the section."""

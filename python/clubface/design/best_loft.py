@@ -32,7 +32,7 @@ POINTS, ROUNDS = 27, 4
 """Lofts tried at a time, and how often the steps about the best are made finer, 13 times each time."""
 
 
-class Chart(NamedTuple):
+class PublishedChart(NamedTuple):
     """A published chart: whose it is, the name of its table, and which values of :class:`BestLoft` it has."""
 
     owner: str
@@ -41,8 +41,8 @@ class Chart(NamedTuple):
 
 
 CHARTS = {
-    "trackman": Chart("TrackMan", "optimum-trackman-2010", ("loft", "launch", "spin", "carry")),
-    "ping": Chart("PING", "optimum-ping-2019", ("launch", "spin")),
+    "trackman": PublishedChart("TrackMan", "optimum-trackman-2010", ("loft", "launch", "spin", "carry")),
+    "ping": PublishedChart("PING", "optimum-ping-2019", ("launch", "spin")),
 }
 BEYOND = np.radians(15.0)
 """How much more loft than attack angle [rad] a shot has that is hit to see why none flies."""

@@ -135,7 +135,7 @@ AHEAD, ACROSS = 1000, 800
 
 
 @dataclass
-class Tally:
+class ShotTally:
     """Counts of shots; a shot with NaN is lost and counted as such.
 
     Attributes
@@ -374,7 +374,7 @@ class Dispersion(Described):
     ball: Ball
     model: str
     seed: int
-    tally: Tally
+    tally: ShotTally
     mean_shot: Mapping[str, float]
     hole: Hole | None
     strokes: float
@@ -508,7 +508,7 @@ def dispersion(
             raise InputError(name, Wording("given"), "left out where the balls do not fly")
     setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = setup.mean(player)
-    tally = Tally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
+    tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
     strokes, points, reasons = 0.0, [], {}
     lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
     outside = RangeTally()

@@ -327,7 +327,7 @@ class Surface(Protocol):
         ...
 
 
-class Computed(Surface):
+class ComputedFace(Surface):
     """A face on which every point can be computed at once."""
 
     interpolated = False
@@ -394,11 +394,11 @@ class Interpolated(Surface):
 
 def surface_of(
     struck: Struck, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]
-) -> Computed | Interpolated:
+) -> ComputedFace | Interpolated:
     """Return the surface of which ``table``, shape (quantities, points of the grid), is known."""
     if struck.takes_long:
         return Interpolated(outline, toe, high, table)
-    return Computed(struck, outline, toe, high, table)
+    return ComputedFace(struck, outline, toe, high, table)
 
 
 def _fine(outline: Outline) -> list[NDArray[Any]]:

@@ -86,7 +86,7 @@ def _tensor(entries: NDArray[Any]) -> NDArray[Any]:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-class Form(NamedTuple):
+class QuadraticForm(NamedTuple):
     """A condition trace(J Q) >= 0 that mass in a volume meets.
 
     Attributes
@@ -126,7 +126,7 @@ class Volume:
             if not each > 0.0:
                 raise InputError("size", units.show(each, "mm"), f"above 0 along {axis}")
 
-    def forms(self) -> tuple[Form, ...]:
+    def forms(self) -> tuple[QuadraticForm, ...]:
         """Return the conditions that mass within it meets."""
         half, centre = 0.5 * np.array(self.size), np.array(self.centre)
         # Rows that give (x - centre) / half, the place as a part of the way from the centre to the surface.
@@ -135,15 +135,17 @@ class Volume:
         one[3] = 1.0
         whole = np.outer(one, one)
         if self.shape == "ellipsoid":
-            return (Form("it would have to lie outside the ellipsoid", whole - part.T @ part),)
+            return (QuadraticForm("it would have to lie outside the ellipsoid", whole - part.T @ part),)
         result = []
         for axis, name in enumerate(("face and back", "sole and crown", "heel and toe")):
             slab = whole - np.outer(part[axis], part[axis])
-            result.append(Form(f"it would have to lie beyond {name} of the box", slab))
+            result.append(QuadraticForm(f"it would have to lie beyond {name} of the box", slab))
         for i, j in _PAIRS:
             for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
                 corner = np.outer(one - signs[0] * part[i], one - signs[1] * part[j])
-                result.append(Form("it would have to lie beyond an edge of the box", 0.5 * (corner + corner.T)))
+                result.append(
+                    QuadraticForm("it would have to lie beyond an edge of the box", 0.5 * (corner + corner.T))
+                )
         return tuple(result)
 
     @property

@@ -353,7 +353,7 @@ def _mixed(root: Floats, standard: list[Floats]) -> list[Floats]:
 
 
 @dataclass(frozen=True)
-class Figure(Value):
+class DeliveryFigure(Value):
     """The kind of a mean, or a spread, of one value of a delivery."""
 
     name: str
@@ -403,10 +403,10 @@ class GolferFile:
     club: str = file_key(Reference(os.fspath), "the club the deliveries are of", default="driver")
     hand: int = file_key(Choice(HANDS), "the hand of the golfer", default=1)
     mean: Mapping[str, float] = file_key(
-        Record({name: Figure(name) for name in OF_CLUB}, ("speed",)), "means of the delivery"
+        Record({name: DeliveryFigure(name) for name in OF_CLUB}, ("speed",)), "means of the delivery"
     )
     spread: Mapping[str, float] = file_key(
-        Record({name: Figure(name, True) for name in OF_CLUB}), "standard deviations from shot to shot"
+        Record({name: DeliveryFigure(name, True) for name in OF_CLUB}), "standard deviations from shot to shot"
     )
     correlation: tuple[Correlation, ...] = file_key(
         Tables(Table(Correlation)), "correlations of pairs; all others are independent", default=()

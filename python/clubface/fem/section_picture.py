@@ -19,7 +19,7 @@ from clubface.units import from_si
 __all__ = ["Section", "moving_section", "section_picture"]
 
 
-class Outline:
+class SectionOutline:
     """Where the plane z = 0 cuts the shells of a head, in the axes of first touch.
 
     The cut is found in the shape of first touch and goes through the same material at all times.
@@ -65,7 +65,9 @@ class Section:
         self._masses = node_masses(mesh)
         self._impact = impact
         head = impact.head
-        self._head = Outline(head, self._from_touch(impact.head_frames[0])) if isinstance(head, ShellHead) else None
+        self._head = (
+            SectionOutline(head, self._from_touch(impact.head_frames[0])) if isinstance(head, ShellHead) else None
+        )
         self.times = impact.frame_times
 
     def at(self, frame: int) -> tuple[NDArray[Any], NDArray[Any]]:

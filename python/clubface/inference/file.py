@@ -39,7 +39,7 @@ SAMPLES = 400
 ends of its interval to about 10%."""
 
 
-class Rows:
+class ShotRows:
     """The rows of a file of shots.
 
     Parameters
@@ -196,7 +196,7 @@ def infer_shots(
         raise FileError(str(target), None, "the output must be another file than the one that is read")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
-    rows = Rows(shots, **options)
+    rows = ShotRows(shots, **options)
     content = {
         "set of measured shots": [shots.rows, shots.launches, shots.deliveries, shots.hand],
         "point of measurement": [shots.speed_at, shots.face_at],
@@ -228,9 +228,9 @@ def _row(data: bytes, place: int) -> list[Any]:
 
 
 @lru_cache(maxsize=1)
-def _rows(data: bytes) -> Rows:
+def _rows(data: bytes) -> ShotRows:
     shots, options = pickle.loads(data)
-    return Rows(shots, **{**options, "threads": 1})
+    return ShotRows(shots, **{**options, "threads": 1})
 
 
 def _with_content(value: Any) -> Any:

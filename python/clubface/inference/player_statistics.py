@@ -83,7 +83,7 @@ class Inferred:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Change:
+class DeliveryEffect:
     """Effect of a change of the delivery on the mean shot, SI: on the launch, and on carry and side."""
 
     name: str
@@ -128,7 +128,7 @@ class ClubStatistics:
     measured: dict[str, Statistic]
     computed: bool
     inferred: Inferred | None = None
-    changes: tuple[Change, ...] = ()
+    changes: tuple[DeliveryEffect, ...] = ()
     start: dict[str, float] = field(default_factory=dict)
     closing: dict[str, float] = field(default_factory=dict)
     player: str = ""
@@ -213,7 +213,7 @@ def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
 
 def _changes(
     head: Club, delivery: dict[str, float]
-) -> tuple[Launch, tuple[Change, ...], dict[str, float], dict[str, float]]:
+) -> tuple[Launch, tuple[DeliveryEffect, ...], dict[str, float], dict[str, float]]:
     """Return the mean shot, what changes do to it by exact derivatives, those of the start line, and of the closing."""
     with without_warnings(RangeWarning):
         table = sensitivity(
@@ -227,7 +227,7 @@ def _changes(
         moved = {each: table.value(each, name) * step for each in LAUNCHED}
         after = _flown({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
         carry, side = (float(after[each][0] - before[each][0]) for each in ("carry", "side"))
-        result.append(Change(name=name, step=step, launch=moved, carry=carry, side=side))
+        result.append(DeliveryEffect(name=name, step=step, launch=moved, carry=carry, side=side))
     start = {name: table.value("azimuth", name) for name in ("face", "path")}
     closing = {name: table.value(name, "closure") * delivery["closure"] for name in ("azimuth", "sidespin")}
     return table.launch, tuple(result), start, closing

@@ -61,7 +61,7 @@ class Bullets(NamedTuple):
     texts: Sequence[str]
 
 
-class Table(NamedTuple):
+class TextTable(NamedTuple):
     """A table of texts; ``data`` has its numbers, or None."""
 
     headings: Sequence[str]
@@ -69,7 +69,7 @@ class Table(NamedTuple):
     data: Data | None = None
 
 
-class Picture(NamedTuple):
+class DocumentPicture(NamedTuple):
     """A picture: what it shows, in words, the text of its SVG, and the numbers it draws, or None."""
 
     shows: str
@@ -84,7 +84,7 @@ class Listing(NamedTuple):
     text: str
 
 
-Block = Heading | Paragraph | Bullets | Table | Picture | Listing
+Block = Heading | Paragraph | Bullets | TextTable | DocumentPicture | Listing
 
 
 ENDINGS = (".html", ".md")
@@ -163,7 +163,7 @@ def _html(block: Block) -> str:
         source = _in_the_page(block.text, "text/plain")
         saved = _saved([_link(source, block.name, "the file")])
         return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
-    if isinstance(block, Table):
+    if isinstance(block, TextTable):
         return _html_table(block) + _saved([] if block.data is None else [_link_to_csv(block.data)])
     name = block.data.name if block.data is not None else file_name(block.shows)
     source = _in_the_page(block.svg, "image/svg+xml")
@@ -174,7 +174,7 @@ def _html(block: Block) -> str:
     return f'<figure><img alt="{shows}" src="{source}"><figcaption>{shows}</figcaption>{_saved(links)}</figure>'
 
 
-def _html_table(table: Table) -> str:
+def _html_table(table: TextTable) -> str:
     """Return a table that scrolls on a screen, and on paper is as small as its width asks, or in parts.
 
     Numbers are never broken. Every part repeats the first column.
@@ -207,7 +207,7 @@ def _html_table(table: Table) -> str:
     return f'<div class="wide screen"><table>{rows_of(whole)}</table></div>{paper}'
 
 
-def _width(table: Table, place: int, *, text: bool) -> float:
+def _width(table: TextTable, place: int, *, text: bool) -> float:
     """Return the least width of a column over the size of its letters; words may be broken, numbers not."""
     letters = max(map(len, table.headings[place].split()), default=1)
     cells = max((len(row[place]) for row in table.rows), default=1)
@@ -237,7 +237,7 @@ def _markdown(block: Block) -> str:
     if isinstance(block, Listing):
         fence = "`" * max(3, 1 + max(map(len, re.findall("`+", block.text)), default=0))
         return f"### {_plain(block.name)}\n\n{fence}\n{block.text.rstrip()}\n{fence}"
-    if isinstance(block, Table):
+    if isinstance(block, TextTable):
         lines = [block.headings, ["---", *["---:"] * (len(block.headings) - 1)], *block.rows]
         return "\n".join("| " + " | ".join(_cell(text) for text in line) + " |" for line in lines)
     return f"![{_plain(block.shows)}]({_in_the_page(block.svg, 'image/svg+xml')})"

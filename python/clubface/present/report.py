@@ -13,11 +13,11 @@ from clubface.present.document import (
     Block,
     Bullets,
     Data,
+    DocumentPicture,
     Heading,
     Listing,
     Paragraph,
-    Picture,
-    Table as TextTable,
+    TextTable as TextTable,
     file_name,
     write_document,
 )
@@ -79,7 +79,7 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
 
     for each in pictures:
         headings, rows = picture_data(each)
-        yield Picture(each.caption, svg(draw(each, units)), Data(each.name, headings, rows))
+        yield DocumentPicture(each.caption, svg(draw(each, units)), Data(each.name, headings, rows))
 
 
 def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix: str = "") -> Iterator[Block]:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from clubface.errors import FileError, shortened
 from clubface.shots.club_names import is_club_name
 from clubface.shots.formats import COMMON, MEASURED, Format, dimension_of, side_of
-from clubface.shots.monitor_cells import SIDES, Heading, Side, unit_in
+from clubface.shots.monitor_cells import SIDES, HeadingParts, Side, unit_in
 from clubface.shots.tables.headings import (
     POINTS,
     given_unit,
@@ -253,7 +253,7 @@ def _clubs_by_cells(rows: Iterable[Sequence[str]], places: Iterable[int]) -> tup
     return ()
 
 
-def _preferred(layout: Format, heads: Sequence[Heading], with_unit: Collection[str]) -> set[str]:
+def _preferred(layout: Format, heads: Sequence[HeadingParts], with_unit: Collection[str]) -> set[str]:
     """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none.
 
     One that names a unit, where others of the quantity name none, comes before them.
@@ -291,6 +291,6 @@ def _named_unit(
     return None if named is None else unit_of_column(named, dimension, shown, place)
 
 
-def _side(layout: Format, quantity: str, head: Heading) -> Side:
+def _side(layout: Format, quantity: str, head: HeadingParts) -> Side:
     positive = head.positive if head.positive in SIDES.get(quantity, {}) else layout.field(quantity).positive
     return side_of(quantity, positive)

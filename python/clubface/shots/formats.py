@@ -41,8 +41,8 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.schema import FLAG, TEXT, Choice, Document, Place, Record, decode, file_key
-from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, Heading, Side, heading
-from clubface.shots.plausibility import Unit, can_be
+from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, HeadingParts, Side, heading
+from clubface.shots.plausibility import ColumnUnit, can_be
 from clubface.shots.tables.cells import is_number
 from clubface.shots.tables.headings import (
     DELIVERY_QUANTITIES,
@@ -237,14 +237,14 @@ class Format:
         """Return how many of these headings in plain words are those of a quantity."""
         return len(names & self.names.keys())
 
-    def heading(self, text: str) -> Heading:
+    def heading(self, text: str) -> HeadingParts:
         """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
         if (result := self._headings.get(text)) is None:
             parts = self._parts(text)
             result = self._headings[text] = self.by_unit(parts, parts.unit)
         return result
 
-    def by_unit(self, head: Heading, written: str | None) -> Heading:
+    def by_unit(self, head: HeadingParts, written: str | None) -> HeadingParts:
         """Return the heading that a short one such as "side" stands for, given its unit as written."""
         is_own = head.name in self.own_names and not self.all_columns
         if written is None or head.name not in BY_UNIT or is_own or self.only_own:
@@ -254,7 +254,7 @@ class Format:
         return head if name is None else head._replace(name=plain(name.replace("_", " ")), unit=symbol)
 
     @cached_property
-    def _headings(self) -> dict[str, Heading]:
+    def _headings(self) -> dict[str, HeadingParts]:
         return {}
 
     @cached_property
@@ -265,7 +265,7 @@ class Format:
         """Return the name of a quantity that is the same but for where its words part, else ``name``."""
         return name if name in self.names else self._unparted.get(squeezed(name), name)
 
-    def _parts(self, text: str) -> Heading:
+    def _parts(self, text: str) -> HeadingParts:
         parts = heading(text)
         if (name := self._spelled(parts.name)) in self.names:
             return parts._replace(name=name)
@@ -274,11 +274,11 @@ class Format:
             for spelled in (words, words.lower()):
                 short, symbol = parse_column_name(spelled)
                 if symbol is not None and (name := self._spelled(plain(short))) in self.names:
-                    return Heading(name, symbol, None, name)
+                    return HeadingParts(name, symbol, None, name)
             for before, symbol in units_behind(text):
                 name = self._spelled(before)
                 if name in self.names or (name in BY_UNIT and not self.only_own):
-                    return Heading(name, symbol, None, name)
+                    return HeadingParts(name, symbol, None, name)
         return parts
 
 
@@ -390,7 +390,7 @@ ROUNDING = to_si(1.6, "deg")
 """Difference of three angles that are rounded to whole degrees."""
 
 
-def without_sentinels(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> tuple[dict[str, Floats], str]:
+def without_sentinels(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> tuple[dict[str, Floats], str]:
     """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on them, or "".
 
     ``units`` are those in which each quantity was written. Sentinels that no shot can have are left to
@@ -412,7 +412,7 @@ def without_sentinels(columns: Mapping[str, Floats], units: Mapping[str, Unit]) 
     return kept, note if counted else ""
 
 
-def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> dict[str, Floats]:
+def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> dict[str, Floats]:
     """Return columns [SI] without whatever looks like a sentinel and no shot can have: it says nothing of the unit."""
     return {
         name: np.where(_are_sentinels(values / size(units[name].symbol)) & ~can_be(name, values), np.nan, values)

@@ -12,7 +12,7 @@ from clubface.shots.tables.cells import NUMBER, is_missing, number
 from clubface.shots.tables.headings import bracketed, narrow, plain, unit_symbol
 
 __all__ = [
-    "FACE_TO_PATH", "MIRRORED", "PLAIN", "SIDES", "WORLD", "CellError", "Heading", "Side", "heading", "reading",
+    "FACE_TO_PATH", "MIRRORED", "PLAIN", "SIDES", "WORLD", "CellError", "HeadingParts", "Side", "heading", "reading",
     "unit_in",
 ]  # fmt: skip
 
@@ -98,7 +98,7 @@ class CellError(ValueError):
     """A cell that cannot be read; its text completes the sentence "the cell is ..."."""
 
 
-class Heading(NamedTuple):
+class HeadingParts(NamedTuple):
     """The parts of a heading.
 
     Attributes
@@ -120,11 +120,11 @@ class Heading(NamedTuple):
     bare: str
 
 
-def heading(text: str) -> Heading:
+def heading(text: str) -> HeadingParts:
     """Return the parts of a heading such as ``Push/Pull (deg L-/R+)``."""
     before, inner = bracketed(text)
     if inner is None:
-        return Heading(plain(text), None, None, plain(text))
+        return HeadingParts(plain(text), None, None, plain(text))
     positive = None
     sides = _TWO_SIDES.search(inner)
     if sides:
@@ -132,10 +132,10 @@ def heading(text: str) -> Heading:
         positive = plain(sides[1] if sides[2] == "+" else sides[3])
     bare = plain(before)
     is_unit = not inner or unit_symbol(inner) is not None
-    return Heading(bare if is_unit else plain(text), inner if inner and is_unit else None, positive, bare)
+    return HeadingParts(bare if is_unit else plain(text), inner if inner and is_unit else None, positive, bare)
 
 
-class Reading(NamedTuple):
+class CellReading(NamedTuple):
     """The content of a cell: a number, its side and its unit.
 
     Without a ``side`` the sign is as the file has it; without a ``unit`` it is that of the column.
@@ -146,7 +146,7 @@ class Reading(NamedTuple):
     unit: str | None = None
 
 
-def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0) -> Reading | None:
+def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0) -> CellReading | None:
     """Return the content of a cell; None if nothing was measured.
 
     A number may stand with its side (``10.5 L``, ``L3.1``, ``3.1 In-Out``) and its unit (``422 R rpm``,
@@ -155,7 +155,7 @@ def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0
     left and -1.2 R is an error.
     """
     if not decimal_comma and PLAIN.fullmatch(cell):
-        return Reading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
+        return CellReading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
     if is_missing(cell):
         return None
     match, side, unit = _parts(cell, quantity)
@@ -164,11 +164,11 @@ def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0
     except ValueError:
         raise CellError("not a number") from None
     if side is None:
-        return Reading(value, None, unit)
+        return CellReading(value, None, unit)
     written = match["number"][0]
     if value and written in "-+" and (positive if written == "+" else -positive) != side.sign:
         raise CellError("a number whose sign and side contradict each other")
-    return Reading(abs(value) * side.sign, side, unit)
+    return CellReading(abs(value) * side.sign, side, unit)
 
 
 def unit_in(cell: str, quantity: str = "") -> str | None:

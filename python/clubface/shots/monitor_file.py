@@ -16,7 +16,7 @@ from clubface.shots.club_names import club_kind, is_club_name
 from clubface.shots.columns import Columns, Used, columns_of, is_units_row
 from clubface.shots.formats import Format
 from clubface.shots.monitor_cells import FACE_TO_PATH, MIRRORED, PLAIN, WORLD, CellError, reading
-from clubface.shots.plausibility import Unit, can_be
+from clubface.shots.plausibility import ColumnUnit, can_be
 from clubface.shots.recorded import RejectedRow, date_among
 from clubface.shots.summary_rows import summary_rows
 from clubface.shots.tables.cells import (
@@ -131,7 +131,7 @@ class Session:
     unread: dict[str, None] = field(default_factory=dict)
     unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
     points: dict[str, str] = field(default_factory=dict)
-    units: dict[str, Unit] = field(default_factory=dict)
+    units: dict[str, ColumnUnit] = field(default_factory=dict)
     header_line: int | None = None
     guessed_hand: bool = False
     doubtful_number: str = ""
@@ -392,7 +392,7 @@ class SessionReader:
             session.header_line = self._header_line
         for quantity, (first, *_) in columns.used.items():
             is_assumed = first.heading in dict(columns.assumed)
-            session.units.setdefault(quantity, Unit(first.heading, first.unit, first.is_named, is_assumed))
+            session.units.setdefault(quantity, ColumnUnit(first.heading, first.unit, first.is_named, is_assumed))
         session.assumed.update(columns.assumed)
         session.unused.update(dict.fromkeys(columns.unused))
         session.remarks.update(dict.fromkeys(columns.remarks))

@@ -26,7 +26,7 @@ from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
 
 __all__ = [
-    "RANGES", "Unit", "can_be", "describe_impossible", "impossible", "note_of", "shown", "within_turn",
+    "RANGES", "ColumnUnit", "can_be", "describe_impossible", "impossible", "note_of", "shown", "within_turn",
     "without_contradictions", "without_impossible", "wrong_unit",
 ]  # fmt: skip
 
@@ -236,7 +236,7 @@ _CARRIES = (0.9, 4.0)
 """The same of most shots [s]."""
 
 
-class Unit(NamedTuple):
+class ColumnUnit(NamedTuple):
     """The unit of a column.
 
     Attributes
@@ -257,12 +257,12 @@ class Unit(NamedTuple):
     is_assumed: bool = False
 
 
-def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> str | None:
+def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> str | None:
     """Return what is wrong with the unit of a column and which it most likely is; None where all go together."""
     return next(_wrong(columns, units), None)
 
 
-def _wrong(columns: Mapping[str, Floats], units: Mapping[str, Unit]) -> Iterator[str]:
+def _wrong(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> Iterator[str]:
     for name, column in units.items():
         values = columns[name][~np.isnan(columns[name])] if name in columns else np.empty(0)
         if column.is_assumed and name in ("speed", "ball_speed") and values.size:
@@ -312,7 +312,7 @@ def _contradiction(
     is_wrong: Callable[[float], bool],
     usual: tuple[float, float],
     powers: Mapping[str, int],
-    units: Mapping[str, Unit],
+    units: Mapping[str, ColumnUnit],
     message: str,
 ) -> Iterator[str]:
     """Yield what is wrong where most values are, and another unit of one of the quantities makes their median usual."""
@@ -332,7 +332,7 @@ def _contradiction(
         yield _message(f"{message.format(median)} in the median of {known.size} shots", columns)
 
 
-def _others(current: Unit) -> list[tuple[str, float]]:
+def _others(current: ColumnUnit) -> list[tuple[str, float]]:
     """Return the other units of the dimension of a column, and by what values must be multiplied to be in them."""
     return [
         (each, size(each) / size(current.symbol))
@@ -346,7 +346,7 @@ def _is_usual(name: str, values: Floats) -> NDArray[np.bool_]:
     return (values >= low) & (values <= high)
 
 
-def _message(what: str, columns: list[tuple[str, Unit, list[tuple[str, float]]]]) -> str:
+def _message(what: str, columns: list[tuple[str, ColumnUnit, list[tuple[str, float]]]]) -> str:
     likely = []
     for name, column, others in columns:
         symbols = " or ".join(each for each, _ in others)

@@ -26,9 +26,9 @@ from clubface.shots.prediction_source import Source, open_source
 from clubface.shots.recorded import SIDES
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
-from clubface.shots.tables.headings import HAND, Column, Layout
+from clubface.shots.tables.headings import HAND, ColumnLayout, FileColumn
 from clubface.shots.tables.parquet import ParquetForm
-from clubface.shots.tables.writer import CsvForm, Form, RejectsForm, is_parquet
+from clubface.shots.tables.writer import CsvForm, OutputFormat, RejectsForm, is_parquet
 from clubface.simulation.flight import Air, check_conditions, conditions, fly
 from clubface.simulation.impact import Parameters, Tally, backend_of, impact
 from clubface.simulation.inputs import equipped, hand_value, thread_count, tolerance
@@ -75,7 +75,7 @@ def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
     return result
 
 
-class Task:
+class PredictionTask:
     """From a chunk of a file to the columns of its launches."""
 
     def __init__(
@@ -83,7 +83,7 @@ class Task:
         shot: dict[str, Any],
         flight: dict[str, Any] | None,
         hand: float,
-        columns: Layout,
+        columns: ColumnLayout,
         results: Mapping[str, tuple[str, str]],
         provenance: Mapping[str, Any],
         content: str = "",
@@ -162,7 +162,7 @@ class Task:
         return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line), tally
 
 
-class Outcome(NamedTuple):
+class PredictionOutcome(NamedTuple):
     """The outcome of a run.
 
     Attributes
@@ -185,12 +185,12 @@ class Outcome(NamedTuple):
 
 def run(
     opened: Source,
-    task: Task,
+    task: PredictionTask,
     paths: tuple[Path, Path, Path],
     chunk_rows: int,
     progress: Callable[[float, int], object] | None,
     resume: bool,
-) -> Outcome:
+) -> PredictionOutcome:
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
     source, target, rejects_path = paths
     form = _form(target, opened, task)
@@ -266,16 +266,16 @@ def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -
             yield result[place]
 
 
-def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> Outcome:
+def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> PredictionOutcome:
     """Return what all chunks come to."""
     tally, shown = Tally(), [tuple(each) for chunk in chunks for each in chunk["shown"]]
     for chunk in chunks:
         tally.add_counts(chunk["outside"])
     counts = {name: sum(chunk[name] for chunk in chunks) for name in COUNTS}
-    return Outcome(counts, tuple(shown[:SHOWN]), tally, resumed)
+    return PredictionOutcome(counts, tuple(shown[:SHOWN]), tally, resumed)
 
 
-def _form(target: Path, opened: Source, task: Task) -> Form:
+def _form(target: Path, opened: Source, task: PredictionTask) -> OutputFormat:
     """Return how the output is written."""
     headings = task.columns.headings
     if not is_parquet(target):
@@ -503,7 +503,7 @@ def predict(
     columns = opened.columns
     try:
         used = columns._replace(used=opened.used)
-        task = Task(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
+        task = PredictionTask(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
         outcome = run(opened, task, (path, target, rejects_path), chunk_rows, progress, resume)
     finally:
         opened.close()
@@ -530,7 +530,7 @@ def predict(
     )
 
 
-def _by_quantity(columns: Iterable[Column]) -> dict[str, Column]:
+def _by_quantity(columns: Iterable[FileColumn]) -> dict[str, FileColumn]:
     return {each.quantity: each for each in columns}
 
 

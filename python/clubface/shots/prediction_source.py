@@ -25,8 +25,8 @@ from clubface.shots.tables.chunk import Chunk, Reject
 from clubface.shots.tables.headings import (
     HAND,
     POINTS,
-    Column,
-    Layout,
+    ColumnLayout,
+    FileColumn,
     check_units,
     layout,
     plain_name,
@@ -75,8 +75,8 @@ class Source:
     counts: str = "line"
     delimiter: str = ","
     decimal_comma: bool = False
-    columns: Layout
-    used: tuple[Column, ...]
+    columns: ColumnLayout
+    used: tuple[FileColumn, ...]
     content: str = ""
     types: Callable[[], Sequence[Any]]
     chunks: Callable[[int, int], Iterator[Chunk]]
@@ -140,8 +140,8 @@ def _monitor_source(path: Path, recorded: RecordedShots, ready: ReadyShots) -> S
     headings = {name: each for name, each in shots.headings().items() if name in inputs()}
     headings |= {HAND: (HAND, "1")} if HAND in columns else {}
     named = {heading: (quantity, unit) for quantity, (heading, unit) in headings.items()}
-    used = tuple(Column(place, each, *named[each]) for place, each in enumerate(columns) if each in named)
-    meant = Layout(tuple(columns), used, tuple(each for each in columns if each not in named), ())
+    used = tuple(FileColumn(place, each, *named[each]) for place, each in enumerate(columns) if each in named)
+    meant = ColumnLayout(tuple(columns), used, tuple(each for each in columns if each not in named), ())
     deliveries, fields = _ready_fields(str(path), meant, recorded, ready)
     lines = shots.rows
     rejected = [Reject(each.line or 0, each.reason, [""] * len(columns)) for each in recorded.rejected]
@@ -169,7 +169,7 @@ def _monitor_source(path: Path, recorded: RecordedShots, ready: ReadyShots) -> S
     return Source(path=str(path), types=types, chunks=chunks, progress=lambda: done / max(len(order), 1), **fields)
 
 
-def _table_source(reader: Reader, columns: Layout, recorded: RecordedShots, ready: ReadyShots) -> Source:
+def _table_source(reader: Reader, columns: ColumnLayout, recorded: RecordedShots, ready: ReadyShots) -> Source:
     """Return the rows of a table as they stand, with the deliveries of the recorded shots that were read from it."""
     deliveries, fields = _ready_fields(reader.path, columns, recorded, ready)
     places = {line: place for place, line in enumerate(ready.rows.tolist())}
@@ -196,14 +196,14 @@ def _table_source(reader: Reader, columns: Layout, recorded: RecordedShots, read
 
 
 def _ready_fields(
-    path: str, columns: Layout, recorded: RecordedShots, ready: ReadyShots
+    path: str, columns: ColumnLayout, recorded: RecordedShots, ready: ReadyShots
 ) -> tuple[dict[str, Floats], dict[str, Any]]:
     """Return the deliveries of shots that are ready [SI], and what a source says of them."""
     deliveries = {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
     if "speed" not in deliveries:
         raise FileError(path, None, "the clubhead speed was measured for no shot", "speed")
     headings = {each.quantity: each.heading for each in columns.used}
-    used = tuple(Column(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries)
+    used = tuple(FileColumn(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries)
     notes = (*ready.notes, *assumptions(ready.club, deliveries))
     content = fingerprint([ready.rows, deliveries, [tuple(each) for each in recorded.rejected]])
     return deliveries, {"columns": columns, "used": used, "notes": lambda: notes, "content": content}

@@ -23,7 +23,7 @@ from clubface.shots.recorded_result import rejected_table, session_table
 from clubface.support.arrays import Floats
 from clubface.units import from_si
 
-__all__ = ["ClubSummary", "Gap", "Spread", "session_picture", "session_result", "summarize_clubs"]
+__all__ = ["ClubSummary", "Gap", "SessionSpread", "session_picture", "session_result", "summarize_clubs"]
 
 QUANTITIES = (
     "speed", "ball_speed", "smash", "attack", "launch", "azimuth", "total_spin", "spin_axis", "carry", "side", "total",
@@ -35,7 +35,7 @@ FEWEST = 3
 """Shots from which an ellipse is drawn."""
 
 
-class Spread(NamedTuple):
+class SessionSpread(NamedTuple):
     """One quantity of the shots of a club, SI.
 
     Attributes
@@ -84,7 +84,7 @@ class ClubSummary:
     player: str
     club: str
     places: NDArray[np.intp]
-    spreads: Mapping[str, Spread]
+    spreads: Mapping[str, SessionSpread]
     gap: Gap | None
 
     @property
@@ -123,18 +123,18 @@ def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> li
     ]
 
 
-def _spreads(values: Mapping[str, Floats], places: list[int]) -> dict[str, Spread]:
+def _spreads(values: Mapping[str, Floats], places: list[int]) -> dict[str, SessionSpread]:
     spreads = {}
     for name in QUANTITIES:
         measured = values[name][places] if name in values else np.empty(0)
         measured = measured[np.isfinite(measured)]
         if measured.size:
             deviation = float(measured.std(ddof=1)) if measured.size > 1 else math.nan
-            spreads[name] = Spread(measured.size, float(measured.mean()), deviation)
+            spreads[name] = SessionSpread(measured.size, float(measured.mean()), deviation)
     return spreads
 
 
-def _gap(longer: Spread | None, shorter: Spread | None) -> Gap | None:
+def _gap(longer: SessionSpread | None, shorter: SessionSpread | None) -> Gap | None:
     if longer is None or shorter is None:
         return None
     return Gap(longer.mean - shorter.mean, math.hypot(longer.error, shorter.error))

@@ -32,7 +32,7 @@ _ACROSS = ("azimuth", "sidespin", "spin_axis", "face", "path")
 """What changes sign with the hand, so that left-handers count as their mirror images."""
 
 
-class Rule(NamedTuple):
+class SignRule(NamedTuple):
     """How a quantity of the launch follows those of the delivery.
 
     Attributes
@@ -52,10 +52,10 @@ class Rule(NamedTuple):
 
 
 RULES = (
-    Rule("launch", {"loft": 1, "attack": 1, "high": 0}, ("attack",)),
-    Rule("backspin", {"loft": 1, "attack": -1, "speed": 1, "high": 0}, ("loft", "attack")),
-    Rule("azimuth", {"face": 1, "path": 1, "toe": 0}, ("face",)),
-    Rule("spin_axis", {"face": 1, "path": -1, "toe": -1}, ("face", "path")),
+    SignRule("launch", {"loft": 1, "attack": 1, "high": 0}, ("attack",)),
+    SignRule("backspin", {"loft": 1, "attack": -1, "speed": 1, "high": 0}, ("loft", "attack")),
+    SignRule("azimuth", {"face": 1, "path": 1, "toe": 0}, ("face",)),
+    SignRule("spin_axis", {"face": 1, "path": -1, "toe": -1}, ("face", "path")),
 )
 """The launch angle lies between attack angle and loft, and the azimuth between path and face. Spin comes of the angle
 between club path and face, and a hit towards the toe makes the ball curve towards the heel's side (gear effect)."""
@@ -78,7 +78,7 @@ def suspected_signs(shots: RecordedShots) -> tuple[str, ...]:
     return tuple(notes)
 
 
-def _disagreeing(shots: RecordedShots, clubs: NDArray[np.str_] | None, rule: Rule) -> dict[str, list[str]]:
+def _disagreeing(shots: RecordedShots, clubs: NDArray[np.str_] | None, rule: SignRule) -> dict[str, list[str]]:
     """Return the columns that run against a rule, each with those that say so."""
     values = {
         name: each

@@ -19,7 +19,7 @@ import numpy as np
 from clubface.shots.club_names import club_kind
 from clubface.shots.formats import PLAYER
 from clubface.shots.tables.chunk import Chunk
-from clubface.shots.tables.headings import HAND, Layout, plain
+from clubface.shots.tables.headings import HAND, ColumnLayout, plain
 from clubface.shots.tables.vocabulary import by_word, vocabulary
 from clubface.support.arrays import Floats
 
@@ -132,7 +132,7 @@ def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
     return few if len(few) <= MOST_JUDGED else set()
 
 
-def summaries_in(chunk: Chunk, columns: Layout) -> dict[int, str]:
+def summaries_in(chunk: Chunk, columns: ColumnLayout) -> dict[int, str]:
     """Return the rows of a plain table of deliveries that sum up others, each with the note on it."""
     used = {each.place for each in columns.used}
     cells = [np.empty(0) if place in used else chunk.cells(place) for place in range(len(columns.headings))]

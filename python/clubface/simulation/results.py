@@ -109,7 +109,7 @@ def _read(entries: list[dict[str, Any]]) -> Mapping[str, Variable]:
     return Frozen(result)
 
 
-class Problem(NamedTuple):
+class ShotProblem(NamedTuple):
     """Why one shot of a batch has no result.
 
     Attributes
@@ -186,9 +186,9 @@ class Batch(Described):
         raise NotImplementedError
 
     @property
-    def problems(self) -> tuple[Problem, ...]:
+    def problems(self) -> tuple[ShotProblem, ...]:
         """The shots without a result and why."""
-        return tuple(Problem(index_of(row, self.shape), name, reason) for row, name, reason in self._failures)
+        return tuple(ShotProblem(index_of(row, self.shape), name, reason) for row, name, reason in self._failures)
 
     @property
     def units(self) -> dict[str, str]:

@@ -51,7 +51,7 @@ class Swept(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Axis:
+class SweepAxis:
     """One swept input.
 
     Attributes
@@ -105,7 +105,7 @@ class Axis:
         return self.at(np.minimum((shares * self.count).astype(np.int64), self.count - 1))
 
 
-def axis(name: str, given: Any, swept: Swept) -> Axis:
+def axis(name: str, given: Any, swept: Swept) -> SweepAxis:
     """Return the axis that a value of the table [sweep] means.
 
     Raises
@@ -127,7 +127,7 @@ def axis(name: str, given: Any, swept: Swept) -> Axis:
     ends = [_check_whole(name, number(name, given[key], swept.unit), swept) for key in ("from", "to")]
     if not math.isfinite(ends[1] - ends[0]):
         raise InputError(name, dict(given), "finite from end to end")
-    made = Axis(name=name, unit=swept.unit, ends=(ends[0], ends[1]), whole=swept.limits is not None)
+    made = SweepAxis(name=name, unit=swept.unit, ends=(ends[0], ends[1]), whole=swept.limits is not None)
     if "count" in given:
         if not is_count(given["count"], 1, MOST):
             raise InputError(f"count of {name}", given["count"], f"a whole number from 1 to {MOST}")
@@ -173,7 +173,7 @@ def _steps(name: str, given: Mapping[str, Any], unit: str) -> int:
     return int(exact)
 
 
-def _spaced(made: Axis, given: Mapping[str, Any], count: int, swept: Swept) -> Axis:
+def _spaced(made: SweepAxis, given: Mapping[str, Any], count: int, swept: Swept) -> SweepAxis:
     """Return so many evenly spaced values from end to end, in the digits in which they are written where possible."""
     made = replace(made, count=count)
     alike = _written(made.name, given, swept.unit or "1", "from", "to")
@@ -192,12 +192,12 @@ def _spaced(made: Axis, given: Mapping[str, Any], count: int, swept: Swept) -> A
     return replace(made, spacing=(start, by, common, unit.symbol))
 
 
-def _list(name: str, given: Sequence[Any], swept: Swept) -> Axis:
+def _list(name: str, given: Sequence[Any], swept: Swept) -> SweepAxis:
     if not given:
         raise InputError(name, given, "a list of at least one value")
     if swept.unit is not None:
         values = tuple(_check_whole(name, number(name, each, swept.unit), swept) for each in given)
-        return Axis(name=name, unit=swept.unit, values=values, count=len(values))
+        return SweepAxis(name=name, unit=swept.unit, values=values, count=len(values))
     for each in given:
         if not isinstance(each, str):
             raise InputError(name, each, "a name in quotes")
@@ -205,7 +205,7 @@ def _list(name: str, given: Sequence[Any], swept: Swept) -> Axis:
             check_choice(name, each, swept.choices)
     if len(set(given)) < len(given):
         raise InputError(name, given, "a list in which every name stands once")
-    return Axis(name=name, unit=None, choices=tuple(given), count=len(given))
+    return SweepAxis(name=name, unit=None, choices=tuple(given), count=len(given))
 
 
 def number(name: str, value: Any, unit: str) -> float:

@@ -18,7 +18,7 @@ from clubface.errors import FileError, InputError, Wording
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import Vocabulary, check_units, delivery_words, layout, plain_name
 from clubface.shots.tables.reader import open_table
-from clubface.studies.axes import FORMS, INTERVAL, MOST, Axis, Swept, whole_flaw
+from clubface.studies.axes import FORMS, INTERVAL, MOST, SweepAxis, Swept, whole_flaw
 from clubface.support.checks import is_count
 
 GRID, HYPERCUBE, SOBOL, TABLE = DESIGNS = ("grid", "latin-hypercube", "sobol", "table")
@@ -40,7 +40,7 @@ class Design(Protocol):
         The number of tasks.
     """
 
-    axes: tuple[Axis, ...]
+    axes: tuple[SweepAxis, ...]
     count: int
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
@@ -55,7 +55,7 @@ STRIDE = 2**22
 class Grid:
     """Every combination of the values of some axes, the last of which changes first. See :class:`Design`."""
 
-    def __init__(self, axes: Sequence[Axis]) -> None:
+    def __init__(self, axes: Sequence[SweepAxis]) -> None:
         self.axes = tuple(axes)
         for each in self.axes:
             if each.count is None:
@@ -79,7 +79,7 @@ class Grid:
 class Samples:
     """Points that fill the space between the ends of some axes evenly, of SciPy's generators. See :class:`Design`."""
 
-    def __init__(self, axes: Sequence[Axis], samples: Any, method: str, seed: int) -> None:
+    def __init__(self, axes: Sequence[SweepAxis], samples: Any, method: str, seed: int) -> None:
         self.axes = tuple(axes)
         most = 2**BITS if method == SOBOL else MOST_HYPERCUBE
         if not is_count(samples, 1, most):
@@ -122,14 +122,14 @@ class Samples:
         return self._drawn
 
 
-class Rows:
+class DesignRows:
     """The rows of a table, for each combination of the values of other axes. See :class:`Design`."""
 
-    def __init__(self, columns: Mapping[str, tuple[str, NDArray[Any]]], others: Sequence[Axis]) -> None:
+    def __init__(self, columns: Mapping[str, tuple[str, NDArray[Any]]], others: Sequence[SweepAxis]) -> None:
         self._columns = {name: values for name, (_, values) in columns.items()}
         self._rows = len(next(iter(self._columns.values())))
         self._others = Grid(others)
-        of_table = (Axis(name=name, unit=unit, count=self._rows) for name, (unit, _) in columns.items())
+        of_table = (SweepAxis(name=name, unit=unit, count=self._rows) for name, (unit, _) in columns.items())
         self.axes = (*self._others.axes, *of_table)
         self.count = _checked(self._rows * self._others.count)
 
@@ -154,7 +154,7 @@ class Remembered:
         return dict(self._last.values)
 
 
-def design(method: str, axes: Sequence[Axis], samples: Any, seed: int) -> Design:
+def design(method: str, axes: Sequence[SweepAxis], samples: Any, seed: int) -> Design:
     """Return a design of axes alone: a grid, or ``samples`` of a generator."""
     if not axes:
         raise InputError("sweep", Wording("empty"), "a table with at least one input, as in speed = " + FORMS)

@@ -33,7 +33,7 @@ from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError, Wording
 from clubface.schema import NAME, TEXT, Choice, Document, Place, Quantity, Record, Simple, Table, Value, count, file_key
-from clubface.studies.axes import Axis, Swept, axis, inputs_named
+from clubface.studies.axes import SweepAxis, Swept, axis, inputs_named
 from clubface.studies.designs import (
     DESIGNS,
     GRID,
@@ -41,8 +41,8 @@ from clubface.studies.designs import (
     SOBOL,
     TABLE,
     Design,
+    DesignRows,
     Remembered,
-    Rows,
     design,
     table_columns,
 )
@@ -260,7 +260,7 @@ def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept:
 
 def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], head: StudyTable) -> Design:
     """Return the design of a study from what may be swept, and how it is chosen."""
-    axes: list[Axis] = []
+    axes: list[SweepAxis] = []
     for name, given in sweep.items():
         if name == TABLE:
             continue
@@ -277,7 +277,7 @@ def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, 
     for each in axes:
         if each.name in columns:
             raise InputError(each.name, Wording("given twice"), "in the table or in [sweep], not in both")
-    return Rows(columns, axes)
+    return DesignRows(columns, axes)
 
 
 def _generators() -> tuple[str, str]:

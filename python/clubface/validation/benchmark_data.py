@@ -48,7 +48,7 @@ class Spread(NamedTuple):
     within: float
 
 
-class Part(NamedTuple):
+class MixtureComponent(NamedTuple):
     """One model of the mixture.
 
     Attributes
@@ -76,7 +76,7 @@ class Recipe(NamedTuple):
     swing_plane: float
     delivery: dict[str, Spread]
     follows: dict[str, tuple[str, float]]
-    mixture: dict[str, Part]
+    mixture: dict[str, MixtureComponent]
     restitution_at: float
     restitution_slope: float
     ball_scatter: float
@@ -141,14 +141,14 @@ def _spread(name: str, texts: list[str]) -> Spread:
     return Spread(*(units.parse(text, input_dimensions()[name], name=name) for text in texts))
 
 
-def _part(name: str, texts: dict[str, Any]) -> Part:
+def _part(name: str, texts: dict[str, Any]) -> MixtureComponent:
     declared = model(name)
     changed = {
         key: units.parse(text, units.unit(declared.parameter(key).unit).dimension, name=key)
         for key, text in texts.items()
         if key != "restitution"
     }
-    return Part(float(texts["restitution"]), changed)
+    return MixtureComponent(float(texts["restitution"]), changed)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

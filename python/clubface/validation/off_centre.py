@@ -59,7 +59,7 @@ def lofting(head: Club, speed: float) -> dict[str, float]:
 
 
 @dataclass(frozen=True)
-class Change:
+class HeadVariation:
     """One thing changed: its name, what becomes of the head, and what a delivery of a head and speed gets."""
 
     name: str
@@ -68,19 +68,19 @@ class Change:
 
 
 CHANGES = (
-    Change("as judged"),
-    Change("closing, path of the CG 0", delivery=closing),
-    Change("closing, path of the face 0", delivery=closing_on_path),
-    Change("loft increasing", delivery=lofting),
-    Change("less inertia", less_inertia),
-    Change("CG 10 mm deeper", deeper),
+    HeadVariation("as judged"),
+    HeadVariation("closing, path of the CG 0", delivery=closing),
+    HeadVariation("closing, path of the face 0", delivery=closing_on_path),
+    HeadVariation("loft increasing", delivery=lofting),
+    HeadVariation("less inertia", less_inertia),
+    HeadVariation("CG 10 mm deeper", deeper),
 )
 
 
 class Changed(Judged):
     """A model that is judged with a change of the built-in heads and of every delivery."""
 
-    def __init__(self, change: Change, model: str, ball: Any = None) -> None:
+    def __init__(self, change: HeadVariation, model: str, ball: Any = None) -> None:
         super().__init__(model, ball)
         self.change = change
 

@@ -25,7 +25,7 @@ from clubface.validation.catalogue import CHECKS, check_named
 from clubface.validation.check import Check, Figure, Judged, reading
 
 
-class Summary(NamedTuple):
+class CheckSummary(NamedTuple):
     """The errors of one model in one quantity of a check.
 
     Attributes
@@ -87,7 +87,7 @@ class Verdict(NamedTuple):
     of: int
 
 
-def summary(figures: Iterable[Figure]) -> list[Summary]:
+def summary(figures: Iterable[Figure]) -> list[CheckSummary]:
     """Return one summary for each quantity, in the order in which they come first."""
     by_quantity: dict[str, list[Figure]] = {}
     for each in figures:
@@ -98,7 +98,7 @@ def summary(figures: Iterable[Figure]) -> list[Summary]:
         errors = [each.error for each in known]
         sizes = [abs(each) for each in errors]
         summaries.append(
-            Summary(
+            CheckSummary(
                 quantity, rows[0].error_unit, len(rows), sum(each.inside is True for each in rows),
                 sum(each.inside is not None for each in rows), sum(each.within is True for each in rows),
                 median(sizes) if sizes else math.nan, _mean(sizes), _mean(errors),
@@ -138,7 +138,7 @@ class Validation(Described):
         """The models, in the order asked for."""
         return list(self.figures)
 
-    def summary(self, model: str, check: str) -> list[Summary]:
+    def summary(self, model: str, check: str) -> list[CheckSummary]:
         """Return how a model does in each quantity of a check."""
         return summary(self.figures[model][check])
 
@@ -303,7 +303,7 @@ def check_table(validation: Validation) -> Table:
     )  # fmt: skip
 
 
-def tolerance_text(summary: Summary) -> str:
+def tolerance_text(summary: CheckSummary) -> str:
     """Write the tolerance, or the range of tolerances, of a quantity."""
     quantity = reading(summary.unit)
     least, most = (format_value(each, quantity) for each in summary.tolerances)
@@ -333,7 +333,7 @@ def validation_picture(validation: Validation) -> Picture:
     )  # fmt: skip
 
 
-def _error_marks(validation: Validation, rows: list[tuple[Check, Summary]]) -> Iterator[Mark]:
+def _error_marks(validation: Validation, rows: list[tuple[Check, CheckSummary]]) -> Iterator[Mark]:
     """Yield the points of each model, those of one quantity a little apart from those of the next model."""
     models = validation.models
     for index, model in enumerate(models):
@@ -348,7 +348,7 @@ def _error_marks(validation: Validation, rows: list[tuple[Check, Summary]]) -> I
         yield Mark("points", np.clip(x, -EDGE, EDGE), y, style=model, label=model, size=2.6, faint=True)
 
 
-def mean_text(summary: Summary) -> str:
+def mean_text(summary: CheckSummary) -> str:
     """Write the mean magnitude of the errors of a quantity with its unit; "" if the model does not compute it."""
     quantity = reading(summary.unit)
     return format_value(summary.mean, quantity) if format_number(summary.mean, 1) else ""

@@ -99,9 +99,9 @@ def test_a_damaged_piece_is_computed_anew_and_no_other(write, tmp_path, name, ha
         piece.write_bytes(content)
     else:
         piece.unlink()
-    computed, compute = [], runs.Task.compute
+    computed, compute = [], runs.PredictionTask.compute
     monkeypatch.setattr(
-        runs.Task, "compute", lambda task, chunk: computed.append(chunk.lines[0]) or compute(task, chunk)
+        runs.PredictionTask, "compute", lambda task, chunk: computed.append(chunk.lines[0]) or compute(task, chunk)
     )
     assert predict(path, club="driver", output=output, chunk_rows=10).resumed == 20
     assert computed == [22, 42, 52, 62, 72, 82, 92]  # the first line of a chunk; the header is line 1

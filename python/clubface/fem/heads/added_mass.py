@@ -66,7 +66,7 @@ NEGLIGIBLE = 1e-3
 """Part of a moment of inertia, and a hundredth of it in metres of the CG, below which no note is made."""
 
 
-class Spread(NamedTuple):
+class SpreadMass(NamedTuple):
     """What the nodes carry.
 
     Attributes
@@ -85,7 +85,7 @@ class Spread(NamedTuple):
 
 
 def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArray[Any], metal: NDArray[Any],
-           face: NDArray[Any]) -> Spread:  # fmt: skip
+           face: NDArray[Any]) -> SpreadMass:  # fmt: skip
     """Return what nodes carry so that the head has mass, CG and inertia as if the masses were points at their places.
 
     Each mass stands on the nodes nearest to its place. No node lies there, so its moments are a little off; the rest of
@@ -112,7 +112,7 @@ def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArr
         near = np.flatnonzero(away < away.min() + SPREAD)
         added[near] += mass * _shares(nodes[near] - point, 1.0 - away[near] / (away.min() + SPREAD))
     if not masses.sum() > 0.0:
-        return Spread(added, 0.0, 0.0)
+        return SpreadMass(added, 0.0, 0.0)
     size = float(np.abs(nodes).max())
     moments = _moments(nodes / size)
     asked = masses @ _moments(points / size)
@@ -128,7 +128,7 @@ def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArr
         if np.abs(change[free > 0.0]).max(initial=0.0) <= MOST_CHANGE:
             added = added + free * change
             break
-    return Spread(added, *_missed(metal @ moments + asked, (metal + added) @ moments, size))
+    return SpreadMass(added, *_missed(metal @ moments + asked, (metal + added) @ moments, size))
 
 
 def _shares(arms: NDArray[Any], usual: NDArray[Any]) -> NDArray[Any]:
@@ -172,7 +172,7 @@ def _missed(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[flo
     return float(np.linalg.norm(other - cg)), float(np.abs(moved / inertia - 1.0).max())
 
 
-def note_of(result: Spread, negligible: float = NEGLIGIBLE) -> str | None:
+def note_of(result: SpreadMass, negligible: float = NEGLIGIBLE) -> str | None:
     """Return what to say of masses that are not exact on this mesh."""
     misses = []
     if result.away > 1e-2 * negligible:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface.equipment.described import HANDS
 from clubface.errors import shortened
-from clubface.shots.tables.headings import HAND, Column, unit_symbol
+from clubface.shots.tables.headings import HAND, FileColumn, unit_symbol
 from clubface.units import from_si, to_si, unit
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ def all_numbers(cells: Sequence[str], decimal_comma: bool) -> NDArray[Any] | Non
     return values if np.isfinite(values).all() else None
 
 
-def parsed(cells: Sequence[str], column: Column, decimal_comma: bool) -> tuple[NDArray[Any], dict[int, str]]:
+def parsed(cells: Sequence[str], column: FileColumn, decimal_comma: bool) -> tuple[NDArray[Any], dict[int, str]]:
     """Return the numbers ``cells`` hold, and for those that hold none, why."""
     import numpy as np
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from clubface.shots.tables.cells import cell_text, parsed
-from clubface.shots.tables.headings import HAND, Column
+from clubface.shots.tables.headings import HAND, FileColumn
 
 if TYPE_CHECKING:
     from clubface.support.arrays import Floats
@@ -73,7 +73,7 @@ class Chunk:
         columns = [_taken(each, rows) for each in self.columns]
         return replace(self, lines=[self.lines[row] for row in rows], columns=columns, as_written=written)
 
-    def numbers(self, column: Column) -> tuple[Any, dict[int, str]]:
+    def numbers(self, column: FileColumn) -> tuple[Any, dict[int, str]]:
         """Return the numbers of a column in its unit, and for rows without one, why."""
         import numpy as np
 

@@ -18,10 +18,33 @@ from clubface.support.checks import check_choice
 from clubface.units import unit
 
 __all__ = [
-    "DELIVERY_QUANTITIES", "FOREIGN_HEADINGS", "HAND", "LAUNCH_QUANTITIES", "POINTS", "SECOND_CHOICE", "Column",
-    "Layout", "Vocabulary", "bracketed", "check_units", "delivery_words", "given_unit", "heading_of", "layout",
-    "listed", "missing_units", "narrow", "plain", "plain_name", "require_speed", "shot_words", "split_heading",
-    "squeezed", "unit_of_column", "unit_symbol", "units_behind",
+    "DELIVERY_QUANTITIES",
+    "FOREIGN_HEADINGS",
+    "HAND",
+    "LAUNCH_QUANTITIES",
+    "POINTS",
+    "SECOND_CHOICE",
+    "ColumnLayout",
+    "FileColumn",
+    "Vocabulary",
+    "bracketed",
+    "check_units",
+    "delivery_words",
+    "given_unit",
+    "heading_of",
+    "layout",
+    "listed",
+    "missing_units",
+    "narrow",
+    "plain",
+    "plain_name",
+    "require_speed",
+    "shot_words",
+    "split_heading",
+    "squeezed",
+    "unit_of_column",
+    "unit_symbol",
+    "units_behind",
 ]  # fmt: skip
 
 _UNITS = by_word(vocabulary()["units"])
@@ -153,7 +176,7 @@ def shot_words() -> Vocabulary:
     return Vocabulary(words, {**dimensions, **launches})
 
 
-class Column(NamedTuple):
+class FileColumn(NamedTuple):
     """A column that is used.
 
     Attributes
@@ -174,7 +197,7 @@ class Column(NamedTuple):
     unit: str
 
 
-class Layout(NamedTuple):
+class ColumnLayout(NamedTuple):
     """The columns of a file and their meaning.
 
     Attributes
@@ -190,7 +213,7 @@ class Layout(NamedTuple):
     """
 
     headings: tuple[str, ...]
-    used: tuple[Column, ...]
+    used: tuple[FileColumn, ...]
     passed: tuple[str, ...]
     notes: tuple[str, ...]
 
@@ -207,7 +230,7 @@ def layout(
     words: Vocabulary | None = None,
     given_units: Mapping[str, str] | None = None,
     remedy: Callable[[Mapping[str, str]], str] | None = None,
-) -> Layout:
+) -> ColumnLayout:
     """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
 
     Without ``words`` they are the inputs of an impact. ``given_units`` are the units, by quantity or dimension, of
@@ -220,7 +243,7 @@ def layout(
     if len(set(named)) < len(named):
         heading = next(each for each, count in Counter(named).items() if count > 1)
         raise FileError(path, line, f"the column {heading!r} is there twice", heading)
-    used: dict[str, Column] = {}
+    used: dict[str, FileColumn] = {}
     passed, notes = [], []
     without_unit: list[tuple[str, str]] = []
     for place, heading in enumerate(named):
@@ -242,10 +265,10 @@ def layout(
             symbol = given_unit(given_units, quantity, dimension)
             if symbol is None and dimension != units.DIMENSIONLESS:
                 without_unit.append((heading, quantity))
-        used[quantity] = Column(place, heading, quantity, symbol or "1")
+        used[quantity] = FileColumn(place, heading, quantity, symbol or "1")
     if without_unit:
         raise missing_units(without_unit, path, line, words.dimensions, remedy)
-    return Layout(named, tuple(used.values()), tuple(passed), tuple(notes))
+    return ColumnLayout(named, tuple(used.values()), tuple(passed), tuple(notes))
 
 
 SPIN = ("backspin", "sidespin", "total_spin")
@@ -311,7 +334,7 @@ def _as_options(units: Mapping[str, str]) -> str:
     return f"{given} (in Python units={units!r} of clubface.shots.read or clubface.predict)"
 
 
-def require_speed(columns: Layout, path: str, line: int | None) -> None:
+def require_speed(columns: ColumnLayout, path: str, line: int | None) -> None:
     """Refuse a table without the clubhead speed, the one input without a default."""
     if all(each.quantity != "speed" for each in columns.used):
         message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(columns.headings)}'

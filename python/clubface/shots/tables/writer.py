@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = [
-    "KINDS", "CsvForm", "Form", "RejectsForm", "csv_lines", "delimiter_of", "is_parquet", "number_cells",
+    "KINDS", "CsvForm", "OutputFormat", "RejectsForm", "csv_lines", "delimiter_of", "is_parquet", "number_cells",
     "write_columns",
 ]  # fmt: skip
 
@@ -30,7 +30,7 @@ DIGITS = 9
 """Significant digits in a CSV file, far below the error of any model."""
 
 
-class Form(Protocol):
+class OutputFormat(Protocol):
     """How launches are written: a chunk at a time to files of their own, which are put together in the end."""
 
     def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
