@@ -8,7 +8,7 @@ from importlib.metadata import version as installed_version
 from pathlib import Path
 
 from clubface.errors import RangeWarning
-from clubface.schema import Quantity, entries
+from clubface.schema import PhysicalValue, entries
 from clubface.units import SI_UNITS
 
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
@@ -66,7 +66,8 @@ def describe_fields(app, what, name, obj, options, lines):
     documented = re.findall(r"[\w]+(?=[,:])", " ".join(each for each in lines if each.startswith(":ivar ")))
     for each in entries(obj).values():
         if each.attribute not in documented:
-            unit = f" [{SI_UNITS[each.dimension]}]" if isinstance(each.value, Quantity) and each.unit != "1" else ""
+            has_unit = isinstance(each.value, PhysicalValue) and each.unit != "1"
+            unit = f" [{SI_UNITS[each.dimension]}]" if has_unit else ""
             meaning = each.meaning.replace("`", "``")
             lines.append(f":ivar {each.attribute}: {meaning[:1].upper()}{meaning[1:]}{unit}.")
 

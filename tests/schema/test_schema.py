@@ -16,7 +16,7 @@ from clubface.schema import (
     Document,
     Interval,
     Items,
-    Quantity,
+    PhysicalValue,
     Record,
     Table,
     Tables,
@@ -38,7 +38,7 @@ class Peg:
     """A peg."""
 
     name: str = file_key(NAME, "its name")
-    height: float = file_key(Quantity("mm", 0, 100), "above the ground", example="38 mm")
+    height: float = file_key(PhysicalValue("mm", 0, 100), "above the ground", example="38 mm")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,12 +46,14 @@ class Tee:
     """A place to play from."""
 
     name: str = file_key(NAME, "its name")
-    width: float = file_key(Quantity("m", above=0), "from side to side", example="4 m", multiples={"half": 2.0})
+    width: float = file_key(PhysicalValue("m", above=0), "from side to side", example="4 m", multiples={"half": 2.0})
     colour: str = file_key(Choice(("white", "red")), "of its markers", default="white")
     level: bool = file_key(FLAG, "whether it is level", default=True)
     holes: tuple[int, ...] = file_key(Items(count(1, 18)), "the holes it serves", default=())
-    winds: tuple[float, float] | None = file_key(Interval(Quantity("m/s")), "least and greatest", default=None)
-    grass: dict[str, float] = file_key(Record({"length": Quantity("mm")}), "what grows there", default_factory=dict)
+    winds: tuple[float, float] | None = file_key(Interval(PhysicalValue("m/s")), "least and greatest", default=None)
+    grass: dict[str, float] = file_key(
+        Record({"length": PhysicalValue("mm")}), "what grows there", default_factory=dict
+    )
     pegs: tuple[Peg, ...] = file_key(Tables(Table(Peg), "peg"), "what stands there", default=())
 
     def __post_init__(self) -> None:

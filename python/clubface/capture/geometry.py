@@ -16,7 +16,7 @@ import numpy as np
 
 from clubface import units
 from clubface.capture.rotations import Array
-from clubface.schema import Quantity, check_values, file_key, quantities
+from clubface.schema import PhysicalValue, check_values, file_key, quantities
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
 GIVEN = 1.0 * _MM
@@ -51,7 +51,7 @@ class Known(NamedTuple):
         return list(zip_longest(self.values, self.deviations)) or [(None, None)]
 
 
-ANGLE, LENGTH = Quantity("deg", above=0), Quantity("mm", above=0)
+ANGLE, LENGTH = PhysicalValue("deg", above=0), PhysicalValue("mm", above=0)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -15,7 +15,7 @@ from clubface.errors import InputError, Wording
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, encode, file_key, written_key
-from clubface.schema.values import TEXT, Choice, Either, Items, Quantity, Record, Simple, count
+from clubface.schema.values import TEXT, Choice, Either, Items, PhysicalValue, Record, Simple, count
 from clubface.support.checks import check_choice
 
 WAYS = ("positions", "face", "address", "swing")
@@ -196,7 +196,7 @@ def _check_axes(target: str | tuple[str, str], up: str) -> None:
 
 SEEN = "seen"
 """Stands for the position of a marker that the calibration places."""
-LENGTH, DEVIATION = Quantity("mm", decimals=6), Quantity("mm", lower=0, decimals=6)
+LENGTH, DEVIATION = PhysicalValue("mm", decimals=6), PhysicalValue("mm", lower=0, decimals=6)
 VECTOR = Items(LENGTH, 3, 3, "three lengths in a list")
 POSITION = Either(
     {
@@ -271,7 +271,7 @@ class MarkerFile:
         Table(LaboratoryTable), "axes and units of the files", default_factory=LaboratoryTable
     )
     noise: Mapping[str, float] = file_key(
-        Record({"marker": Quantity("mm", above=0, decimals=6)}),
+        Record({"marker": PhysicalValue("mm", above=0, decimals=6)}),
         "standard deviation of a `marker`",
         default_factory=dict,
     )

@@ -45,7 +45,7 @@ from clubface.errors import InputError, Wording
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, encode, file_key
-from clubface.schema.values import TEXT, Choice, Quantity, Record, Reference, Tables, Value
+from clubface.schema.values import TEXT, Choice, PhysicalValue, Record, Reference, Tables, Value
 from clubface.shots.plausibility import can_be
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery
 from clubface.support.arrays import Floats
@@ -388,8 +388,8 @@ class DeliveryFigure(Value):
 class Mishit:
     """How often the golfer mishits, and how far."""
 
-    share: float = file_key(Quantity("1", lower=0, below=1), "share of the shots that are mishits")
-    scale: float = file_key(Quantity("1", 1, WIDEST), "how many times as wide their deviations are")
+    share: float = file_key(PhysicalValue("1", lower=0, below=1), "share of the shots that are mishits")
+    scale: float = file_key(PhysicalValue("1", 1, WIDEST), "how many times as wide their deviations are")
 
 
 TEXTS = Record(dict.fromkeys(OF_CLUB, TEXT))

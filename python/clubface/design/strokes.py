@@ -15,7 +15,7 @@ import numpy as np
 
 from clubface import published_data, units
 from clubface.errors import InputError, Wording
-from clubface.schema import Choice, Quantity, check_values, file_key
+from clubface.schema import Choice, PhysicalValue, check_values, file_key
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -33,14 +33,14 @@ GREEN_RADIUS = units.parse("12 yd", "length")
 """Radius of a green unless given, about the hole; assumed: a circle of about 420 m2."""
 
 
-WIDTH = Quantity("m", 0, LONGEST)
+WIDTH = PhysicalValue("m", 0, LONGEST)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Hole:
     """A straight, level hole; values are text with a unit or SI numbers."""
 
-    length: float = file_key(Quantity("m", above=0, upper=LONGEST), "from the tee to the hole")
+    length: float = file_key(PhysicalValue("m", above=0, upper=LONGEST), "from the tee to the hole")
     fairway: float = file_key(WIDTH, "width of the fairway", default=FAIRWAY_WIDTH)
     rough: float = file_key(
         WIDTH, "width of the rough on either side; a ball beyond it is a recovery shot", default=ROUGH_WIDTH

@@ -22,7 +22,7 @@ from clubface.errors import InputError, RuleWarning
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.tables import decode, entries, file_key, quantities
-from clubface.schema.values import NAME, TEXT, Quantity, Record, Simple, Tables
+from clubface.schema.values import NAME, TEXT, PhysicalValue, Record, Simple, Tables
 from clubface.support.checks import Frozen, check_name, warn_once, without_warnings
 from clubface.support.files import builtin_names, builtin_path, is_path
 
@@ -71,7 +71,7 @@ def body(document: Document, radius: float, mass: Any) -> Body:
         with piece.errors():
             if key not in pieces[index]:
                 raise piece.invalid(None, "give it")
-            return Quantity(unit).read(pieces[index][key], piece)
+            return PhysicalValue(unit).read(pieces[index][key], piece)
 
     outer, total, inertia = radius, 0.0, 0.0
     for index in range(len(pieces) - 1, 0, -1):
@@ -87,7 +87,7 @@ def body(document: Document, radius: float, mass: Any) -> Body:
         density = read(0, "density", "kg/m3")
     else:
         with top.key("mass").errors():
-            mass = Quantity("g").read(mass, top.key("mass"))
+            mass = PhysicalValue("g").read(mass, top.key("mass"))
             density = (mass - total) / _volume(0.0, outer)
             if not density > 0.0:
                 raise InputError("mass", units.show(mass, "g"), "more: the layers around it leave the core no mass")
@@ -134,7 +134,7 @@ RIGID = ("mass", "radius", "inertia")
 
 
 FRICTION_LIMITS = (0.0, 10.0)
-COVER_FRICTION = Quantity("1", *FRICTION_LIMITS)
+COVER_FRICTION = PhysicalValue("1", *FRICTION_LIMITS)
 
 
 def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Mapping[str, float]]:
@@ -162,9 +162,9 @@ class Ball(ClubOrBall):
 
     name: str = file_key(NAME, "what it is called in tables")
     description: str = file_key(TEXT, "a sentence for lists", default="")
-    mass: float = file_key(Quantity("g"), "mass", example="45.93 g")
-    radius: float = file_key(Quantity("mm"), "radius", example="21.335 mm", multiples={"diameter": 0.5})
-    inertia: float = file_key(Quantity("g cm2"), "moment of inertia about the centre", example="83.6 g cm2")
+    mass: float = file_key(PhysicalValue("g"), "mass", example="45.93 g")
+    radius: float = file_key(PhysicalValue("mm"), "radius", example="21.335 mm", multiples={"diameter": 0.5})
+    inertia: float = file_key(PhysicalValue("g cm2"), "moment of inertia about the centre", example="83.6 g cm2")
     friction: float | None = file_key(COVER_FRICTION, "of the cover on a clubface", example="0.35", default=None)
     parameters: Mapping[str, Mapping[str, float]] = file_key(
         Record(Record(Simple()), make=_checked_parameters),

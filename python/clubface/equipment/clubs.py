@@ -19,7 +19,7 @@ from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
 from clubface.equipment.described import FLAT, HANDS, ClubOrBall, changed, set_si, sources_of, template_lines, to_toml
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
-from clubface.schema import NAME, TEXT, Choice, Document, Quantity, file_key, quantities, quoted
+from clubface.schema import NAME, TEXT, Choice, Document, PhysicalValue, file_key, quantities, quoted
 from clubface.support.checks import check_name, warn_once
 from clubface.support.files import builtin_names, builtin_path, is_path
 
@@ -77,8 +77,8 @@ TIME_LIMIT = 239e-6
 """Characteristic time [s], with ``TIME_TOLERANCE``; The Equipment Rules."""
 TIME_TOLERANCE = 18e-6
 
-MILLIMETRES, MOMENT = Quantity("mm"), Quantity("g cm2")
-RADIUS = Quantity("mm", special={FLAT: math.inf})
+MILLIMETRES, MOMENT = PhysicalValue("mm"), PhysicalValue("g cm2")
+RADIUS = PhysicalValue("mm", special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -99,7 +99,7 @@ class Club(ClubOrBall):
     hand: int = file_key(Choice(HANDS), "right or left; the numbers stay those of the right-handed club", default=1)
     parameters: str = file_key(Choice(FAMILIES), "published parameter sets to use", default="")
     description: str = file_key(TEXT, "a sentence for lists", default="")
-    mass: float = file_key(Quantity("g"), "mass of the clubhead", example="204 g")
+    mass: float = file_key(PhysicalValue("g"), "mass of the clubhead", example="204 g")
     cg_x: float = file_key(MILLIMETRES, "from the CG to the face centre, towards the target", example="42.18 mm")
     cg_y: float = file_key(MILLIMETRES, "the same, up", example="4.34 mm")
     cg_z: float = file_key(MILLIMETRES, "the same, to the right of the target line (towards the toe)", example="1.0 mm")
@@ -109,16 +109,16 @@ class Club(ClubOrBall):
     ixy: float = file_key(MOMENT, "element of the tensor (minus the integral of x y dm)", example="-733 g cm2")
     ixz: float = file_key(MOMENT, "element of the tensor", example="530.2 g cm2")
     iyz: float = file_key(MOMENT, "element of the tensor", example="0.5 g cm2")
-    loft: float = file_key(Quantity("deg", 0, 75), "static loft, 0 to 75 deg", example="9.8 deg")
+    loft: float = file_key(PhysicalValue("deg", 0, 75), "static loft, 0 to 75 deg", example="9.8 deg")
     bulge: float = file_key(RADIUS, 'radius of the face from heel to toe, or "flat"', example="305 mm")
     roll: float = file_key(RADIUS, 'radius of the face from sole to crown, or "flat"', example="305 mm")
     face_width: float = file_key(MILLIMETRES, "width of the face, heel to toe", example="105 mm")
     face_height: float = file_key(MILLIMETRES, "height of the face, along the face", example="55 mm")
     characteristic_time: float = file_key(
-        Quantity("us"), "of the face, by the rules' pendulum; 0 is rigid", example="250 us", default=None
+        PhysicalValue("us"), "of the face, by the rules' pendulum; 0 is rigid", example="250 us", default=None
     )
     cor: float | None = file_key(
-        Quantity("1"), "coefficient of restitution at 160 ft/s, in its place", example="0.826", default=None
+        PhysicalValue("1"), "coefficient of restitution at 160 ft/s, in its place", example="0.826", default=None
     )
     sources: Mapping[str, str] = file_key(
         sources_of(lambda: Club), "where each value comes from", default_factory=dict, hash=False

@@ -36,7 +36,7 @@ from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import check_values, decode, encode, file_key
-from clubface.schema.values import FLAG, TEXT, Choice, Interval, Items, Quantity, Record, Simple, Tables, Value
+from clubface.schema.values import FLAG, TEXT, Choice, Interval, Items, PhysicalValue, Record, Simple, Tables, Value
 from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
 
@@ -75,11 +75,11 @@ class ParameterValue(Value):
 
     def json(self) -> dict[str, Any]:
         """Return text or a number."""
-        return Quantity(self.parameter.unit).json()
+        return PhysicalValue(self.parameter.unit).json()
 
     def words(self) -> str:
         """Return the bounds with the unit."""
-        return Quantity(self.parameter.unit, self.parameter.lower, self.parameter.upper).words()
+        return PhysicalValue(self.parameter.unit, self.parameter.lower, self.parameter.upper).words()
 
 
 Range = Mapping[str, tuple[float, float]]
@@ -122,7 +122,10 @@ easily, and the small heads among the strikes do so as much as the built-in club
 
 
 RANGE = Record(
-    {name: Interval(Quantity(each.unit), '["101 mph", "118 mph"]', is_range=False) for name, each in QUANTITIES.items()}
+    {
+        name: Interval(PhysicalValue(each.unit), '["101 mph", "118 mph"]', is_range=False)
+        for name, each in QUANTITIES.items()
+    }
 )
 """The kind of a table of ranges."""
 
@@ -157,7 +160,7 @@ SET = Record(
         "source": TEXT,
         "default": FLAG,
         "includes_face": FLAG,
-        "characteristic_time": Quantity("us"),
+        "characteristic_time": PhysicalValue("us"),
         "caveats": Items(TEXT),
         "range": RANGE,
         "values": Record(Simple()),

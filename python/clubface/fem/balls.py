@@ -30,14 +30,14 @@ from clubface.results.result import Result
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, check_values, entries, file_key
-from clubface.schema.values import NAME, TEXT, Choice, Quantity, Record, Simple, Tables, Value, count
+from clubface.schema.values import NAME, TEXT, Choice, PhysicalValue, Record, Simple, Tables, Value, count
 from clubface.support.checks import check_count, check_name, is_count, without_warnings
 from clubface.support.files import builtin_path, is_path, path_of
 
 __all__ = ["Ball", "Piece", "ball", "ball_names"]
 
 LAYERS = count(1, 48)
-THICKNESS = Quantity("mm", 0.01, 20)
+THICKNESS = PhysicalValue("mm", 0.01, 20)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,10 +94,10 @@ def _piece_keys() -> Mapping[str, Value]:
         "layers": LAYERS,
         "thickness": THICKNESS,
         "law": Choice(lambda: tuple(laws())),
-        "youngs": Quantity("MPa"),
+        "youngs": PhysicalValue("MPa"),
     }
-    more = {"poisson": Quantity("1"), "density": Quantity("kg/m3"), "maxwell": Tables(Table(Maxwell))}
-    return own | more | {name: Quantity(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
+    more = {"poisson": PhysicalValue("1"), "density": PhysicalValue("kg/m3"), "maxwell": Tables(Table(Maxwell))}
+    return own | more | {name: PhysicalValue(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
 
 
 PIECE = Record(_piece_keys, ("name", "law", "layers", "poisson"), make=_made_piece)
@@ -121,8 +121,8 @@ class Ball:
 
     name: str = file_key(NAME, "its name in tables")
     description: str = file_key(TEXT, "one sentence, or more if the ball was fitted to something", default="")
-    diameter: float = file_key(Quantity("mm", 10, 200), "diameter", multiples={"radius": 2.0}, example="42.67 mm")
-    mass: float | None = file_key(Quantity("g", 1, 1000), "mass, which sets the density of the core", default=None)
+    diameter: float = file_key(PhysicalValue("mm", 10, 200), "diameter", multiples={"radius": 2.0}, example="42.67 mm")
+    mass: float | None = file_key(PhysicalValue("g", 1, 1000), "mass, which sets the density of the core", default=None)
     cube: int = file_key(
         Simple("an even whole number from 2 to 96, so that a node stands where ball and face first touch",
                lambda value: is_count(value, 2, 96) and value % 2 == 0, {"type": "integer", "multipleOf": 2}),

@@ -19,7 +19,7 @@ from clubface.fem.settings import Settings
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, file_key
-from clubface.schema.values import NAME, TEXT, Choice, Quantity, Record, Reference, Unread
+from clubface.schema.values import NAME, TEXT, Choice, PhysicalValue, Record, Reference, Unread
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES, DIMENSIONS
 from clubface.support.checks import check_choice, check_name, check_names, check_text, without_warnings
@@ -164,7 +164,8 @@ class CaseFile:
     )
     delivery: Mapping[str, Any] = file_key(
         Record(
-            {key: Unread(each) for key, each in (DELIVERY_QUANTITIES | {"angle": Quantity("deg")}).items()}, ("speed",)
+            {key: Unread(each) for key, each in (DELIVERY_QUANTITIES | {"angle": PhysicalValue("deg")}).items()},
+            ("speed",),
         ),
         "delivery of the head; for a plane `speed` and `angle` of the ball",
     )

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import InputError
 from clubface.fem import core
-from clubface.schema import Quantity, check_values, file_key
+from clubface.schema import PhysicalValue, check_values, file_key
 from clubface.support.checks import Frozen, check_choice, check_names
 
 __all__ = ["Law", "Material", "Maxwell", "laws"]
@@ -81,11 +81,11 @@ class Maxwell:
     """One viscoelastic branch, parallel to the elastic law."""
 
     modulus: float = file_key(
-        Quantity("1", above=0, upper=1e3, allowed="above 0 and at most 1000 times that of the elastic law"),
+        PhysicalValue("1", above=0, upper=1e3, allowed="above 0 and at most 1000 times that of the elastic law"),
         "its shear modulus divided by that of the elastic law",
     )
     time: float = file_key(
-        Quantity("us", 0.1, 1e9, allowed="0.1 us to 1000 s"), "in which its stress falls to 1/e", example="100 us"
+        PhysicalValue("us", 0.1, 1e9, allowed="0.1 us to 1000 s"), "in which its stress falls to 1/e", example="100 us"
     )
 
     def __post_init__(self) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.schema import FLAG, Choice, Quantity, check_values, count, file_key
+from clubface.schema import FLAG, Choice, PhysicalValue, check_values, count, file_key
 
 __all__ = ["Settings"]
 
@@ -37,13 +37,13 @@ class Settings:
         wave speed, element size and rate of the volume. 0.06 is usual in other programs; 0 for none.
     """
 
-    duration: float = file_key(Quantity("us", 1, 1e5, allowed="1 us to 0.1 s"), "simulated time", default=1e-3)
+    duration: float = file_key(PhysicalValue("us", 1, 1e5, allowed="1 us to 0.1 s"), "simulated time", default=1e-3)
     safety: float | None = file_key(
-        Quantity("1", 0.05, 1, allowed="0.05 to 1, the stable step"),
+        PhysicalValue("1", 0.05, 1, allowed="0.05 to 1, the stable step"),
         "time step divided by the stable step of the undeformed bodies; theirs unless given", default=None,
     )  # fmt: skip
     interval: float = file_key(
-        Quantity("us", 0.01, allowed="0.01 us to the duration"),
+        PhysicalValue("us", 0.01, allowed="0.01 us to the duration"),
         "time between the records of motion; contact is recorded at every step", default=5e-6,
     )  # fmt: skip
     until_separation: bool = file_key(
@@ -51,7 +51,7 @@ class Settings:
     )
     contact: str = file_key(Choice(METHODS), "how nodes are kept out of the face", default="penalty")
     bulk_viscosity: float = file_key(
-        Quantity("1", 0, 1, allowed="0 to 1; 0.06 is usual"),
+        PhysicalValue("1", 0, 1, allowed="0 to 1; 0.06 is usual"),
         "coefficient of a pressure against fast changes of volume", default=0.0,
     )  # fmt: skip
     frames: int = file_key(count(0, 10_000), "deformed shapes to keep, evenly over `duration`", default=0)

@@ -32,7 +32,7 @@ from clubface.schema.values import (
     FilePath as FilePath,
     Interval as Interval,
     Items as Items,
-    Quantity as Quantity,
+    PhysicalValue as PhysicalValue,
     Record as Record,
     Reference as Reference,
     Simple as Simple,

@@ -4,7 +4,7 @@
 
     @dataclass(frozen=True, kw_only=True)
     class Tee:
-        height: float = file_key(Quantity("mm", lower=0, upper=100), "height above the ground", example="38 mm")
+        height: float = file_key(PhysicalValue("mm", lower=0, upper=100), "height above the ground", example="38 mm")
         colour: str = file_key(Choice(("white", "red")), "what it looks like", default="white")
 
         def __post_init__(self) -> None:
@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
-from clubface.schema.values import Choice, Quantity, Record, Tables, Value
+from clubface.schema.values import Choice, PhysicalValue, Record, Tables, Value
 
 __all__ = [
     "Entry",
@@ -136,7 +136,7 @@ def entries(schema: type) -> Mapping[str, Entry]:
 
 def quantities(schema: type) -> dict[str, Entry]:
     """Return the keys of a dataclass that hold a quantity."""
-    return {name: each for name, each in entries(schema).items() if isinstance(each.value, Quantity)}
+    return {name: each for name, each in entries(schema).items() if isinstance(each.value, PhysicalValue)}
 
 
 @dataclass(repr=False, eq=False)
@@ -291,7 +291,7 @@ def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> lis
     lines = []
     for each in entries(schema).values():
         if example := values.get(each.key, each.example):
-            is_text = isinstance(each.value, Quantity) and each.value.unit != "1"
+            is_text = isinstance(each.value, PhysicalValue) and each.value.unit != "1"
             entry = f"{written_key(each.key)} = {quoted(example) if is_text else example}"
             entry = entry if each.is_required or each.key in values else f"# {entry}"
             words = each.value.known if isinstance(each.value, Choice) else {}

@@ -18,7 +18,7 @@ from clubface.support.checks import check_choice, is_count, is_name, is_text
 from clubface.support.files import resolve_name
 
 __all__ = [
-    "FLAG", "NAME", "TEXT", "Choice", "Either", "FilePath", "Interval", "Items", "Quantity", "Record", "Reference",
+    "FLAG", "NAME", "TEXT", "Choice", "Either", "FilePath", "Interval", "Items", "PhysicalValue", "Record", "Reference",
     "Simple", "Tables", "Unread", "Value", "count", "written",
 ]  # fmt: skip
 
@@ -106,7 +106,7 @@ ROUNDING = 1e-12
 
 
 @dataclass(repr=False, eq=False)
-class Quantity(Value):
+class PhysicalValue(Value):
     """A number with a unit. Text names its unit, and a bare number is SI.
 
     Attributes
@@ -278,7 +278,7 @@ class Interval(Value):
         Whether the ends must differ.
     """
 
-    quantity: Quantity
+    quantity: PhysicalValue
     example: str = '["8 deg", "14 deg"]'
     no_limits: tuple[float, float] | None = None
     is_range: bool = True

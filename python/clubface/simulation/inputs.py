@@ -20,7 +20,7 @@ from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, UnknownNameError, Wording
-from clubface.schema import Choice, Items, Quantity, file_key
+from clubface.schema import Choice, Items, PhysicalValue, file_key
 from clubface.simulation.results import input_columns, input_dimensions, inputs, translate_core_error
 from clubface.support.checks import check_choice, check_names, whole
 from clubface.support.files import is_path
@@ -110,7 +110,7 @@ DIMENSIONS = {
 """The dimension of each value of a delivery, in the order of the core."""
 UNITS = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
 """The unit in which each dimension of a delivery is read and written."""
-DELIVERY_QUANTITIES = {name: Quantity(UNITS[dimension]) for name, dimension in DIMENSIONS.items()}
+DELIVERY_QUANTITIES = {name: PhysicalValue(UNITS[dimension]) for name, dimension in DIMENSIONS.items()}
 """The kind of each value of a delivery in a file."""
 
 
@@ -123,7 +123,9 @@ class Correlation:
         "the two values",
         name="of",
     )
-    value: float = file_key(Quantity("1", above=-1, below=1, allowed="a number between -1 and 1"), "the correlation")
+    value: float = file_key(
+        PhysicalValue("1", above=-1, below=1, allowed="a number between -1 and 1"), "the correlation"
+    )
 
 
 _LOFT, _HAND = "loft", "hand"

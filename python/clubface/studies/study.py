@@ -32,7 +32,20 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError, Wording
-from clubface.schema import NAME, TEXT, Choice, Document, Place, Quantity, Record, Simple, Table, Value, count, file_key
+from clubface.schema import (
+    NAME,
+    TEXT,
+    Choice,
+    Document,
+    PhysicalValue,
+    Place,
+    Record,
+    Simple,
+    Table,
+    Value,
+    count,
+    file_key,
+)
 from clubface.studies.axes import SweepAxis, Swept, axis, inputs_named
 from clubface.studies.designs import (
     DESIGNS,
@@ -183,7 +196,7 @@ class StudyTable:
     seed: int | None = file_key(count(0, MOST_SEED), "of the same", default=None)
     chunk: int | None = file_key(count(1, MOST_ROWS), "tasks of a chunk", default=None)
     seconds: float | None = file_key(
-        Quantity("s", 0.01, 600, allowed="from 0.01 to 600 s; 1 to 10 s are usual"),
+        PhysicalValue("s", 0.01, 600, allowed="from 0.01 to 600 s; 1 to 10 s are usual"),
         "in its place: the time that a chunk should take on one processor; 2 s unless given",
         default=None,
     )

@@ -61,7 +61,7 @@ from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import FileError, InputError, Wording
 from clubface.fem.heads.meshed import mesh_of
-from clubface.quantities import Quantity as ShownQuantity, Reading, quantity as quantity_named
+from clubface.quantities import Quantity, Reading, quantity as quantity_named
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, file_key
@@ -73,7 +73,7 @@ from clubface.schema.values import (
     Either,
     Interval,
     Items,
-    Quantity,
+    PhysicalValue,
     Record,
     Reference,
     Simple,
@@ -97,13 +97,13 @@ RULED = {"iyy": "moment_of_inertia", "characteristic_time": "characteristic_time
 """The fields of a club that rules limit."""
 
 
-def shown_quantity(name: str, unit: str) -> ShownQuantity:
+def shown_quantity(name: str, unit: str) -> Quantity:
     """Return a quantity that is read in a unit, with four digits that count."""
     si = units.SI_UNITS[units.unit(unit).dimension]
     return quantity_named(name, si)._replace(golf=Reading(unit, 4))
 
 
-def field_quantity(field: str) -> ShownQuantity:
+def field_quantity(field: str) -> Quantity:
     """Return what a field of a club is, in the unit in which studies are written."""
     return shown_quantity({"loft": "static_loft"}.get(field, field), UNITS[field])._replace(label=field)
 
@@ -327,13 +327,13 @@ NO_LIMITS = (-math.inf, math.inf)
 
 def _bounds(name: str) -> Interval:
     """Return the kind of the least and the greatest value of a field that changes."""
-    return Interval(Quantity(UNITS[name], above=0 if name in POSITIVE else None))
+    return Interval(PhysicalValue(UNITS[name], above=0 if name in POSITIVE else None))
 
 
 def _limit_kinds() -> dict[str, Value]:
     judged = {name: OBJECTIVES[name].unit if name in OBJECTIVES else "1" for name in JUDGED}
     kinds = {name: UNITS[name] for name in FREE} | judged
-    return {name: Interval(Quantity(unit), no_limits=NO_LIMITS) for name, unit in kinds.items()}
+    return {name: Interval(PhysicalValue(unit), no_limits=NO_LIMITS) for name, unit in kinds.items()}
 
 
 VARIABLES = Record({**{name: _bounds(name) for name in FREE}, DISTRIBUTION: Choice(("free",))})
@@ -341,13 +341,13 @@ LIMITS = Record(_limit_kinds())
 NAMED_GOLFERS = Either(
     {
         str: Reference(str),
-        list: Tables(Record({"name": Reference(str), "weight": Quantity("1", above=0)}, ("name",)), least=1),
+        list: Tables(Record({"name": Reference(str), "weight": PhysicalValue("1", above=0)}, ("name",)), least=1),
     },
     "a name, a file, or tables [[golfer]] with name and weight",
 )
-VECTOR = Items(Quantity("mm"), 3, 3, 'three lengths, as in ["115 mm", "62 mm", "124 mm"]')
+VECTOR = Items(PhysicalValue("mm"), 3, 3, 'three lengths, as in ["115 mm", "62 mm", "124 mm"]')
 RULES = Record({"conform": FLAG, "tolerance": FLAG})
-SETTING = Record({"name": NAME, **{name: Quantity(UNITS[name]) for name in SETTINGS}}, ("name",))
+SETTING = Record({"name": NAME, **{name: PhysicalValue(UNITS[name]) for name in SETTINGS}}, ("name",))
 _NAMES = "a list of names or files"
 
 
@@ -358,12 +358,12 @@ class HeadTable:
     shape: str = file_key(Choice(SHAPES), "form of the room for mass", default="box")
     size: tuple[float, float, float] = file_key(VECTOR, "face to back, sole to crown, heel to toe")
     centre: tuple[float, float, float] = file_key(VECTOR, "its middle: towards the target, up, towards the toe")
-    volume: float | None = file_key(Quantity("cm3", above=0), "as the rules measure it", default=None)
+    volume: float | None = file_key(PhysicalValue("cm3", above=0), "as the rules measure it", default=None)
     discretionary_mass: float = file_key(
-        Quantity("kg", above=0, below=1, allowed="between 0 and 1 kg"), "the most mass that may be placed freely"
+        PhysicalValue("kg", above=0, below=1, allowed="between 0 and 1 kg"), "the most mass that may be placed freely"
     )
     shell: Mapping[str, float] | None = file_key(
-        Record({name: Quantity(UNITS[name]) for name in MASS_PROPERTIES}, MASS_PROPERTIES),
+        Record({name: PhysicalValue(UNITS[name]) for name in MASS_PROPERTIES}, MASS_PROPERTIES),
         "mass properties of what cannot be moved; the club made lighter evenly unless given", default=None,
     )  # fmt: skip
 
@@ -432,7 +432,7 @@ class StudyFile(CommonFile):
     limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "of fields and of results", default_factory=dict)
     rules: Mapping[str, bool] = file_key(RULES, "whether the rules are limits, with tolerances", default_factory=dict)
     mass: Mapping[str, float] = file_key(
-        Record({"speed_exponent": Quantity("1", 0, 1, allowed="a number from 0 to 1")}),
+        Record({"speed_exponent": PhysicalValue("1", 0, 1, allowed="a number from 0 to 1")}),
         "speed falls as mass to the power `speed_exponent`", default_factory=dict,
     )  # fmt: skip
 

@@ -50,11 +50,23 @@ from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.read import FOLDER, from_toml
-from clubface.quantities import Quantity as ShownQuantity, Reading
+from clubface.quantities import Quantity, Reading
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import decode, entries, file_key
-from clubface.schema.values import FLAG, NAME, TEXT, Choice, Interval, Items, Quantity, Record, Reference, Tables, count
+from clubface.schema.values import (
+    FLAG,
+    NAME,
+    TEXT,
+    Choice,
+    Interval,
+    Items,
+    PhysicalValue,
+    Record,
+    Reference,
+    Tables,
+    count,
+)
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES as DELIVERED, DIMENSIONS, Delivery
 from clubface.support.checks import check_choice, check_count, check_names, without_warnings
@@ -81,7 +93,7 @@ OBJECTIVES = {"ball_speed": True, "carry": True, "characteristic_time": True, "w
 """What may be best, and whether it shall be large."""
 
 
-def design_quantity(name: str) -> ShownQuantity:
+def design_quantity(name: str) -> Quantity:
     """Return one of ``QUANTITIES``, or a variable such as "thickness.crown", for tables and sentences."""
     if name in QUANTITIES:
         label, _, unit = QUANTITIES[name]
@@ -91,7 +103,7 @@ def design_quantity(name: str) -> ShownQuantity:
         unit = "deg" if name == "shape.loft" else "mm"
     reading = Reading(unit, DIGITS[unit])
     metric = Reading({"mph": "m/s", "yd": "m"}.get(unit, unit), reading.digits)
-    return ShownQuantity(name, units.SI_UNITS[units.unit(unit).dimension], metric, reading, label)
+    return Quantity(name, units.SI_UNITS[units.unit(unit).dimension], metric, reading, label)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -271,7 +283,7 @@ def show(name: str, value: float) -> str:
 
 
 MOST_POINTS = 100
-REACH = Quantity("mm", -60, 60, allowed="within 60 mm of the face centre")
+REACH = PhysicalValue("mm", -60, 60, allowed="within 60 mm of the face centre")
 POINTS = Items(
     Items(REACH, 2, 2, "a distance to the toe and one above the face centre"), 1, MOST_POINTS,
     f'1 to {MOST_POINTS} points, each to the toe and above the face centre, as in [["0 mm", "0 mm"]]',
@@ -279,14 +291,14 @@ POINTS = Items(
 _BLOW = {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
 BLOW = Record(_BLOW)
 """A delivery; ``points`` say where it strikes."""
-WALL_BOUNDS = Interval(Quantity("mm"), '["2.4 mm", "4.2 mm"]')
+WALL_BOUNDS = Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')
 VARIABLE_TABLES = {
     "thickness": Record(dict.fromkeys(WALLS, WALL_BOUNDS)),
-    "shape": Record({name: Interval(Quantity("deg" if name == "loft" else "mm")) for name in SHAPE}),
+    "shape": Record({name: Interval(PhysicalValue("deg" if name == "loft" else "mm")) for name in SHAPE}),
 }
 LIMITS = Record(
     {
-        name: Interval(Quantity(unit, lower=0), f'["none", "... {unit}"]', no_limits=(0.0, math.inf))
+        name: Interval(PhysicalValue(unit, lower=0), f'["none", "... {unit}"]', no_limits=(0.0, math.inf))
         for name, (_, _, unit) in QUANTITIES.items()
         if name != "stress"
     }
@@ -323,10 +335,12 @@ class ShellFile:
     objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
     golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
     ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
-    safety: float = file_key(Quantity("1"), "factor by which the yield stress is divided", default=1.0)
+    safety: float = file_key(PhysicalValue("1"), "factor by which the yield stress is divided", default=1.0)
     rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
     designs: int = file_key(count(2, 500), "designs that the engine may judge, for each metal", default=20)
-    radius: float = file_key(Quantity("1"), "half the width of the first region, as a share of the bounds", default=0.3)
+    radius: float = file_key(
+        PhysicalValue("1"), "half the width of the first region, as a share of the bounds", default=0.3
+    )
     neighbours: bool = file_key(FLAG, "whether the engine judges neighbours of the start first", default=True)
     variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what changes, within bounds")
     delivery: Mapping[str, Any] = file_key(BLOW, "the delivery, and the points that it strikes", default_factory=dict)

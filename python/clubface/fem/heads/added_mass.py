@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError
-from clubface.schema import NAME, Place as FilePlace, Quantity, Record, Tables
+from clubface.schema import NAME, PhysicalValue, Place as FilePlace, Record, Tables
 
 SPREAD = 8e-3
 """Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
@@ -20,7 +20,7 @@ REACH = 0.3
 
 Place = tuple[Any, Any, Any, Any]
 """x, y, z and mass, text with units or SI."""
-_COORDINATE = Quantity(
+_COORDINATE = PhysicalValue(
     "mm", -1e3 * REACH, 1e3 * REACH, decimals=4,
     allowed='within 300 mm of the face centre; numbers are metres, "-33 mm" is text',
 )  # fmt: skip
@@ -52,7 +52,7 @@ class Places(Tables):
 
 def places(what: str, mass: str, least: float) -> Places:
     """Return the kind of tables of masses; ``mass`` is the key of each mass, which is at least that many grams."""
-    keys = {"name": NAME, **dict.fromkeys("xyz", _COORDINATE), mass: Quantity("g", least, 500, decimals=4)}
+    keys = {"name": NAME, **dict.fromkeys("xyz", _COORDINATE), mass: PhysicalValue("g", least, 500, decimals=4)}
     return Places(Record(keys, keys), what)
 
 

@@ -12,27 +12,27 @@ from clubface.fem.core import in_thread
 from clubface.fem.heads.added_mass import TRIMS, Place
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.schema import NAME, TEXT, Items, Quantity, Record, Table, check_values, count, encode, file_key
+from clubface.schema import NAME, TEXT, Items, PhysicalValue, Record, Table, check_values, count, encode, file_key
 from clubface.support.checks import warn_once
 
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
-SHAPES: Mapping[str, Quantity] = {
-    "loft": Quantity("deg", 0, 40, decimals=4),
-    "bulge": Quantity("mm", 100, 10000, decimals=4),
-    "roll": Quantity("mm", 100, 10000, decimals=4),
-    "width": Quantity("mm", 50, 150, decimals=4),
-    "depth": Quantity("mm", 30, 150, decimals=4),
-    "crown": Quantity("mm", 8, 60, decimals=4),
-    "sole": Quantity("mm", 8, 60, decimals=4),
-    "rounding": Quantity("mm", 1, 20, decimals=4),
+SHAPES: Mapping[str, PhysicalValue] = {
+    "loft": PhysicalValue("deg", 0, 40, decimals=4),
+    "bulge": PhysicalValue("mm", 100, 10000, decimals=4),
+    "roll": PhysicalValue("mm", 100, 10000, decimals=4),
+    "width": PhysicalValue("mm", 50, 150, decimals=4),
+    "depth": PhysicalValue("mm", 30, 150, decimals=4),
+    "crown": PhysicalValue("mm", 8, 60, decimals=4),
+    "sole": PhysicalValue("mm", 8, 60, decimals=4),
+    "rounding": PhysicalValue("mm", 1, 20, decimals=4),
 }
 """In the order of the core."""
 SHAPE = tuple(SHAPES)
 WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
-TARGETS: Mapping[str, Quantity] = {
-    "mass": Quantity("g", 50, 500, decimals=4),
-    **dict.fromkeys((*CENTRE, "cg_above"), Quantity("mm", decimals=4)),
-    **dict.fromkeys(INERTIA, Quantity("g cm2", decimals=4)),
+TARGETS: Mapping[str, PhysicalValue] = {
+    "mass": PhysicalValue("g", 50, 500, decimals=4),
+    **dict.fromkeys((*CENTRE, "cg_above"), PhysicalValue("mm", decimals=4)),
+    **dict.fromkeys(INERTIA, PhysicalValue("g cm2", decimals=4)),
 }
 CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
 """The unit in which a target is shown, and how near [SI] it counts as met."""
@@ -63,12 +63,12 @@ class DriverHead:
         default=(36, 12, 25),
     )
     scales: tuple[float, float] = file_key(
-        Items(Quantity("1", 0.1, 10, allowed="0.1 to 1 and 1 to 10"), 2, 2, "a list of two numbers"),
+        Items(PhysicalValue("1", 0.1, 10, allowed="0.1 to 1 and 1 to 10"), 2, 2, "a list of two numbers"),
         "limits of the factor on crown, sole and skirt by which the mass is met", default=(0.5, 2.0),
     )  # fmt: skip
     shape: Mapping[str, float] = file_key(Record(SHAPES, SHAPE), "dimensions")
     thickness: Mapping[str, float] = file_key(
-        Record(dict.fromkeys(WALLS, Quantity("mm", decimals=4)), WALLS), "thickness of walls"
+        Record(dict.fromkeys(WALLS, PhysicalValue("mm", decimals=4)), WALLS), "thickness of walls"
     )
     target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "what the head shall have")
     metal: Metal = file_key(Table(Metal), "the metal of all parts", default_factory=Metal)
@@ -136,5 +136,5 @@ def text(head: DriverHead, *, characteristic_time: float | None = None) -> str:
     """
     lines = ['kind = "driver"\n']
     if characteristic_time is not None:
-        lines.append(f"characteristic_time = {Quantity('us', decimals=1).write(characteristic_time)}\n")
+        lines.append(f"characteristic_time = {PhysicalValue('us', decimals=1).write(characteristic_time)}\n")
     return "".join([*lines, encode(head)])

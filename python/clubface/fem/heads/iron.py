@@ -14,27 +14,27 @@ from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.meshed import ROUND, SolidHead
 from clubface.fem.heads.metal import Metal
-from clubface.schema import NAME, TEXT, Choice, Items, Quantity, Record, Table, check_values, count, file_key
+from clubface.schema import NAME, TEXT, Choice, Items, PhysicalValue, Record, Table, check_values, count, file_key
 from clubface.support.checks import warn_once
 
-SHAPES: Mapping[str, Quantity] = {
-    "loft": Quantity("deg", 0, 70),
-    "length": Quantity("mm", 40, 120),
-    "heel_height": Quantity("mm", 10, 80),
-    "toe_height": Quantity("mm", 15, 100),
-    "face": Quantity("mm", 1, 20),
-    "sole": Quantity("mm", 1, 40),
-    "top": Quantity("mm", 1, 20),
-    "rim": Quantity("1", 0.05, 0.5),
-    "rounding": Quantity("mm", 0, 20),
+SHAPES: Mapping[str, PhysicalValue] = {
+    "loft": PhysicalValue("deg", 0, 70),
+    "length": PhysicalValue("mm", 40, 120),
+    "heel_height": PhysicalValue("mm", 10, 80),
+    "toe_height": PhysicalValue("mm", 15, 100),
+    "face": PhysicalValue("mm", 1, 20),
+    "sole": PhysicalValue("mm", 1, 40),
+    "top": PhysicalValue("mm", 1, 20),
+    "rim": PhysicalValue("1", 0.05, 0.5),
+    "rounding": PhysicalValue("mm", 0, 20),
 }
 """In the order of the core."""
 SHAPE = tuple(SHAPES)
-GROOVES: Mapping[str, Quantity] = {
-    "width": Quantity("mm", 0.1, 20),
-    "depth": Quantity("mm", 0, 2),
-    "pitch": Quantity("mm", 1, 50),
-    "wall": Quantity("mm", 0.05, 10),
+GROOVES: Mapping[str, PhysicalValue] = {
+    "width": PhysicalValue("mm", 0.1, 20),
+    "depth": PhysicalValue("mm", 0, 2),
+    "pitch": PhysicalValue("mm", 1, 50),
+    "wall": PhysicalValue("mm", 0.05, 10),
 }
 """Dimensions of grooves, in the order of the core."""
 STEEL = Metal(youngs=193e9, poisson=0.29, density=7800.0)

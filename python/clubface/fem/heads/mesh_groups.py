@@ -14,7 +14,7 @@ from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import Mesh, Wall
-from clubface.schema import FLAG, NAME, TEXT, Items, Place, Quantity, Record, entries
+from clubface.schema import FLAG, NAME, TEXT, Items, PhysicalValue, Place, Record, entries
 
 OWN = re.compile(r"gmsh:|Surface\d+$|Volume\d+$|_?(?:PickedSet|All)\d*$|Line\d+$", re.IGNORECASE)
 """Sets that programs make for themselves."""
@@ -24,7 +24,7 @@ SHOWN = 12
 
 GROUP = {
     "name": NAME,
-    "thickness": Quantity("mm", 0.2, 20),
+    "thickness": PhysicalValue("mm", 0.2, 20),
     "face": FLAG,
     "sets": Items(TEXT, allowed='a list of names of sets in the mesh, as ["1", "2"]'),
 }

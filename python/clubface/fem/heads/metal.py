@@ -10,14 +10,14 @@ from typing import Any
 from clubface import units
 from clubface.errors import InputError, Wording
 from clubface.fem import core
-from clubface.schema import Choice, Place, Quantity, Table, Value, check_values, count, file_key
+from clubface.schema import Choice, PhysicalValue, Place, Table, Value, check_values, count, file_key
 from clubface.support.checks import check_count
 
 MAX_HARDENING_POINTS = 8
 
 
 HARDENS = "zero or above: a metal that softens fails where it yields first"
-STRESS = Quantity("MPa", lower=0, allowed=HARDENS, decimals=4)
+STRESS = PhysicalValue("MPa", lower=0, allowed=HARDENS, decimals=4)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,7 +31,7 @@ class Hardening:
     modulus: float = file_key(STRESS, "modulus of linear hardening", default=0.0)
     gain: float = file_key(STRESS, "final gain of Voce's saturating hardening", default=0.0)
     rate: float = file_key(
-        Quantity("1", lower=0, allowed=HARDENS),
+        PhysicalValue("1", lower=0, allowed=HARDENS),
         "rate of saturation: 63% of the gain is reached at a plastic strain of 1 / rate", default=0.0,
     )  # fmt: skip
     table: tuple[tuple[float, float], ...] = ()
@@ -111,14 +111,14 @@ class Metal:
     """
 
     youngs: float = file_key(
-        Quantity("GPa", 0.1, 1000, decimals=4), "Young's modulus", example="114 GPa", default=114e9
+        PhysicalValue("GPa", 0.1, 1000, decimals=4), "Young's modulus", example="114 GPa", default=114e9
     )
-    poisson: float = file_key(Quantity("1", above=-1, below=0.5), "Poisson's ratio", example="0.34", default=0.34)
+    poisson: float = file_key(PhysicalValue("1", above=-1, below=0.5), "Poisson's ratio", example="0.34", default=0.34)
     density: float = file_key(
-        Quantity("kg/m3", 100, 25000, decimals=4), "density", example="4430 kg/m3", default=4430.0
+        PhysicalValue("kg/m3", 100, 25000, decimals=4), "density", example="4430 kg/m3", default=4430.0
     )
     yield_stress: float | None = file_key(
-        Quantity("MPa", decimals=4),
+        PhysicalValue("MPa", decimals=4),
         "stress in tension at which it yields",
         name="yield",
         example="880 MPa",

@@ -23,7 +23,7 @@ from clubface.fem.heads.mesh_repair import Shells, repaired
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import read_mesh
-from clubface.schema import NAME, TEXT, FilePath, Quantity, Simple, Tables, check_values, file_key
+from clubface.schema import NAME, TEXT, FilePath, PhysicalValue, Simple, Tables, check_values, file_key
 from clubface.support.checks import warn_once
 
 SIZES = (0.06, 0.2)
@@ -39,7 +39,7 @@ FACE_COSINE = math.cos(math.radians(45.0))
 """Cosine of the angle to the face normal up to which the ball may touch an element of a face group."""
 
 
-RADIUS = Quantity("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})
+RADIUS = PhysicalValue("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +57,7 @@ class MeshHead:
         FilePath("a path"), "a mesh of triangles and quadrilaterals: Gmsh, Abaqus, Nastran, LS-DYNA, STL or of meshlane"
     )
     unit: str = file_key(TEXT, "unit of the lengths in the mesh", default="mm")
-    loft: float = file_key(Quantity("deg", 0, 75), "elevation of the face normal at the face centre")
+    loft: float = file_key(PhysicalValue("deg", 0, 75), "elevation of the face normal at the face centre")
     bulge: float = file_key(RADIUS, "radius of the face from heel to toe", default=math.inf)
     roll: float = file_key(RADIUS, "radius of the face from sole to crown", default=math.inf)
     face_centre: tuple[Any, Any, Any] = file_key(

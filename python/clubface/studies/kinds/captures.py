@@ -16,7 +16,7 @@ from clubface.capture.synthetic.synthetic_swing import club_of_hand
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError
-from clubface.schema import Choice, Quantity, count
+from clubface.schema import Choice, PhysicalValue, count
 from clubface.simulation.results import inputs
 from clubface.studies.axes import Swept, held_number
 from clubface.studies.kinds.kind import (
@@ -94,7 +94,7 @@ KEYS = {
     "club": ONE_NAME,
     "hand": Choice(HANDS),
     "estimator": Choice(tuple(ESTIMATORS)),
-    **{name: count(*each.limits) if each.limits else Quantity(each.unit or "1") for name, each in NUMBERS.items()},
+    **{name: count(*each.limits) if each.limits else PhysicalValue(each.unit or "1") for name, each in NUMBERS.items()},
     "outputs": OUTPUTS,
 }
 CAPTURES = Kind(name="capture", keys=KEYS, swept=_swept, task=_task)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from clubface.equipment.backends import MODULES
 from clubface.errors import InputError, Wording
-from clubface.schema import Quantity, Record, Simple
+from clubface.schema import PhysicalValue, Record, Simple
 from clubface.simulation.impact import Tally
 from clubface.studies.axes import Swept, inputs_named, number
 from clubface.studies.designs import Design
@@ -182,5 +182,5 @@ def _task(study: DescribedStudy) -> OneByOne:
     return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
 
 
-MAP_KEYS = {**KEYS, **{name: Quantity(unit) for name, unit in PLACE.items()}, "grid": Simple(), "outputs": OUTPUTS}
+MAP_KEYS = {**KEYS, **{name: PhysicalValue(unit) for name, unit in PLACE.items()}, "grid": Simple(), "outputs": OUTPUTS}
 MAPS = Kind(name="map", keys=MAP_KEYS, swept=_swept, task=_task)

@@ -20,7 +20,7 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.read import FOLDER, from_toml
 from clubface.fem.heads.user_mesh import MeshHead
 from clubface.fem.stress import BLOW, peak_stress
-from clubface.schema import Quantity
+from clubface.schema import PhysicalValue
 from clubface.simulation.results import inputs, outputs
 from clubface.studies.axes import Swept, number
 from clubface.studies.kinds.kind import (
@@ -203,7 +203,7 @@ def _changed(design: Any, changes: tuple[tuple[str, float], ...]) -> Any:
 HEAD_KEYS = {
     "head": ONE_NAME,
     "ball": ONE_NAME,
-    **{name: Quantity(unit) for name, unit in PLACE.items()},
+    **{name: PhysicalValue(unit) for name, unit in PLACE.items()},
     "outputs": OUTPUTS,
 }
 MESHED_HEADS = Kind(name="head", keys=HEAD_KEYS, swept=_swept_heads, task=_head_task)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import InputError, RangeWarning, RuleWarning
-from clubface.schema import Quantity
+from clubface.schema import PhysicalValue
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
@@ -166,4 +166,4 @@ def _empty_task(study: DescribedStudy) -> Empty:
     return Empty(study, units.parse(study.table.get("seconds", 0.0), "time", name="seconds"))
 
 
-EMPTY = Kind(name="empty", keys={"seconds": Quantity("s", 0.0, 3600.0)}, swept=_swept_empty, task=_empty_task)
+EMPTY = Kind(name="empty", keys={"seconds": PhysicalValue("s", 0.0, 3600.0)}, swept=_swept_empty, task=_empty_task)

@@ -14,7 +14,7 @@ from clubface.equipment.described import FLAT, HANDS
 from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
 from clubface.equipment.parameters import ParameterSet, read_sets
 from clubface.errors import InputError, UnknownNameError
-from clubface.schema import Choice, Document, Quantity, Record, Simple, Value
+from clubface.schema import Choice, Document, PhysicalValue, Record, Simple, Value
 from clubface.simulation.flight import LEVEL, Air, check_conditions, conditions, ground_of
 from clubface.simulation.inputs import parameter_set, tolerance
 from clubface.simulation.results import flight_inputs, inputs
@@ -38,7 +38,7 @@ OF_AIR = {name: "m" if name == "altitude" else flight_inputs()[name].unit for na
 OF_GROUND = {name: each.unit for name, each in flight_inputs().items() if each.group == "ground"}
 """Units of the numbers of the conditions."""
 HELD = {
-    name: Quantity(each.unit, special={FLAT: math.inf} if name in ("bulge", "roll") else {})
+    name: PhysicalValue(each.unit, special={FLAT: math.inf} if name in ("bulge", "roll") else {})
     for name, each in inputs().items()
     if name != "hand"
 }
