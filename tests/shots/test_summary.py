@@ -27,19 +27,22 @@ def test_means_and_spreads_are_those_of_the_measured_values_of_a_club(bag):
     assert [each.club for each in (driver, seven, wedge)] == ["Dr", "7i", "PW"]
     assert seven.places.tolist() == [0, 2, 5]
     assert seven.spreads["total_spin"][:2] == (2, pytest.approx(np.pi / 30 * 6200, rel=1e-14))
+    assert seven.mishits == ()
     assert seven.spreads["smash"].mean == pytest.approx(1.39, rel=1e-14)
-    assert seven.spreads["carry"] == (3, pytest.approx(158 * YD, rel=1e-14), pytest.approx(2 * YD, rel=1e-14))
-    assert driver.spreads["side"] == (2, 0.0, pytest.approx(np.sqrt(200) * YD, rel=1e-14))
-    assert np.isnan(wedge.spreads["carry"].deviation)
+    assert seven.spreads["carry"][:3] == (3, pytest.approx(158 * YD, rel=1e-14), pytest.approx(2 * YD, rel=1e-14))
+    assert seven.spreads["carry"][-3:] == (3, pytest.approx(158 * YD, rel=1e-14), pytest.approx(2 * YD, rel=1e-14))
+    assert driver.spreads["side"][:3] == (2, 0.0, pytest.approx(np.sqrt(200) * YD, rel=1e-14))
+    assert np.isnan(wedge.spreads["carry"].spread)
     assert "speed" not in driver.spreads
 
 
-def test_gaps_are_differences_of_mean_carries_with_their_errors(bag):
+def test_gaps_are_differences_of_median_carries_with_their_errors(bag):
     driver, seven, wedge = summarize_clubs(launch_monitor.read(bag))
     assert driver.gap is not None
     assert driver.gap.length == pytest.approx((245 - 158) * YD, rel=1e-13)
-    # Standard errors: 5 sqrt(2) / sqrt(2) = 5 yd of two drives, 2 / sqrt(3) yd of three irons.
-    assert driver.gap.error == pytest.approx(np.sqrt(25 + 4 / 3) * YD, rel=1e-13)
+    # Standard errors: 5 sqrt(2) / sqrt(2) = 5 yd of two drives, whose median is the mean, and sqrt(pi / 2) 2 / sqrt(3)
+    # yd of three irons.
+    assert driver.gap.error == pytest.approx(np.sqrt(25 + np.pi / 2 * 4 / 3) * YD, rel=1e-13)
     assert seven.gap is not None
     assert np.isnan(seven.gap.error)
     assert wedge.gap is None
@@ -63,7 +66,7 @@ def test_the_command_prints_a_table_and_draws_a_picture(clubface_, bag, tmp_path
     assert ["Dr", "2", "148.0", "2.8", "1.460", "0.014", "2500", "245.0", "7.1", "0.0", "14.1", "87.0"] in rows
     message = " ".join(ran.out.split())
     assert "total_spin in 1 of 6 shots, such as -21474836480 rpm" in message
-    assert "total spin was not measured in every shot: 1 of 2 of Dr, 2 of 3 of 7i" in message
+    assert "1 of 2 of Dr, 2 of 3 of 7i" in message
     assert "the gap between 7i and PW is not sure: 38.0 yd with a single shot" in message
     assert "between Dr and 7i" not in message
     assert picture.read_text().count("<svg") == 1

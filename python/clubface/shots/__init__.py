@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         measured_shots as measured_shots,
         ready_shots as ready_shots,
     )
+    from clubface.shots.mishits import Mishit as Mishit, Statistic as Statistic, find_mishits as find_mishits
     from clubface.shots.monitors import (
         FORMATS as FORMATS,
         format_result as format_result,
@@ -43,6 +44,7 @@ _HOME = {
     **dict.fromkeys(("Field", "Format"), "formats"),
     **dict.fromkeys(("LoftOrigin", "loft_origins"), "loft_origin"),
     **dict.fromkeys(("MeasuredShots", "ReadyShots", "measured_shots", "ready_shots"), "measured"),
+    **dict.fromkeys(("Mishit", "Statistic", "find_mishits"), "mishits"),
     **dict.fromkeys(("FORMATS", "format_result", "formats_result"), "monitors"),
     "read": "reading",
     **dict.fromkeys(("RejectedRow", "assume_values", "join_sessions"), "recorded"),

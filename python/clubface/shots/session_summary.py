@@ -1,4 +1,4 @@
-"""A summary of each club of a player in a session: number of shots, means and spreads, and the gaps in carry."""
+"""A summary of each club of a player in a session: number of shots, medians, spreads, mishits, and gaps in carry."""
 
 from __future__ import annotations
 
@@ -12,18 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError, Wording
+from clubface.quantities import quantity
 from clubface.results.notes import Note, free_text, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
-from clubface.results.table import Table, column, table, text
+from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.club_names import same_club
+from clubface.shots.mishits import Mishit, Statistic, find_mishits, is_mishit, statistic
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.recorded_result import rejected_table, session_table
 from clubface.support.arrays import Floats
 from clubface.units import from_si
 
-__all__ = ["ClubSummary", "Gap", "SessionSpread", "session_picture", "session_result", "summarize_clubs"]
+__all__ = ["ClubSummary", "Gap", "session_picture", "session_result", "summarize_clubs"]
 
 QUANTITIES = (
     "speed", "ball_speed", "smash", "attack", "launch", "azimuth", "total_spin", "spin_axis", "carry", "side", "total",
@@ -33,31 +35,12 @@ SURE = 2.0
 """Standard errors that a gap must have to be one."""
 FEWEST = 3
 """Shots from which an ellipse is drawn."""
-
-
-class SessionSpread(NamedTuple):
-    """One quantity of the shots of a club, SI.
-
-    Attributes
-    ----------
-    shots
-        The shots in which it was measured.
-    mean, deviation
-        Mean, and standard deviation from shot to shot (NaN for a single shot).
-    """
-
-    shots: int
-    mean: float
-    deviation: float
-
-    @property
-    def error(self) -> float:
-        """Standard error of the mean."""
-        return self.deviation / math.sqrt(self.shots)
+MISHIT = "mishits, not counted"
+"""Their name in a legend."""
 
 
 class Gap(NamedTuple):
-    """The carry of a club less that of the next shorter one, and the standard error of it [m]."""
+    """The median carry of a club less that of the next shorter one, and the standard error of it [m]."""
 
     length: float
     error: float
@@ -77,6 +60,8 @@ class ClubSummary:
         Its shots among those of the session.
     spreads
         What was measured, by quantity.
+    mishits
+        Its shots that are far off, each with the reason; ``place`` counts the shots of the session.
     gap
         How much further it carries than the next shorter club of the player; None for the shortest, or without carry.
     """
@@ -84,8 +69,14 @@ class ClubSummary:
     player: str
     club: str
     places: NDArray[np.intp]
-    spreads: Mapping[str, SessionSpread]
+    spreads: Mapping[str, Statistic]
+    mishits: tuple[Mishit, ...]
     gap: Gap | None
+
+    @property
+    def mishit_places(self) -> list[int]:
+        """The places of its mishits among the shots of the session."""
+        return list(dict.fromkeys(each.place for each in self.mishits))
 
     @property
     def title(self) -> str:
@@ -113,41 +104,41 @@ def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> li
             known[name] = next((each for each in groups if same_club(each, name)), name)
         groups.setdefault(known[name], []).append(place)
     values = shots.deliveries | shots.launches
-    clubs = [(name, np.array(places), _spreads(values, places)) for name, places in groups.items()]
-    length = "carry" if any("carry" in each for _, _, each in clubs) else "ball_speed"
-    clubs.sort(key=lambda each: -each[2][length].mean if length in each[2] else math.inf)
+    clubs = [(name, np.array(places), *_spreads(values, places)) for name, places in groups.items()]
+    length = "carry" if any("carry" in each for _, _, each, _ in clubs) else "ball_speed"
+    clubs.sort(key=lambda each: -each[2][length].median if length in each[2] else math.inf)
     shorter = [*(each[2] for each in clubs[1:]), {}]
     return [
-        ClubSummary(player, name, whole[places], spreads, _gap(spreads.get("carry"), after.get("carry")))
-        for (name, places, spreads), after in zip(clubs, shorter, strict=True)
-    ]
+        ClubSummary(player, name, whole[places], spreads,
+                    tuple(each._replace(place=int(whole[places[each.place]])) for each in mishits),
+                    _gap(spreads.get("carry"), after.get("carry")))
+        for (name, places, spreads, mishits), after in zip(clubs, shorter, strict=True)
+    ]  # fmt: skip
 
 
-def _spreads(values: Mapping[str, Floats], places: list[int]) -> dict[str, SessionSpread]:
-    spreads = {}
-    for name in QUANTITIES:
-        measured = values[name][places] if name in values else np.empty(0)
-        measured = measured[np.isfinite(measured)]
-        if measured.size:
-            deviation = float(measured.std(ddof=1)) if measured.size > 1 else math.nan
-            spreads[name] = SessionSpread(measured.size, float(measured.mean()), deviation)
-    return spreads
+def _spreads(values: Mapping[str, Floats], places: list[int]) -> tuple[dict[str, Statistic], list[Mishit]]:
+    chosen = {name: each[places] for name, each in values.items()}
+    mishits = find_mishits(chosen)
+    mask = is_mishit(mishits, len(places))
+    spreads = {name: each for name in QUANTITIES if name in chosen and (each := statistic(chosen[name], mask))}
+    return spreads, mishits
 
 
-def _gap(longer: SessionSpread | None, shorter: SessionSpread | None) -> Gap | None:
+def _gap(longer: Statistic | None, shorter: Statistic | None) -> Gap | None:
     if longer is None or shorter is None:
         return None
-    return Gap(longer.mean - shorter.mean, math.hypot(longer.error, shorter.error))
+    return Gap(longer.median - shorter.median, math.hypot(longer.error, shorter.error))
 
 
 def session_result(shots: RecordedShots) -> Result:
-    """Return counts, means, spreads and gaps of each club, with the picture of where its shots land."""
+    """Return counts, medians, spreads, mishits and gaps of each club, with the picture of where its shots land."""
     clubs = summarize_clubs(shots)
     return Result(
         "session-summary",
         f"{shots.source} ({shots.format})",
         tables=(
             _clubs_table(clubs),
+            mishits_table(shots, clubs),
             session_table(shots),
             rejected_table(shots.rejected, shots.row_word),
         ),
@@ -168,15 +159,22 @@ def _clubs_table(clubs: Sequence[ClubSummary]) -> Table:
         text("club", [each.club for each in clubs], printed=False),
         text("named", [each.club or "without a name" for each in clubs], label="club", in_files=False),
         text("shots", [each.places.size for each in clubs]),
-    ]
+        text("mishits", [len(each.mishit_places) for each in clubs],
+             printed=any(each.mishits for each in clubs)),
+    ]  # fmt: skip
     for name in measured:
         spreads = [each.spreads.get(name) for each in clubs]
+
+        def numbers(statistic: str, spreads: Sequence[Statistic | None] = spreads) -> list[float]:
+            return [math.nan if each is None else getattr(each, statistic) for each in spreads]
+
         columns += [
-            column(name, [math.nan if each is None else each.mean for each in spreads]),
-            column(f"{name}_deviation", [math.nan if each is None else each.deviation for each in spreads], name,
-                   label="±"),
-            text(f"{name}_shots", [0 if each is None else each.shots for each in spreads], printed=False),
-        ]  # fmt: skip
+            column(f"{name}_median", numbers("median"), name, label=quantity(name).label),
+            column(f"{name}_spread", numbers("spread"), name, label="±"),
+            column(name, numbers("mean"), printed=False),
+            column(f"{name}_deviation", numbers("deviation"), name, printed=False),
+            text(f"{name}_shots", [0 if each is None else each.measured for each in spreads], printed=False),
+        ]
     if any(each.gap for each in clubs):
         gaps = [each.gap or Gap(math.nan, math.nan) for each in clubs]
         columns += [
@@ -186,10 +184,28 @@ def _clubs_table(clubs: Sequence[ClubSummary]) -> Table:
     return table("clubs", *columns)
 
 
+def mishits_table(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Table:
+    """Return the mishits of the clubs: where each stands in the file, and what is far off, with its median."""
+    rows = [(club, each) for club in clubs for each in club.mishits]
+    off = [quantity(each.quantity) for _, each in rows]
+    return table(
+        "mishits",
+        text("line", [int(shots.rows[each.place]) for _, each in rows], label=shots.row_word),
+        None if shots.files is None else text("file", [str(shots.files[each.place]) for _, each in rows]),
+        text("player", [club.player for club, _ in rows], printed=any(club.player for club, _ in rows)),
+        text("club", [club.club for club, _ in rows], printed=any(club.club for club, _ in rows)),
+        text("quantity", [each.quantity for _, each in rows], printed=False),
+        text("reason", [each.label for each in off], label="far off", in_files=False),
+        Column("value", [each.value for _, each in rows], off),
+        Column("median", [each.median for _, each in rows], off),
+        title="Mishits, which are in no median, spread or gap",
+    )  # fmt: skip
+
+
 def _remarks(clubs: Sequence[ClubSummary]) -> Iterator[Note]:
-    yield note("session-deviation")
+    yield note("session-median" if any(each.mishits for each in clubs) else "session-median-of-all")
     for name in dict.fromkeys(name for each in clubs for name in each.spreads):
-        counts = [(each, each.spreads[name].shots) for each in clubs if name in each.spreads]
+        counts = [(each, each.spreads[name].measured) for each in clubs if name in each.spreads]
         if few := [f"{count} of {each.places.size} of {each.title}" for each, count in counts
                    if count < each.places.size]:  # fmt: skip
             yield note("session-partly-measured", quantity=name.replace("_", " "), counts=few)
@@ -205,6 +221,8 @@ def _remarks(clubs: Sequence[ClubSummary]) -> Iterator[Note]:
 def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Picture:
     """Return the picture of a session: where shots land, with an ellipse of one standard deviation, carries and gaps.
 
+    Mishits are grey crosses; ellipses, carries and gaps are without them.
+
     Raises
     ------
     InputError
@@ -219,13 +237,17 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
         if "side" in each.spreads:
             landings += _landings(shots, each, place)
         carry = each.spreads["carry"]
-        spread = 0.0 if carry.shots < 2 else carry.deviation
-        carries.append(Mark("intervals", x=[place], y=[carry.mean], y0=[carry.mean - spread], y1=[carry.mean + spread],
-                            style=place, symbol=str(place), size=5.0))  # fmt: skip
-        label = f"{from_si(carry.mean, 'yd'):.0f}" + (f"\ngap {from_si(each.gap.length, 'yd'):.0f}" if each.gap else "")
+        spread = 0.0 if carry.shots < 2 else carry.spread
+        carries.append(Mark("intervals", x=[place], y=[carry.median], y0=[carry.median - spread],
+                            y1=[carry.median + spread], style=place, symbol=str(place), size=5.0))  # fmt: skip
+        label = f"{from_si(carry.median, 'yd'):.0f}"
+        label += f"\ngap {from_si(each.gap.length, 'yd'):.0f}" if each.gap else ""
         carries.append(
-            Mark("points", x=[place], y=[carry.mean], texts=[label], style=place, symbol=str(place), size=5.0)
+            Mark("points", x=[place], y=[carry.median], texts=[label], style=place, symbol=str(place), size=5.0)
         )
+        if each.mishits:
+            far = shots.launches["carry"][each.mishit_places]
+            carries.append(Mark("points", x=[place] * len(far), y=far, style=-1, symbol="x", size=4.0, label=MISHIT))
     names = [f"{each.player}: {each.club or 'without a name'}" if each.player else each.club or "without a name"
              for each in drawn]  # fmt: skip
     ends = [shots.launches["carry"][each.places] for each in drawn]
@@ -236,23 +258,28 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
             carries,
             Axis(names=names, limits=(-0.5, len(names) - 0.5)),
             carry_axis,
-            "carry, standard deviation, and gap to the next club (yd)",
+            "median carry, spread, and gap to the next club",
         )
     ]
     if len(landings) > 1:
         panels.insert(0, Panel(landings, axis("side", "side, to the right"), carry_axis,
                                "landings, one standard deviation"))  # fmt: skip
+    footnote = "grey crosses: mishits, not counted" if any(each.mishits for each in drawn) else ""
     return Picture("session", "Where the shots of each club land, and how far the clubs carry", [panels], height=4.4,
-                   share_y=True)  # fmt: skip
+                   share_y=True, footnote=footnote)  # fmt: skip
 
 
 def _landings(shots: RecordedShots, club: ClubSummary, place: int) -> Iterator[Mark]:
     """Yield the landings of a club, and their ellipse where there are enough."""
-    points = np.array([shots.launches[name][club.places] for name in ("side", "carry")])
-    points = points[:, np.isfinite(points).all(axis=0)]
+    off = np.isin(club.places, club.mishit_places)
+    every = np.array([shots.launches[name][club.places] for name in ("side", "carry")])
+    known = np.isfinite(every).all(axis=0)
+    points, far = every[:, known & ~off], every[:, known & off]
     yield Mark(
         "points", x=points[0], y=points[1], label=club.title, style=place, symbol=str(place), size=3.0, faint=True
     )
+    if far.size:
+        yield Mark("points", x=far[0], y=far[1], label=MISHIT, style=-1, symbol="x", size=4.0)
     if points.shape[1] >= FEWEST:
         sizes, directions = np.linalg.eigh(np.cov(points))
         turn = np.linspace(0.0, 2.0 * np.pi, 73)

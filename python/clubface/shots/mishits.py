@@ -1,0 +1,156 @@
+"""Mishits, and what is typical of the other shots: the one robust rule by which shots of a club are summed up.
+
+A topped drive moves the mean of ten by as much as a new driver would, so that medians come first, and spreads are those
+of the shots that were hit as usual. A shot is a mishit if its ball speed or carry falls short, or its launch angle or
+start direction is off, by more than ``FARTHEST`` robust standard deviations of the shots of the same club, and by an
+amount that anybody sees (``LEAST``). The robust standard deviation is 1.4826 times the median absolute deviation; the
+limit of 3.5 is that of B. Iglewicz and D. C. Hoaglin, How to detect and handle outliers, ASQC Quality Press, 1993; and
+n / (n - 0.8) corrects it for a small number n of shots (C. Croux and P. J. Rousseeuw, Time-efficient algorithms for
+two highly robust estimators of scale, Computational Statistics 1, 411-428, 1992).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.support.arrays import Floats
+from clubface.units import to_si
+
+__all__ = ["Mishit", "Statistic", "difference_error", "find_mishits", "is_mishit", "statistic"]
+
+FARTHEST = 3.5
+"""Robust standard deviations beyond which a shot is a mishit."""
+LEAST = {"ball_speed": 0.1, "carry": 0.15, "launch": to_si(6.0, "deg"), "azimuth": to_si(10.0, "deg")}
+"""By how much a mishit falls short of the median, as a part of it, or how far its angle is off [rad]; assumed."""
+SHORT = ("ball_speed", "carry")
+"""Quantities of which only too little is a mishit."""
+FEWEST = 5
+"""Shots of a club from which a mishit is one; of fewer, none is known to be."""
+MOST = 1 / 3
+"""Part of the shots above which they are of two kinds, as full and half swings are, and none is a mishit."""
+
+
+class Mishit(NamedTuple):
+    """A quantity that makes a shot a mishit, SI.
+
+    Attributes
+    ----------
+    place
+        The shot, counted from 0.
+    quantity
+        What is far off.
+    value, median
+        That of the shot, and the median of all shots.
+    """
+
+    place: int
+    quantity: str
+    value: float
+    median: float
+
+
+class Statistic(NamedTuple):
+    """One quantity of the shots of a club, SI.
+
+    Attributes
+    ----------
+    shots
+        Number of shots in which it was measured, mishits left out.
+    median, spread
+        Median of them, and standard deviation from shot to shot (NaN for a single shot).
+    low, high
+        Two of three of them lie between.
+    measured
+        Number of shots in which it was measured, mishits among them.
+    mean, deviation
+        Mean and standard deviation of all of these.
+    """
+
+    shots: int
+    median: float
+    spread: float
+    low: float
+    high: float
+    measured: int
+    mean: float
+    deviation: float
+
+    @property
+    def error(self) -> float:
+        """Standard error of the median: that of the mean of normally distributed shots times the root of pi / 2.
+
+        The factor is that of many shots. Of two, the median is the mean, and of few it is too large by some per cent.
+        """
+        return math.sqrt((math.pi / 2.0 if self.shots > 2 else 1.0) / self.shots) * self.spread
+
+    @property
+    def margin(self) -> float:
+        """Half of the 95% interval of the median by Student's t; NaN for a single shot."""
+        return math.nan if self.shots < 2 else _student(self.shots - 1) * self.error
+
+
+def find_mishits(values: Mapping[str, Floats]) -> list[Mishit]:
+    """Return why which shots of one club are mishits, shot by shot; ``values`` hold their quantities [SI] by name."""
+    reasons = []
+    for name, least in LEAST.items():
+        measured = values.get(name, np.empty(0))
+        known = measured[np.isfinite(measured)]
+        if known.size < FEWEST:
+            continue
+        middle = float(np.median(known))
+        robust = 1.4826 * known.size / (known.size - 0.8) * float(np.median(np.abs(known - middle)))
+        if name in SHORT:
+            off = measured < middle - max(FARTHEST * robust, least * abs(middle))
+        else:
+            off = np.abs(measured - middle) > max(FARTHEST * robust, least)
+        reasons += [Mishit(int(place), name, float(measured[place]), middle) for place in np.flatnonzero(off)]
+    count = max((each.size for each in values.values()), default=0)
+    if len({each.place for each in reasons}) > MOST * count:
+        return []
+    return sorted(reasons, key=lambda each: each.place)
+
+
+def is_mishit(mishits: list[Mishit], count: int) -> NDArray[np.bool_]:
+    """Return which of ``count`` shots are among the ``mishits``."""
+    mask = np.zeros(count, dtype=np.bool_)
+    mask[[each.place for each in mishits]] = True
+    return mask
+
+
+def statistic(values: Floats, mishit: NDArray[np.bool_] | None = None) -> Statistic | None:
+    """Return the figures of measured values, of which the mask says which are of mishits; None if there are none.
+
+    Where nothing but mishits was measured, they are what there is.
+    """
+    known = np.isfinite(values)
+    every = values[known]
+    if not every.size:
+        return None
+    usual = every if mishit is None else values[known & ~mishit]
+    usual = usual if usual.size else every
+    low, high = np.quantile(usual, [1 / 6, 5 / 6])
+    spread, deviation = (float(each.std(ddof=1)) if each.size > 1 else math.nan for each in (usual, every))
+    return Statistic(int(usual.size), float(np.median(usual)), spread, float(low), float(high), int(every.size),
+                     float(every.mean()), deviation)  # fmt: skip
+
+
+def difference_error(one: Statistic, other: Statistic) -> float:
+    """Return half of the 95% interval of the difference of two medians, whose spreads may differ (Welch, 1947)."""
+    parts = [each.error**2 for each in (one, other)]
+    total = sum(parts)
+    if total == 0.0:
+        return 0.0
+    freedom = total**2 / sum(part**2 / (each.shots - 1) for part, each in zip(parts, (one, other), strict=True))
+    return _student(freedom) * math.sqrt(total)
+
+
+def _student(freedom: float) -> float:
+    """Return the value of Student's t that 95% lie within."""
+    from scipy.special import stdtrit
+
+    return float(stdtrit(freedom, 0.975))
