@@ -22,13 +22,14 @@ version = release = installed_version("clubface")
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
-    "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
+    "built_pages",
     "core_tables",
     "errata_tables",
     "findings_tables",
     "flight_tables",
     "findings_tour",
+    "mathml",
     "notebook_pages",
     "published_tables",
     "validation_tables",
@@ -36,6 +37,7 @@ extensions = [
 exclude_patterns = ["_build"]
 html_theme = "furo"
 html_title = f"clubface {release}"
+html_math_renderer = "mathml"
 html_static_path = ["_static"]
 html_css_files = ["clubface.css"]
 
