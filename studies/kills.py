@@ -212,7 +212,8 @@ COMMANDS = (
         ("--resume",), ("fit.toml",),
     ),
     Command(
-        "fem sweep", ("fem", "sweep", "--speed", "30:45:15", "--loft", "8,10", "-o", "sweep"), (), ("sweep/sweep.csv",)
+        "fem sweep", ("fem", "sweep", "--speed", "30:45:15", "--loft", "8,10", "-o", "sweep"), (),
+        ("sweep/sweep.csv",), at_once=True,
     ),
     Command(
         "fem face", ("fem", "face", "paper", "--toe", "-10:10:20", "--high", "0", "-o", "face"), (), ("face/face.csv",)

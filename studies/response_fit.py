@@ -34,7 +34,8 @@ from clubface.errors import ClubfaceError
 from clubface.fem.balls import Ball, ball
 from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
-from clubface.fem.sweep import ResumableTable
+from clubface.jobs import Job
+from clubface.jobs.table import Place, Row, run_table
 from clubface.present.style import legend_above, save
 from clubface.simulation import core
 from clubface.simulation.results import inputs, outputs
@@ -283,14 +284,16 @@ def run(
         shots = {place: inputs_of(one_shot(each.club, each.delivery, ball)) for place, each in planned.items()}
     sums = {place: _sum([*inputs, planned[place].friction]) for place, inputs in shots.items()}
 
-    def one(place: tuple[int, int], keep_going: Any, threads: int) -> dict[str, Any]:
-        return {**_row(place, planned[place], ball, keep_going), "inputs": sums[place]}
+    def one(place: Place, keep_going: Any, threads: int) -> Row:
+        strike_of = int(place[0]), int(place[1])
+        return {**_row(strike_of, planned[strike_of], ball, keep_going), "inputs": sums[strike_of]}
 
-    places = {place: (float(place[0]), float(place[1])) for place in planned}
-    rows = ResumableTable(path, {"ball": ball.values()}, COLUMNS, {"stopped": str, "inputs": str}).fill(
-        places, one, what="strikes", workers=workers, progress=progress,
-        is_of=lambda place, row: row["inputs"] == sums[place],
+    job = Job(
+        "strikes", [(float(part), float(number)) for part, number in planned], one,
+        accepts=lambda place, row: row["inputs"] == sums[int(place[0]), int(place[1])],
     )  # fmt: skip
+    columns = {**dict.fromkeys(COLUMNS, float), "stopped": str, "inputs": str}
+    rows = run_table(job, path, {"ball": ball.values()}, columns, workers=workers, progress=progress)
     pairs = [(place, row) for place, row in zip(planned, rows, strict=True) if not row["stopped"]]
     return Strikes(
         np.array([place[0] for place, _ in pairs]),

@@ -11,9 +11,8 @@ import pytest
 import clubface
 from clubface import fem, shots as launch_monitor
 from clubface.errors import ClubfaceError, FileError, InputError, UnitError
-from clubface.fem.sweep import ResumableTable
-from clubface.inference.identification.run import Checkpoint
-from clubface.inference.identification.simulator import Effort
+from clubface.jobs import Job, Store
+from clubface.jobs.table import run_table
 from clubface.schema.document import MOST_PARTS, Document
 from clubface.shots.reading import read_shots
 from clubface.shots.tables.cells import NUMBER
@@ -139,10 +138,6 @@ def test_a_damaged_number_of_a_mesh_is_named_by_its_line(tmp_path, write, old, n
     refused(lambda: fem.head(own), "head.msh:", words)
 
 
-def checkpoint(path):
-    return Checkpoint(path, {"set of shots": "these"}, Effort(0, 0), resume=True)
-
-
 @pytest.mark.parametrize(
     "damage",
     [
@@ -156,25 +151,22 @@ def checkpoint(path):
         lambda data: b"",
     ],
 )
-def test_what_is_damaged_of_a_checkpoint_is_computed_anew(tmp_path, damage):
-    path = tmp_path / "fit.checkpoint"
-    begun = checkpoint(path)
-    begun.keep("fold 1", [0.125, 2.0], Effort(1, 2))
-    begun.close()
-    begun = checkpoint(path)
-    assert begun.value("fold 1") == [0.125, 2.0]
-    begun.close()
+def test_what_is_damaged_of_a_store_is_computed_anew(tmp_path, damage):
+    path, content = tmp_path / "fit.checkpoint", {"set of shots": "these"}
+    value = {"value": [0.125, 2.0], "evaluations": 1, "other": float("nan")}
+    with Store(path, content) as store:
+        store.keep("fold 1", value)
+    with Store(path, content) as store:
+        assert repr(store["fold 1"]) == repr(value)
     kept = path / "values.jsonl"
     damaged = damage(kept.read_bytes())
     assert damaged != kept.read_bytes()
     kept.write_bytes(damaged)
-    begun = checkpoint(path)
-    assert begun.value("fold 1") is None
-    begun.keep("fold 1", [0.125, 2.0], Effort(1, 2))
-    begun.close()
-    begun = checkpoint(path)
-    assert begun.value("fold 1") == [0.125, 2.0]
-    begun.close()
+    with Store(path, content) as store:
+        assert "fold 1" not in store
+        store.keep("fold 1", value)
+    with Store(path, content) as store:
+        assert repr(store["fold 1"]) == repr(value)
 
 
 @pytest.mark.parametrize(
@@ -191,12 +183,11 @@ def test_what_is_damaged_of_a_checkpoint_is_computed_anew(tmp_path, damage):
 def test_a_damaged_table_of_a_sweep_is_one_line(tmp_path, damage, line):
     path = tmp_path / "sweep.csv"
 
-    def table():
-        return ResumableTable(path, {"case": "a case"}, ("toe", "high", "force"), {})
+    def table(*places):
+        job = Job("runs", places, lambda place, *_: {"toe": place[0], "high": place[1], "force": 5000})
+        run_table(job, path, {"case": "a case"}, dict.fromkeys(("toe", "high", "force"), float), workers=1)
 
-    table().fill(
-        {1: (0.0, 0.0)}, lambda *_: {"toe": 0.0, "high": 0.0, "force": 5000}, what="runs", workers=1, progress=None
-    )
+    table((0.0, 0.0))
     table()
     path.write_bytes(damage(path.read_bytes()))
     refused(table, f"sweep.csv:{line}: ")
@@ -316,16 +307,3 @@ def test_endless_work_and_all_memory_end_the_process_apart_and_nothing_else(tmp_
     with pytest.raises(processes.IsolatedError, match=r"^a b$"):
         process.call("broken")
     assert process.call("echo", {"points": np.arange(3.0)})["points"].tolist() == [0.0, 1.0, 2.0]
-
-
-def test_a_store_says_of_itself_whether_it_is_whole(tmp_path):
-    from clubface.jobs import Store
-
-    with Store(tmp_path / "store", {}) as store:
-        store.keep("a", {"rows": 3, "value": float("nan")})
-    with Store(tmp_path / "store", {}) as store:
-        assert store["a"]["rows"] == 3
-    kept = tmp_path / "store" / "values.jsonl"
-    kept.write_text(kept.read_text().replace('"rows": 3', '"rows": 4'))
-    with Store(tmp_path / "store", {}) as store:
-        assert "a" not in store

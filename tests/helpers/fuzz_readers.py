@@ -30,11 +30,10 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.parameters import read_sets
 from clubface.fem.case import Case
-from clubface.fem.sweep import ResumableTable
 from clubface.inference.file import infer_shots
-from clubface.inference.identification.run import Checkpoint
-from clubface.inference.identification.simulator import Effort
 from clubface.inference.prior import Prior
+from clubface.jobs import Job, Store
+from clubface.jobs.table import Place, Row, run_table
 from clubface.schema import Document
 from clubface.shots.formats import mapping_of
 from clubface.shots.open_connect_messages import Broken, MessageError, ObjectStream, from_json, recorded
@@ -399,14 +398,14 @@ def _checkpoint(path: Path) -> None:
         folder = Path(within) / "fit.checkpoint"
         _begin_checkpoint(folder)
         shutil.copy(path, next(folder.glob(VALUES)))
-        Checkpoint(folder, CHECKPOINT, Effort(0, 0), resume=True).close()
+        Store(folder, CHECKPOINT).close()
 
 
 def _begin_checkpoint(folder: Path) -> None:
-    kept = Checkpoint(folder, CHECKPOINT, Effort(0, 0))
-    for part in range(3):
-        kept.keep(f"fold {part}", [0.1 * part, float("nan"), "text"], Effort(3, 7))
-    kept.close()
+    with Store(folder, CHECKPOINT) as store:
+        for part in range(3):
+            value = [0.1 * part, float("nan"), "text"]
+            store.keep(f"fold {part}", {"value": value, "evaluations": 3, "impacts": 7, "seconds": 0.5})
 
 
 def _checkpoints() -> list[bytes]:
@@ -416,17 +415,21 @@ def _checkpoints() -> list[bytes]:
 
 
 def _sweep(path: Path) -> None:
-    ResumableTable(path, {"case": "a case"}, SWEEP, {"stopped": str})
+    _fill_sweep(path)
+
+
+def _fill_sweep(path: Path, *places: Place) -> None:
+    def row(place: Place, *_: object) -> Row:
+        toe, high = place
+        return {"toe": toe, "high": high, "force": 5e3 + toe, "stopped": "an edge, at last" if toe else ""}
+
+    columns = {**dict.fromkeys(SWEEP, float), "stopped": str}
+    run_table(Job("runs", places, row), path, {"case": "a case"}, columns, workers=1)
 
 
 def _sweeps() -> list[bytes]:
     path = _folder() / "sweep.csv"
-
-    def row(toe: float, *_: object) -> dict[str, object]:
-        return {"toe": toe, "high": 0.0, "force": 5e3 + toe, "stopped": "an edge, at last" if toe else ""}
-
-    table = ResumableTable(path, {"case": "a case"}, SWEEP, {"stopped": str})
-    table.fill({toe: (toe, 0.0) for toe in (0.0, 0.01, 0.02)}, row, what="runs", workers=1, progress=None)
+    _fill_sweep(path, (0.0, 0.0), (0.01, 0.0), (0.02, 0.0))
     return [path.read_bytes()]
 
 

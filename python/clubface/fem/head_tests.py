@@ -21,7 +21,8 @@ from clubface.fem.materials import Material
 from clubface.fem.result import Impact
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
-from clubface.fem.sweep import ResumableTable
+from clubface.jobs.engine import Job
+from clubface.jobs.table import Place, Row, run_table
 from clubface.jobs.workers import worker_count
 from clubface.results.notes import note
 from clubface.results.pictures import Axis, Mark, Panel, Picture
@@ -199,7 +200,7 @@ def face_map(
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-) -> list[dict[str, Any]]:
+) -> list[Row]:
     """Simulate restitution and characteristic time of a head at points of its face.
 
     Parameters
@@ -240,27 +241,28 @@ def face_map(
             # A reduced model refuses points outside the face.
             impact(made.club, speed=COR_SPEED, loft=0.0, toe=toe, high=high, ball=struck.rigid)
 
-    def measure(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
-        where: dict[str, Any] = {"toe": point[0], "high": point[1], "threads": threads, "progress": keep_going}
+    points_of = {_millimetres(point): point for point in points}
+
+    def measure(place: Place, keep_going: Progress, threads: int) -> Row:
+        toe, high = points_of[place]
+        where: dict[str, Any] = {"toe": toe, "high": high, "threads": threads, "progress": keep_going}
+        restored, time, stopped = math.nan, math.nan, ""
         try:
-            measured = restitution(made, ball=struck, **where)
-            return _row(point, measured, characteristic_time(made, **where))
+            restored = restitution(made, ball=struck, **where)
+            time = characteristic_time(made, **where)
         except RunError as error:
-            return _row(point, math.nan, math.nan, str(error))
+            restored, stopped = math.nan, str(error)
+        return dict(zip(COLUMNS, (*place, restored, units.from_si(time, "us"), stopped), strict=True))
 
     # Rows are only reused if the tests were the same.
     tests = [COR_SPEED, STRIKER_SPEED, striker().values()]
     content = {"head": made, "ball": struck.values(), "test": tests}
-    table = ResumableTable(output, content, COLUMNS, {"stopped": str})
-    places = {point: _millimetres(point) for point in points}
-    return table.fill(places, measure, what="points", workers=workers, progress=progress)
+    columns: dict[str, Callable[[str], Any]] = {**dict.fromkeys(COLUMNS, float), "stopped": str}
+    job = Job("points", list(points_of), measure)
+    return run_table(job, output, content, columns, workers=workers, progress=progress)
 
 
-def _row(point: tuple[float, float], restitution: float, time: float, stopped: str = "") -> dict[str, Any]:
-    return dict(zip(COLUMNS, (*_millimetres(point), restitution, units.from_si(time, "us"), stopped), strict=True))
-
-
-def _millimetres(point: tuple[float, float]) -> tuple[float, float]:
+def _millimetres(point: tuple[float, float]) -> Place:
     """Return a point [mm] as it was given: without the rounding of the way to m and back."""
     toe, high = (round(units.from_si(value, "mm"), 9) for value in point)
     return toe, high

@@ -1,157 +1,27 @@
-"""Sweeps of a case over speeds and lofts, one run on each core, and tables of long computations that resume."""
+"""Sweeps of a case over speeds and lofts, one run on each core."""
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from clubface import units
-from clubface.errors import FileError, InputError
+from clubface.errors import InputError
 from clubface.fem import paper
 from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
 from clubface.fem.impact_result import columns_of
 from clubface.fem.pictures import sweep_picture
 from clubface.fem.result import Impact
-from clubface.jobs.engine import Job, run as run_job
-from clubface.jobs.store import Finished, Store, unfinished_folder
-from clubface.jobs.workers import in_threads, worker_count
+from clubface.jobs.engine import Job
+from clubface.jobs.table import Place, Row, run_table
+from clubface.jobs.workers import worker_count
 from clubface.results.result import Result
 from clubface.results.table import Table
-from clubface.support.files import prepared_folder
-from clubface.support.fingerprint import fingerprint
 
 __all__ = ["grid", "sweep", "sweep_result"]
-
-P = TypeVar("P")
-
-
-class ResumableTable:
-    """Rows by their first two columns, in a CSV file where one is given; its first line has a fingerprint of the case.
-
-    Rows that are finished are kept in a store next to the file until all are, and then written together, those of the
-    file that were not asked for this time after them.
-
-    Parameters
-    ----------
-    path
-        The file; None keeps the rows for this run alone.
-    content
-        The inputs that the rows depend on, by the names that messages use: numbers, texts, arrays, data classes, and
-        lists and mappings of these. A table of anything else is refused.
-    columns
-        Names of the columns.
-    kinds
-        How to read columns that are no floats.
-    """
-
-    def __init__(
-        self,
-        path: str | os.PathLike[str] | None,
-        content: Mapping[str, Any],
-        columns: Sequence[str],
-        kinds: Mapping[str, Callable[[str], Any]],
-    ) -> None:
-        self._path = None if path is None else Path(path)
-        self._content = content
-        self._columns, self._kinds = tuple(columns), kinds
-        self._rows: dict[tuple[float, ...], dict[str, Any]] = {}
-        self._mark = "# case " + fingerprint(list(content.values()))[:16]
-        if self._path is not None:
-            prepared_folder(self._path.parent)
-            if self._path.exists():
-                self._read(self._path)
-
-    def _read(self, path: Path) -> None:
-        lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]
-        if lines[:1] != [self._mark] or lines[1:2] != [",".join(self._columns)]:
-            raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
-        # Each line by itself: a quotation mark in a damaged one must not swallow the others.
-        for number, line in enumerate(lines[2:], 3):
-            try:
-                (cells,) = csv.reader([line], strict=True)
-                pairs = zip(self._columns, cells, strict=True)
-                self._keep({name: self._kinds.get(name, float)(text) for name, text in pairs})
-            except (ValueError, csv.Error):
-                raise FileError(str(path), number, "this is not a row of the table; remove it") from None
-
-    def fill(
-        self,
-        places: Mapping[P, tuple[float, float]],
-        run: Callable[[P, Progress, int], dict[str, Any]],
-        *,
-        what: str,
-        workers: int | None,
-        progress: Callable[[int, int], object] | None,
-        is_of: Callable[[P, Mapping[str, Any]], bool] = lambda point, row: True,
-    ) -> list[dict[str, Any]]:
-        """Run what has no row yet, side by side, a row kept as each ends; return the rows of all.
-
-        Parameters
-        ----------
-        places
-            What is run, and the values of the first two columns of its row.
-        run
-            As for :func:`clubface.jobs.workers.in_threads`; returns a row.
-        what
-            What is run, in the plural, for people.
-        workers
-            Runs at a time; left out, as many as there are cores.
-        progress
-            Called with the rows there are and the rows in all.
-        is_of
-            Whether a row that is there is of what is run now; if not, it is run again.
-        """
-        rows = {point: self._rows[_key(place)] for point, place in places.items() if _key(place) in self._rows}
-        rows = {point: row for point, row in rows.items() if is_of(point, row)}
-        with self._store(len(rows) == len(places)) as store:
-            job = Job(what, list(places), run, lambda point: ",".join(map(repr, places[point])), is_of)
-            rows = run_job(job, partial(in_threads, workers=workers), store=store, finished=rows, progress=progress)
-            for name in store:
-                self._keep(store[name])
-            for row in rows.values():
-                self._keep(row)
-            if self._path is not None and store.folder is not None:
-                store.write_result(self._path, lambda file: file.write(self._text(list(rows.values()))))
-                store.remove()
-        return list(rows.values())
-
-    def _store(self, complete: bool) -> Finished:
-        """Return the store of what is not in the table yet."""
-        if self._path is None:
-            return Finished()
-        folder = unfinished_folder(self._path)
-        if complete and not folder.exists():
-            return Finished()
-        remedy = f"finish that with the same command, or remove {folder}"
-        return Store(folder, self._content, output=self._path, remedy=remedy)
-
-    def _text(self, first: Sequence[dict[str, Any]]) -> bytes:
-        """Return the table, some rows first."""
-        text = io.StringIO()
-        out = csv.writer(text, lineterminator="\n")
-        keys = dict.fromkeys([*map(self._key_of, first), *self._rows])
-        for row in (self._rows[key] for key in keys):
-            out.writerow([row[name] if isinstance(row[name], str) else repr(row[name]) for name in self._columns])
-        return f"{self._mark}\n{','.join(self._columns)}\n{text.getvalue()}".encode()
-
-    def _keep(self, row: dict[str, Any]) -> None:
-        self._rows[self._key_of(row)] = row
-
-    def _key_of(self, row: Mapping[str, Any]) -> tuple[float, ...]:
-        return _key([row[name] for name in self._columns[:2]])
-
-
-def _key(place: Sequence[float]) -> tuple[float, ...]:
-    """Return values without the rounding of units on their way."""
-    return tuple(round(value, 9) for value in place)
-
 
 COLUMNS = (
     "speed_mps", "loft_deg", "ball_speed_mps", "launch_deg", "spin_rpm", "club_speed_after_mps", "peak_force_n",
@@ -159,8 +29,6 @@ COLUMNS = (
     "stopped",
 )  # fmt: skip
 """Columns of the table, one row a run."""
-
-_KINDS: dict[str, Callable[[str], Any]] = {"steps": int, "stopped": str}
 MOST = 10_000
 
 
@@ -189,7 +57,7 @@ def sweep(
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-) -> list[dict[str, Any]]:
+) -> list[Row]:
     """Run a case at every speed and loft.
 
     Parameters
@@ -219,14 +87,16 @@ def sweep(
     for speed in (min(speeds), max(speeds)):
         for loft in (min(lofts), max(lofts)):
             base.replace(speed=speed, loft=loft)
-    table = ResumableTable(output, _content(base), COLUMNS, _KINDS)
+    lofts_of = {(speed, _degrees(loft)): loft for speed, loft in points}
 
-    def run(point: tuple[float, float], keep_going: Progress, threads: int) -> dict[str, Any]:
-        each = base.replace(speed=point[0], loft=point[1], settings={"threads": threads})
-        return row_of(point, each.run(keep_going))
+    def run(place: Place, keep_going: Progress, threads: int) -> Row:
+        loft = lofts_of[place]
+        impact = base.replace(speed=place[0], loft=loft, settings={"threads": threads}).run(keep_going)
+        return row_of((place[0], loft), impact)
 
-    places = {point: (point[0], _degrees(point[1])) for point in points}
-    return table.fill(places, run, what="runs", workers=workers, progress=progress)
+    columns: dict[str, Callable[[str], Any]] = {**dict.fromkeys(COLUMNS, float), "steps": int, "stopped": str}
+    job = Job("runs", list(lofts_of), run)
+    return run_table(job, output, _content(base), columns, workers=workers, progress=progress)
 
 
 def sweep_result(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Result:

@@ -1,4 +1,4 @@
-"""Identification from start to end: its stages, and the checkpoint from which an interrupted one goes on."""
+"""Identification from start to end: its stages, each of whose parts is kept so that an interrupted one goes on."""
 
 from __future__ import annotations
 
@@ -48,78 +48,6 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, is_count
 from clubface.support.files import recorded
 
-
-class Checkpoint:
-    """The finished parts of an identification, by name, in a store where one is wanted.
-
-    Numbers are written with all their digits, so that what is read is what was computed, bit for bit.
-
-    Parameters
-    ----------
-    folder
-        Of the store; None keeps nothing.
-    content
-        What the identification is of, by name.
-    effort
-        Counts what is computed.
-    resume
-        Whether to refuse a store of something else, instead of beginning anew in its place.
-
-    Attributes
-    ----------
-    resumed
-        Whether something was read.
-    """
-
-    def __init__(
-        self, folder: str | os.PathLike[str] | None, content: Mapping[str, Any], effort: Effort, *, resume: bool = False
-    ) -> None:
-        self._effort = effort
-        self._parts = Finished() if folder is None else Store(Path(folder), content, resume=resume)
-        self._before = max((self._parts[name]["seconds"] for name in self._parts), default=0.0)
-        self._began = time.monotonic()
-        self.resumed = bool(self._parts.resumed)
-
-    @property
-    def seconds(self) -> float:
-        """Time spent on what is finished, by earlier runs as well [s]."""
-        return self._before + time.monotonic() - self._began
-
-    @property
-    def spent(self) -> Effort:
-        """What the finished parts took, by earlier runs as well."""
-        parts = [self._parts[name] for name in self._parts]
-        return Effort(*(sum(part[key] for part in parts) for key in ("evaluations", "impacts")))
-
-    def keep(self, name: str, value: Any, spent: Effort) -> None:
-        """Record a finished part, made of what JSON has, and what it took."""
-        effort = {"evaluations": spent.evaluations, "impacts": spent.impacts, "seconds": self.seconds}
-        self._parts.keep(name, {"value": value, **effort})
-
-    def value(self, name: str) -> Any:
-        """Return the value of a part, None where it is not finished."""
-        return self._parts[name]["value"] if name in self._parts else None
-
-    def once(self, name: str, compute: Callable[[], Any]) -> Any:
-        """Return the value of a part: as recorded, or computed and recorded now."""
-        if name not in self._parts:
-            before = Effort(self._effort.evaluations, self._effort.impacts)
-            value = compute()
-            self.keep(name, value, self._effort.since(before))
-        return self._parts[name]["value"]
-
-    def __len__(self) -> int:
-        return len(self._parts)
-
-    def remove(self) -> None:
-        """Remove what is kept: the work is done."""
-        self._parts.remove()
-
-    def close(self) -> None:
-        """Keep what is finished for another time."""
-        self._parts.close()
-
-
 FEWEST_GROUPS = 10
 """Fewer groups of shots than these can be drawn in too few ways for a bootstrap alone."""
 
@@ -139,8 +67,8 @@ class Stages:
         Standard deviation of each quantity [SI].
     settings
         What was asked for.
-    checkpoint
-        Keeps the parts.
+    store
+        The finished parts: the value of each, which JSON holds with all its digits, and what it took.
     progress
         Called after every part.
     best
@@ -151,16 +79,32 @@ class Stages:
     cost: Cost
     noise: Floats
     settings: Mapping[str, Any]
-    checkpoint: Checkpoint
+    store: Finished
     progress: Progress | None
     best: float = np.inf
+
+    def __post_init__(self) -> None:
+        self._began = time.monotonic() - max((self.store[name]["seconds"] for name in self.store), default=0.0)
+
+    @property
+    def seconds(self) -> float:
+        """Time spent on what is finished, by earlier runs as well [s]."""
+        return time.monotonic() - self._began
+
+    @property
+    def spent(self) -> Effort:
+        """What the finished parts took, by earlier runs as well."""
+        parts = [self.store[name] for name in self.store]
+        return Effort(*(sum(part[key] for part in parts) for key in ("evaluations", "impacts")))
 
     def search(self) -> Population:
         """Return the last generation of the genetic algorithm."""
         total, shots = self.settings["generations"], len(self.simulator.shots)
-        kept = self.checkpoint.value("search")
-        begun = None if kept is None else Population(kept[0], np.array(kept[1]), np.array(kept[2]))
-        effort = Effort() if kept is None else self.checkpoint.spent
+        begun, effort = None, Effort()
+        if "search" in self.store:
+            effort = self.spent
+            generation, points, costs = self.store["search"]["value"]
+            begun = Population(generation, np.array(points), np.array(costs))
 
         def costs_of(points: Floats) -> Floats:
             effort.add(len(points), shots)
@@ -169,10 +113,10 @@ class Stages:
         def keep(survivors: Population) -> None:
             self.best = float(survivors.costs.min())
             value = [survivors.generation, survivors.points.tolist(), survivors.costs.tolist()]
-            self.checkpoint.keep("search", value, effort)
+            self._keep("search", value, effort)
             self._report("search", survivors.generation, total)
 
-        if begun is not None and (begun.generation >= total or self.checkpoint.value("refined 0") is not None):
+        if begun is not None and (begun.generation >= total or "refined 0" in self.store):
             return begun
         return search(
             costs_of, len(self.simulator.free), population=self.settings["population"], generations=total,
@@ -224,7 +168,7 @@ class Stages:
             source="; ".join([f"clubface identify: {self.settings['cost']} cost", *files]),
             caveats=(*(each.sentence for each in warnings), f"{100 * confidence:g}% intervals: {spans}"),
         )  # fmt: skip
-        spent = self.checkpoint.spent
+        spent = self.spent
         return Identification(
             model=free.fixed.model, club=shots.club.name, parameters=parameters, free=free.names,
             intervals=intervals, confidence=confidence,
@@ -232,7 +176,7 @@ class Stages:
             cost=min(costs), cost_holdout=float("nan") if held is None else self.cost.value(held),
             cost_kind=self.settings["cost"],
             deviations=deviations,
-            evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.checkpoint.seconds, shots=len(shots),
+            evaluations=spent.evaluations, impacts=spent.impacts, wall_s=self.seconds, shots=len(shots),
             dropped=shots.dropped, refined=tuple(costs), samples=samples, held_out=held,
             identifiability=information, profiles=profiles, at_bound=at_bound(free, point),
             warnings=warnings, notes=notes, settings=dict(self.settings), loft_origins=shots.loft_origins,
@@ -257,7 +201,7 @@ class Stages:
         if not names:
             return {}
         profiler = Profiler(self.simulator, noise, information.errors)
-        optimum = np.array(self.checkpoint.once("most likely", lambda: profiler.most_likely(point).tolist()))
+        optimum = np.array(self._once("most likely", lambda: profiler.most_likely(point).tolist()))
         once = self._reporting("profiles", len(names))
 
         def compute(place: int) -> list[Any]:
@@ -302,13 +246,25 @@ class Stages:
         if self.progress is not None:
             self.progress(stage, done, total, self.best)
 
+    def _keep(self, name: str, value: Any, spent: Effort) -> None:
+        effort = {"evaluations": spent.evaluations, "impacts": spent.impacts, "seconds": self.seconds}
+        self.store.keep(name, {"value": value, **effort})
+
+    def _once(self, name: str, compute: Callable[[], Any]) -> Any:
+        """Return the value of a part: the kept one, or one that is computed and kept now."""
+        if name not in self.store:
+            before = replace(self.simulator.effort)
+            value = compute()
+            self._keep(name, value, self.simulator.effort.since(before))
+        return self.store[name]["value"]
+
     def _reporting(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:
-        """Return ``once`` of the checkpoint, which tells how far the stage is."""
+        """Return :meth:`_once` for the parts of a stage, whose progress it reports."""
         done = 0
 
         def once(name: str, compute: Callable[[], Any]) -> Any:
             nonlocal done
-            value = self.checkpoint.once(name, compute)
+            value = self._once(name, compute)
             done += 1
             self._report(stage, done, total)
             return value
@@ -479,8 +435,7 @@ def identify(
     notes = list(prepared.notes)
     deviations = noise_of(prepared.quantities, noise)
     cores, tight = thread_count(threads), tolerance(accuracy)
-    effort = Effort()
-    simulator = Simulator(prepared, chosen, accuracy=tight, threads=cores, effort=effort)
+    simulator = Simulator(prepared, chosen, accuracy=tight, threads=cores)
     start = chosen.points(np.array([fixed.values[name] for name in chosen.names], dtype=float))
     notes += check_information(simulator, start, deviations)
     judged = cost_of(cost, prepared.launches, prepared.quantities, noise=noise, normaliser=normaliser)
@@ -501,16 +456,14 @@ def identify(
         "parameter": fixed.values,
         **settings,
     }
-    kept = Checkpoint(checkpoint, content, effort, resume=resume)
-    stages = Stages(simulator, judged, deviations, settings, kept, progress)
-    try:
-        identification = stages.result(tuple(notes))
-        kept.remove()
-    except KeyboardInterrupt:
-        if checkpoint is None or not len(kept):
-            raise
-        message = f"interrupted: what is finished is kept in {os.fspath(checkpoint)}; the same command goes on after it"
-        raise KeyboardInterrupt(message) from None
-    finally:
-        kept.close()
+    with Finished() if checkpoint is None else Store(Path(checkpoint), content, resume=resume) as store:
+        stages = Stages(simulator, judged, deviations, settings, store, progress)
+        try:
+            identification = stages.result(tuple(notes))
+        except KeyboardInterrupt:
+            if store.folder is None or not len(store):
+                raise
+            message = f"interrupted: what is finished is kept in {store.folder}; the same command goes on after it"
+            raise KeyboardInterrupt(message) from None
+        store.remove()
     return identification
