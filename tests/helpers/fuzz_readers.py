@@ -338,7 +338,7 @@ def _mesh(path: Path) -> None:
 def _study(path: Path) -> None:
     path.with_name("own.toml").write_bytes(STUDY)
     asked = studies.read_study(path)
-    made = asked.kind.prepare(asked)
+    made = asked.task
     asked.content()
     if asked.kind.name in ("impact", "comparison", "dispersion", "best-loft") and asked.design.count < 100:
         made.run(range(1))

@@ -18,7 +18,7 @@ def computed(folder, kind, table, sweep, study=""):
     path = folder / "study.toml"
     path.write_text(f'[study]\nkind = "{kind}"\n{study}\n[{kind}]\n{table}\n[sweep]\n{sweep}\n')
     study = read_study(path)
-    result = study.kind.prepare(study).run(range(study.design.count))
+    result = study.task.run(range(study.design.count))
     assert not result.failed, result.failed
     return result.columns
 

@@ -7,7 +7,6 @@ import clubface
 from clubface import studies
 from clubface.equipment.backends import OWN
 from clubface.errors import FileError
-from clubface.studies.kinds.kind import kind
 from clubface.studies.study import read_study
 from study_files import shots
 
@@ -16,7 +15,7 @@ pytest.importorskip("pyarrow")
 
 def computed(path):
     study = read_study(path)
-    return study, kind("impact").prepare(study).run(range(study.design.count))
+    return study, study.task.run(range(study.design.count))
 
 
 def test_tasks_are_single_shots_and_their_flights(tmp_path):
@@ -149,7 +148,7 @@ def test_finite_elements_are_swept_as_every_other_model(tmp_path):
     study, result = computed(shots(tmp_path, text=text))
     launch = clubface.impact("driver", model="fem", ball="reference", speed="45 mph")
     assert result.columns["ball_speed"][0] == launch.ball_speed  # on one thread as on all
-    assert "processor" in kind("impact").prepare(study).depends_on
+    assert "processor" in study.task.depends_on
 
 
 def shots_of_speeds(speeds, more=""):

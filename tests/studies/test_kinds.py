@@ -16,8 +16,7 @@ from clubface.design.strokes import Hole
 from clubface.errors import FileError
 from clubface.fem import head_tests
 from clubface.fem.case import case
-from clubface.studies.kinds.kind import KINDS, kind
-from clubface.studies.study import read_study
+from clubface.studies.study import KINDS, kind, read_study
 from clubface.units import to_si
 
 pytest.importorskip("pyarrow")

@@ -9,7 +9,6 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from importlib import import_module
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -87,7 +86,9 @@ class BestLoft(Described):
 
     def to_result(self) -> Result:
         """Return the best lofts as a result."""
-        return import_module("clubface.design.best_loft_result").best_loft_result(self)
+        from clubface.design.best_loft_result import best_loft_result
+
+        return best_loft_result(self)
 
 
 def best_loft(
@@ -245,7 +246,9 @@ class ChartComparison(Described):
 
     def to_result(self) -> Result:
         """Return best lofts and chart as a result."""
-        return import_module("clubface.design.best_loft_result").chart_result(self)
+        from clubface.design.best_loft_result import chart_result
+
+        return chart_result(self)
 
 
 def compare_with_chart(chart: str, **options: Any) -> ChartComparison:

@@ -9,7 +9,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import Any, BinaryIO, Literal, NamedTuple
 
@@ -429,7 +428,9 @@ class Dispersion(Described):
 
     def to_result(self) -> Result:
         """Return the dispersion as a result; :func:`dispersion_result` adds what spreads the shots."""
-        return import_module("clubface.design.dispersion_result").dispersion_result(self)
+        from clubface.design.dispersion_result import dispersion_result
+
+        return dispersion_result(self)
 
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse of the landings that holds a share of them."""

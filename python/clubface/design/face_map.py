@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -169,7 +168,9 @@ class _Mapped(Described):
 
     def all_points(self) -> Table:
         """Return :meth:`columns` as a table."""
-        return import_module("clubface.design.face_map_result").points_table(self)
+        from clubface.design.face_map_result import points_table
+
+        return points_table(self)
 
     def to_result(self, quantities: Sequence[str] = (), scatter: Sequence[Forgiveness] = ()) -> Result:
         """Return the map as a result.
@@ -181,7 +182,9 @@ class _Mapped(Described):
         scatter
             What scattered impacts cost, from :meth:`FaceMap.forgiveness` of each map.
         """
-        return import_module("clubface.design.face_map_result").face_map_result(self, quantities, scatter)
+        from clubface.design.face_map_result import face_map_result
+
+        return face_map_result(self, quantities, scatter)
 
 
 class FaceMap(_Mapped):

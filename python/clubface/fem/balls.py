@@ -7,7 +7,6 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -210,8 +209,9 @@ class Ball:
 
     def to_result(self) -> Result:
         """Return the meshed ball compared with what was asked for and the rules."""
-        # Imported by name, since impact_result imports this module.
-        return import_module("clubface.fem.impact_result").ball_result(self)
+        from clubface.fem.impact_result import ball_result
+
+        return ball_result(self)
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from importlib import import_module
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -294,8 +293,9 @@ class Impact(Described):
 
     def to_result(self) -> Result:
         """Return launch, contact, histories and pictures as a result."""
-        # Imported by name, since impact_result imports this module.
-        return import_module("clubface.fem.impact_result").impact_result(self)
+        from clubface.fem.impact_result import impact_result
+
+        return impact_result(self)
 
     def relative_velocity(self) -> NDArray[Any]:
         """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -117,15 +116,19 @@ class Result:
 
         ``tables`` are further ones, or replacements, by the name of their file.
         """
-        write_folder = import_module("clubface.present.folder").write_folder
+        from clubface.present.folder import write_folder
+
         return write_folder(self, folder, pages=(".html", ".md"), tables=tables)
 
     def _repr_html_(self) -> str:
-        # Found by name, since presentation stands above results.
-        return import_module("clubface.present.notebook").as_fragment(self)
+        from clubface.present.notebook import as_fragment
+
+        return as_fragment(self)
 
     def __str__(self) -> str:
-        return import_module("clubface.present.terminal").as_text(self)
+        from clubface.present.terminal import as_text
+
+        return as_text(self)
 
 
 class Described:

@@ -59,8 +59,8 @@ from clubface.studies.designs import (
     design,
     table_columns,
 )
-from clubface.studies.kinds.kind import KINDS, Column, Computed, DescribedStudy, Kind, Task, kind
-from clubface.support.checks import MOST_SEED
+from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, Task
+from clubface.support.checks import MOST_SEED, check_choice
 from clubface.support.files import InputRecord, absolute
 
 SAMPLED = (HYPERCUBE, SOBOL)
@@ -68,6 +68,34 @@ MOST_ROWS = 500_000
 """Largest number of tasks of a chunk."""
 SECONDS = 2.0
 """Time that a chunk takes by default [s], about."""
+KINDS = ("impact", "comparison", "map", "dispersion", "best-loft", "optimise", "fem", "head", "capture", "empty")
+"""The kinds of studies."""
+
+
+def kind(name: str) -> Kind:
+    """Return a kind of study by name, whose module is imported now: some take a second."""
+    check_choice("kind", name, KINDS)
+    if name in ("comparison", "map"):
+        from clubface.studies.kinds.comparisons import COMPARISONS, MAPS
+
+        kinds = (COMPARISONS, MAPS)
+    elif name in ("dispersion", "optimise"):
+        from clubface.studies.kinds.golfers import DISPERSIONS, OPTIMISATIONS
+
+        kinds = (DISPERSIONS, OPTIMISATIONS)
+    elif name in ("fem", "head"):
+        from clubface.studies.kinds.fem import CASES, MESHED_HEADS
+
+        kinds = (CASES, MESHED_HEADS)
+    elif name == "capture":
+        from clubface.studies.kinds.captures import CAPTURES
+
+        kinds = (CAPTURES,)
+    else:
+        from clubface.studies.kinds.impacts import BEST_LOFTS, EMPTY, IMPACTS
+
+        kinds = (IMPACTS, BEST_LOFTS, EMPTY)
+    return next(each for each in kinds if each.name == name)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

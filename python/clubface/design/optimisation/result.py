@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -166,7 +165,9 @@ class Optimum(Described):
 
     def to_result(self) -> Result:
         """Return the optimum as a result."""
-        return import_module("clubface.design.optimisation.optimum_result").optimum_result(self)
+        from clubface.design.optimisation.optimum_result import optimum_result
+
+        return optimum_result(self)
 
     def placed(self) -> list[PointMass]:
         """Return point masses that are one way to place the discretionary mass; empty where no mass moves."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -92,7 +91,9 @@ class Improved(Described):
 
     def to_result(self) -> Result:
         """Return the best head, its limits and all designs as a result."""
-        return import_module("clubface.design.shells.result").search_result(self)
+        from clubface.design.shells.search_result import search_result
+
+        return search_result(self)
 
 
 def improve(

@@ -19,17 +19,7 @@ from clubface.errors import InputError
 from clubface.schema import Choice, PhysicalValue, count
 from clubface.simulation.results import inputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import (
-    ONE_NAME,
-    OUTPUTS,
-    Column,
-    DescribedStudy,
-    Kind,
-    OneByOne,
-    Values,
-    chosen_columns,
-    loaded,
-)
+from clubface.studies.kinds.kind import ONE_NAME, OUTPUTS, Column, DescribedStudy, Kind, OneByOne
 from clubface.support.checks import MOST_SEED
 
 COUNTED = Swept("1", limits=(0, MOST_SEED))
@@ -63,14 +53,14 @@ def _task(study: DescribedStudy) -> OneByOne:
     if "swing" not in {*held, *(each.name for each in study.design.axes)}:
         raise InputError("swing", None, "sweep it, as in swing = { from = 0, to = 199, step = 1 }")
 
-    clubs = loaded(study, "club", club_of, held["club"])
+    clubs = study.load("club", club_of, held["club"])
 
     @lru_cache(maxsize=len(ESTIMATORS))
     def reader(club: str, hand: str | None, cameras: Cameras, estimator: str, roughness: float) -> Any:
         made = club_of_hand(clubs[club], hand)
         return made, prepare(positions_map(made, cameras), made, estimator=estimator, roughness=roughness)
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         how = {**held, **task}
         cameras = replace(Cameras(), **{name: how[name] for name in OF_CAMERAS if name in how})
         club, ready = reader(how["club"], how["hand"], cameras, how["estimator"], how["roughness"])
@@ -87,7 +77,7 @@ def _task(study: DescribedStudy) -> OneByOne:
 
     columns = _columns()
     usual = tuple(name for name in columns if name.endswith("_error"))
-    return OneByOne(study, chosen_columns(table, columns, usual), compute)
+    return OneByOne(study, study.columns(columns, usual), compute)
 
 
 KEYS = {

@@ -15,16 +15,7 @@ from clubface.simulation.impact import Tally
 from clubface.studies.axes import Swept, inputs_named, number
 from clubface.studies.designs import Design
 from clubface.studies.kinds.impacts import IMPACTS as IMPACT, Impacts
-from clubface.studies.kinds.kind import (
-    OUTPUTS,
-    Column,
-    Computed,
-    DescribedStudy,
-    Kind,
-    OneByOne,
-    Values,
-    chosen_columns,
-)
+from clubface.studies.kinds.kind import OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
 
 OTHER = "other"
@@ -152,7 +143,7 @@ def _task(study: DescribedStudy) -> OneByOne:
     held |= {name: number(name, table[name], unit) for name, unit in PLACE.items() if name in table}
     given = {*held, *(each.name for each in study.design.axes)}
     scatters = {"spread_toe", "spread_high"} <= given
-    columns = chosen_columns(table, _columns(), (*FACE, *(SCATTERED if scatters else ())))
+    columns = study.columns(_columns(), (*FACE, *(SCATTERED if scatters else ())))
     if not scatters and (named := [name for name in columns if name not in FACE]):
         raise InputError("spread_toe", None, f'give it and spread_high, as in spread_toe = "10 mm", for {named[0]}')
     if not scatters and (idle := [each for each in PLACE if each != "share" and each in {*table, *study.sweep}]):
@@ -160,7 +151,7 @@ def _task(study: DescribedStudy) -> OneByOne:
     if (grid := table.get("grid")) is not None:
         grid = checked_grid(grid)
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         place = {**held, **task}
         shot = shot_inputs.single(task)
         alone: dict[str, Any] = {"workers": 1} if shot["model"] in MODULES else {}

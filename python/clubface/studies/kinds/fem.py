@@ -23,18 +23,7 @@ from clubface.fem.stress import BLOW, peak_stress
 from clubface.schema import PhysicalValue
 from clubface.simulation.results import inputs, outputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import (
-    ONE_NAME,
-    OUTPUTS,
-    Column,
-    DescribedStudy,
-    Kind,
-    OneByOne,
-    Values,
-    chosen_columns,
-    loaded,
-    resolved,
-)
+from clubface.studies.kinds.kind import ONE_NAME, OUTPUTS, Column, DescribedStudy, Kind, OneByOne, resolved
 from clubface.support.files import input_file, path_of
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
@@ -80,19 +69,19 @@ def _case_task(study: DescribedStudy) -> OneByOne:
 
     swept = {each.name for each in study.design.axes}
     readers: dict[str, Callable[[Any], Any]] = {"ball": ball_of, "club": head_of if base.head == MESHED else club_of}
-    parts = {name: loaded(study, name, read) for name, read in readers.items() if name in swept}
+    parts = {name: study.load(name, read) for name, read in readers.items() if name in swept}
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         impact = _varied(base, {**task, **{name: each[task[name]] for name, each in parts.items()}}).run()
         if impact.stopped:
             raise RunError(impact.stopped)
         return {**{name: getattr(impact, name) for name in CONTACT}, **impact.outcome()}
 
-    columns = chosen_columns(study.table, every, tuple(name for name in USUAL_OF_CASES if name in every))
+    columns = study.columns(every, tuple(name for name in USUAL_OF_CASES if name in every))
     return OneByOne(study, columns, compute, elements=True)
 
 
-def _varied(base: Case, task: Values) -> Case:
+def _varied(base: Case, task: Mapping[str, Any]) -> Case:
     """Return a case with what a task sweeps, ball and club as such."""
     changes = {name: each for name, each in task.items() if name not in SETTINGS}
     settings = {"threads": 1, **{name: task[name] for name in SETTINGS if name in task}}
@@ -145,19 +134,19 @@ def _head_task(study: DescribedStudy) -> OneByOne:
     swept = {each.name for each in study.design.axes}
     if "head" not in {*swept, *table}:
         raise InputError("head", None, 'give it, as in head = "paper"')
-    designs = loaded(study, "head", lambda each: from_toml(path_of("head", each, FOLDER)))
+    designs = study.load("head", lambda each: from_toml(path_of("head", each, FOLDER)))
     for each in designs.values():
         if isinstance(each, MeshHead):
             input_file(each.file)
-    balls = loaded(study, "ball", ball_of)
+    balls = study.load("ball", ball_of)
     held = {name: number(name, table[name], unit) for name, unit in PLACE.items() if name in table}
-    columns = chosen_columns(table, COLUMNS, USUAL_OF_HEADS)
+    columns = study.columns(COLUMNS, USUAL_OF_HEADS)
 
     @lru_cache(maxsize=1)
     def meshed(name: str, changes: tuple[tuple[str, float], ...]) -> MeshedHead:
         return _changed(designs[name], changes).mesh()
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         how = {**held, **task}
         changes = tuple((name, each) for name, each in task.items() if name in designed)
         made = meshed(task.get("head", table.get("head")), changes)

@@ -23,17 +23,7 @@ from clubface.schema import Items, Record, count, entries
 from clubface.simulation.inputs import DIMENSIONS, OF_CLUB
 from clubface.simulation.results import flight_outputs, inputs, outputs
 from clubface.studies.axes import Swept, held_number
-from clubface.studies.kinds.kind import (
-    ONE_NAME,
-    OUTPUTS,
-    Column,
-    DescribedStudy,
-    Kind,
-    OneByOne,
-    Values,
-    chosen_columns,
-    loaded,
-)
+from clubface.studies.kinds.kind import ONE_NAME, OUTPUTS, Column, DescribedStudy, Kind, OneByOne
 from clubface.studies.kinds.shot_inputs import BY_GROUP, KEYS, ShotInputs, swept_conditions, swept_shots
 from clubface.support.checks import MOST_SEED
 
@@ -141,7 +131,7 @@ def _dispersion_task(study: DescribedStudy) -> OneByOne:
     for name, value in table.get("held", {}).items():
         if name in DIMENSIONS:
             raise _of_golfer(name, value)
-    golfers = loaded(study, "golfer", golfer_of)
+    golfers = study.load("golfer", golfer_of)
     clubs = {} if "club" in {*table, *swept} else {name: club_of(each.club) for name, each in golfers.items()}
     held = None
     if "hole" in table:
@@ -149,11 +139,11 @@ def _dispersion_task(study: DescribedStudy) -> OneByOne:
             raise InputError("hole", table["hole"], 'a table with the length, as in hole = { length = "400 yd" }')
         held = Hole(**{"length": "400 yd", **table["hole"]})
     plays = held is not None or "hole_length" in swept
-    columns = chosen_columns(table, _columns(tuple(percentiles)), (*USUAL, *(ON_A_HOLE if plays else ())))
+    columns = study.columns(_columns(tuple(percentiles)), (*USUAL, *(ON_A_HOLE if plays else ())))
     if not plays and (named := [name for name in ON_A_HOLE if name in columns]):
         raise InputError("hole", None, f'give it, as in hole = {{ length = "400 yd" }}, for {named[0]}')
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         name = task.get("golfer", table.get("golfer"))
         golfer, own = changed_golfer(golfers[name], task), clubs.get(name)
         options = shot_inputs.single(task, None if own is None else own.replace(hand=golfer.hand))
@@ -216,7 +206,7 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
     if not isinstance(asked, DesignStudy):
         raise InputError("file", study.table["file"], "one with variables: a fitting chooses among parts")
     swept = {each.name for each in study.design.axes}
-    parts = {name: loaded(study, name, read) for name, read in READERS.items() if name in swept}
+    parts = {name: study.load(name, read) for name, read in READERS.items() if name in swept}
     every = {
         name: Column(_unit(JUDGED_DIMENSIONS[name]), f"of the best club: {name.replace('_', ' ')}")
         for name in asked.variables.fields
@@ -231,7 +221,7 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
         }
     every["alike"] = Column("1", "share of the starts of the solver that end as well as the best")
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         optimum = optimise(changed_study(asked, {**task, **{name: each[task[name]] for name, each in parts.items()}}))
         figures = {**optimum.club, "alike": optimum.alike / optimum.starts}
         for name in asked.objectives:
@@ -239,10 +229,10 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
             figures[f"{name}_error"] = optimum.fresh.error("start", name)
         return figures
 
-    return OneByOne(study, chosen_columns(study.table, every, tuple(every)), compute)
+    return OneByOne(study, study.columns(every, tuple(every)), compute)
 
 
-def changed_study(study: DesignStudy, task: Values) -> DesignStudy:
+def changed_study(study: DesignStudy, task: Mapping[str, Any]) -> DesignStudy:
     """Return an optimisation with what a task sweeps, those of ``READERS`` read; golfers change all in the same way."""
     ends = {"variables": dict(study.bounds), "limits": dict(study.limits)}
     for name, value in task.items():

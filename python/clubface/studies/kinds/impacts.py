@@ -16,16 +16,7 @@ from clubface.simulation.flight import fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds.kind import (
-    OUTPUTS,
-    Column,
-    Computed,
-    DescribedStudy,
-    Kind,
-    OneByOne,
-    Values,
-    chosen_columns,
-)
+from clubface.studies.kinds.kind import OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.checks import without_warnings
 
@@ -42,7 +33,7 @@ class Impacts:
     def __init__(self, study: DescribedStudy) -> None:
         self._design, self._shot_inputs = study.design, ShotInputs(study)
         every = {name: Column(each.unit, each.meaning) for name, each in {**outputs(), **flight_outputs()}.items()}
-        self.columns = chosen_columns(study.table, every, USUAL)
+        self.columns = study.columns(every, USUAL)
         self._flies = any(name in flight_outputs() for name in self.columns)
         self.depends_on = self._shot_inputs.depends_on
 
@@ -115,14 +106,14 @@ def _best_loft_task(study: DescribedStudy) -> OneByOne:
     if "loft" in study.table.get("held", {}):
         raise InputError("loft", study.table["held"]["loft"], "left out: the best is looked for")
 
-    def compute(task: Values) -> dict[str, Any]:
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         options = shot_inputs.single(task)
         best = best_loft(**options.pop("delivery"), **options, **shot_inputs.conditions.at(task))
         within = best.within[0]
         figures = {name: getattr(best, name)[0] for name in ("ball_speed", "launch", "spin", "carry", "total")}
         return {**figures, "best_loft": best.loft[0], "within_below": within[0], "within_above": within[1]}
 
-    return OneByOne(study, chosen_columns(study.table, COLUMNS, tuple(COLUMNS)), compute)
+    return OneByOne(study, study.columns(COLUMNS, tuple(COLUMNS)), compute)
 
 
 BEST_LOFTS = Kind(name="best-loft", keys={**KEYS, "outputs": OUTPUTS}, swept=_swept_best_lofts, task=_best_loft_task)

@@ -1,8 +1,8 @@
-"""Kinds of studies: their interface, their list, and tasks computed one after the other.
+"""The interface of kinds of studies, and tasks computed one after the other.
 
 A study names its kind, gives it a table of its own, and sweeps what the kind says may be swept. From the study the kind
 makes a task, whose columns at any index follow from the study and the index alone. Another kind is a ``Kind`` in a
-module next to this one, and a line in ``KINDS``.
+module next to this one, and its name in :func:`clubface.studies.study.kind`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, TypeVar
 
@@ -77,6 +76,21 @@ class DescribedStudy:
     folder: Path
     wrap: Callable[[ClubfaceError], FileError]
 
+    def load(self, key: str, read: Callable[[Any], T], default: str | None = None) -> dict[Any, T]:
+        """Return what is named under a key of the kind's table, or swept there, by that name, each read now.
+
+        ``read`` takes a name, or the path of a file from the folder of the study.
+        """
+        swept = next((each.choices for each in self.design.axes if each.name == key), None)
+        return {each: read(resolved(each, self.folder)) for each in swept or [self.table.get(key, default)]}
+
+    def columns(self, every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
+        """Return the columns that the kind's table asks for by ``outputs``, or the usual ones."""
+        names = self.table.get("outputs", usual)
+        for place, name in enumerate(names):
+            check_choice(f"outputs[{place}]", name, every)
+        return {name: every[name] for name in names}
+
 
 @dataclass(frozen=True, kw_only=True)
 class Kind:
@@ -111,55 +125,14 @@ class Kind:
             raise study.wrap(error) from None
 
 
-def loaded(study: DescribedStudy, key: str, load: Callable[[Any], T], unless_given: str | None = None) -> dict[Any, T]:
-    """Return what a study names under a key of its kind's table, or sweeps there, by that name, each read now.
-
-    ``load`` takes a name, or the path of a file from the folder of the study.
-    """
-    swept = next((each.choices for each in study.design.axes if each.name == key), None)
-    return {each: load(resolved(each, study.folder)) for each in swept or [study.table.get(key, unless_given)]}
-
-
 def resolved(named: Any, folder: Path) -> Any:
     """Return a name as it is, and the path of a file from the folder of the study."""
     return folder / named if isinstance(named, str) and is_path(named) else named
 
 
-def chosen_columns(table: Mapping[str, Any], every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
-    """Return the columns that the table of a kind asks for by ``outputs``, or the usual ones."""
-    names = table.get("outputs", usual)
-    for place, name in enumerate(names):
-        check_choice(f"outputs[{place}]", name, every)
-    return {name: every[name] for name in names}
-
-
-KINDS = {
-    "impact": "impacts.IMPACTS",
-    "comparison": "comparisons.COMPARISONS",
-    "map": "comparisons.MAPS",
-    "dispersion": "golfers.DISPERSIONS",
-    "best-loft": "impacts.BEST_LOFTS",
-    "optimise": "golfers.OPTIMISATIONS",
-    "fem": "fem.CASES",
-    "head": "fem.MESHED_HEADS",
-    "capture": "captures.CAPTURES",
-    "empty": "impacts.EMPTY",
-}
-"""The module and the name of each kind of study."""
-
-
-def kind(name: str) -> Kind:
-    """Return a kind of study by name."""
-    check_choice("kind", name, KINDS)
-    module, kind_name = KINDS[name].split(".")
-    return getattr(import_module(f"clubface.studies.kinds.{module}"), kind_name)
-
-
 ONE_NAME = Simple("one name in quotes; several go to [sweep]", lambda given: isinstance(given, str), {"type": "string"})
 OUTPUTS = Items(TEXT, 1, allowed='a list of quantities, as in ["carry"]')
 """Kinds of value that the tables of several kinds have."""
-Values = Mapping[str, Any]
-"""What is swept, of one task: numbers [SI] and names."""
 
 
 class OneByOne:
@@ -172,7 +145,8 @@ class OneByOne:
     columns
         What is kept of a task.
     compute
-        From what is swept to all figures [SI] by name, or to what computes each of them; what has none is an error.
+        From what is swept, numbers [SI] and names, to all figures [SI] by name, or to what computes each of them; what
+        has none is an error.
     elements
         Whether finite elements compute it, whose last digits depend on the processor.
     """
@@ -184,7 +158,7 @@ class OneByOne:
         self,
         study: DescribedStudy,
         columns: Mapping[str, Column],
-        compute: Callable[[Values], Mapping[str, float | Callable[[], float]]],
+        compute: Callable[[Mapping[str, Any]], Mapping[str, float | Callable[[], float]]],
         *,
         elements: bool = False,
     ) -> None:

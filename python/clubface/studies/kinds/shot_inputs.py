@@ -19,7 +19,7 @@ from clubface.simulation.flight import LEVEL, Air, check_conditions, conditions,
 from clubface.simulation.inputs import parameter_set, tolerance
 from clubface.simulation.results import flight_inputs, inputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import ONE_NAME, DescribedStudy, loaded, resolved
+from clubface.studies.kinds.kind import ONE_NAME, DescribedStudy, resolved
 from clubface.support.files import is_path
 from clubface.support.processes import vector_units
 
@@ -126,8 +126,8 @@ class ShotInputs:
         self.choices = {name: axes[name].choices for name in CHOSEN if name in axes}
         # Files are read once: what they hold later is another study.
         named = self.choices.get
-        self._clubs = loaded(study, "club", club_of) if {"club"} & {*axes, *table} else {}
-        self._balls = loaded(study, "ball", _ball)
+        self._clubs = study.load("club", club_of) if {"club"} & {*axes, *table} else {}
+        self._balls = study.load("ball", _ball)
         self.conditions = Conditions(study)
         self._held = {name: number(name, each, inputs()[name].unit) for name, each in table.get("held", {}).items()}
         known = swept_shots(table, study.sweep)
