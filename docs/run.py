@@ -18,7 +18,8 @@ A line with a name on its left defines that name, by a command of clubface or by
 lines quote the page, with ``#`` for every figure, and give the values: as many digits as the page has must agree. A
 quotation without ``#`` is a claim, and its expression must be true. ``given`` stands for what was chosen and
 ``published`` for what the page or its source states. An indented line continues the one above. ``result(quantity,
-unit, column=value)`` reads the value of a command's JSON document in the row that the columns single out.
+unit, column=value)`` reads the value of a command's JSON document in the row that the columns single out;
+``stored(file)`` reads what a long computation wrote, and ``script(file)`` imports a script of the repository.
 
 What takes long stands in ``<!-- figures study COMMIT``: `make study` checks it, and ``--update --study`` computes it
 and writes the commit of the sources that did.
@@ -29,6 +30,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import doctest
+import importlib.util
 import io
 import json
 import math
@@ -38,9 +40,11 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tomllib
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -177,7 +181,8 @@ def run(page: Path, folder: Path, *, study: bool = False) -> Iterator[Ran]:
     text = page.read_text(encoding="utf-8")
     sentences = _sentences(text)
     names: dict[str, Any] = {"__name__": "__main__"}
-    helpers = {"clubface": clubface, "np": np, "math": math, "given": GIVEN, "published": GIVEN, "stored": stored}
+    helpers = {"clubface": clubface, "np": np, "math": math, "given": GIVEN, "published": GIVEN}
+    helpers |= {"stored": stored, "script": script}
     start = 0
     with contextlib.chdir(folder):
         for block in BLOCK.finditer(text):
@@ -198,8 +203,18 @@ def run(page: Path, folder: Path, *, study: bool = False) -> Iterator[Ran]:
 
 
 def stored(name: str) -> Any:
-    """Return a JSON file of the repository, which a long computation wrote."""
-    return json.loads((ROOT / name).read_text(encoding="utf-8"))
+    """Return a JSON or TOML file of the repository, such as the results of a long computation."""
+    text = (ROOT / name).read_text(encoding="utf-8")
+    return tomllib.loads(text) if name.endswith(".toml") else json.loads(text)
+
+
+def script(name: str) -> ModuleType:
+    """Return a script of the repository as a module, so that a page shows what its functions compute."""
+    specification = importlib.util.spec_from_file_location(Path(name).stem, ROOT / name)
+    assert specification is not None and specification.loader is not None
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
 
 
 def _sentences(text: str) -> str:
