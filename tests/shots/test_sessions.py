@@ -145,10 +145,16 @@ def test_a_report_says_what_changed_from_session_to_session_and_how_sure_that_is
     (sessions,) = (part for club in result.parts for part in club.parts if part.kind == "sessions")
     rows = sessions.tables[0].records()
     assert [(row["session"], row["shots"]) for row in rows] == [("2026-01-01", 6), ("2026-02-01", 6)]
-    assert [row["speed_mps"] / 0.44704 for row in rows] == pytest.approx([98.5, 626 / 6])
+    assert [row["speed_mps"] / MPH for row in rows] == pytest.approx([98.5, 104.0])
     text = present.write_report(result, tmp_path / "report.md").read_text()
-    assert text.index("| 2026-01-01 | 6 | 98.5") < text.index("| 2026-02-01 | 6 | 104.3")
-    assert "club speed: 5.8 mph more, give or take 1.3 mph" in text
-    assert "launch angle: the same" in text
+    assert text.index("| 2026-01-01 | 6 | 98.5") < text.index("| 2026-02-01 | 6 | 104.0")
+    notes = {next(iter(each.data["change"])): each for each in sessions.notes}
+    assert notes["speed"].code == "player-session-changed"
+    assert notes["speed"].data["change"]["speed"] == pytest.approx(5.5 * MPH)
+    # Student's t of Welch's 10 degrees of freedom, 2.228, times the root of pi / 2 and of both variances over six,
+    # which are 1.1 and 1.0667 mph squared.
+    margin = 2.228 * np.sqrt(np.pi / 2 * (1.1 + 1.0667) / 6)
+    assert notes["speed"].data["margin"]["speed"] == pytest.approx(margin * MPH, rel=1e-3)
+    assert notes["launch"].code == "player-session-no-sure-change"
     one = present.write_report(player_result(launch_monitor.read(write(HEAD + new))), tmp_path / "one.md")
     assert "session to session" not in one.read_text()

@@ -1,34 +1,44 @@
-"""The report of a player's shots, club by club, and how they changed from session to session, as a result."""
+"""The report of a player's shots: a first page, then club by club, and how they changed from session to session."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import groupby
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from clubface.errors import InputError
-from clubface.inference import player_sentences
-from clubface.inference.player_sentences import NAMES, SIDES, amount
+from clubface.inference.player_notes import (
+    change_note,
+    doubt_notes,
+    line_notes,
+    mishit_notes,
+    strike_notes,
+    typical_notes,
+    what_if_notes,
+)
+from clubface.inference.player_page import page_parts
 from clubface.inference.player_statistics import (
     MOST_INFERRED,
     ClubStatistics,
-    Statistic,
     club_statistics,
-    difference_error,
-    statistic,
+    with_computed_carry,
 )
 from clubface.jobs.workers import in_processes, in_sequence
 from clubface.quantities import quantity
-from clubface.results.notes import free_text
+from clubface.results.notes import free_text, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
+from clubface.shots.mishits import Statistic, difference_error, statistic
 from clubface.shots.recorded import TEXTS, RecordedShots, in_order, session_labels
+from clubface.shots.session_summary import session_picture, summarize_clubs
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.support.processes import processors
 from clubface.units import to_si
@@ -36,10 +46,13 @@ from clubface.units import to_si
 __all__ = ["player_result"]
 
 SHOWN = ("speed", "ball_speed", "launch", "total_spin", "carry", "side", "azimuth", "face", "path", "attack")
-"""Quantities whose means are shown from session to session."""
+"""Quantities whose medians are shown from session to session."""
+FIRST = ("speed", "attack", "path", "loft", "face", "toe", "high", "ball_speed", "launch", "azimuth", "total_spin",
+         "carry", "side")  # fmt: skip
+"""Quantities with which the table of statistics begins."""
 CLUBLESS = "a club without a name"
 MOST_PICTURES = 40
-"""Pictures of a report; each takes a fifth of a second and 150 kB."""
+"""Clubs that are drawn; each picture takes a fifth of a second and 150 kB."""
 MOST_ROWS = 10
 """Shots of a club that a report shows; its data have all."""
 FEWEST_FOR_PROCESSES = 200
@@ -49,10 +62,33 @@ LEAST_ANGLE = to_si(4.0, "deg")
 """Smallest half width [rad] of the picture of directions."""
 
 
+class _Scale(NamedTuple):
+    """The scale of the pictures of all clubs of a player, SI.
+
+    Attributes
+    ----------
+    across, along
+        What the pictures of shots have to the side and upwards.
+    half_width
+        Half width of the former.
+    ends
+        Least and greatest value of the latter.
+    widest
+        Half width of the pictures of directions [rad].
+    """
+
+    across: str
+    along: str
+    half_width: float
+    ends: tuple[float, float]
+    widest: float
+
+
 def player_result(shots: RecordedShots) -> Result:
     """Return for a player, in plain language: what was measured, what it means, and how sure that is.
 
-    Its parts are the clubs of each player, with their sections.
+    It begins with a page on the bag, whose parts are findings, practice, clubs to buy and how sure that is; the clubs
+    follow. Of several players, each is a part with a page of his own.
 
     Raises
     ------
@@ -65,14 +101,8 @@ def player_result(shots: RecordedShots) -> Result:
 
 
 def statistics_by_club(shots: RecordedShots) -> list[ClubStatistics]:
-    """Return the statistics of each club of each player; the shots of two players are not averaged."""
-    groups = []
-    for player, places in shots.by_player():
-        theirs = shots.select(places)
-        if theirs.clubs is None:
-            groups.append((player, "", theirs))
-        else:
-            groups += [(player, str(name), theirs.select(theirs.clubs == name)) for name in dict.fromkeys(theirs.clubs)]
+    """Return the statistics of each club of each player, the longest first; players are not averaged."""
+    groups = [(each.player, each.club, shots.select(each.places)) for each in summarize_clubs(shots)]
     many = sum(min(len(each), MOST_INFERRED) for _, _, each in groups) >= FEWEST_FOR_PROCESSES
     run = in_processes if many and len(groups) > 1 and processors() > 1 else in_sequence
     made = {number: each for (number, _), each in run(enumerate(groups), partial(_statistics, len(groups)))}
@@ -88,16 +118,29 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
     """Return the report on shots, of which ``clubs`` holds the statistics club by club."""
     names = [f"{each.title} ({len(each.shots)})" for each in clubs]
     players = set() if shots.players is None else set(map(str, shots.players))
-    whose = f" by {next(iter(players))}" if len(players) == 1 and players != {""} else ""
     sources = Path(shots.source).name if shots.files is None else ", ".join(map(str, dict.fromkeys(shots.files)))
-    summary = [f"This report is about {player_sentences.counted(len(shots))}{whose} of {sources}: {', '.join(names)}."]
+    data = {"shots": len(shots), "file": sources, "clubs": names}
+    if len(players) == 1 and players != {""}:
+        summary = [note("player-report-by", player=next(iter(players)), **data)]
+    else:
+        summary = [note("player-report-of", **data)]
     if len(clubs) > MOST_PICTURES:
-        advice = "a report on some of the players draws them all (--where)"
-        summary.append(f"Pictures are drawn for the first {MOST_PICTURES} of {len(clubs)} clubs; {advice}.")
-    parts = [_club_result(each, place < MOST_PICTURES) for place, each in enumerate(clubs)]
+        summary.append(note("player-pictures-of-some", drawn=MOST_PICTURES, clubs=len(clubs)))
+    drawn = {id(each) for each in clubs[:MOST_PICTURES]}
+    flown = with_computed_carry(shots)
+    of_players = [
+        _player_parts(list(theirs), flown, drawn) for _, theirs in groupby(clubs, key=lambda each: each.player)
+    ]
+    first, parts = Result("player", ""), ()
+    if len(of_players) == 1:
+        first = of_players[0]
+        parts = first.parts
+    elif of_players:
+        parts = tuple(of_players)
     if notes := [*origin_notes(loft_origins(shots), AT_LAUNCH), *dict.fromkeys(shots.notes)]:
-        sentences = [f"{note[:1].upper()}{note[1:]}." for note in notes]
-        parts.append(Result("notes", "Notes on the file", notes=tuple(free_text(sentences))))
+        sentences = [f"{each[:1].upper()}{each[1:]}." for each in notes]
+        about_file = Result("notes", "Notes on the file", notes=tuple(free_text(sentences)), placement="appendix")
+        parts = (*parts, about_file)
     hands = "" if shots.hand is None else " and ".join(sorted(set(map(str, shots.hand))))
     inputs = {"file": sources, "read as": shots.format, "shots": str(len(shots)),
               "rows that gave no shot": str(len(shots.rejected)), "hand": hands or "not known"}  # fmt: skip
@@ -105,47 +148,61 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
     return Result(
         "player-report",
         "Your shots, and what they say",
-        summary=tuple(free_text(summary)),
+        summary=tuple(summary),
         provenance=provenance_of(launches, inputs | flight_conditions()),
-        parts=tuple(parts),
+        draw=first.draw,
+        parts=parts,
     )
 
 
-def _club_result(club: ClubStatistics, is_drawn: bool) -> Result:
+def _player_parts(clubs: Sequence[ClubStatistics], flown: RecordedShots, drawn: set[int]) -> Result:
+    """Return the page of one player and his clubs; ``flown`` are the shots of all players with their carries."""
+    player = clubs[0].player
+    theirs = flown if not player else flown.select(flown.players == player)
+    bag = [replace(each, player="") for each in summarize_clubs(theirs)]
+    scale = _common_scale(clubs)
+    page = page_parts(clubs, bag)
+    is_drawn = id(clubs[0]) in drawn and any("carry" in each.spreads for each in bag)
+    return Result(
+        "player",
+        player,
+        draw=(lambda: [session_picture(theirs, bag)]) if is_drawn else None,
+        parts=(*page, *(_club_result(each, scale, id(each) in drawn) for each in clubs)),
+        placement="page",
+    )
+
+
+def _club_result(club: ClubStatistics, scale: _Scale, is_drawn: bool) -> Result:
     """Return the part on one club."""
     sections = [
-        Result("section", title, summary=tuple(free_text(list(sentences))))
-        for title, sentences in (
-            ("Where the ball starts, and why", player_sentences.line(club)),
-            ("Where you strike it", player_sentences.strike(club)),
-        )
+        Result("section", "Where the ball starts, and why", summary=tuple(line_notes(club))),
+        Result("section", "Where you strike it", summary=tuple(strike_notes(club))),
     ]
-    if changes := list(player_sentences.what_if(club)):
-        sections.append(
-            Result(
-                "changes",
-                "What would change your average shot",
-                summary=tuple(free_text(["Each of these alone, with all else as it is:"])),
-                notes=tuple(free_text(changes)),
-                tables=(_changes_table(club),),
-            )
-        )
+    if changes := tuple(what_if_notes(club)):
+        alone = (note("player-changes-alone"),)
+        sections.append(Result("changes", "What would change your typical shot", summary=alone, notes=changes))
     sections += sessions_result(club)
-    sections.append(Result("section", "How sure we are", summary=tuple(free_text(list(player_sentences.doubt(club))))))
+    sections.append(Result("section", "How sure we are", summary=tuple(doubt_notes(club))))
+    title = club.title[:1].upper() + club.title[1:]
+    tables = (_statistics_table(club), _shots_table(club), *([_changes_table(club)] if club.changes else []))
     return Result(
         "club",
-        club.title[:1].upper() + club.title[1:],
-        summary=tuple(free_text(list(player_sentences.measured(club)))),
-        tables=(_statistics_table(club), _shots_table(club)),
-        draw=(lambda: [club_picture(club)]) if is_drawn else None,
-        parts=tuple(each for each in sections if each.summary),
+        title,
+        summary=tuple(typical_notes(club)),
+        draw=(lambda: [club_picture(club, scale)]) if is_drawn else None,
+        notes=tuple(mishit_notes(club)),
+        parts=(
+            *(each for each in sections if each.summary),
+            Result("figures", title, tables=tables, placement="appendix"),
+        ),
+        placement="page",
     )
 
 
 def _statistics_table(club: ClubStatistics) -> Table:
     estimated = club.inferred
     known = {*club.measured, *(estimated.mean if estimated is not None else ())}
-    names = [each for each in dict.fromkeys((*NAMES, *club.measured, *sorted(known))) if each in known]
+    names = [each for each in dict.fromkeys((*FIRST, *club.measured, *sorted(known))) if each in known]
     of_rows = [quantity(each) for each in names]
 
     def numbers(name: str, label: str = "") -> Column:
@@ -154,15 +211,18 @@ def _statistics_table(club: ClubStatistics) -> Table:
 
     columns: list[Column] = [
         text("quantity", names, printed=False),
-        text("name", [NAMES.get(each, each.replace("_", " ")) for each in names], label="quantity", in_files=False),
-        text("shots", [club.measured[each].count if each in club.measured else 0 for each in names]),
-        numbers("mean"), numbers("spread", "±"), numbers("low", "two of three from"), numbers("high", "to"),
+        text("name", [each.label for each in of_rows], label="quantity", in_files=False),
+        text("shots", [club.measured[each].shots if each in club.measured else 0 for each in names]),
+        numbers("median"), numbers("spread", "±"), numbers("low", "two of three from"), numbers("high", "to"),
+        text("measured", [club.measured[each].measured if each in club.measured else 0 for each in names],
+             label="with mishits"),
+        numbers("mean"), numbers("deviation", "±"),
     ]  # fmt: skip
     if estimated is not None:
         for name, values, label in (("inferred", estimated.mean, "estimate of the delivery"),
                                     ("inferred_doubt", estimated.doubt, "± of one shot")):  # fmt: skip
             columns.append(Column(name, [values.get(each) for each in names], of_rows, label=label))
-    return table("statistics", *columns, title="All figures of this club")
+    return table("statistics", *columns, title="Statistics")
 
 
 def _shots_table(club: ClubStatistics) -> Table:
@@ -173,6 +233,7 @@ def _shots_table(club: ClubStatistics) -> Table:
     return table(
         "shots",
         *(text(heading, list(map(str, values))) for heading, values in texts if values is not None),
+        text("mishit", club.mishit.tolist()),
         *(column(name, values) for name, values in (shots.deliveries | shots.launches).items()),
         title=title,
         shown_rows=range(min(count, MOST_ROWS)),
@@ -184,122 +245,141 @@ def _changes_table(club: ClubStatistics) -> Table:
     return table(
         "changes",
         text("change", [each.name for each in changes], printed=False),
-        text("words", [f"you {player_sentences.STEPS[each.name]}" for each in changes], label="if", in_files=False),
+        text("words", [quantity(each.name).label for each in changes], label="change of", in_files=False),
         Column("step", [each.step for each in changes], [quantity(each.name) for each in changes], difference=True),
         *(column(name, [each.launch[name] for each in changes], difference=True)
           for name in ("ball_speed", "launch", "azimuth", "backspin", "sidespin")),
         *(column(name, [getattr(each, name) for each in changes], difference=True) for name in ("carry", "side")),
+        title="What changes of the delivery do to the typical shot",
     )  # fmt: skip
 
 
 def sessions_result(club: ClubStatistics) -> Iterator[Result]:
     """Yield the section on the sessions of a club; nothing where there is only one."""
-    sessions = by_session(club.shots)
+    sessions = by_session(club)
     names = [name for name in SHOWN if sum(name in each for each in sessions.values()) > 1]
     if len(sessions) < 2 or not names:
         return
     labels = list(sessions)
     columns = [
         text("session", labels),
-        text("shots", [max(each.count for each in sessions[label].values()) for label in labels]),
+        text("shots", [max(each.measured for each in sessions[label].values()) for label in labels]),
     ]
     for name in names:
         statistics = [sessions[label].get(name) for label in labels]
         columns += [
-            column(name, [None if each is None else each.mean for each in statistics], label=NAMES[name]),
+            column(name, [None if each is None else each.median for each in statistics]),
             column(f"{name}_deviation", [None if each is None else each.spread for each in statistics], name,
                    label="±"),
-            text(f"{name}_shots", [0 if each is None else each.count for each in statistics], printed=False),
+            text(f"{name}_shots", [0 if each is None else each.shots for each in statistics], printed=False),
         ]  # fmt: skip
     first, last = sessions[labels[0]], sessions[labels[-1]]
-    both = [name for name in names if name in first and name in last and min(first[name].count, last[name].count) > 1]
+    both = [name for name in names if name in first and name in last and min(first[name].shots, last[name].shots) > 1]
     changed = table(
-        "changes", text("quantity", both), text("name", [NAMES[name] for name in both], label="", in_files=False),
-        Column("change", [last[name].mean - first[name].mean for name in both], [quantity(name) for name in both],
+        "changes",
+        text("quantity", both),
+        text("name", [quantity(name).label for name in both], label="", in_files=False),
+        Column("change", [last[name].median - first[name].median for name in both], [quantity(name) for name in both],
                difference=True),
         Column("error", [difference_error(first[name], last[name]) for name in both],
                [quantity(name) for name in both], label="give or take"), printed=False,
     )  # fmt: skip
-    sentences = ["± is how much the shots of a session differ (one standard deviation)."]
-    if both:
-        sentences.append(f"From {labels[0]} to {labels[-1]}, with margins that hold 19 times out of 20:")
-    else:
-        sentences.append("One shot a session is too few to tell a change from chance.")
+    compared = note("player-sessions-compared", first=labels[0], last=labels[-1])
     yield Result(
         "sessions",
         "From session to session",
-        summary=tuple(free_text(sentences)),
+        summary=(note("player-sessions-spread"), compared if both else note("player-sessions-of-one-shot")),
         tables=(table("sessions", *columns), *([changed] if both else [])),
-        notes=tuple(free_text([change_sentence(name, first[name], last[name]) for name in both])),
+        notes=tuple(change_note(name, first[name], last[name]) for name in both),
     )
 
 
-def by_session(shots: RecordedShots) -> dict[str, dict[str, Statistic]]:
+def by_session(club: ClubStatistics) -> dict[str, dict[str, Statistic]]:
     """Return the statistics of each session by quantity, in the order of the sessions; none where there is only one."""
-    labels = session_labels(shots)
+    labels = session_labels(club.shots)
     if labels is None:
         return {}
-    values = shots.deliveries | shots.launches
+    values, mishit = club.shots.deliveries | club.shots.launches, club.mishit
     sessions = {
-        label: {name: each for name in SHOWN if name in values and (each := statistic(values[name][labels == label]))}
+        label: {
+            name: each
+            for name in SHOWN
+            if name in values and (each := statistic(values[name][labels == label], mishit[labels == label]))
+        }
         for label in in_order(labels)
     }
     return {label: each for label, each in sessions.items() if each}
 
 
-def change_sentence(name: str, first: Statistic, last: Statistic) -> str:
-    """Return how a mean changed, and how sure that is, in words."""
-    change, error = last.mean - first.mean, difference_error(first, last)
-    size = amount(abs(change), name, digits=1)
-    more, less = SIDES[name].split() if name in SIDES else ("more", "less")
-    direction = f"{size} {'further ' if name in SIDES else ''}{more if change > 0.0 else less}"
-    doubt = f"give or take {amount(error, name, digits=1)}"
-    if not size.strip("0.°").startswith(tuple("123456789")):
-        return f"{NAMES[name]}: the same, {doubt}"
-    return f"{NAMES[name]}: " + (f"no sure change ({direction}, {doubt})" if abs(change) <= error else
-                                 f"{direction}, {doubt}")  # fmt: skip
+def _common_scale(clubs: Sequence[ClubStatistics]) -> _Scale:
+    """Return one scale for the pictures of all clubs of a player."""
+    landed = any({"carry", "side"} <= set(each.measured) for each in clubs)
+    across, along = ("side", "carry") if landed else ("azimuth", "ball_speed")
+    points = [_points(each, across, along) for each in clubs]
+    x, y = (np.concatenate([each[place] for each in points]) for place in (0, 1))
+    low, high = (float(y.min()), float(y.max())) if y.size else (0.0, 1.0)
+    room = 0.06 * (high - low) + to_si(1.0, "yd" if landed else "mph")
+    half_width = 1.15 * max(float(np.abs(x).max(initial=0.0)), to_si(1.0, "yd" if landed else "deg"))
+    angles = [abs(angle) for each in clubs for angle in _directions(each)[0].values()]
+    widest = max([LEAST_ANGLE, *(1.3 * each for each in angles)])
+    return _Scale(across, along, half_width, (low - room, high + room), widest)
 
 
-def club_picture(club: ClubStatistics) -> Picture:
+def _points(club: ClubStatistics, across: str, along: str) -> np.ndarray:
+    """Return the shots of a club as points, shape [2, shots]; of those that were measured."""
+    flown = with_computed_carry(club.shots)
+    columns, nothing = flown.deliveries | flown.launches, np.full(len(flown), math.nan)
+    points = np.array([columns.get(name, nothing) for name in (across, along)])
+    return points[:, np.isfinite(points).all(axis=0)]
+
+
+def club_picture(club: ClubStatistics, scale: _Scale) -> Picture:
     """Return the picture of a club: where its shots finish or start, and face, path and start line from above."""
     caption = f"{club.title}: where the shots go, and face, path and start line"
-    return Picture(f"{club.title} picture", caption, [[_shots_panel(club), _directions_panel(club)]], height=3.0)
+    footnote = "grey crosses: mishits, not counted" if club.mishits else ""
+    panels = [[_shots_panel(club, scale), _directions_panel(club, scale)]]
+    return Picture(f"{club.title} picture", caption, panels, height=3.0, footnote=footnote)
 
 
-def _shots_panel(club: ClubStatistics) -> Panel:
-    columns = club.shots.deliveries | club.shots.launches
-    landed = {"carry", "side"} <= set(columns)
-    across, along = ("side", "carry") if landed else ("azimuth", "ball_speed")
+def _shots_panel(club: ClubStatistics, scale: _Scale) -> Panel:
+    across, along = scale.across, scale.along
+    landed = along == "carry"
     title = "Where your shots land" if landed else "How your shots start"
     words = "left - distance from the line - right" if landed else "left - start direction - right"
-    nothing = np.full(len(club.shots), math.nan)
-    x, y = (columns.get(name, nothing) for name in (across, along))
-    known = np.isfinite(x) & np.isfinite(y)
-    if not known.any():
+    off = club.mishit
+    shots, far = (_points(replace(club, shots=club.shots.select(each)), across, along) for each in (~off, off))
+    if not shots.size:
         return Panel([Mark("text", texts=["no direction was measured"])], title=title)
-    x, y = x[known], y[known]
-    widest = 1.15 * max(float(np.abs(x).max()), to_si(1.0, "yd" if landed else "deg"))
     marks = [
-        Mark("points", x=x, y=y, label="shots", style=0, faint=True),
-        Mark("points", x=[x.mean()], y=[y.mean()], label="mean", style=-2, symbol="+", size=14.0),
+        Mark("points", x=shots[0], y=shots[1], label="shots", style=0, faint=True),
+        Mark("points", x=[np.median(shots[0])], y=[np.median(shots[1])], label="median", style=-2, symbol="+",
+             size=14.0),
         Mark("rule", x=0.0, style=-1),
-    ]
-    return Panel(marks, axis(across, words, limits=(-widest, widest)), axis(along), title)
+    ]  # fmt: skip
+    if far.size:
+        marks.append(Mark("points", x=far[0], y=far[1], label="mishits", style=-1, symbol="x", size=4.0))
+    limits = (-scale.half_width, scale.half_width)
+    return Panel(marks, axis(across, words, limits=limits), axis(along, limits=scale.ends), title)
 
 
-def _directions_panel(club: ClubStatistics) -> Panel:
-    """Return the directions as rays from the ball, seen from above, the target up."""
-    angles = {name: club.measured[name].mean for name in RAYS if name in club.measured}
+def _directions(club: ClubStatistics) -> tuple[dict[str, float], set[str]]:
+    """Return start line, face and path [rad], and which of them are estimated."""
+    angles = {name: club.measured[name].median for name in RAYS if name in club.measured}
     estimated = set()
     if club.inferred is not None:
         estimated = {name for name in ("face", "path") if name not in angles}
         angles |= {name: club.inferred.mean[name] for name in estimated}
-    widest = max([LEAST_ANGLE, *(1.3 * abs(each) for each in angles.values())])
+    return angles, estimated
+
+
+def _directions_panel(club: ClubStatistics, scale: _Scale) -> Panel:
+    """Return the directions as rays from the ball, seen from above, the target up."""
+    angles, estimated = _directions(club)
     marks = [Mark("rule", x=0.0, style=-1)]
     for name, angle in angles.items():
         label = f"{RAYS[name]} {abs(math.degrees(angle)):.1f}° {'right' if angle > 0 else 'left'}"
         marks.append(Mark("line", x=[0.0, angle], y=[0.0, 1.0], style=list(RAYS).index(name), size=2.0,
                           label=label + (", estimated" if name in estimated else ""),
                           dash=1 if name in estimated else 0))  # fmt: skip
-    across = axis("azimuth", "left - degrees from the target - right", unit="deg", limits=(-widest, widest))
+    across = axis("azimuth", "left - degrees from the target - right", unit="deg", limits=(-scale.widest, scale.widest))
     return Panel(marks, across, Axis(limits=(0.0, 1.45), ticks=False), "From above, the target up", legend=bool(angles))

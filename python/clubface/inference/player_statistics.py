@@ -1,12 +1,13 @@
-"""The figures of one club on which a report rests: means and spreads of the shots, and what the models make of them."""
+"""The figures of one club on which a report rests: medians and spreads, mishits, and what the models make of them."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.clubs import TOUR_CLUBS, Club, club as club_named
@@ -16,6 +17,7 @@ from clubface.inference.prior import UnreachableLaunchError
 from clubface.inference.run import Inference
 from clubface.shots.club_names import club_kind
 from clubface.shots.measured import QUANTITIES
+from clubface.shots.mishits import Mishit, Statistic, find_mishits, is_mishit, statistic
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.reference_points import refer
 from clubface.simulation.flight import fly
@@ -25,40 +27,23 @@ from clubface.simulation.sensitivity import sensitivity
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
-__all__ = ["MOST_INFERRED", "ClubStatistics", "Statistic", "club_statistics", "difference_error", "statistic"]
+__all__ = ["MOST_INFERRED", "ClubStatistics", "club_statistics", "with_computed_carry"]
 
 MOST_INFERRED, SAMPLES = 60, 200
 """Shots of a club whose deliveries are inferred, spread evenly over all of them, and draws for each."""
 IN_ALL, FEWEST_INFERRED = 1200, 4
 """The most shots inferred in a whole report, and the fewest of a club where there are many clubs."""
-CHANGES = {"speed": "1 mph", "attack": "1 deg", "loft": "1 deg", "face": "1 deg", "path": "1 deg", "toe": "5 mm"}
+CHANGES = {
+    "speed": "1 mph", "attack": "1 deg", "loft": "1 deg", "face": "1 deg", "path": "1 deg", "toe": "5 mm",
+    "high": "5 mm",
+}  # fmt: skip
 """Changes of the what-if, and their size."""
 LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Statistic:
-    """Mean, spread and number of the measured values of one quantity, SI."""
-
-    mean: float
-    spread: float
-    low: float
-    high: float
-    count: int
-
-    @property
-    def error(self) -> float:
-        """Half of the 95% interval of the mean; NaN for a single shot."""
-        if self.count < 2:
-            return math.nan
-        from scipy.special import stdtrit
-
-        return float(stdtrit(self.count - 1, 0.975)) * self.spread / math.sqrt(self.count)
-
-
-@dataclass(frozen=True, kw_only=True)
 class Inferred:
-    """Deliveries of a club inferred from its launches, SI.
+    """Deliveries of a club inferred from its launches, those of mishits left out, SI.
 
     Attributes
     ----------
@@ -109,6 +94,8 @@ class ClubStatistics:
         Its shots.
     measured
         Figures by quantity, of launch, flight and delivery.
+    mishits
+        Its shots that are far off, each with the reason.
     computed
         Whether carry and side are not measured but computed from the launch, in still air.
     inferred, changes
@@ -126,6 +113,7 @@ class ClubStatistics:
     club: Club | None
     shots: RecordedShots
     measured: dict[str, Statistic]
+    mishits: list[Mishit]
     computed: bool
     inferred: Inferred | None = None
     changes: tuple[DeliveryEffect, ...] = ()
@@ -139,6 +127,11 @@ class ClubStatistics:
         """The club, after the name of its player where there are several."""
         return f"{self.player}: {self.name}" if self.player else self.name
 
+    @property
+    def mishit(self) -> NDArray[np.bool_]:
+        """Which of its shots are mishits."""
+        return is_mishit(self.mishits, len(self.shots))
+
 
 def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStatistics:
     """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
@@ -148,39 +141,37 @@ def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStat
         head = head.replace(hand="left")
     if head is not None:
         shots = refer(shots, head)
-    columns = {**shots.deliveries, **shots.launches}
-    computed = "carry" not in columns and all(each in columns for each in LAUNCHED)
-    if computed:
-        columns |= _flown({each: columns[each] for each in LAUNCHED})
-    measured = {each: result for each, values in columns.items() if (result := statistic(values)) is not None}
-    plain = ClubStatistics(name=name, club=head, shots=shots, measured=measured, computed=computed)
+    flown = with_computed_carry(shots)
+    columns = {**flown.deliveries, **flown.launches}
+    mishits = find_mishits(columns)
+    mask = is_mishit(mishits, len(shots))
+    measured = {each: result for each, values in columns.items() if (result := statistic(values, mask)) is not None}
+    plain = ClubStatistics(
+        name=name, club=head, shots=shots, measured=measured, mishits=mishits, computed=flown is not shots
+    )
     if head is None or "ball_speed" not in measured or "launch" not in measured:
         return plain
-    result = _inferred(shots, head, min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs)))
+    most = min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs))
+    result = _inferred(shots, np.flatnonzero(~mask), head, most)
     if result is None:
         return plain
     launch, changes, start, closing = _changes(head, result.mean)
-    return ClubStatistics(
-        name=name, club=head, shots=shots, measured=measured, computed=computed, inferred=result, changes=changes,
-        start=start, closing=closing, launch=launch,
-    )  # fmt: skip
+    return replace(plain, inferred=result, changes=changes, start=start, closing=closing, launch=launch)
 
 
-def statistic(values: Floats) -> Statistic | None:
-    """Return the figures of measured values; None if there are none. Two of three shots lie from low to high."""
-    known = values[np.isfinite(values)]
-    if not known.size:
-        return None
-    low, high = np.quantile(known, [1 / 6, 5 / 6])
-    spread = float(known.std(ddof=1)) if known.size > 1 else math.nan
-    return Statistic(mean=float(known.mean()), spread=spread, low=float(low), high=float(high), count=int(known.size))
+def with_computed_carry(shots: RecordedShots) -> RecordedShots:
+    """Return the shots with carry and side computed from the launch, in still air; as they are where carry is there."""
+    if "carry" in shots.launches or not all(each in shots.launches for each in LAUNCHED):
+        return shots
+    return replace(shots, launches=shots.launches | _flown({each: shots.launches[each] for each in LAUNCHED}))
 
 
-def _inferred(shots: RecordedShots, head: Club, most: int) -> Inferred | None:
+def _inferred(shots: RecordedShots, chosen: NDArray[np.intp], head: Club, most: int) -> Inferred | None:
+    """Return the deliveries of the ``chosen`` shots, of at most so many."""
     prepared = Inference(
         club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=shots.speed_at, face_at=shots.face_at
     )
-    places = np.unique(np.linspace(0, len(shots) - 1, most).round().astype(int))
+    places = chosen[np.unique(np.linspace(0, len(chosen) - 1, most).round().astype(int))]
     means, doubts, refused, remarked = [], [], 0, []
     for place in places:
         launch = _at(shots.launches, QUANTITIES, place)
@@ -242,15 +233,3 @@ def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:
         for name in result:
             result[name][known] = getattr(flight, name)
     return result
-
-
-def difference_error(one: Statistic, other: Statistic) -> float:
-    """Return half of the 95% interval of the difference of two means, whose spreads may differ (Welch, 1947)."""
-    from scipy.special import stdtrit
-
-    parts = [each.spread**2 / each.count for each in (one, other)]
-    total = sum(parts)
-    if total == 0.0:
-        return 0.0
-    freedom = total**2 / sum(part**2 / (each.count - 1) for part, each in zip(parts, (one, other), strict=True))
-    return float(stdtrit(freedom, 0.975)) * math.sqrt(total)

@@ -84,13 +84,24 @@ class Listing(NamedTuple):
     text: str
 
 
-Block = Heading | Paragraph | Bullets | TextTable | DocumentPicture | Listing
+class PageBreak(NamedTuple):
+    """The next piece begins a page when printed."""
+
+
+class Appendix(NamedTuple):
+    """Technical details: a section that is closed until a reader opens it, and an appendix in Markdown."""
+
+    title: str
+    blocks: Sequence[Block]
+
+
+Block = Heading | Paragraph | Bullets | TextTable | DocumentPicture | Listing | PageBreak | Appendix
 
 
 ENDINGS = (".html", ".md")
 _STYLE = (
     "body{font:17px/1.55 Georgia,serif;max-width:46em;margin:2em auto;padding:0 1em;color:#222}"
-    "h1,h2,h3,table{font-family:system-ui,sans-serif}h1,h2,h3{line-height:1.2}"
+    "h1,h2,h3,h4,table{font-family:system-ui,sans-serif}h1,h2,h3,h4{line-height:1.2}"
     "h2{border-bottom:2px solid #0072B2;margin-top:2em}"
     "img{max-width:100%}figure{margin:1.5em 0}figcaption,.save{font:14px system-ui,sans-serif;color:#555}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
@@ -99,11 +110,15 @@ _STYLE = (
     "td{white-space:nowrap}td.text{white-space:normal;overflow-wrap:anywhere}.paper{display:none}"
     "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
     "a{color:#005a8f}"
-    "@page{margin:18mm}"
-    "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt}a{color:inherit;text-decoration:none}"
+    "summary{font:bold 1.5em/1.2 system-ui,sans-serif;cursor:pointer;border-bottom:2px solid #0072B2;margin:2em 0 1em}"
+    "@page{margin:13mm 18mm}"
+    "@media print{.save{display:none}body{margin:0;max-width:none;font-size:9.5pt;line-height:1.35;padding:0}"
+    "a{color:inherit;text-decoration:none}h1{font-size:20pt}h2{font-size:14pt}h3{font-size:11pt}h3,p,ul{margin:.5em 0}"
     ".wide{overflow:visible}.screen{display:none}.paper{display:block;margin-bottom:1em}"
-    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
-    "thead{display:table-header-group}h1,h2,h3{break-after:avoid}}"
+    "img{max-height:7.2cm}table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
+    "thead{display:table-header-group}h1,h2,h3,h4,p:has(+ul){break-after:avoid}p,li{orphans:3;widows:3}"
+    ".page{break-before:page}h2{margin:.8em 0 .4em}.page+h2,.page+h3,h1{margin-top:0}figure{margin:.6em 0}"
+    "details{break-before:page}details:not([open]){display:none}}"
 )
 PRINTED = 9.0
 """Size of the letters of a table in print [pt]."""
@@ -149,10 +164,15 @@ def as_html(blocks: Sequence[Block]) -> str:
 
 def as_markdown(blocks: Sequence[Block]) -> str:
     """Return a report as Markdown, its pictures as data in it."""
-    return "\n\n".join(_markdown(each) for each in blocks) + "\n"
+    return "\n\n".join(filter(None, map(_markdown, blocks))) + "\n"
 
 
 def _html(block: Block) -> str:
+    if isinstance(block, PageBreak):
+        return '<div class="page"></div>'
+    if isinstance(block, Appendix):
+        inside = "\n".join(map(_html, block.blocks))
+        return f"<details><summary>{html.escape(block.title)}</summary>\n{inside}\n</details>"
     if isinstance(block, Heading):
         return f"<h{block.level}>{html.escape(block.text)}</h{block.level}>"
     if isinstance(block, Paragraph):
@@ -228,6 +248,10 @@ def _parts(widths: Sequence[float]) -> list[list[int]]:
 
 
 def _markdown(block: Block) -> str:
+    if isinstance(block, PageBreak):
+        return ""
+    if isinstance(block, Appendix):
+        return "\n\n".join([f"## {_plain(block.title)}", *filter(None, map(_markdown, block.blocks))])
     if isinstance(block, Heading):
         return f"{'#' * block.level} {_plain(block.text)}"
     if isinstance(block, Paragraph):

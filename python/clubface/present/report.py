@@ -10,12 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from clubface.present.document import (
+    Appendix,
     Block,
     Bullets,
     Data,
     DocumentPicture,
     Heading,
     Listing,
+    PageBreak,
     Paragraph,
     TextTable as TextTable,
     file_name,
@@ -48,10 +50,27 @@ def write_report(
 
 
 def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, command: str = "") -> Iterator[Block]:
-    """Yield the pieces of the report on a result."""
+    """Yield the pieces of the report on a result.
+
+    Where parts of it belong into the appendix, everything that it was computed from stands there too.
+    """
     yield from _result_blocks(result, units, 1)
-    yield from provenance_blocks(result.provenance)
-    yield from _repeat_blocks(result.provenance, command)
+    origin = [*provenance_blocks(result.provenance), *_repeat_blocks(result.provenance, command)]
+    details = [block for each in _appendices(result) for block in _result_blocks(each, units, 2)]
+    if not details:
+        yield from origin
+        return
+    inside = [each._replace(level=each.level + 1) if isinstance(each, Heading) else each for each in details + origin]
+    yield Appendix("Technical details", inside)
+
+
+def _appendices(result: Result) -> Iterator[Result]:
+    """Yield the parts of a result, and their parts, that belong into the appendix."""
+    for each in result.parts:
+        if each.placement == "appendix":
+            yield each
+        else:
+            yield from _appendices(each)
 
 
 def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) -> Iterator[Block]:
@@ -66,6 +85,10 @@ def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) 
     if notes := [each.sentence for each in result.notes]:
         yield Bullets(list(dict.fromkeys(notes)))
     for each in result.parts:
+        if each.placement == "appendix":
+            continue
+        if each.placement == "page":
+            yield PageBreak()
         yield from _result_blocks(each, units, level + 1)
 
 

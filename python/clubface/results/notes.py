@@ -13,7 +13,7 @@ from clubface.quantities import Quantity, format_value, quantity as quantity_nam
 from clubface.results.catalogue import SENTENCES
 from clubface.results.table import Column
 
-_WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?: (?P<digits>\d+))?")
+_WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?:/(?P<none>[^/]+?))?(?: (?P<digits>\d+))?")
 
 
 class Note(NamedTuple):
@@ -24,7 +24,8 @@ class Note(NamedTuple):
     code
         Names its sentence in the catalogue: "outside-aerodynamic-data".
     data
-        What the sentence says: texts, whole numbers, lists, and SI values under names that end in a quantity.
+        What the sentence says: texts, whole numbers, lists, SI values under names that end in a quantity, and mappings
+        of quantities to such values.
     """
 
     code: str
@@ -61,7 +62,9 @@ class _Sentence(Formatter):
     """Formats data as people read it.
 
     ``{carry}`` has the unit and digits of the quantity, ``{carry:0}`` other digits, ``{carry:m 1}`` another unit,
-    ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster";
+    ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster", and with
+    a third word that word alone where the value is zero to the digits shown; a mapping of quantities is listed with
+    their labels, by ``{figures:changes}`` with signs and without zeros, by ``{figures:values}`` without labels;
     ``{shots:n shot}`` counts ("1 shot", "3 shots"), ``{shots:?was/were}`` agrees with a count; a list is joined by
     commas, or by ``{names:and}``. Any other format is Python's, applied to the number as it is.
     """
@@ -74,6 +77,8 @@ class _Sentence(Formatter):
 
     def format_field(self, value: Any, format_spec: str) -> str:
         name, given = value
+        if isinstance(given, Mapping):
+            return _listed(given, format_spec)
         if isinstance(given, (list, tuple)):
             return _joined([str(each) for each in given], format_spec)
         if given is None or isinstance(given, (str, bool)):
@@ -96,13 +101,15 @@ _SENTENCE = _Sentence()
 
 def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
     if words := _WORDS.fullmatch(spec):
-        digits = None if words["digits"] is None else int(words["digits"])
-        return f"{format_value(abs(value), quantity, digits=digits)} {words['more'] if value > 0.0 else words['less']}"
+        size = format_value(abs(value), quantity, digits=None if words["digits"] is None else int(words["digits"]))
+        if words["none"] is not None and _is_zero(size):
+            return words["none"]
+        return f"{size} {words['more'] if value > 0.0 else words['less']}"
     kind, _, digits = spec.rpartition(" ") if " " in spec or spec.isdigit() else (spec, "", "")
     places = int(digits) if digits else None
     if kind == "sides":
-        side = (quantity.sides or ("below", "above"))[value > 0.0]
-        return f"{format_value(abs(value), quantity, digits=places)} {side}"
+        size = format_value(abs(value), quantity, digits=places)
+        return size if _is_zero(size) else f"{size} {(quantity.sides or ('below', 'above'))[value > 0.0]}"
     if kind == "bare":
         return format_value(value, quantity, digits=places).split(" ")[0]
     return format_value(value, quantity, kind or None, places)
@@ -115,8 +122,28 @@ def _quantity_of(name: str) -> Quantity | None:
         return None
 
 
+def _is_zero(text: str) -> bool:
+    return not text.split(" ")[0].strip("-0.")
+
+
+def _listed(values: Mapping[str, float], spec: str) -> str:
+    """Return quantities with their values; ``spec`` is that of a mapping in a sentence."""
+    texts = []
+    for name, value in values.items():
+        quantity = quantity_named(name)
+        text = format_value(value, quantity)
+        if spec == "changes":
+            if _is_zero(text):
+                continue
+            text = text if text.startswith("-") else f"+{text}"
+        texts.append(text if spec == "values" else f"{quantity.label} {text}")
+    return _joined(texts, "and" if spec in ("changes", "values") else spec) or "nothing to speak of"
+
+
 def _metric(name: str, value: Any) -> tuple[str, Any]:
     """Return a name with the metric unit and the value in it; what is no quantity stays as it is."""
+    if isinstance(value, Mapping):
+        return name, dict(map(_metric, value, value.values()))
     if isinstance(value, float) and (quantity := _quantity_of(name)) is not None:
         column = Column(name, [value], quantity)
         return column.key, column.exact(0)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from clubface.errors import UnknownNameError
 from clubface.quantities import Quantity
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from clubface.results.pictures import Picture
 
 
+Placement = Literal["here", "page", "appendix"]
 SCHEMA = "clubface-result-1"
 """Name and version of the layout of :meth:`Result.to_dict`; ``data/schemas/result-1.json`` describes it."""
 
@@ -49,6 +50,9 @@ class Result:
         What it was computed from.
     parts
         Results of which it consists, such as the clubs of a player; reports and JSON have them.
+    placement
+        Where a report has it as a part: where it stands, on a new page when printed, or in the closed section of
+        technical details at the end.
     draw
         Makes its pictures, which take time; None if there are none.
     """
@@ -62,6 +66,7 @@ class Result:
     hints: tuple[Note, ...] = ()
     provenance: Provenance = field(default_factory=Provenance)
     parts: tuple[Result, ...] = ()
+    placement: Placement = "here"
     draw: Callable[[], Sequence[Picture]] | None = field(default=None, repr=False, compare=False)
 
     def table(self, name: str | None = None) -> Table:

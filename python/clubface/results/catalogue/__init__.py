@@ -7,6 +7,7 @@ from clubface.results.catalogue.design import SENTENCES as _DESIGN
 from clubface.results.catalogue.equipment import SENTENCES as _EQUIPMENT
 from clubface.results.catalogue.fem import SENTENCES as _FEM
 from clubface.results.catalogue.inference import SENTENCES as _INFERENCE
+from clubface.results.catalogue.player import SENTENCES as _PLAYER
 from clubface.results.catalogue.shot import SENTENCES as _SHOT
 from clubface.results.catalogue.shots import SENTENCES as _SHOTS
 from clubface.results.catalogue.studies import SENTENCES as _STUDIES
@@ -18,6 +19,7 @@ SENTENCES: dict[str, str] = {
     **_EQUIPMENT,
     **_FEM,
     **_INFERENCE,
+    **_PLAYER,
     **_SHOT,
     **_STUDIES,
     **_SHOTS,

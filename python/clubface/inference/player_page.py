@@ -1,0 +1,258 @@
+"""The first page of a player's report: the gaps of the bag, what stands out, what to practise and buy, how sure it is.
+
+It rests on what was measured alone. Carry and side count as measured where they follow from a whole measured launch. A
+part of the swing is worth practising by what its measured scatter, times the derivative of the impact and flight, does
+to the shots. A club is worth buying where a gap in the bag or the loft of the longest club asks for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface.inference.player_notes import FEW, not_measured
+from clubface.inference.player_statistics import ClubStatistics
+from clubface.quantities import quantity
+from clubface.results.notes import Note, note
+from clubface.results.result import Result
+from clubface.shots.mishits import Statistic
+from clubface.shots.session_summary import ClubSummary
+from clubface.units import to_si
+
+__all__ = ["page_parts"]
+
+MOST_FINDINGS = 3
+MOST_PRACTISED = 3
+NOTICED = to_si(3.0, "yd")
+"""Change of carry that a golfer notices at the least, for which a club is worth buying; assumed."""
+NARROW = to_si(7.0, "yd")
+"""Gap below which two clubs do the work of one; assumed, half of what bags are built for."""
+WIDE = 1.5
+"""Times the usual gap of the bag from which a gap is wide; assumed."""
+LEAST_SIDE = to_si(5.0, "yd")
+"""Distance from the line that is worth a word; assumed."""
+LEAST_STRIKE = to_si(5.0, "mm")
+"""Distance of the strike from the middle that is worth a word; assumed."""
+LEAST_SHARE = 0.4
+"""Share of the spread from which a part of the swing is named as its cause; assumed."""
+FEWEST_GAPS = 2
+"""Gaps of a bag that give a usual one."""
+
+
+class _Finding(NamedTuple):
+    """A note and how much it matters [m]."""
+
+    weight: float
+    note: Note
+
+
+def page_parts(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> tuple[Result, ...]:
+    """Return the parts of the first page: findings, practice, clubs to buy, and how sure all of it is.
+
+    Parameters
+    ----------
+    clubs
+        The statistics of the clubs of one player.
+    bag
+        The same clubs with their gaps, the longest first.
+    """
+    findings = _findings(clubs, bag)
+    number = {2: "Two", MOST_FINDINGS: "Three"}.get(len(findings), "One")
+    heading = f"{number} finding{'s' * (len(findings) != 1)}"
+    parts = [
+        ("findings", heading, findings or [note("player-all-alike")]),
+        ("practice", "Worth practising", list(_practice(clubs))),
+        ("purchases", "Worth buying", list(_purchases(clubs, bag))),
+        ("confidence", "How sure this is", list(_confidence(clubs))),
+    ]
+    return tuple(Result(kind, title, notes=tuple(notes)) for kind, title, notes in parts)
+
+
+def _findings(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> list[Note]:
+    """Return what matters most, in yards, at most three notes of different kinds."""
+    best: dict[str, _Finding] = {}
+    for each in (*_gap_findings(bag), *(one for club in clubs for one in _club_findings(club))):
+        if each.note.code not in best or each.weight > best[each.note.code].weight:
+            best[each.note.code] = each
+    if len(clubs) < 2:  # what scatters most for its length is known of several alone
+        best.pop("player-finding-side-spread", None)
+    ranked = sorted(best.values(), key=lambda each: -each.weight)
+    return [each.note for each in ranked[:MOST_FINDINGS]]
+
+
+def _gap_findings(bag: Sequence[ClubSummary]) -> Iterator[_Finding]:
+    for longer, shorter, gap in _wide_gaps(bag):
+        usual = _usual_gap(bag)
+        yield _Finding(
+            gap - usual,
+            note("player-finding-gap-wide", longer=longer.club, shorter=shorter.club, gap_carry=gap, usual_carry=usual),
+        )
+    for longer, shorter, gap in _narrow_gaps(bag):
+        carry, less = (each.spreads["carry"].median for each in (longer, shorter))
+        yield _Finding(
+            _usual_gap(bag) - gap,
+            note("player-finding-gap-overlap", longer=longer.club, shorter=shorter.club, carry=carry,
+                 shorter_carry=less, gap_carry=gap),
+        )  # fmt: skip
+
+
+def _gaps(bag: Sequence[ClubSummary]) -> Iterator[tuple[ClubSummary, ClubSummary, float, float]]:
+    """Yield neighbours in carry, of shots enough, with the gap between them and half of its 95% interval [m]."""
+    for longer, shorter in pairwise(bag):
+        if longer.gap is not None and min(each.spreads["carry"].shots for each in (longer, shorter)) >= FEW:
+            yield longer, shorter, longer.gap.length, 2.0 * longer.gap.error
+
+
+def _usual_gap(bag: Sequence[ClubSummary]) -> float:
+    return float(np.median([gap for _, _, gap, _ in _gaps(bag)]))
+
+
+def _wide_gaps(bag: Sequence[ClubSummary]) -> Iterator[tuple[ClubSummary, ClubSummary, float]]:
+    """Yield the gaps that are surely wider than usual in the bag."""
+    gaps = list(_gaps(bag))
+    if len(gaps) >= FEWEST_GAPS:
+        usual = _usual_gap(bag)
+        yield from ((longer, shorter, gap) for longer, shorter, gap, margin in gaps if gap - margin > WIDE * usual)
+
+
+def _narrow_gaps(bag: Sequence[ClubSummary]) -> Iterator[tuple[ClubSummary, ClubSummary, float]]:
+    """Yield the gaps that are narrow, and surely narrower than a usual one."""
+    gaps = list(_gaps(bag))
+    if len(gaps) >= FEWEST_GAPS:
+        usual = _usual_gap(bag)
+        yield from (
+            (longer, shorter, gap) for longer, shorter, gap, margin in gaps if gap < NARROW and gap + margin < usual
+        )
+
+
+def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
+    """Yield what may be worth a word of a club; shots too few for a median say nothing."""
+    carry, side = (club.measured.get(name) for name in ("carry", "side"))
+    if side is not None and side.shots >= FEW:
+        margin = side.margin
+        if abs(side.median) > max(LEAST_SIDE, margin):
+            low, high = side.median - margin, side.median + margin
+            remark = note("player-finding-side", club=club.name, side=side.median, low_side=low, high_side=high)
+            yield _Finding(abs(side.median), remark)
+        if carry is not None:
+            data = {"low_side": side.low, "high_side": side.high}
+            # Of clubs of different length: the angle, over the length of a carry of 200 yards.
+            weight = side.spread / carry.median * to_si(200.0, "yd")
+            yield _Finding(weight, note("player-finding-side-spread", club=club.name, **data))
+    if carry is not None and carry.shots >= FEW:
+        data = {"low_carry": carry.low, "high_carry": carry.high}
+        yield _Finding(carry.spread, note("player-finding-carry-spread", club=club.name, **data))
+        if club.mishits:
+            lost = carry.median - carry.mean
+            yield _Finding(lost, note("player-finding-mishits", **_mishit_data(club), lost_carry=lost))
+    for name in ("toe", "high"):
+        strike = club.measured.get(name)
+        if strike is None or strike.shots < FEW or abs(strike.median) <= max(LEAST_STRIKE, strike.margin):
+            continue
+        effect = next((each for each in club.changes if each.name == name), None)
+        weight = 0.0 if effect is None else abs(strike.median / effect.step) * math.hypot(effect.carry, effect.side)
+        yield _Finding(weight, note(f"player-finding-strike-{name}", club=club.name, **{name: strike.median}))
+
+
+def _practice(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
+    """Yield the parts of the swing whose measured scatter spreads the shots, those that cost most first."""
+    causes = sorted((each for club in clubs for each in _causes(club)), key=lambda each: -each.weight)
+    notes: list[Note] = []
+    for each in causes:
+        if all(one.code != each.note.code for one in notes):
+            notes.append(each.note)
+    yield from notes[:MOST_PRACTISED]
+    if not any("quantity" in each.data for each in notes) and not _has_club_data(clubs):
+        yield note("player-practise-unknown")
+    elif not notes:
+        yield note("player-practise-nothing")
+
+
+def _has_club_data(clubs: Sequence[ClubStatistics]) -> bool:
+    return any(effect.name in each.measured for each in clubs for effect in each.changes)
+
+
+def _causes(club: ClubStatistics) -> Iterator[_Finding]:
+    """Yield what spreads the shots of a club, of what was measured, and how much it does [m]."""
+    for direction in ("side", "carry"):
+        whole = club.measured.get(direction)
+        if whole is None or whole.shots < FEW:
+            continue
+        parts = [
+            (abs(getattr(each, direction) / each.step) * measured.spread, each.name, measured)
+            for each in club.changes
+            if (measured := club.measured.get(each.name)) is not None and measured.shots >= FEW
+        ]
+        size, name, measured = max(parts, default=(0.0, "", None), key=lambda each: each[0])
+        if measured is not None and size > LEAST_SHARE * whole.spread:
+            data = {f"part_{direction}": size, f"spread_{direction}": whole.spread, "spread": {name: measured.spread}}
+            code, label = f"player-practise-{direction}", quantity(name).label
+            yield _Finding(size, note(code, club=club.name, quantity=label, **data))
+        elif direction == "side" and not parts:
+            yield from _start_cause(club, whole)
+    if club.mishits and (carry := club.measured.get("carry")):
+        lost = carry.median - carry.mean
+        yield _Finding(lost, note("player-practise-mishits", **_mishit_data(club), lost_carry=lost))
+
+
+def _mishit_data(club: ClubStatistics) -> dict[str, Any]:
+    return {"club": club.name, "mishits": int(club.mishit.sum()), "shots": len(club.shots)}
+
+
+def _start_cause(club: ClubStatistics, side: Statistic) -> Iterator[_Finding]:
+    """Yield what the start direction does to the side, where no club data says more."""
+    start, carry = club.measured.get("azimuth"), club.measured.get("carry")
+    if start is None or carry is None or start.shots < FEW:
+        return
+    size = carry.median * math.tan(start.spread)
+    if size > LEAST_SHARE * side.spread:
+        data = {"spread_azimuth": start.spread, "part_side": size, "spread_side": side.spread}
+        yield _Finding(size, note("player-practise-start", club=club.name, **data))
+
+
+def _purchases(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> Iterator[Note]:
+    """Yield which clubs the bag asks for, and whether another loft of the longest club would be noticed."""
+    any_club = False
+    for longer, shorter, gap in _wide_gaps(bag):
+        any_club = True
+        middle = 0.5 * (longer.spreads["carry"].median + shorter.spreads["carry"].median)
+        yield note("player-buy-gap", longer=longer.club, shorter=shorter.club, gap_carry=gap, carry=middle)
+    for longer, shorter, gap in _narrow_gaps(bag):
+        any_club = True
+        yield note("player-buy-one-of-two", longer=longer.club, shorter=shorter.club, gap_carry=gap)
+    longest = next((each for each in clubs if any(one.name == "loft" for one in each.changes)), None)
+    if longest is not None and longest.club is not None and longest.club.name == "driver":
+        gain = next(each.carry for each in longest.changes if each.name == "loft")
+        if abs(gain) >= NOTICED:
+            yield note("player-buy-loft", club=longest.name, carry=gain)
+            return
+        yield note("player-buy-nothing-lofts", club=longest.name, carry=abs(gain), least_carry=NOTICED)
+    if not any_club:
+        yield note("player-buy-nothing")
+
+
+def _confidence(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
+    """Yield how sure the page is: margins of the carries, shots that are few, and what was computed or left out."""
+    carries = [each.measured["carry"] for each in clubs if "carry" in each.measured]
+    margins = [each.margin for each in carries if each.shots > 1]
+    if len(margins) == 1:
+        yield note("player-carry-margin", shots=carries[0].shots, margin_carry=margins[0])
+    elif margins:
+        yield note("player-carry-margins", least_carry=min(margins), most_carry=max(margins))
+    if any(each.computed for each in clubs):
+        yield note("player-carry-computed")
+    if not carries:
+        yield note("player-no-carry")
+    fewest = min(len(each.shots) for each in clubs)
+    if fewest < FEW:
+        yield note("player-few-shots", shots=fewest, more=FEW)
+    if mishits := sum(int(each.mishit.sum()) for each in clubs):
+        yield note("player-mishits-left-out", mishits=mishits)
+    if absent := not_measured(clubs):
+        yield note("player-not-measured", quantities=absent)
+    if any(each.changes for each in clubs):
+        yield note("player-model-standard", club="club")
