@@ -40,7 +40,7 @@ def test_two_clubs_stand_side_by_side_with_what_makes_the_difference(clubface_, 
     split = ran.out.partition("What makes heavier differ from driver")[2]
     row, rest, whole = (numbers(split, each) for each in ("clubhead mass  g", "remainder", "difference"))
     assert row[:2] == [204.0, 212.0]
-    assert row[7] == whole[5] == pytest.approx(difference, abs=0.011)
+    assert row[6] == whole[4] == pytest.approx(difference, abs=0.011)
     assert set(rest) == {0.0}
 
 
@@ -68,7 +68,24 @@ def test_json_holds_values_differences_and_contributions_that_add_up(clubface_, 
         added = sum(each[key] for each in split if each["part"] in ("contribution", "remainder"))
         assert added == pytest.approx(difference[key], rel=1e-9)
     assert (split[0]["from"], split[0]["unit"]) == (pytest.approx(204.0), "g")
-    assert ran.json["notes"] == []
+    assert {each["code"] for each in ran.json["notes"]} == {"comparison-shape"}
+
+
+def test_labels_are_kept_in_tables_words_pictures_and_json(clubface_, heavier, tmp_path):
+    labels = ["before", "after: the lesson"]
+    arguments = ("compare", "driver", heavier, *SHOT, *(word for each in labels for word in ("--label", each)))
+    ran = clubface_(*arguments, "--json", "-o", str(tmp_path / "all.csv"), "--report", str(tmp_path / "report.md"))
+    assert [each["alternative"] for each in rows(ran)] == labels
+    assert [each["club"] for each in rows(ran)] == ["driver", "heavier"]
+    assert [each["name"] for each in ran.notes("comparison-shape")] == labels
+    assert {each["alternative"] for each in rows(ran, "contributions")} == {labels[1]}
+    with (tmp_path / "all.csv").open() as file:
+        assert {each["alternative"] for each in csv.DictReader(file)} == set(labels)
+    report = (tmp_path / "report.md").read_text()
+    assert report.startswith("# before and after: the lesson compared")
+    compared = clubface.compare({each: {"club": "driver", "delivery": DRIVE} for each in labels})
+    drawn = {mark.label for panel in compared.to_result().pictures()[0].panels() for mark in panel.marks}
+    assert {f"{each}: push draw" for each in labels} <= drawn
 
 
 def test_a_set_of_parameters_and_a_setting_are_compared_and_shared(clubface_):
@@ -137,6 +154,9 @@ def test_file_and_picture_are_written(clubface_, heavier, tmp_path):
         (["driver", "3-wood", "--parameters", "penner"], ["penner", "--model standard"]),
         (["driver", "3-wood", "--toe", "90 mm"], ["--toe", "90"]),
         (["driver", "3-wood", "--ball", "x"], ["ball"]),
+        (["driver", "3-wood", "--label", "mine"], ["--label", "given 2 times", "driver; 3-wood"]),
+        (["driver", "3-wood", "--label", "mine", "--label", "mine"], ["--label", "given once"]),
+        (["driver", "3-wood", "--label", "mine", "--label", ""], ["--label", "not empty"]),
         (["driver", "3-wood", "--nodes", "5", "--no-split"], ["--nodes", "--no-split"]),
         (["driver", "3-wood", "--json", "--unit", "carry=m"], ["--unit", "--json"]),
         (["driver", "3-wood", "--accuracy", "1e-6"], ["--accuracy", "leave it out", "volumetric"]),

@@ -13,16 +13,17 @@ from command_line import assert_mistake
 
 SHOT_KEYS = [
     "model", "ball_speed_mps", "smash", "launch_deg", "azimuth_deg", "backspin_rpm", "sidespin_rpm", "total_spin_rpm",
-    "spin_axis_deg", "carry_m", "side_m", "total_m", "apex_m", "landing_angle_deg", "contact_time_us", "peak_force_kN",
+    "spin_axis_deg", "carry_m", "side_m", "curve_m", "total_m", "apex_m", "landing_angle_deg", "contact_time_us",
+    "peak_force_kN", "shot_shape",
 ]  # fmt: skip
 
 
 def test_a_shot_is_one_answer_by_the_default_model(clubface_):
     ran = clubface_("shot", "driver", "--speed", "113 mph", "--toe", "8 mm")
-    assert ran.out.splitlines()[0] == f"driver, ball modern, by {DEFAULT_MODEL}"
+    assert ran.out.splitlines()[2] == f"driver, ball modern, by {DEFAULT_MODEL}"
     assert "--model all" in ran.out.splitlines()[-1]
     assert "--model all" not in clubface_("shot", "driver", "--speed", "113 mph", "--model", DEFAULT_MODEL).out
-    shown = {line.split("  ")[0]: line.split("  ")[-1].split() for line in ran.out.splitlines()[2:] if "  " in line}
+    shown = {line.split("  ")[0]: line.split("  ")[-1].split() for line in ran.out.splitlines()[4:] if "  " in line}
     shot = clubface.impact("driver", speed="113 mph", toe="8 mm")
     flight = clubface.fly(shot)
     for name, value, unit in (
@@ -50,7 +51,7 @@ def test_the_json_of_a_shot_has_exactly_the_promised_keys_and_null_where_there_i
         assert list(row) == SHOT_KEYS
         contact = clubface.models()[row["model"]].kind == "contact" or row["model"] == "response"
         assert [row["contact_time_us"] is None, row["peak_force_kN"] is None] == [not contact, not contact]
-        assert all(row[key] is not None for key in SHOT_KEYS[:-2])
+        assert all(row[key] is not None for key in {*SHOT_KEYS} - {"contact_time_us", "peak_force_kN"})
 
 
 def test_the_json_of_a_shot_is_what_the_library_computes(clubface_):
@@ -79,34 +80,37 @@ PRINTED = {
     "launch": ("launch angle", math.pi / 180, 1), "azimuth": ("launch direction", math.pi / 180, 1),
     "backspin": ("backspin", math.pi / 30, 0), "sidespin": ("sidespin", math.pi / 30, 0),
     "total_spin": ("total spin", math.pi / 30, 0), "spin_axis": ("spin axis", math.pi / 180, 1),
-    "carry": ("carry", 0.9144, 1), "side": ("side", 0.9144, 1), "total": ("total", 0.9144, 1),
-    "apex": ("apex", 0.9144, 1), "landing_angle": ("landing angle", math.pi / 180, 1),
+    "carry": ("carry", 0.9144, 1), "side": ("side", 0.9144, 1), "curve": ("curve", 0.9144, 1),
+    "total": ("total", 0.9144, 1), "apex": ("apex", 0.9144, 1), "landing_angle": ("landing angle", math.pi / 180, 1),
     "contact_time": ("contact time", 1e-6, 0), "peak_force": ("peak force", 1e3, 1),
 }  # fmt: skip
-COLUMNS = [name for name in PRINTED if name not in ("total", "apex", "landing_angle")]
-OFF_CENTRE = ["shot", "driver", "--speed", "113 mph", "--toe", "8 mm", "--face", "-4 deg"]
+COLUMNS = [name for name in PRINTED if name not in ("total_spin", "total", "apex", "landing_angle")]
+OFF_CENTRE = ["shot", "driver", "--speed", "113 mph", "--toe", "8 mm", "--face", "-4 deg", "--loft", "12 deg"]
 
 
 def expected(model):
     """Return the quantities of the shot off centre in the units printed, as the library has them in SI."""
-    shot = clubface.impact("driver", speed="113 mph", toe="8 mm", face="-4 deg", model=model)
+    shot = clubface.impact("driver", speed="113 mph", toe="8 mm", face="-4 deg", loft="12 deg", model=model)
     flight = clubface.fly(shot)
     quantities = {name: shot if name in shot.quantities() else flight for name in PRINTED}
     return {name: getattr(quantities[name], name) / factor for name, (_, factor, _) in PRINTED.items()}
 
 
 def test_every_number_of_the_list_is_the_librarys_in_the_unit_beside_it(clubface_):
-    lines = clubface_(*OFF_CENTRE, "--model", "rings").out.splitlines()[2:]
-    shown = {line.split("  ")[0]: line.split("  ")[-1].split() for line in lines if "  " in line}
+    lines = clubface_(*OFF_CENTRE, "--model", "rings").out.split("\n\n")[0].splitlines()[2:]
+    shown = {line.split("  ")[0]: line.split("  ")[-1].split() for line in lines}
     assert list(shown) == [label for label, _, _ in PRINTED.values()]
     values = expected("rings")
     for name, (label, _, digits) in PRINTED.items():
         # The number is rounded to the digits printed.
         assert float(shown[label][0]) == pytest.approx(values[name], abs=0.5001 * 10.0**-digits), name
-    side = {name: "right" if values[name] > 0.0 else "left" for name in ("azimuth", "sidespin", "spin_axis", "side")}
+    side = {
+        name: "right" if values[name] > 0.0 else "left"
+        for name in ("azimuth", "sidespin", "spin_axis", "side", "curve")
+    }
     assert {name: shown[PRINTED[name][0]][2] for name in side} == side
     units_shown = [shown[label][1] for label, _, _ in PRINTED.values() if label != "smash factor"]
-    assert units_shown == ["mph", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "yd", "yd", "deg", "µs", "kN"]
+    assert units_shown == ["mph", "deg", "deg", "rpm", "rpm", "rpm", "deg", *["yd"] * 5, "deg", "µs", "kN"]
 
 
 def test_every_number_of_the_table_is_the_librarys_in_the_unit_of_its_column(clubface_, monkeypatch):
@@ -119,14 +123,17 @@ def test_every_number_of_the_table_is_the_librarys_in_the_unit_of_its_column(clu
         names = COLUMNS if model == "rings" else COLUMNS[:-2]
         for name, cell in zip(names, cells, strict=True):
             assert float(cell) == pytest.approx(quantities[name], abs=0.5001 * 10.0 ** -PRINTED[name][2]), (model, name)
-    units_row = ["model", "mph", "factor", "deg", "deg", "rpm", "rpm", "rpm", "deg", "yd", "yd", "µs", "kN"]
+    units_row = ["model", "mph", "factor", "deg", "deg", "rpm", "rpm", "deg", "yd", "yd", "yd", "µs", "kN"]
     assert head.splitlines()[-2].split() == units_row
 
 
 def test_an_option_left_out_takes_the_clubs_own_value_or_zero(clubface_):
     given = ["--loft", "9.8 deg", "--attack", "0 deg", "--path", "0 deg", "--toe", "0 mm", "--closure", "0 deg/s"]
     plain = clubface_("shot", "driver", "--speed", "113 mph", "--json").json
-    assert clubface_("shot", "driver", "--speed", "113 mph", *given, "--json").json == plain
+    assert plain.pop("assumptions")
+    asked = clubface_("shot", "driver", "--speed", "113 mph", *given, "--json").json
+    assert asked.pop("assumptions") == []
+    assert asked == plain
 
 
 @pytest.mark.parametrize("attack", ["-1.3 deg", "-1.3deg", "-0.022689280275926284"])
@@ -216,25 +223,47 @@ def test_a_crosswind_blows_to_the_right(clubface_):
     assert row["side_m"] > 5.0
 
 
-def test_a_loft_that_was_not_given_is_said_to_be_the_clubs_own(clubface_):
-    message = "delivered with the static loft (7-iron 30.5 deg), which few golfers do"
-    shot = ("shot", "7-iron", "--speed", "40 m/s")
-    assert message in " ".join(clubface_(*shot).out.split())
-    assert "static loft" not in clubface_(*shot, "--loft", "25 deg").out
-    assert "static loft" not in clubface_(*shot, "--json").out
-    compared = ("compare", "driver", "7-iron", "--speed", "40 m/s", "--no-split")
-    assert "(driver 9.8 deg, 7-iron 30.5 deg)" in " ".join(clubface_(*compared).out.split())
-    assert "static loft (" not in clubface_(*compared, "--delivery", "loft=15 deg").out
-    face = ("map", "driver", "--speed", "40 m/s", "--grid", "5x5")
-    assert "(driver 9.8 deg)" in " ".join(clubface_(*face).out.split())
-    assert "static loft" not in clubface_(*face, "--loft", "14 deg").out
+def test_a_loft_that_was_not_given_stands_in_the_first_line(clubface_, tmp_path):
+    report, picture = tmp_path / "report.md", tmp_path / "shot.svg"
+    for command, clubs in (
+        (("shot", "7-iron", "--attack", "-3 deg", "--report", str(report)), ["7-iron 30.5 deg"]),
+        (("shot", "7-iron", "--path", "-3 deg", "--report", str(picture.with_suffix(".html"))), ["7-iron 30.5 deg"]),
+        (("compare", "driver", "7-iron", "--no-split", "--report", str(report)), ["driver 9.8 deg", "7-iron 30.5 deg"]),
+        (("map", "driver", "--grid", "5x5", "--report", str(report)), ["driver 9.8 deg"]),
+        (("sensitivity", "driver", "--by", "toe", "--report", str(report)), ["driver 9.8 deg"]),
+    ):  # fmt: skip
+        ran = clubface_(*command, "--speed", "40 m/s")
+        first = " ".join(ran.out.split("\n\n")[0].split())
+        assert all(each in first for each in clubs), command
+        (assumed,) = clubface_(*command[:-2], "--speed", "40 m/s", "--json").json["assumptions"]
+        assert (assumed["code"], assumed["data"], assumed["text"]) == ("static-loft", {"clubs": clubs}, first)
+        if command[-1].endswith(".md"):
+            heading, paragraph, *_ = report.read_text().split("\n\n")
+            assert heading.startswith("# ")
+            assert paragraph == first
+        given = clubface_(*command[:-2], "--speed", "40 m/s", "--loft", "20 deg")
+        assert "ssumed" not in given.out.splitlines()[0]
+
+
+def test_what_was_assumed_is_in_the_titles_of_pictures(clubface_):
+    launch = clubface.impact("driver", speed="40 m/s", attack="2 deg")
+    compared = clubface.compare({name: {"club": name, "delivery": {"speed": 40.0}} for name in ("driver", "3-wood")})
+    face = clubface.map_face("driver", speed=40.0, grid=(5, 5))
+    for result in (compared.to_result(), face.to_result()):
+        assert all("9.8 deg" in each.title for each in result.pictures())
+    assert "9.8 deg" in repr(launch).splitlines()[0]
+    assert (
+        "9.8 deg"
+        in launch.to_result().assumptions[0].sentence
+        == clubface.fly(launch).to_result().assumptions[0].sentence
+    )
 
 
 def test_a_note_says_where_the_caveats_of_the_models_stand(clubface_):
     shot = ["shot", "driver", "--speed", "50 m/s", "--loft", "12 deg", "--json"]
     assert clubface_(*shot, "--model", "adjusted").notes("caveats-listed") == [{"model": "adjusted"}]
     assert clubface_(*shot, "--model", "all").notes("caveats-listed") == [{"model": "NAME"}]
-    assert clubface_(*shot, "--model", "slip").notes() == []  # has no caveats
+    assert not clubface_(*shot, "--model", "slip").notes("caveats-listed")  # has none
     text = " ".join(clubface_("models", "adjusted").out.split())
     assert text.count("lowers backspin by about 600 rpm") == 1
 
@@ -278,9 +307,9 @@ def test_no_line_of_a_table_exceeds_the_terminal(clubface_, monkeypatch, width):
 def test_a_narrow_terminal_repeats_the_models_and_loses_no_column(clubface_, monkeypatch):
     monkeypatch.setenv("COLUMNS", "60")
     out = clubface_("shot", "driver", "--speed", "113 mph", "--model", "all").out
-    assert out.count("volumetric") == 2
-    assert len(re.findall(r"^volumetric(.*)$", out, re.MULTILINE)) == 2
-    assert sum(len(line.split()) - 1 for line in out.splitlines() if line.startswith("volumetric")) == 12
+    rows = re.findall(r"^volumetric (.*)$", out, re.MULTILINE)
+    assert len(rows) > 1
+    assert sum(len(row.split()) for row in rows) == 12
 
 
 def test_outside_its_range_the_default_model_says_so_in_one_line(clubface_):

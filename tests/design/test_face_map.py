@@ -79,7 +79,7 @@ def test_the_sides_of_a_head_that_is_its_own_mirror_image_are_mirror_images():
     club = clubface.club("driver").replace(cg_z=0.0, ixz=0.0, iyz=0.0)
     result = clubface.map_face(club, DRIVE, grid=(41, 21))
     for name in QUANTITIES:
-        sign = -1.0 if name in ("azimuth", "sidespin", "spin_axis", "side", "total_side") else 1.0
+        sign = -1.0 if name in ("azimuth", "sidespin", "spin_axis", "side", "curve", "total_side") else 1.0
         values = result.get(name)
         size = np.nanmax(np.abs(values))
         # The flights are integrated with steps of their own, to 1e-9.

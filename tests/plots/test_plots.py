@@ -101,11 +101,12 @@ def test_right_of_the_target_is_drawn_downwards_from_above(flights):
     assert lower >= max(position[:, 2].max() for position in flights.values())
 
 
-def test_a_view_says_its_scale_truly(flights):
-    for axes in plots.trajectories(flights).axes:
-        stretch = axes.get_aspect()
-        scale = "equal scales" if stretch == 1.0 else f"stretched {stretch:g} times"
-        assert scale in axes.get_title(loc="left")
+def test_flights_are_drawn_to_scale_and_a_straight_shot_is_straight(flights):
+    straight = {"standard": np.stack([np.linspace(0.0, 200.0, 9), 0.0 * np.arange(9), 0.3 * np.arange(9)], axis=1)}
+    for axes in [*plots.trajectories(flights).axes, *plots.trajectories(straight).axes]:
+        assert axes.get_aspect() == 1.0
+    low, high = axes.get_ylim()  # from above, the straight shot: it ends 2.4 m right after 200 m
+    assert abs(low - high) > 5.0 * 2.4
 
 
 @pytest.mark.parametrize("height", [0.0, 0.3, 30.0, 300.0])

@@ -32,14 +32,16 @@ SIZES = {
 PRINTED = {
     "ball_speed": ("mph", 1), "smash": ("", 3), "launch": ("deg", 1), "azimuth": ("deg", 1), "backspin": ("rpm", 0),
     "sidespin": ("rpm", 0), "total_spin": ("rpm", 0), "spin_axis": ("deg", 1), "carry": ("yd", 1), "side": ("yd", 1),
-    "total": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1), "contact_time": ("µs", 0),
+    "curve": ("yd", 1), "total": ("yd", 1), "apex": ("yd", 1), "landing_angle": ("deg", 1), "contact_time": ("µs", 0),
     "peak_force": ("kN", 1),
 }  # fmt: skip
 """What fitters read these quantities in, and how many digits they can use."""
 
 
 def shot(models=("response",), **delivery):
-    launches = {name: clubface.impact("7-iron", {"speed": 40.0, **delivery}, model=name) for name in models}
+    launches = {
+        name: clubface.impact("7-iron", {"speed": 40.0, "loft": 0.5, **delivery}, model=name) for name in models
+    }
     flights = {name: clubface.fly(each) for name, each in launches.items()}
     places = {"response": np.asarray(clubface.trajectory(launches["response"]).position)}
     return launches, flights, list(report_blocks(shot_result(launches, flights, paths=lambda: (places, {}))))
@@ -56,21 +58,24 @@ def two():
 
 def face_of_the_target():
     """The face angle whose shot lands on the line, by a secant; the CG of an iron lies beside its face centre."""
-    ends = [float(clubface.fly(clubface.impact("7-iron", speed=40.0, face=face)).side) for face in (0.0, SIZES["deg"])]
+    ends = [
+        float(clubface.fly(clubface.impact("7-iron", speed=40.0, loft=0.5, face=face)).side)
+        for face in (0.0, SIZES["deg"])
+    ]
     return ends[0] / (ends[0] - ends[1]) * SIZES["deg"]
 
 
-@pytest.mark.parametrize("place", ["left", "on the line", "right"])
+@pytest.mark.parametrize("place", ["left", "on the target line", "right"])
 def test_every_number_of_the_words(place):
-    face = {"left": "-3 deg", "on the line": face_of_the_target(), "right": "3 deg"}[place]
+    face = {"left": "-3 deg", "on the target line": face_of_the_target(), "right": "3 deg"}[place]
     launches, flights, blocks = shot(face=face)
     launch, flight = launches["response"], flights["response"]
     words = " ".join(of_kind(blocks, Paragraph)[0].texts).replace("7-iron", "club")
     wanted = [
         (launch.delivery["speed"], "mph", 1), (launch.delivery["loft"], "deg", 1), (launch.ball_speed, "mph", 1),
-        (launch.launch, "deg", 1), (launch.total_spin, "rpm", 0), (flight.carry, "yd", 0),
-        *([] if place == "on the line" else [(abs(flight.side), "yd", 0)]), (flight.apex, "yd", 0),
-        (flight.landing_angle, "deg", 0),
+        (launch.launch, "deg", 1), (launch.total_spin, "rpm", 0), (flight.carry, "yd", 0), (flight.apex, "yd", 0),
+        (flight.landing_angle, "deg", 0), (abs(launch.azimuth), "deg", 1),
+        *([] if place == "on the target line" else [(abs(flight.curve), "yd", 0), (abs(flight.side), "yd", 0)]),
     ]  # fmt: skip
     assert re.findall(r"(\d+(?:\.\d+)?) (mph|deg|rpm|yd)", words) == [
         (f"{value / SIZES[unit]:.{digits}f}", unit) for value, unit, digits in wanted
@@ -90,19 +95,20 @@ class Offline:
 
 @pytest.mark.parametrize(
     ("yards", "place"),
-    [(0.49, "on the line"), (-0.49, "on the line"), (0.51, "1 yd right of"), (-0.51, "1 yd left of")],
+    [(0.49, "on the target line"), (-0.49, "on the target line"), (0.51, "1 yd right"), (-0.51, "1 yd left")],
 )
 def test_what_rounds_to_no_yard_is_on_the_line(two, yards, place):
     launches, flights, _ = two
     moved = {name: Offline(each, yards) for name, each in flights.items()}
-    assert place in shot_result(launches, moved).summary[2].sentence
+    assert place in shot_result(launches, moved).summary[3].sentence
 
 
 def test_every_number_of_the_table(two):
     launches, flights, blocks = two
     table = of_kind(blocks, TextTable)[0]
     assert [row[0] for row in table.rows] == ["response", "slip"]
-    printed = {name: each for name, each in PRINTED.items() if name not in ("total", "apex", "landing_angle")}
+    hidden = ("total_spin", "total", "apex", "landing_angle")
+    printed = {name: each for name, each in PRINTED.items() if name not in hidden}
     for model, row in zip(launches, table.rows, strict=True):
         for heading, cell, (name, (unit, digits)) in zip(table.headings[1:], row[1:], printed.items(), strict=True):
             assert heading.endswith(f"({unit})") or not unit

@@ -99,7 +99,7 @@ def test_the_report_of_a_shot_has_the_numbers_of_the_shot(clubface_, tmp_path):
     words = re.sub(r"<[^>]+>", " ", page)
     assert f"leaves at {launch.get('ball_speed', 'mph'):.1f} mph" in words
     assert f"carries {flight.get('carry', 'yd'):.0f} yd" in words
-    assert f"{-flight.get('side', 'yd'):.0f} yd left of the line" in words
+    assert f"{-flight.get('side', 'yd'):.0f} yd left" in words
 
 
 def test_the_flight_behind_the_picture_ends_where_the_ball_lands():

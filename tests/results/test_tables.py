@@ -97,13 +97,18 @@ def test_a_note_without_a_sentence_or_its_data_is_refused():
 
 
 def test_a_sentence_says_quantities_in_the_units_people_read():
-    made = note("shot-off-line", carry=228.6, side=-4.572, apex=27.432, landing_angle=math.radians(38.0))
-    assert made.sentence == (
-        "It carries 250 yd and lands 5 yd left of the line, after it has risen to 30 yd; it comes down at 38 deg."
+    made = note("shot-carry", carry=228.6, apex=27.432, landing_angle=math.radians(38.0))
+    assert made.sentence == "It carries 250 yd, rises to 30 yd and comes down at 38 deg."
+    assert made.to_dict()["data"] == pytest.approx({"carry_m": 228.6, "apex_m": 27.432, "landing_angle_deg": 38.0})
+
+
+def test_a_sentence_has_other_words_for_what_rounds_to_nothing():
+    shape = {"azimuth": math.radians(-0.04), "curve": 0.4 * 0.9144, "shape": "straight shot"}
+    assert (
+        "on the target line, curves not at all and lands 1 yd left" in note("shot-shape", side=-0.6, **shape).sentence
     )
-    assert made.to_dict()["data"] == pytest.approx(
-        {"carry_m": 228.6, "side_m": -4.572, "apex_m": 27.432, "landing_angle_deg": 38.0}
-    )
+    shape["azimuth"] = math.radians(-10.0)
+    assert "starts 10.0 deg left, curves not" in note("shot-shape", side=-0.6, **shape).sentence
 
 
 def test_counts_agree_with_their_words():

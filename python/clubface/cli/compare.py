@@ -16,7 +16,7 @@ from clubface.cli.failures import print_note
 from clubface.cli.output import progress_bar
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import ClubfaceError, InputError
-from clubface.support.checks import check_names
+from clubface.support.checks import check_names, is_name
 
 
 def alternatives_of(
@@ -121,6 +121,19 @@ def _deliveries(
     return result
 
 
+def labelled(alternatives: Mapping[str, Any], labels: Sequence[str]) -> dict[str, Any]:
+    """Return alternatives under names of a person's own, given in their order."""
+    if len(labels) != len(alternatives):
+        named = "; ".join(alternatives)
+        raise InputError("--label", ", ".join(labels), f"given {len(alternatives)} times, once for each of: {named}")
+    for place, label in enumerate(labels):
+        if not is_name(label):
+            raise InputError("--label", label, "printable text, not empty")
+        if label in labels[:place]:
+            raise InputError("--label", label, "given once: every column has a name of its own")
+    return dict(zip(labels, alternatives.values(), strict=True))
+
+
 app = typer.Typer(add_completion=False)
 
 _REPEATABLE = "Repeatable: what is given more than once is compared."
@@ -169,6 +182,12 @@ def compare(
         str | None,
         options.option("--deliveries", metavar="FILE", text="CSV or Parquet file with a delivery in each row."),
     ] = None,
+    label: Annotated[
+        list[str] | None,
+        options.option(
+            "--label", metavar="NAME", text="A name of your own for a column. Given once for each, in their order."
+        ),
+    ] = None,
     split: Annotated[bool, typer.Option("--split/--no-split", help="Split the differences into their causes.")] = True,
     nodes: Annotated[
         int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
@@ -204,10 +223,10 @@ def compare(
             f"there is nothing to compare: {allowed}" if len(alternatives) < 2
             else f"there are {len(alternatives)} combinations to compare; give at most {MOST}"
         )  # fmt: skip
+    if label:
+        alternatives = labelled(alternatives, label)
     with progress_bar("points of derivatives") as update:
         compared = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
     if output.target is not None:
         write_table(compared.all_figures(), output.target)
-    clubs_struck = [(compared.launches[name].club, each["delivery"]) for name, each in alternatives.items()]
-    hints = options.loft_hints(clubs_struck)
-    output.show(compared.to_result().replace(hints=tuple(hints)), write_table=False)
+    output.show(compared.to_result(), write_table=False)

@@ -13,17 +13,21 @@ app = typer.Typer(add_completion=False)
 
 @app.command()
 @options.takes(
-    options.LAUNCH, options.BALL, options.AIR, options.GROUND, show.UNITS, show.plot_option("the flight"), show.REPORT,
-    show.JSON,
+    options.LAUNCH, options.BALL, {"hand": options.PLAYER_HAND}, options.AIR, options.GROUND, show.UNITS,
+    show.plot_option("the flight"), show.REPORT, show.JSON,
 )  # fmt: skip
 def flight(**texts: Any) -> None:
     """Compute where a launched ball flies, bounces and rolls."""
     from clubface.equipment.balls import ball
+    from clubface.equipment.described import HANDS
     from clubface.simulation.flight_result import flight_result
     from clubface.simulation.results import outputs
+    from clubface.support.checks import check_choice
 
     output = show.Output.check(texts, [texts["ball"]])
     dimensions = {name: outputs()[name].dimension for name in options.LAUNCH}
     values = options.quantities(texts, dimensions, {"ball_speed": "167 mph", "launch": "10.9 deg"})
     launch = {**values, **ball(texts["ball"]).inputs()}
-    output.show(flight_result(launch, **options.conditions(texts)))
+    hand = texts["hand"] or "right"
+    check_choice("--hand", hand, HANDS)
+    output.show(flight_result(launch, hand=hand, **options.conditions(texts)))

@@ -95,8 +95,7 @@ def map_(
     result = mapped.to_result(names, scatter)
     if output.report is not None:
         result = result.replace(tables=(*result.tables, mapped.all_points()))
-    hints = (*options.loft_hints([(each.centre.club, delivery) for each in maps]), *result.hints)
-    output.show(result.replace(hints=hints), write_table=False)
+    output.show(result, write_table=False)
 
 
 def _second(target: str) -> str:

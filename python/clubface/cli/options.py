@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Annotated, Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Annotated, Any
 
 import typer
 
@@ -14,11 +14,6 @@ from clubface.cli.failures import print_note
 from clubface.equipment.models import DEFAULT_MODEL, model, models, models_with
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
-
-if TYPE_CHECKING:
-    from clubface.equipment.clubs import Club
-    from clubface.results.notes import Note
-
 
 Group = Mapping[str, tuple[Any, Any]]
 """Options by the name of their value: annotation and default."""
@@ -146,6 +141,10 @@ EQUIPMENT: Group = {
     "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; its own unless given."),
     **BALL,
 }
+
+PLAYER_HAND = text_option(
+    "--hand", None, "right|left", "Hand of the player, for the name of the shot; right unless given."
+)
 
 MODELS_TEXT = "A model, or several with commas or repeated; all unless given."
 Models = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
@@ -387,17 +386,6 @@ def _wind(text: str) -> tuple[float, float, float]:
         raise InputError("--wind", text, 'a tailwind, or "along, right" as in "-5 m/s, 2 m/s"')
     speeds = [parsed("--wind", part, "speed") for part in parts]
     return speeds[0], 0.0, speeds[1] if len(speeds) == 2 else 0.0
-
-
-def loft_hints(struck: Iterable[tuple[Club, Collection[str]]]) -> list[Note]:
-    """Return the hint that clubs were delivered with their static loft, as theirs alone was known; none if none were.
-
-    ``struck`` are clubs with the names of what was given of their deliveries.
-    """
-    from clubface.results.notes import note
-
-    lofts = {head.name: f"{units.from_si(head.loft, 'deg'):.4g} deg" for head, known in struck if "loft" not in known}
-    return [note("static-loft", clubs=[f"{name} {loft}" for name, loft in lofts.items()])] if lofts else []
 
 
 def pairs(texts: Iterable[str], option: str) -> dict[str, str]:

@@ -48,9 +48,9 @@ def shot(club: options.ClubArgument, **texts: Any) -> None:
     if remark := Tally().add_all(launches.values()).remark():
         print_note(f"note: {remark}")
     flights = {name: fly(launch, **conditions) for name, launch in launches.items()}
-    hints = options.loft_hints([(head, delivery)]) + ([] if texts["model"] else [note("all-models")])
+    hints = () if texts["model"] else (note("all-models"),)
     result = shot_result(launches, flights, conditions=conditions, paths=lambda: _paths(launches, conditions, delivery))
-    output.show(result.replace(hints=tuple(hints)))
+    output.show(result.replace(hints=hints))
 
 
 def _paths(

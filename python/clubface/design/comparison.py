@@ -28,9 +28,10 @@ from clubface.shots.tables.reader import open_table
 from clubface.simulation.flight import Flight, fly, trajectory
 from clubface.simulation.impact import impact, warn_if_outside
 from clubface.simulation.inputs import as_values
-from clubface.simulation.launch import Launch
+from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.simulation.sensitivity import FEW, OF_THE_BALL
+from clubface.simulation.shot_result import flight_views, shape_note
 from clubface.support.checks import check_choice, check_count, check_name, check_names, without_warnings
 from clubface.units import to_si
 
@@ -143,6 +144,7 @@ class Compared(Described):
         """Return the alternatives, their differences and what makes them as a result."""
         first, *others = self.names
         split = {name: each for name, each in self.contributions.items() if each.changes}
+        shapes = [shape_note("comparison-shape", each, name=name) for name, each in self.flights.items()]
         differences = [text("alternative", others), text("compared_with", [first] * len(others), printed=False)]
         differences += _quantity_columns([self._differences(name) for name in others])
         tables = [self._alternatives(), Table("differences", tuple(differences), "differences", layout="transposed")]
@@ -150,7 +152,8 @@ class Compared(Described):
             tables.append(self._contributions(split))
         return Result(
             kind="comparison", title=f"{' and '.join(self.names)} compared", tables=tuple(tables),
-            summary=tuple(self._summary()), notes=tuple(self._notes()),
+            assumptions=assumptions_of(self.launches.values()),
+            summary=(*shapes, *self._summary()), notes=(*shapes, *self._notes()),
             provenance=provenance_of(self.launches.values(), flight_conditions(**self.conditions)),
             draw=lambda: [comparison_picture(self)],
         )  # fmt: skip
@@ -171,6 +174,7 @@ class Compared(Described):
             *(column(name, [each.delivery.get(name) for each in launches], printed=False) for name in delivered),
         ]
         columns += _quantity_columns([self._levels[name] for name in self.names], differences=False)
+        columns.append(text("shot_shape", [each.shot_shape() or None for each in self.flights.values()], printed=False))
         return Table("alternatives", tuple(columns), layout="transposed")
 
     def _contributions(self, split: Mapping[str, Contributions]) -> Table:
@@ -221,7 +225,7 @@ class Compared(Described):
         return "\n".join(lines)
 
 
-SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
+SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "carry", "side", "curve", "total")
 """Quantities whose contributions are printed; files and JSON have all."""
 
 
@@ -279,26 +283,17 @@ _MOST_BARS = 9
 
 def comparison_picture(compared: Compared) -> Picture:
     """Return the picture of a comparison: the flights, and below them what makes each difference."""
-    side, above = [], []
-    for place, (name, launch) in enumerate(compared.launches.items()):
-        path = trajectory(launch, **compared.conditions).position
-        side.append(Mark("line", path[:, 0], path[:, 1], style=place, label=name))
-        above.append(Mark("line", path[:, 2], path[:, 0], style=place, label=name))
-    reach = 1.05 * max(float(np.abs(mark.x).max()) for mark in above)
-    flights: list[Panel | None] = [
-        Panel(side, axis("carry", "distance along the target line", limits=(0.0, None)),
-              axis("apex", "height", limits=(0.0, None)), "from the side"),
-        Panel([*above, Mark("rule", x=0.0, style=-1)], axis("side", "right", limits=(-reach, reach)),
-              axis("carry", "distance", limits=(0.0, None)), "from above, stretched sideways"),
-    ]  # fmt: skip
-    rows, heights = [flights], [2.5]
+    paths = {name: trajectory(each, **compared.conditions).position for name, each in compared.launches.items()}
+    shapes = {name: each.shot_shape() for name, each in compared.flights.items()}
+    views, heights = flight_views(paths, shapes=shapes, styles={name: place for place, name in enumerate(paths)})
+    rows: list[list[Panel | None]] = [[each] for each in views]
     for name, made in compared.contributions.items():
         if made.changes:
             rows.append(_contribution_panels(compared, name, made))
             heights.append(0.9 + 0.19 * (min(len(made.changes), _MOST_BARS + 1) + 2))
     return Picture(
         "comparison", "Flights, and what makes the differences", rows, heights=heights,
-        height=sum(heights) + 0.3 * len(heights), legend=True,
+        height=sum(heights) + 0.3 * len(heights) + 0.8, legend=True,
     )  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from clubface.simulation.flight import BALL, SPIN, VELOCITY, Flight, flight_colu
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import Variable, flight_inputs, flight_outputs, inputs, outputs
 from clubface.simulation.sensitivity import differentiated
+from clubface.simulation.shot_shape import curve
 from clubface.support.checks import check_choice
 
 CURVED = ("bulge", "roll")
@@ -103,6 +104,8 @@ class Line(NamedTuple):
 
 
 Array = NDArray[Any]
+CURVE_STEP = 1e-4
+"""Of launch direction [rad], carry and side [m] between which the slopes of the curve are taken."""
 STEP = 1e-8
 """s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
 
@@ -128,7 +131,7 @@ def slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> It
 
 
 def flown(launch_slopes: tuple[Array, Array], point: Point, names: Sequence[str], base: Mapping[str, float]) -> Array:
-    """Return the slopes of the quantities of the flight, shape (quantities, names), by the chain rule.
+    """Return the slopes of ``FLOWN``, the quantities of the flight, shape (quantities, names), by the chain rule.
 
     Parameters
     ----------
@@ -149,13 +152,25 @@ def flown(launch_slopes: tuple[Array, Array], point: Point, names: Sequence[str]
         **{name: float(values[places[name]]) for name in launched},
         **{name: point.inputs[name] for name in BALL},
     }
-    jacobian = differentiated(columns).jacobian
+    flight, jacobian = differentiated(columns)
     at = list(flight_inputs())
     chain = jacobian[:, [at.index(name) for name in launched]] @ by_names[[places[name] for name in launched]]
     for place, name in enumerate(names):
         if name in BALL:
             chain[:, place] += jacobian[:, at.index(name)]
-    return chain
+    rows = dict(zip(flight_outputs(), chain, strict=True)) | {"azimuth": by_names[places["azimuth"]]}
+    drawn = {"azimuth": float(values[places["azimuth"]]), "carry": flight["carry"], "side": flight["side"]}
+    rows["curve"] = sum(slope * rows[name] for name, slope in _slopes_of_curve(drawn).items())
+    return np.array([rows[name] for name in FLOWN])
+
+
+def _slopes_of_curve(drawn: Mapping[str, float]) -> dict[str, float]:
+    """Return the slopes of the curve by what it follows from, by central differences: exact to 1e-9."""
+    slopes = {}
+    for name in drawn:
+        less, more = (curve(**{**drawn, name: drawn[name] + step}) for step in (-CURVE_STEP, CURVE_STEP))
+        slopes[name] = float(more - less) / (2.0 * CURVE_STEP)
+    return slopes
 
 
 def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tuple[Array, Array]]:
@@ -219,14 +234,14 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
 LAUNCHED: tuple[str, ...] = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis",
 )  # fmt: skip
-FLOWN: tuple[str, ...] = ("carry", "side", "total", "total_side", "apex", "landing_angle")
+FLOWN: tuple[str, ...] = ("carry", "side", "curve", "total", "total_side", "apex", "landing_angle")
 QUANTITIES: tuple[str, ...] = (*LAUNCHED, *FLOWN)
 """In the order of all tables."""
 
 
 def quantities() -> dict[str, Variable]:
     """Return the quantities by name, with units and meanings."""
-    known = {**flight_outputs(), **outputs()}
+    known = {**Flight.quantities(), **outputs()}
     return {name: known[name] for name in QUANTITIES}
 
 
@@ -371,13 +386,12 @@ def _integrated(
     shares = 0.5 + 0.5 * places
     base, _, _ = flight_columns(last, conditions.get("air"), conditions.get("wind"), conditions.get("ground"))
     launched = [list(outputs()).index(name) for name in LAUNCHED]
-    flights = [list(flight_outputs()).index(name) for name in FLOWN]
     total = np.zeros((len(QUANTITIES), len(line.names)))
     for done, (share, weight, launch_slopes) in enumerate(
         zip(shares.tolist(), weights.tolist(), slopes(line, last, shares.tolist(), ball), strict=True), 1
     ):
         rates = np.array(list(line.rates(share).values()))
-        by_flight = flown(launch_slopes, line.at(share), line.names, base)[flights]
+        by_flight = flown(launch_slopes, line.at(share), line.names, base)
         total += 0.5 * weight * np.concatenate([launch_slopes[1][launched], by_flight]) * rates
         if progress is not None:
             progress(done, nodes)

@@ -14,6 +14,7 @@ from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
+from clubface.simulation.launch import assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.units import fixed
 
@@ -48,6 +49,7 @@ def face_map_result(mapped: Mapped, names: Sequence[str] = (), spreads: Sequence
         inputs["impacts that scatter"] = _spread_words(spreads[0])
     return Result(
         kind="face-map", title=title, tables=tuple(tables), summary=tuple(_summary(maps)),
+        assumptions=assumptions_of(each.centre for each in maps),
         notes=tuple(_notes(maps, spreads)), hints=() if spreads else (note("map-spread-option"),),
         provenance=provenance_of(
             [each.centre for each in maps], {**inputs, **flight_conditions(**first.conditions)}

@@ -17,6 +17,7 @@ from clubface.results.pictures import Picture
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, table, text
+from clubface.simulation.launch import assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.units import SI_UNITS, fixed, to_si
 
@@ -74,6 +75,7 @@ def impact_result(impact: Impact, name: str = "", description: str = "") -> Resu
         tables=(_history("contact", impact.contact), _history("motion", impact.motion),
                 _history("energy", impact.energy), materials_table(impact.ball)),
         summary=tuple(_summary(impact, head, out | flown)), notes=(cost_note(impact),),
+        assumptions=assumptions_of(launches),
         provenance=provenance_of(launches, inputs | (flight_conditions() if flown else {})) if launches
         else Provenance(inputs),
         draw=(lambda: _pictures(impact)) if len(impact.patch["time"]) else None,

@@ -13,7 +13,8 @@ MOST_ROWS = 60
 
 def as_fragment(result: Result) -> str:
     """Return a result as HTML for a notebook."""
-    parts = [f"<strong>{html.escape(result.title)}</strong>"]
+    parts = [f"<p>{html.escape(each.sentence)}</p>" for each in result.assumptions]
+    parts.append(f"<strong>{html.escape(result.title)}</strong>")
     if rows := values_of(result.values):
         parts.append(_table(["", "", ""], [list(each) for each in rows]))
     for each in result.tables:

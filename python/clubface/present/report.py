@@ -76,13 +76,16 @@ def _appendices(result: Result) -> Iterator[Result]:
 def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) -> Iterator[Block]:
     """Yield the pieces of a result and of its parts, whose headings are of the next level."""
     yield Heading(level, result.title)
+    if result.assumptions:
+        yield Paragraph(tuple(each.sentence for each in result.assumptions))
     if result.summary:
         yield Paragraph(tuple(each.sentence for each in result.summary))
     yield from picture_blocks(result, units)
     if level == 1 and (result.tables or result.values or result.notes):
         yield Heading(2, "All figures")
     yield from table_blocks(result, units, "" if level == 1 else f"{result.title} ")
-    if notes := [each.sentence for each in result.notes]:
+    above = {each.sentence for each in result.summary}
+    if notes := [each.sentence for each in result.notes if each.sentence not in above]:
         yield Bullets(list(dict.fromkeys(notes)))
     for each in result.parts:
         if each.placement == "appendix":

@@ -50,6 +50,8 @@ def as_text(
         Whether headings are set in bold.
     """
     parts = []
+    if result.assumptions:
+        parts.append([line for each in result.assumptions for line in _wrapped(each.sentence, width)])
     values = values_of(result.values, units)
     if values:
         parts.append(_list_lines(result.title, values, width, emphasis))

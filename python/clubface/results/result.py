@@ -40,6 +40,8 @@ class Result:
         The numbers; the first is the main one.
     values
         Single values: columns of one row, by name.
+    assumptions
+        What was assumed where nothing was given; it stands first in every rendering, and in the titles of pictures.
     summary
         What came out, in sentences for a reader who knows no options.
     notes
@@ -61,6 +63,7 @@ class Result:
     title: str
     tables: tuple[Table, ...] = ()
     values: tuple[Column, ...] = ()
+    assumptions: tuple[Note, ...] = ()
     summary: tuple[Note, ...] = ()
     notes: tuple[Note, ...] = ()
     hints: tuple[Note, ...] = ()
@@ -77,8 +80,10 @@ class Result:
         raise UnknownNameError("table", name, [each.name for each in self.tables])
 
     def pictures(self) -> list[Picture]:
-        """Return its pictures."""
-        return [] if self.draw is None else list(self.draw())
+        """Return its pictures, with what was assumed in their titles."""
+        pictures = [] if self.draw is None else list(self.draw())
+        assumed = [each.sentence for each in self.assumptions]
+        return [replace(each, title="\n".join(filter(None, [*assumed, each.title]))) for each in pictures]
 
     def replace(self, **fields: Any) -> Result:
         """Return it with other fields."""
@@ -93,6 +98,7 @@ class Result:
             "schema": SCHEMA,
             "kind": self.kind,
             "title": self.title,
+            "assumptions": [each.to_dict() for each in self.assumptions],
             "values": {each.key: each.exact(0) for each in self.values},
             "tables": {each.name: {"columns": each.describe(), "rows": each.records()} for each in self.tables},
             "summary": [each.to_dict() for each in self.summary],

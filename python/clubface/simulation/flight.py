@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, overload
 
@@ -24,9 +25,10 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError, Wording
+from clubface.results.notes import Note
 from clubface.simulation import core
-from clubface.simulation.inputs import check_on_error, common_shape, thread_count
-from clubface.simulation.launch import Comparison, Launch, vectors
+from clubface.simulation.inputs import check_on_error, common_shape, hand_value, thread_count
+from clubface.simulation.launch import Comparison, Launch, assumptions_of, vectors
 from clubface.simulation.results import (
     Batch,
     Series,
@@ -38,7 +40,8 @@ from clubface.simulation.results import (
     index_of,
     translate_core_error,
 )
-from clubface.support.checks import check_choice, check_names
+from clubface.simulation.shot_shape import CURVE, curve, shot_shape
+from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
 
@@ -205,7 +208,7 @@ def flight_columns(
         parsed[name] = value
     shape = common_shape(varied)
     copies = sum(each.shape != shape for each in varied.values())
-    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies) + 2 * FAILED)  # once more, sorted
+    check_request(math.prod(shape), 8 * (len(_quantities()) + copies) + 2 * FAILED)  # once more, sorted
     flat = {
         name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
         for name, value in parsed.items()
@@ -306,6 +309,8 @@ class Flight(Batch):
         Distance of the place of rest from the target line [m], right is positive.
     outside_fit
         1 where the spin parameter left the range of the aerodynamic fit, else 0.
+    curve
+        Distance of the landing from the line on which the ball starts [m], across that line; right is positive.
     launch
         The launch it began with, or None where it was given as numbers.
     shape
@@ -326,6 +331,7 @@ class Flight(Batch):
     total: Any
     total_side: Any
     outside_fit: Any
+    curve: Any
 
     def __init__(
         self,
@@ -346,10 +352,34 @@ class Flight(Batch):
     @classmethod
     def quantities(cls) -> Mapping[str, Variable]:
         """Return the quantities by name, with unit and meaning."""
-        return flight_outputs()
+        return _quantities()
+
+    @property
+    def start(self) -> Any:
+        """Horizontal direction in which the ball starts [rad], right of the target is positive."""
+        return _of_shape(np.arctan2(self._columns["velocity_z"], self._columns["velocity_x"]), self.shape)
+
+    def shot_shape(self, hand: Any = None) -> Any:
+        """Return what golfers call the shot, such as "pull hook", and an array of it for a batch.
+
+        Parameters
+        ----------
+        hand
+            1 or "right", -1 or "left"; that of the club unless given, and right where no club is known.
+
+        See Also
+        --------
+        clubface.simulation.shot_shape : the limits between the names, and their source.
+        """
+        if hand is None:
+            hand = 1.0 if self.launch is None else _of_shape(np.asarray(self.launch.input("hand")), self.launch.shape)
+        return shot_shape(self.start, self.curve, self.carry, hand=hand_value(hand))
 
     def _headline(self) -> str:
         return f"flight after launch by {self.launch.model}" if self.launch is not None else "flight"
+
+    def _assumptions(self) -> tuple[Note, ...]:
+        return () if self.launch is None else assumptions_of([self.launch])
 
     @property
     def varied(self) -> Mapping[str, Varied]:
@@ -454,7 +484,16 @@ def fly(
         if new and on_error == "raise":
             value = columns.get(new[0][1])
             raise first_error(new, value if isinstance(value, float | None) else float(value[new[0][0]]), shape)
+    places = Flight._rows()
+    azimuth = np.arctan2(columns["velocity_z"], columns["velocity_x"])
+    curved = curve(azimuth, values[places["carry"]], values[places["side"]])
+    values = np.concatenate([values, curved[None]])
     return Flight(values, columns, shape, varied, launch if isinstance(launch, Launch) else None, problems)
+
+
+@cache
+def _quantities() -> Mapping[str, Variable]:
+    return Frozen({**flight_outputs(), "curve": Variable("curve", CURVE.unit, f"{CURVE.meaning}: {CURVE.sign}")})
 
 
 def _sorted_problems(

@@ -9,31 +9,42 @@ from clubface.quantities import format_value, quantity
 from clubface.results.notes import Note, note
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
-from clubface.results.table import column
+from clubface.results.table import column, text
 from clubface.simulation.flight import fly, has_measured_run, trajectory
 from clubface.simulation.provenance import flight_conditions
-from clubface.simulation.shot_result import shot_picture
+from clubface.simulation.shot_result import shape_note, shot_picture
 
 QUANTITIES = (
-    "carry", "side", "total", "total_side", "apex", "landing_angle", "flight_time", "landing_speed", "landing_spin",
+    "carry", "side", "curve", "total", "total_side", "apex", "landing_angle", "flight_time", "landing_speed",
+    "landing_spin",
 )  # fmt: skip
 ENDS = ("soft", "firm")
 """The fairways between which a total lies that no published run supports."""
 
 
 def flight_result(
-    launch: Mapping[str, float], *, air: Any = None, wind: Any = None, ground: str | Mapping[str, Any] | None = None
+    launch: Mapping[str, float],
+    *,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    hand: str = "right",
 ) -> Result:
-    """Fly a ball and return carry, total, apex and landing, with the totals on soft and firm ground of a low ball.
+    """Fly a ball and return its way through the air and on the ground, of a low ball on soft and firm ground too.
 
     Parameters
     ----------
+    hand
+        Of the player, for the name of the shot.
     launch, air, wind, ground
         As for :func:`clubface.fly`; single values.
     """
     flown = fly(launch, air=air, wind=wind, ground=ground)
     values = [column(name, [getattr(flown, name)]) for name in QUANTITIES]
-    notes: list[Note] = [note("spin-outside-aerodynamic-data")] if flown.outside_fit else []
+    values.append(text("shot_shape", [flown.shot_shape(hand) or None], printed=False))
+    notes: list[Note] = [shape_note("shot-shape", flown, hand)]
+    if flown.outside_fit:
+        notes.append(note("spin-outside-aerodynamic-data"))
     if ground is None and not has_measured_run(flown.landing_angle, flown.landing_speed):
         soft, firm = (float(fly(launch, air=air, wind=wind, ground=f"{each} fairway").total) for each in ENDS)
         notes.append(note("run-not-measured", soft_total=soft, firm_total=firm))
@@ -44,5 +55,10 @@ def flight_result(
     return Result(
         "flight", "Flight", values=tuple(values), notes=tuple(notes),
         provenance=Provenance(inputs=inputs | flight_conditions(air, wind, ground)),
-        draw=lambda: [shot_picture({"flight": trajectory(launch, air=air, wind=wind, ground=ground).position})],
+        draw=lambda: [
+            shot_picture(
+                {"flight": trajectory(launch, air=air, wind=wind, ground=ground).position},
+                shapes={"flight": flown.shot_shape(hand)},
+            )
+        ],
     )  # fmt: skip

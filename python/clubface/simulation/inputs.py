@@ -160,6 +160,8 @@ class Shots(NamedTuple):
         The shape the inputs broadcast to; () for a single shot.
     varied
         The inputs and parameters given as arrays, by name, not broadcast.
+    loft_assumed
+        Whether no dynamic loft was given, so that the static loft is taken for it.
     """
 
     club: Club
@@ -167,6 +169,7 @@ class Shots(NamedTuple):
     columns: list[Any]
     shape: tuple[int, ...]
     varied: dict[str, NDArray[Any]]
+    loft_assumed: bool = False
 
 
 class Prepared(NamedTuple):
@@ -308,9 +311,10 @@ def shots(setup: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> S
             varied[_HAND] = hand
     if values.get("speed") is None:
         raise InputError("speed", None, 'give it, as in speed="113 mph": it is the one value without a default')
-    if values.get(_LOFT) is None and values.get("static_loft") is not None:
+    assumed = values.get(_LOFT) is None
+    if assumed and values.get("static_loft") is not None:
         columns[column_of[_LOFT]] = columns[column_of["static_loft"]]
-    return Shots(setup.club, setup.ball, columns, (), varied)
+    return Shots(setup.club, setup.ball, columns, (), varied, assumed)
 
 
 def hand_value(hand: Any) -> Any:

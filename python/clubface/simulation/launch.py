@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import AssumptionWarning, InputError
+from clubface.results.notes import Note, note
 from clubface.simulation.inputs import Shots, common_shape
 from clubface.simulation.results import Batch, Variable, Varied, flight_inputs, input_columns, inputs, outputs
 from clubface.simulation.spin import SPINS, parts
@@ -121,6 +122,9 @@ class Launch(Batch):
     def _headline(self) -> str:
         return f"launch by {self.model} ({self.parameters.name}): {self.club.name}, ball {self.ball.name}"
 
+    def _assumptions(self) -> tuple[Note, ...]:
+        return assumptions_of([self])
+
     @property
     def club(self) -> Club:
         """The club."""
@@ -139,6 +143,11 @@ class Launch(Batch):
             each = inputs()[name] if name in inputs() else model(self.model).parameter(name)
             result[name] = Varied(values, each.unit, each.meaning)
         return result
+
+    @property
+    def loft_assumed(self) -> bool:
+        """Whether no dynamic loft was given, so that the static loft of the club was taken for it."""
+        return self._shots.loft_assumed
 
     @property
     def delivery(self) -> dict[str, Any]:
@@ -165,6 +174,18 @@ class Launch(Batch):
             "changed": {"values": {name: _number(name, value, varied) for name, value in changed.items()}},
             "delivery": {"values": delivered},
         }
+
+
+def assumptions_of(launches: Iterable[Launch]) -> tuple[Note, ...]:
+    """Return what was assumed of deliveries: the static loft of the club where no dynamic loft was given."""
+    lofts: dict[str, None] = {}
+    for each in launches:
+        if each.loft_assumed:
+            values = np.ravel(each.input("loft"))
+            low, high = float(values.min(initial=np.inf)), float(values.max(initial=-np.inf))
+            loft = units.show(low, "deg", 4) if low >= high else units.show_range(low, high, "deg")
+            lofts[f"{each.club.name} {loft}"] = None
+    return (note("static-loft", clubs=list(lofts)),) if lofts else ()
 
 
 def computed_with(

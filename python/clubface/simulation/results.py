@@ -13,7 +13,7 @@ import numpy as np
 from clubface import units
 from clubface.errors import ShotError
 from clubface.quantities import display_unit
-from clubface.results.notes import note
+from clubface.results.notes import Note, note
 from clubface.results.result import Described, Result
 from clubface.results.table import Table, column
 from clubface.simulation import core
@@ -175,6 +175,10 @@ class Batch(Described):
     def _headline(self) -> str:
         raise NotImplementedError
 
+    def _assumptions(self) -> tuple[Note, ...]:
+        """Return what was assumed where nothing was given."""
+        return ()
+
     @property
     def provenance(self) -> dict[str, Any]:
         """The inputs, the models and the version that the result was computed with."""
@@ -272,12 +276,12 @@ class Batch(Described):
         columns += [column(name, values) for name, values in zip(self.quantities(), self._values, strict=True)]
         problems = tuple(note("shot-without-result", row=list(each.row), reason=each.reason) for each in self.problems)
         table = Table(f"{self._kind}es" if self._kind == "launch" else f"{self._kind}s", tuple(columns))
-        return Result(self._kind, self._headline(), (table,), notes=problems)
+        return Result(self._kind, self._headline(), (table,), notes=problems, assumptions=self._assumptions())
 
     def __repr__(self) -> str:
-        lines = [self._headline()]
+        lines = [*(each.sentence for each in self._assumptions()), self._headline()]
         if self.shape:
-            lines[0] += f", shape {self.shape}"
+            lines[-1] += f", shape {self.shape}"
             lines.append(f"  {'':<17} {'least':>11} {'mean':>11} {'greatest':>11}")
         if self._failures:
             lines.append(f"  {len(self._failures)} without a result; the first: {self._failures[0][2]}")

@@ -23,7 +23,7 @@ from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
 from clubface.simulation.impact import Parameters, impact, warn_if_outside
 from clubface.simulation.inputs import Delivery, as_values, check_on_error, prepare, thread_count, tolerance
-from clubface.simulation.launch import Launch
+from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
     Variable,
@@ -160,7 +160,10 @@ class Sensitivity:
             notes.append(note("held-as-delivered"))
         if hidden := len(self.variables) - len(printed):
             notes.append(note("coefficients-hidden", hidden=hidden, model=self.launch.model))
-        return Result("sensitivity", table.title, (table,), notes=tuple(notes), provenance=provenance_of([self.launch]))
+        return Result(
+            "sensitivity", table.title, (table,), notes=tuple(notes), assumptions=assumptions_of([self.launch]),
+            provenance=provenance_of([self.launch]),
+        )  # fmt: skip
 
     def _per(self, variable: str) -> str:
         unit = self._shown[variable]
@@ -211,6 +214,7 @@ class Sensitivity:
         labels = [f"per {self._shown[name]} of {name}".replace("per 1 of", "of") for name in variables]
         width = max(map(len, labels), default=0)
         lines = [
+            *(each.sentence for each in assumptions_of([self.launch])),
             f"derivatives of a launch by {self.launch.model}: {self.launch.club.name}, ball {self.launch.ball.name}",
             " " * width + "".join(f"  {head:>{size}}" for head, size in zip(heads, widths, strict=True)),
         ]

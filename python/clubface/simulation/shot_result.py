@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface.quantities import format_value, quantity
 from clubface.results.notes import Note, note
@@ -13,18 +14,24 @@ from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import Flight
-from clubface.simulation.launch import Launch
+from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
 QUANTITIES = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis", "carry", "side",
-    "total", "apex", "landing_angle", "contact_time", "peak_force",
+    "curve", "total", "apex", "landing_angle", "contact_time", "peak_force",
 )  # fmt: skip
 """What is computed of a shot, in the order of its table."""
-ONE_MODEL_ONLY = ("total", "apex", "landing_angle")
+ONE_MODEL_ONLY = ("total_spin", "total", "apex", "landing_angle")
 """What the table of several models leaves out, so that it fits a terminal."""
-_FLATTEST, _TALLEST = 0.11, 0.5
-"""Height over width of a view of the flight: it is stretched to the first, and cut at the second."""
+_LEAST_SIDE, _LEAST_HEIGHT = 0.06, 0.08
+"""What a view from above shows to either side at least, and one from the side upwards, over its length."""
+_TALLEST = 0.5
+"""Height over width at which a view of the flight is cut."""
+_WIDTH = 6.4
+"""Inches between the axes of a panel that takes the whole width."""
+_MOST_STARTS = 4
+"""Flights of which the start lines are drawn; more would cover each other."""
 
 
 def shot_result(
@@ -47,14 +54,19 @@ def shot_result(
     first = next(iter(launches.values()))
     alone = len(launches) == 1
     title = f"{first.club.name}, ball {first.ball.name}" + (f", by {first.model}" if alone else "")
-    columns = [text("model", list(launches), printed=not alone), *_columns(launches, flights, alone)]
+    shapes = {name: each.shot_shape() for name, each in flights.items()}
+    columns = [
+        text("model", list(launches), printed=not alone), *_columns(launches, flights, alone),
+        text("shot_shape", [each or None for each in shapes.values()], printed=False),
+    ]  # fmt: skip
     return Result(
         kind="shot", title=title,
         tables=(Table("shots", tuple(columns), layout="list" if alone else "rows", title=title),),
+        assumptions=assumptions_of(launches.values()),
         summary=tuple(_summary(first, flights[first.model], alone)),
         notes=tuple(_notes(launches, flights)),
         provenance=provenance_of(launches.values(), flight_conditions(**(conditions or {}))),
-        draw=None if paths is None else lambda: [shot_picture(*paths(), title=_described(first))],
+        draw=None if paths is None else lambda: [shot_picture(*paths(), title=_described(first), shapes=shapes)],
     )  # fmt: skip
 
 
@@ -69,19 +81,52 @@ def _columns(launches: Mapping[str, Launch], flights: Mapping[str, Flight], alon
     ]
 
 
+_TOO_LOW = {
+    "shot-shape": "shot-too-low",
+    "shot-shape-by-model": "shot-too-low-by-model",
+    "comparison-shape": "comparison-too-low",
+}
+"""What is said in place of a sentence about the shape of a shot where the ball does not fly."""
+
+
+def shape_note(code: str, flight: Flight, hand: Any = None, **data: Any) -> Note:
+    """Return what one shot does in words: start, curve, landing, and what golfers call that.
+
+    Parameters
+    ----------
+    code
+        Of the sentence in the catalogue.
+    flight
+        Of a single ball.
+    hand
+        As for :meth:`clubface.Flight.shot_shape`.
+    data
+        What else the sentence says.
+    """
+    if not (shape := flight.shot_shape(hand)):
+        return note(_TOO_LOW[code], **data)
+    numbers = {name: float(getattr(flight, name)) for name in ("curve", "side", "carry")}
+    return note(code, azimuth=float(flight.start), **numbers, shape=shape, **data)
+
+
 def _summary(launch: Launch, flight: Flight, alone: bool) -> list[Note]:
-    side = "shot-on-line" if abs(flight.side) < 0.4572 else "shot-off-line"
     sentences = [
         note("shot-delivery", club=launch.club.name, ball=launch.ball.name, speed=launch.delivery["speed"],
              loft=launch.delivery["loft"]),
         note("shot-launch", ball_speed=launch.ball_speed, launch=launch.launch, total_spin=launch.total_spin),
-        note(side, carry=flight.carry, side=flight.side, apex=flight.apex, landing_angle=flight.landing_angle),
+        note("shot-carry", carry=flight.carry, apex=flight.apex, landing_angle=flight.landing_angle),
+        shape_note("shot-shape", flight),
     ]  # fmt: skip
     return sentences if alone else [*sentences, note("shot-of-first-model", model=launch.model)]
 
 
 def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> list[Note]:
-    notes = []
+    first = next(iter(flights))
+    alone = len(flights) == 1
+    notes = [
+        shape_note("shot-shape", flights[first]) if alone
+        else shape_note("shot-shape-by-model", flights[first], model=first)
+    ]  # fmt: skip
     if outside := [name for name in launches if flights[name].outside_fit]:
         notes.append(note("outside-aerodynamic-data", models=outside))
     if doubted := [name for name, each in launches.items() if each.parameters.caveats or each.parameters.value_caveats]:
@@ -101,7 +146,13 @@ def _described(launch: Launch) -> str:
     return f"{launch.club.name}: {', '.join(each.replace(' ', chr(160)) for each in parts)}"
 
 
-def shot_picture(flights: Mapping[str, Any], histories: Mapping[str, Any] | None = None, *, title: str = "") -> Picture:
+def shot_picture(
+    flights: Mapping[str, Any],
+    histories: Mapping[str, Any] | None = None,
+    *,
+    title: str = "",
+    shapes: Mapping[str, str] | None = None,
+) -> Picture:
     """Return the picture of a shot: forces above, the flight from the side and from above below.
 
     Parameters
@@ -112,10 +163,12 @@ def shot_picture(flights: Mapping[str, Any], histories: Mapping[str, Any] | None
         A :class:`clubface.History` (or its columns by name) of each model that has one.
     title
         What was hit and how.
+    shapes
+        What golfers call the shots, by model.
     """
     histories = histories or {}
     forces = [_force_panel(name, label, histories) for name, label in _FORCES.items()] if histories else []
-    views, heights = _views({name: np.asarray(each, dtype=float) for name, each in flights.items()})
+    views, heights = flight_views(flights, shapes=shapes)
     rows: list[list[Panel | None]] = [*([[*forces]] if forces else []), *([each] for each in views)]
     without = [name for name in flights if name not in histories] if histories else []
     return Picture(
@@ -154,30 +207,57 @@ def _force_panel(name: str, label: str, histories: Mapping[str, Any], *, named: 
     )  # fmt: skip
 
 
-def _views(flights: Mapping[str, Any]) -> tuple[list[Panel], list[float]]:
-    positions = np.concatenate(list(flights.values()))
+def flight_views(
+    flights: Mapping[str, Any],
+    *,
+    shapes: Mapping[str, str] | None = None,
+    styles: Mapping[str, str | int] | None = None,
+) -> tuple[list[Panel], list[float]]:
+    """Return panels of flights from the side and from above, both to scale, and their heights [inches].
+
+    Parameters
+    ----------
+    flights
+        Positions of the ball [m], shape [n, 3], by name.
+    shapes
+        What golfers call the shots, by name; the legend has it.
+    styles
+        Style of each line; that of the model of its name unless given.
+    """
+    paths = {name: np.asarray(each, dtype=float) for name, each in flights.items()}
+    labels = {name: f"{name}: {shape}" if (shape := (shapes or {}).get(name)) else name for name in paths}
+    positions = np.concatenate(list(paths.values()))
     length = 1.03 * max(float(positions[:, 0].max()), 1.0)
-    margin = 0.06 * float(np.ptp(positions[:, 2])) + 0.5
-    right, left = max(float(positions[:, 2].max()), 0.0) + margin, min(float(positions[:, 2].min()), 0.0) - margin
-    views = (
-        ("from the side", 1, axis("apex", "height", limits=(0.0, 1.06 * max(float(positions[:, 1].max()), 0.5)))),
-        ("from above", 2, axis("side", "right", limits=(left, right), reversed=True)),
-    )  # fmt: skip
+    back = min(1.03 * float(positions[:, 0].min()), 0.0)
+    least, margin = _LEAST_SIDE * length, 0.06 * float(np.ptp(positions[:, 2]))
+    right = max(float(positions[:, 2].max()) + margin, least)
+    left = min(float(positions[:, 2].min()) - margin, -least)
+    highest = max(1.06 * float(positions[:, 1].max()), _LEAST_HEIGHT * length)
+    along = axis("carry", "distance along the target line", limits=(back, length))
     panels, heights = [], []
-    for name, place, across in views:
-        marks = [Mark("line", each[:, 0], each[:, place], style=model, label=model) for model, each in flights.items()]
-        rule = [Mark("rule", y=0.0, style=-1)] if place == 2 else []
+    for title, place, across in (
+        ("from the side, to scale", 1, axis("apex", "height", limits=(0.0, highest))),
+        ("from above, to scale", 2, axis("side", "right", limits=(left, right), reversed=True)),
+    ):
+        marks = [
+            Mark("line", path[:, 0], path[:, place], style=name if styles is None else styles[name], label=labels[name])
+            for name, path in paths.items()
+        ]
+        if place == 2:
+            marks.insert(0, Mark("rule", y=0.0, style=-1))
+            if len(paths) <= _MOST_STARTS:
+                marks += [_start_line(path) for path in paths.values() if len(path) > 1]
         low, high = across.limits
-        span, stretch = abs((high or 0.0) - (low or 0.0)), 1.0
-        steps = iter((2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0))
-        while span * stretch < _FLATTEST * length:
-            stretch = next(steps, _FLATTEST * length / span + 1.0)
-        way = "upwards" if place == 1 else "sideways"
-        scale = "equal scales" if stretch == 1.0 else f"stretched {stretch:g} times {way}"
-        along = axis("carry", "distance along the target line", limits=(0.0, length))
-        panels.append(Panel([*marks, *rule], along, across, title=f"{name}, {scale}", aspect=stretch))
-        heights.append(6.5 * min(span * stretch / length, _TALLEST))
+        panels.append(Panel(marks, along, across, title=title, equal=True))
+        heights.append(_WIDTH * min(((high or 0.0) - (low or 0.0)) / (length - back), _TALLEST))
     return panels, heights
+
+
+def _start_line(path: NDArray[Any]) -> Mark:
+    """Return the line on which a ball starts, as far as it carries."""
+    way = path[1, [0, 2]] - path[0, [0, 2]]
+    reach = float(np.hypot(*path[-1, [0, 2]])) / max(float(np.hypot(*way)), 1e-9)
+    return Mark("line", [0.0, reach * way[0]], [0.0, reach * way[1]], style=-1, dash=2, size=0.8, label="start line")
 
 
 def _values(history: Any, name: str) -> Any:

@@ -14,18 +14,21 @@ SENTENCES = {
         "no measured run of so low or slow a ball is published; the total is {soft_total:bare 0} to {firm_total:0} "
         "from a soft to a firm fairway"
     ),
+    "shot-carry": "It carries {carry:0}, rises to {apex:0} and comes down at {landing_angle:0}.",
     "shot-delivery": "The {club} meets the ball {ball} at {speed}, with {loft} of dynamic loft.",
     "shot-launch": "The ball leaves at {ball_speed}, {launch} upwards, and spins with {total_spin}.",
     "shot-of-first-model": "These are the figures of the model {model}; the table has those of the others.",
-    "shot-off-line": (
-        "It carries {carry:0} and lands {side:sides 0} of the line, after it has risen to {apex:0}; it comes down at "
-        "{landing_angle:0}."
+    "shot-shape": (
+        "The ball starts {azimuth:right/left/on the target line}, curves {curve:right/left/not at all 0} and lands "
+        "{side:right/left/on the target line 0}: a {shape}."
     ),
-    "shot-on-line": (
-        "It carries {carry:0} and lands on the line to the target, after it has risen to {apex:0}; it comes down at "
-        "{landing_angle:0}."
+    "shot-shape-by-model": (
+        "By {model} the ball starts {azimuth:right/left/on the target line}, curves {curve:right/left/not at all 0} "
+        "and lands {side:right/left/on the target line 0}: a {shape}."
     ),
+    "shot-too-low": "The ball does not leave the ground: it has neither carry nor curve.",
+    "shot-too-low-by-model": "By {model} the ball does not leave the ground: it has neither carry nor curve.",
     "shot-without-result": "shot {row} has no result: {reason}",
     "spin-outside-aerodynamic-data": "the spin leaves the range to which the aerodynamics were fitted",
-    "static-loft": "--loft is not given: delivered with the static loft ({clubs}), which few golfers do.",
+    "static-loft": ("Assumed, since no dynamic loft is given: the static loft ({clubs}), which few golfers deliver."),
 }
