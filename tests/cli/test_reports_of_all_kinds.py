@@ -21,6 +21,7 @@ pytest.importorskip("matplotlib")
 HOSTILE = "<script>alert(1)</script> $x^{$ & [y](javascript:z) | `w`"
 """A name that runs in a page, is no formula, and would be a link, a cell or code in Markdown."""
 SPEED = ("--speed", "95 mph")
+LOFT = ("--loft", "14 deg")
 VOID = {"meta", "img", "br", "hr"}
 
 
@@ -63,7 +64,7 @@ def files(tmp_path):
 
 
 COMMANDS = {
-    "shot": ("shot", "club.toml", *SPEED, "--face", "2 deg"),
+    "shot": ("shot", "club.toml", *SPEED, *LOFT, "--face", "2 deg"),
     "compare": ("compare", "club.toml", "3-wood", *SPEED, "--no-split"),
     "map": ("map", "club.toml", *SPEED, "--grid", "5x5"),
     "dispersion": ("dispersion", "golfer.toml", "--club", "club.toml", "--count", "64", "--no-shares"),
@@ -208,9 +209,10 @@ SWAPPED = {"right": "left", "left": "right"}
 @pytest.mark.parametrize(
     ("right", "left"),
     [
-        (("shot", "driver", *SPEED, "--face", "2 deg", "--path", "-1 deg", "--toe", "9 mm"),
-         ("shot", "driver", *SPEED, "--face", "-2 deg", "--path", "1 deg", "--toe", "9 mm", "--hand", "left")),
-        (("map", "driver", *SPEED, "--grid", "5x5"), ("map", "driver", *SPEED, "--grid", "5x5", "--hand", "left")),
+        (("shot", "driver", *SPEED, *LOFT, "--face", "2 deg", "--path", "-1 deg", "--toe", "9 mm"),
+         ("shot", "driver", *SPEED, *LOFT, "--face", "-2 deg", "--path", "1 deg", "--toe", "9 mm", "--hand", "left")),
+        (("map", "driver", *SPEED, *LOFT, "--grid", "5x5"),
+         ("map", "driver", *SPEED, *LOFT, "--grid", "5x5", "--hand", "left")),
     ],
 )  # fmt: skip
 def test_a_left_handed_shot_is_told_with_the_sides_of_its_mirror_image(clubface_, tmp_path, right, left):
