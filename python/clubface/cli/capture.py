@@ -28,16 +28,11 @@ Unit = Annotated[
     options.option("--units", metavar="UNIT", text="Unit of length, in place of the one that the files name."),
 ]
 Roughness = Annotated[float, typer.Option("--roughness", help="How much the path of the smoother may bend.")]
-Noise = Annotated[
-    str, typer.Option("--noise", metavar='"0.3 mm"', help="Standard deviation of a marker along each axis.")
-]
-Gaps = Annotated[
-    float, typer.Option("--gaps", metavar="SHARE", help="Share of the time that a marker is hidden, 0 to 0.5.")
-]
-Seed = Annotated[int, typer.Option("--seed", help="The same seed gives the same swings.")]
-SWINGS: options.Group = {
-    "club": (Club, "driver"), "hand": (Hand, None), "noise": (Noise, "0 mm"), "gaps": (Gaps, 0.0), "seed": (Seed, 1),
-}  # fmt: skip
+SWINGS = {"club": (Club, "driver"), "hand": (Hand, None), **options.group(None, {
+    "noise": (str, "0 mm", '"0.3 mm"', "Standard deviation of a marker along each axis."),
+    "gaps": (float, 0.0, "SHARE", "Share of the time that a marker is hidden, 0 to 0.5."),
+    "seed": (int, 1, "N", "The same seed gives the same swings."),
+})}  # fmt: skip
 """Options of synthetic swings."""
 
 

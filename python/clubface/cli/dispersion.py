@@ -24,7 +24,12 @@ app = typer.Typer(add_completion=False)
 
 LOFT_THAT_COUNTS = 0.05
 """Degrees of static loft from which a club is said to be delivered with the dynamic loft of another."""
-_HOLE = "Hole"
+HOLE = options.group("Hole", {
+    "hole": (str | None, None, '"430 yd"', "Length of a hole on which strokes are counted."),
+    "fairway": (str | None, None, '"32 yd"', "Width of its fairway."),
+    "rough": (str | None, None, '"20 yd"', "Width of its rough on either side; beyond it are trees."),
+    "lie": (str | None, None, "NAME", "Where the shot is played from; tee unless given."),
+})  # fmt: skip
 _CLUB = options.option(
     "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the golfer's unless given."
 )
@@ -32,7 +37,7 @@ _CLUB = options.option(
 
 @app.command()
 @options.takes(
-    options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, show.UNITS,
+    options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, HOLE, show.UNITS,
     show.table_option("Write every shot to this file, CSV or Parquet."),
     show.plot_option("where the balls land and what spreads them"), show.REPORT, show.JSON,
 )  # fmt: skip
@@ -44,25 +49,6 @@ def dispersion(
     ] = None,
     seed: options.Seed = 0,
     no_flight: Annotated[bool, typer.Option("--no-flight", help="Compute launches only, without flights.")] = False,
-    hole: Annotated[
-        str | None,
-        options.option(
-            "--hole", panel=_HOLE, metavar='"430 yd"', text="Length of a hole on which strokes are counted."
-        ),
-    ] = None,
-    fairway: Annotated[
-        str | None, options.option("--fairway", panel=_HOLE, metavar='"32 yd"', text="Width of its fairway.")
-    ] = None,
-    rough: Annotated[
-        str | None,
-        options.option(
-            "--rough", panel=_HOLE, metavar='"20 yd"', text="Width of its rough on either side; beyond it are trees."
-        ),
-    ] = None,
-    lie: Annotated[
-        str | None,
-        options.option("--lie", panel=_HOLE, metavar="NAME", text="Where the shot is played from; tee unless given."),
-    ] = None,
     no_shares: Annotated[bool, typer.Option("--no-shares", help="Do not compute what spreads the shots.")] = False,
     **texts: Any,
 ) -> None:
@@ -74,7 +60,7 @@ def dispersion(
     from clubface.shots.tables.writer import KINDS
 
     output = show.Output.check(texts, kinds=KINDS)
-    for name, value in {"hole": hole, **{name: texts[name] for name in options.AIR}}.items():
+    for name, value in {name: texts[name] for name in ("hole", *options.AIR)}.items():
         if no_flight and value is not None:
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
@@ -87,7 +73,7 @@ def dispersion(
         "model": texts["model"], "parameters": options.one_set(head, texts), "ball": texts["ball"],
         "flight": not no_flight, "accuracy": texts["accuracy"], **options.conditions(texts),
     }  # fmt: skip
-    played = _hole(hole, fairway, rough, lie)
+    played = _hole(**{name: texts[name] for name in HOLE})
     file = nullcontext() if output.target is None else shots_file(output.target, seed=seed)
     with progress_bar("shots") as progress, file as each:
         shots = compute(
@@ -123,23 +109,17 @@ def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
         )
 
 
-def _hole(length: str | None, fairway: str | None, rough: str | None, lie: str | None) -> Hole | None:
-    given_too = {"--fairway": fairway, "--rough": rough, "--lie": lie}
-    if length is None:
-        for option, value in given_too.items():
-            if value is not None:
-                raise ClubfaceError(f'{option} is of a hole; give its length as well, as in --hole "430 yd"')
+def _hole(hole: str | None, lie: str | None, **widths: str | None) -> Hole | None:
+    given: dict[str, Any] = {name: text for name, text in {**widths, "lie": lie}.items() if text is not None}
+    if hole is None:
+        for name in given:
+            raise ClubfaceError(f'--{name} is of a hole; give its length as well, as in --hole "430 yd"')
         return None
     from clubface.design.strokes import Hole
 
-    widths = {"fairway": fairway, "rough": rough}
-    given: dict[str, Any] = {
-        name: options.parsed(f"--{name}", text, "length") for name, text in widths.items() if text is not None
-    }
-    if lie is not None:
-        given["lie"] = lie
+    given |= {name: options.parsed(f"--{name}", given[name], "length") for name in widths if name in given}
     try:
-        return Hole(length=options.parsed("--hole", length, "length"), **given)
+        return Hole(length=options.parsed("--hole", hole, "length"), **given)
     except InputError as error:
         error.parameter = "--hole" if error.parameter == "length" else error.parameter
         raise

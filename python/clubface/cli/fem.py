@@ -1,18 +1,17 @@
-"""``clubface fem``: finite element impacts of meshed balls and heads."""
+"""``clubface fem``: finite element impacts, what they are made of, tests of heads, and better heads."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from clubface.cli import options, show
+from clubface.cli import options, output, show
 from clubface.cli.failures import Interrupted, print_note, print_written
-from clubface.cli.fem_heads import ball as report_ball, design, face as report_face, head as report_head
 from clubface.cli.output import progress_bar, run_with_progress
-from clubface.errors import InputError, RunError, Wording
-from clubface.support.checks import check_choice
+from clubface.errors import ClubfaceError, InputError, RunError, Wording
+from clubface.support.checks import check_choice, check_count
 from clubface.support.files import prepared_folder
 from clubface.units import fixed
 
@@ -22,77 +21,172 @@ if TYPE_CHECKING:
     from clubface.results.result import Result
 
 app = typer.Typer(
-    add_completion=False,
-    no_args_is_help=True,
-    help="Finite elements: impacts of meshed balls and heads, and better heads.",
+    add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls and heads, better heads."
 )
-app.command("ball")(report_ball)
-app.command("head")(report_head)
-app.command("face")(report_face)
-app.command("design")(design)
 
-Friction = Annotated[float, typer.Option("--friction", metavar="NUMBER", help="Coefficient of friction.")]
-Refine = Annotated[
-    int, typer.Option("--refine", metavar="TIMES", help="How many times finer the mesh is along every edge, 1 to 8.")
-]
-BallOption = Annotated[str, typer.Option("--ball", metavar="NAME|FILE", help="A ball made of pieces.")]
+CaseArgument = Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")]
+HeadArgument = Annotated[str, typer.Argument(metavar="NAME|FILE", help="A meshed head.")]
+CASE = options.group(None, {"case": (str, "paper", "NAME|FILE", "The case that is varied.")})
+BALL = "A ball made of pieces."
+WORKERS = options.group(None, {"workers": (int | None, None, "N", "Number of runs at a time; all cores unless given.")})
+REFERENCE = options.group(None, {
+    "friction": (float, 0.35, "NUMBER", "Coefficient of friction."),
+    "refine": (int, 1, "TIMES", "How many times finer the mesh is along every edge, 1 to 8."),
+    "element": (str, "one-point", "one-point|full", "Kind of elements."),
+    "ball": (str, "reference", "NAME|FILE", BALL),
+    "contact": (str, "penalty", "penalty|augmented-lagrange", "How nodes are kept out of the plane."),
+})  # fmt: skip
 MOVING = 81
 """Pictures of an animation."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
 """Of Fig. 8 of Roh and Lee."""
 
 
-@app.command("reference")
-def reference(
-    friction: Friction = 0.35,
-    refine: Refine = 1,
-    element: Annotated[
-        str, typer.Option("--element", metavar="one-point|full", help="Kind of elements.")
-    ] = "one-point",
-    ball: BallOption = "reference",
-    contact: Annotated[
-        str,
-        typer.Option("--contact", metavar="penalty|augmented-lagrange", help="How nodes are kept out of the plane."),
-    ] = "penalty",
-    as_json: options.Json = False,
+GRID = options.group(None, {
+    "speed": (str, SPEEDS, "FIRST:LAST:STEP", "Clubhead speeds, m/s."),
+    "loft": (str, LOFTS, "FIRST:LAST:STEP", "Lofts, deg."),
+})  # fmt: skip
+FACE = options.group(None, {
+    "toe": (str, "-20:20:10", "FIRST:LAST:STEP", "Points, mm to the toe."),
+    "high": (str, "-8:8:8", "FIRST:LAST:STEP", "Points, mm above the centre."),
+    "ball": (str, "modern", "NAME|FILE", BALL),
+})  # fmt: skip
+TESTS = options.group("Tests", {
+    "measure": (bool, False, None, "Also simulate restitution and characteristic time; takes seconds."),
+    "blow": (str | None, None, '"125 mph"', "Also simulate a blow: the stress, and where the metal yields."),
+    "toe": (str | None, None, '"8 mm"', "With --measure or --blow: how far towards the toe."),
+    "high": (str | None, None, '"3 mm"', "With --measure or --blow: how far above the face centre."),
+    "ball": (str | None, None, "NAME|FILE", "With --measure or --blow: the ball; modern unless given."),
+    "safety": (float | None, None, "SHARE", "With --measure or --blow: the time step over the stable one."),
+    "meshes": (int, 3, "COUNT", "With --blow: number of meshes, 1 to 3, to see how far the stress depends on them."),
+})  # fmt: skip
+
+
+@app.command("ball")
+@options.takes(show.JSON)
+def ball(name: Annotated[str, typer.Argument(metavar="NAME|FILE", help=BALL)], **texts: Any) -> None:
+    """Mesh a ball; compare mass, diameter and inertia with what was asked for and with the rules."""
+    from clubface import fem
+
+    show.Output.check(texts).show(fem.ball(name).to_result())
+
+
+@app.command("head")
+@options.takes(TESTS, show.REPORT, show.JSON)
+def head(name: HeadArgument, **texts: Any) -> None:
+    """Mesh a head and report mass, CG, inertia, how it was tuned and, on request, restitution and stress."""
+    from clubface import fem
+    from clubface.fem import head_tests, stress
+    from clubface.fem.head_result import head_result
+
+    shown = show.Output.check(texts, [name])
+    meshes = check_count("--meshes", texts["meshes"], 1, 3)
+    made = fem.head(name)
+    given = {name: texts[name] for name in ("blow", "toe", "high", "ball")}
+    given["time step over the stable one"] = texts["safety"]
+    place: dict[str, Any] = {
+        each: options.parsed(f"--{each}", given[each], "length") for each in ("toe", "high") if given[each] is not None
+    }
+    how: dict[str, Any] = {**place, "ball": texts["ball"], "safety": texts["safety"]}
+    if not texts["measure"] and texts["blow"] is None and any(value is not None for value in given.values()):
+        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --blow")
+    speed = None if texts["blow"] is None else options.parsed("--blow", texts["blow"], "speed")
+    if speed is not None and not speed > 0.0:
+        raise InputError("--blow", texts["blow"], "above 0 m/s")
+    tests, struck = {}, None
+    if texts["measure"]:
+        tests = run_with_progress(
+            lambda progress: {
+                "restitution": head_tests.restitution(made, **how, progress=progress),
+                "characteristic_time": head_tests.characteristic_time(
+                    made, safety=texts["safety"], **place, progress=progress
+                ),
+            }
+        )
+    if speed is not None:
+        struck = run_with_progress(
+            lambda progress: stress.blow_stress(name, speed=speed, **how, meshes=meshes, progress=progress)
+        )
+    inputs = {each: str(value) for each, value in given.items() if value is not None}
+    shown.show(head_result(made, tests=tests, blow=struck, inputs=inputs))
+
+
+@app.command("face")
+@options.takes(FACE, show.FOLDER, WORKERS, show.JSON)
+def face(name: HeadArgument, **texts: Any) -> None:
+    """Simulate restitution and characteristic time over the face of a head, one point on each core."""
+    from clubface.fem import head_tests
+    from clubface.fem.sweep import grid
+
+    toes, highs = (grid(texts[each], "length", f"--{each}") for each in ("toe", "high"))
+    target = None if texts["folder"] is None else prepared_folder(texts["folder"]) / "face.csv"
+    with progress_bar("points") as progress:
+        rows = head_tests.face_map(
+            name, toes=toes, highs=highs, ball=texts["ball"], output=target, workers=texts["workers"],
+            progress=progress,
+        )  # fmt: skip
+    result = head_tests.face_result(rows, name)
+    written = [] if target is None else [target, show.save_picture(result, target.with_suffix(".png"))]
+    show.Output(texts["as_json"]).show(result, more=written)
+
+
+@app.command("design")
+@options.takes(
+    show.table_option("Write the best head to this TOML file, which fem head and shot read."),
+    show.plot_option("every design that was judged"), show.REPORT, {"resume": (options.Resume, False)}, WORKERS,
+    show.JSON,
+)  # fmt: skip
+def design(
+    study: Annotated[
+        str, typer.Argument(metavar="STUDY", help="A TOML file: head, walls that may change, what is best, limits.")
+    ],
+    **texts: Any,
 ) -> None:
+    """Find the walls of a head: a fast model proposes them, finite elements judge ball speed, stress and limits."""
+    from clubface.design.shells import improve, read
+
+    shown = show.Output.check(texts, (study,), (".toml",))
+    output.check_resume(texts["resume"], shown.target)
+    asked = read(study)
+    output.check_not_read(shown.target)
+    how = {name: texts[name] for name in ("resume", "workers")}
+    with progress_bar("designs") as progress:
+        result = improve(asked, output=shown.target, **how, progress=progress)
+    shown.show(result.to_result(), write_table=False)
+
+
+@app.command("reference")
+@options.takes(REFERENCE, show.JSON)
+def reference(**texts: Any) -> None:
     """Throw the ball of Roh and Lee at a rigid plane, the case on which solvers are compared."""
     from clubface import fem
     from clubface.fem.impact_result import reference_result
 
-    settings = fem.Settings(contact=contact)
-    impact = run_with_progress(
-        lambda progress: fem.reference(
-            ball=ball, friction=friction, refine=refine, element=element, settings=settings, progress=progress
-        )
-    )
+    settings = fem.Settings(contact=texts["contact"])
+    how = {name: texts[name] for name in ("ball", "friction", "refine", "element")}
+    impact = run_with_progress(lambda progress: fem.reference(**how, settings=settings, progress=progress))
     # What other solvers gave is known of this case alone.
-    result = reference_result(impact, published=friction == 0.35 and ball == "reference")
-    show.Output(as_json).show(result)
+    result = reference_result(impact, published=how["friction"] == 0.35 and how["ball"] == "reference")
+    show.Output.check(texts).show(result)
     _end(impact)
 
 
 @app.command("run")
-def run(
-    case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")],
-    folder: options.Folder = None,
-    frames: Annotated[
-        int | None,
-        typer.Option(
-            "--frames", metavar="NUMBER", help="Number of deformed shapes to keep; that of the case unless given."
-        ),
-    ] = None,
-    animate: Annotated[
-        bool, typer.Option("--animate", help="With --output: also write a moving picture (GIF).")
-    ] = False,
-    report: options.Report = None,
-    as_json: options.Json = False,
-) -> None:
+@options.takes(
+    show.FOLDER,
+    options.group(None, {
+        "frames": (int | None, None, "NUMBER", "Number of deformed shapes to keep; that of the case unless given."),
+        "animate": (bool, False, None, "With --output: also write a moving picture (GIF)."),
+    }),
+    show.REPORT, show.JSON,
+)  # fmt: skip
+def run(case: CaseArgument, **texts: Any) -> None:
     """Run a case: ball, head, delivery and settings in one TOML file."""
     from clubface.fem import case as cases
     from clubface.fem.impact_result import impact_result
 
-    output = show.Output.check({"as_json": as_json, "report": report}, [case])
+    folder, frames, animate = (texts.pop(name) for name in ("folder", "frames", "animate"))
+    shown = show.Output.check(texts, [case])
     chosen = cases.case(case)
     if animate and folder is None:
         raise InputError("--animate", Wording("without --output"), "give the folder to write to, as in --output out/")
@@ -111,24 +205,22 @@ def run(
 
             written.append(write_animation(moving_section(impact), Path(folder) / "impact.gif"))
     finally:  # what took long is shown even where a disk is full
-        output.show(result, more=written)
+        shown.show(result, more=written)
     _end(impact)
 
 
 @app.command("paper")
-def paper(
-    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="A variation of the case.")] = "paper",
-    folder: options.Folder = None,
-    swept: Annotated[
-        bool, typer.Option("--sweep/--no-sweep", help="With --output: also redraw Fig. 8, which takes 35 runs.")
-    ] = True,
-    as_json: options.Json = False,
-) -> None:
+@options.takes(
+    CASE, show.FOLDER,
+    options.group(None, {"sweep": (bool, True, None, "With --output: also redraw Fig. 8, which takes 35 runs.")}),
+    show.JSON,
+)  # fmt: skip
+def paper(**texts: Any) -> None:
     """Run the case of Roh and Lee by both methods of contact; compare with their figures; --output redraws them."""
     from clubface.fem import case as cases, paper as published
     from clubface.fem.impact_result import paper_result
 
-    chosen = cases.case(case)
+    chosen, folder = cases.case(texts["case"]), texts["folder"]
     if folder is not None:
         prepared_folder(folder)
     runs = run_with_progress(lambda progress: published.by_contact(chosen, progress))
@@ -137,35 +229,29 @@ def paper(
     try:
         written = _write(result, folder)
     finally:
-        show.Output(as_json).show(result, more=written)
+        show.Output(texts["as_json"]).show(result, more=written)
     for impact in runs.values():
         _end(impact)
-    if folder is not None and swept:
+    if folder is not None and texts["sweep"]:
         _, written = _sweep(chosen, SPEEDS, LOFTS, folder, published=True)
         print_written(written)
 
 
 @app.command("sweep")
-def sweep(
-    speed: Annotated[str, typer.Option("--speed", metavar="FIRST:LAST:STEP", help="Clubhead speeds, m/s.")] = SPEEDS,
-    loft: Annotated[str, typer.Option("--loft", metavar="FIRST:LAST:STEP", help="Lofts, deg.")] = LOFTS,
-    case: Annotated[str, typer.Option("--case", metavar="NAME|FILE", help="The case that is varied.")] = "paper",
-    folder: options.Folder = None,
-    workers: Annotated[
-        int | None, typer.Option("--workers", help="Number of runs at a time; all cores unless given.")
-    ] = None,
-    as_json: options.Json = False,
-) -> None:
+@options.takes(GRID, CASE, show.FOLDER, WORKERS, show.JSON)
+def sweep(**texts: Any) -> None:
     """Run a case over speeds and lofts, one run on each core; with --output it can be resumed."""
     from clubface.fem import case as cases
 
-    result, written = _sweep(cases.case(case), speed, loft, folder, workers=workers, published=case == "paper")
-    show.Output(as_json).show(result, more=written)
+    case, published = cases.case(texts["case"]), texts["case"] == "paper"
+    speed, loft, folder, workers = (texts[name] for name in ("speed", "loft", "folder", "workers"))
+    result, written = _sweep(case, speed, loft, folder, workers=workers, published=published)
+    show.Output(texts["as_json"]).show(result, more=written)
 
 
 @app.command("export")
 def export(
-    case: Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")] = "paper",
+    case: CaseArgument = "paper",
     form: Annotated[
         str, typer.Option("--format", metavar="lsdyna|vtu", help="lsdyna writes a keyword deck, vtu shapes over time.")
     ] = "vtu",

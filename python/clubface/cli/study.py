@@ -14,89 +14,68 @@ app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Studies: any inputs of a shot swept, on one machine or a cluster."
 )
 
-StudyArgument = Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")]
 StudyOrStore = Annotated[
     str, typer.Argument(metavar="STUDY", help="TOML file of a study, or the folder of its finished parts.")
 ]
-StoreOption = Annotated[
-    str | None,
-    options.option("--store", metavar="FOLDER", text="Folder of the finished parts; STUDY.store unless given."),
-]
+STORE = options.group(
+    None, {"store": (str | None, None, "FOLDER", "Folder of the finished parts; STUDY.store unless given.")}
+)
+WHERE = options.group(None, {
+    "workers": (int | None, None, "N", "Processes at a time; one for each processor unless given."),
+    "shard": (str | None, None, "K/N", "Compute share K of N; slurm or kubernetes/N in a job's array."),
+    "scheduler": (str | None, None, "ADDRESS", "Compute on the Dask cluster with this scheduler."),
+})  # fmt: skip
 
 
 @app.command("run")
-@options.takes(show.JSON)
-def run(
-    study: StudyArgument,
-    workers: Annotated[
-        int | None,
-        typer.Option("--workers", metavar="N", help="Processes at a time; one for each processor unless given."),
-    ] = None,
-    shard: Annotated[
-        str | None,
-        options.option("--shard", metavar="K/N", text="Compute share K of N; slurm or kubernetes/N in a job's array."),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        options.option("--scheduler", metavar="ADDRESS", text="Compute on the Dask cluster with this scheduler."),
-    ] = None,
-    store: StoreOption = None,
-    **texts: Any,
-) -> None:
+@options.takes(WHERE, STORE, show.JSON)
+def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")], **texts: Any) -> None:
     """Compute what is missing of a study; what is finished stays, whatever happens."""
     from clubface.studies.results import run_result
     from clubface.studies.running import run as compute
 
     shown = show.Output.check(texts)
     with progress_bar("chunks") as progress:
-        done = compute(study, store=store, workers=workers, shard=shard, scheduler=scheduler, progress=progress)
+        done = compute(study, **{name: texts[name] for name in ("store", *WHERE)}, progress=progress)
     shown.show(run_result(done))
 
 
 @app.command("status")
-@options.takes(show.JSON)
-def status(
-    study: StudyOrStore,
-    check: Annotated[bool, typer.Option("--check", help="Read every part and name the damaged ones.")] = False,
-    store: StoreOption = None,
-    **texts: Any,
-) -> None:
+@options.takes(
+    options.group(None, {"check": (bool, False, None, "Read every part and name the damaged ones.")}), STORE, show.JSON
+)
+def status(study: StudyOrStore, **texts: Any) -> None:
     """Show how far a study is."""
     from clubface.studies.results import status_result
     from clubface.studies.running import status as state
 
     shown = show.Output.check(texts)
     with progress_bar("parts") as progress:
-        result = state(study, store=store, check=check, progress=progress)
+        result = state(study, store=texts["store"], check=texts["check"], progress=progress)
     shown.show(status_result(result))
 
 
 @app.command("join")
-@options.takes(show.table_option("Write the table, Parquet or CSV by its ending."), show.JSON)
-def join(
-    study: StudyOrStore,
-    store: StoreOption = None,
-    **texts: Any,
-) -> None:
+@options.takes(show.table_option("Write the table, Parquet or CSV by its ending."), STORE, show.JSON)
+def join(study: StudyOrStore, **texts: Any) -> None:
     """Put all parts together in the order of the tasks, and print the SHA-256 of every column."""
     from clubface.studies.joining import join as put_together
     from clubface.studies.results import joined_result
 
     shown = show.Output.check(texts, (study,))
     with progress_bar("parts") as progress:
-        joined = put_together(study, shown.target, store=store, progress=progress)
+        joined = put_together(study, shown.target, store=texts["store"], progress=progress)
     shown.show(joined_result(joined), write_table=False)
 
 
 @app.command("summary")
-@options.takes(show.plot_option("means, spreads and extremes along every input"), show.REPORT, show.JSON)
+@options.takes(show.plot_option("means, spreads and extremes along every input"), show.REPORT, STORE, show.JSON)
 def summary(
     study: StudyOrStore,
     quantities: Annotated[
         list[str] | None,
         options.option("--output", metavar="NAMES", text="Quantities with commas or repeated; all unless given."),
     ] = None,
-    store: StoreOption = None,
     **texts: Any,
 ) -> None:
     """Print means, spreads and extremes, of all tasks and along every input that was swept."""
@@ -108,5 +87,5 @@ def summary(
     if names == []:
         raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
     with progress_bar("parts") as progress:
-        result = sum_up(study, quantities=names, store=store, progress=progress)
+        result = sum_up(study, quantities=names, store=texts["store"], progress=progress)
     shown.show(summary_result(result, study))
