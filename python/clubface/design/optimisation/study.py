@@ -31,7 +31,7 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -496,23 +496,25 @@ def content(study: DesignStudy | Fitting) -> dict[str, Any]:
     return {**values, "golfers": [(each.content(), weight) for each, weight in study.golfers]}
 
 
+S = TypeVar("S")
+
+
 def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
     """Return a study, or that of a file; the file of a fitting is an :class:`InputError`."""
-    if isinstance(given, DesignStudy):
-        return given
-    result = read(given)
-    if isinstance(result, Fitting):
-        raise InputError("study", given, "a study with variables; fit takes a fitting, which has a table [fit]")
-    return result
+    wanted = "a study with variables; fit takes a fitting, which has a table [fit]"
+    return _read_as(DesignStudy, given, "study", wanted)
 
 
 def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
     """Return a fitting, or that of a file; the file of a study is an :class:`InputError`."""
-    if isinstance(given, Fitting):
-        return given
-    result = read(given)
-    if isinstance(result, DesignStudy):
-        raise InputError("fitting", given, "one with a table [fit]; optimise takes a study, which has variables")
+    wanted = "one with a table [fit]; optimise takes a study, which has variables"
+    return _read_as(Fitting, given, "fitting", wanted)
+
+
+def _read_as(kind: type[S], given: Any, name: str, wanted: str) -> S:
+    result = given if isinstance(given, (DesignStudy, Fitting)) else read(given)
+    if not isinstance(result, kind):
+        raise InputError(name, given, wanted)
     return result
 
 
