@@ -16,8 +16,10 @@ import pytest
 import typer
 
 from clubface.cli.app import app
+from clubface.cli.show import Output
 from clubface.present.document import as_markdown
 from clubface.present.report import report_blocks
+from clubface.present.terminal import as_text
 from clubface.results.result import Result
 from clubface.results.table import column, table
 
@@ -55,7 +57,7 @@ COMMANDS = {
     "infer": "infer --club driver --ball-speed '159 mph' --launch '14.5 deg' --backspin '2900 rpm' --samples 100 "
     "--model standard",
     "map": "map driver --speed '105 mph' --grid 5x5 --spread '12 mm x 9 mm' --model standard",
-    "models": "models rings",
+    "models": "models response",
     "monitor formats": "monitor formats garmin",
     "monitor read": "monitor read trackman.csv",
     "monitor summary": "monitor summary session.csv",
@@ -123,8 +125,19 @@ def test_every_command_with_json_is_among_them():
     assert {name for name, options in OPTIONS.items() if "--json" in options} == set(COMMANDS) | LIVE
 
 
+@pytest.fixture
+def shown(monkeypatch):
+    """The results that commands show."""
+    results = []
+    show = Output.show
+    monkeypatch.setattr(
+        Output, "show", lambda self, result, **more: (results.append(result), show(self, result, **more))
+    )
+    return results
+
+
 @pytest.mark.parametrize("name", COMMANDS)
-def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tables):
+def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tables, shown):
     report = tmp_path / "report.html"
     document = run(name, *(["--report", str(report)] if "--report" in OPTIONS[name] else []))
     jsonschema.validate(document, SCHEMA)
@@ -132,6 +145,10 @@ def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tab
     for made in document["tables"].values():
         for row in made["rows"]:
             assert list(row) == list(made["columns"])
+    # What a terminal shows of it stays within its width.
+    for width in (80, 120):
+        lines = as_text(shown[-1], width=width).split("\n")
+        assert [line for line in lines if len(line) > width] == []
     if "--report" in OPTIONS[name]:
         saved = saved_tables(report)
         wanted = {each.replace("_", "-"): made["rows"] for each, made in document["tables"].items() if made["rows"]}

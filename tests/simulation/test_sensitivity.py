@@ -184,3 +184,46 @@ def test_a_derivative_is_asked_for_by_its_names_and_unit():
 def test_a_flat_face_does_not_depend_on_how_flat_it_is():
     table = clubface.sensitivity("7-iron", speed=40.0, outputs=MAIN, variables=["bulge", "roll"])
     assert np.all(table.si == 0.0)
+
+
+EXPLAINED = {
+    "friction-lowers-spin": ({}, "friction", 0.1),
+    "high-strike-lowers-spin": ({}, "high", 1e-3),
+    "attack-at-held-loft": ({}, "attack", math.radians(1.0)),
+}
+"""Notes whose data are the loss of backspin over a step of an input."""
+
+
+@pytest.mark.parametrize("code", EXPLAINED)
+def test_a_sign_that_surprises_is_explained_with_the_loss_that_two_launches_have(code):
+    _, name, step = EXPLAINED[code]
+    table = clubface.sensitivity("driver", **DRIVE, model="response")
+    (result,) = [each for each in table.to_result().notes if each.code == code]
+
+    def spin(value):
+        given = {"parameters": {"friction": value}} if name == "friction" else {name: value}
+        return clubface.impact("driver", **{**DRIVE, **given}, model="response").backspin
+
+    centre = 0.35 if name == "friction" else table.launch.input(name)
+    lost = spin(centre - 0.05 * step) - spin(centre + 0.05 * step)
+    assert lost > 0.0
+    # A tenth of the step, over which the curvature does not show.
+    assert result.data["backspin"] == pytest.approx(10.0 * lost, rel=2e-3)
+
+
+def test_signs_are_explained_only_where_they_are_so():
+    def codes(club, **shot):
+        return {each.code for each in clubface.sensitivity(club, **shot).to_result().notes}
+
+    grips, slides = {"speed": "100 mph", "loft": "12 deg"}, {"speed": "80 mph", "loft": "62 deg"}
+    assert "friction-lowers-spin" in codes("driver", **grips)
+    # A ball that slides throughout gains spin from friction.
+    assert "friction-lowers-spin" not in codes("lob-wedge", **slides)
+    assert "toe-strike-curves-back" in codes("driver", **grips)
+    left = codes("driver", hand="left", **grips)
+    assert "toe-strike-curves-back" in left
+
+
+def test_every_printed_derivative_names_its_step():
+    result = clubface.sensitivity("driver", **DRIVE, model="slip").to_result().table()
+    assert all(", per " in each for each in result["per"].values)

@@ -20,7 +20,8 @@ def models(
     **texts: Any,
 ) -> None:
     """List the impact models, or show one with its parameters and their published values."""
-    from clubface.equipment.listings import model_result, models_result
+    from clubface.equipment.listings import models_result
+    from clubface.simulation.rebound import model_in_full
 
     output = show.Output.check(texts)
-    output.show(models_result() if name is None else model_result(name))
+    output.show(models_result() if name is None else model_in_full(name))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from clubface.equipment.balls import BALL_PROPERTIES, Ball, ball_names
 from clubface.equipment.clubs import CATEGORIES, CLUB_NAMES, CLUB_PROPERTIES, TOUR_CLUBS, Club, club
-from clubface.equipment.models import DEFAULT_MODEL, Model, further_models, model, models
+from clubface.equipment.models import DEFAULT_MODEL, Model, Parameter, further_models, model, models
 from clubface.equipment.parameters import RANGES, ParameterSet, builtin_sets, in_words
 from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
@@ -48,6 +48,8 @@ def model_result(name: str) -> Result:
     shown = model(name)
     sets = builtin_sets(shown.name)
     parameters = shown.parameters
+    functions = _functions(parameters)
+    terms = {each for coefficients in functions.values() for each in coefficients}
     declared = table(
         "parameters",
         text("parameter", [each.name for each in parameters]),
@@ -58,6 +60,7 @@ def model_result(name: str) -> Result:
         text("meaning", [each.meaning for each in parameters]),
         text("source", [each.source for each in parameters], printed=False),
         title="Parameters",
+        shown_rows=[row for row, each in enumerate(parameters) if each not in terms],
     )
     notes = [
         note("model-summary", summary=shown.summary),
@@ -69,12 +72,76 @@ def model_result(name: str) -> Result:
         notes.append(note("model-range", range=in_words(RANGES[shown.name])))
     sources: dict[str, list[str]] = {}
     for each in parameters:
-        sources.setdefault(each.source, []).append(each.name)
+        sources.setdefault(each.source, [])
+        if each not in terms:
+            sources[each.source].append(each.name)
+    for name, coefficients in functions.items():
+        sources[coefficients[0].source].append(f"{name}_...")
     notes += [note("parameters-from", parameters=names, source=source) for source, names in sources.items() if source]
     notes += [each for place, one in enumerate(sets, 1) for each in _set_notes(place, one)]
     title = f"{shown.name}: {shown.title} ({shown.kind})"
-    tables = (declared, _published_values(shown, sets)) if sets else (declared,)
-    return Result("model", title, tables, notes=tuple(notes))
+    tables = [_function_table(functions)] if functions else []
+    tables += [declared] if not sets else [declared, _published_values(shown, sets)]
+    if functions:
+        tables.insert(1, _feature_table())
+        notes.insert(1, note("coefficients-are-terms", coefficients=len(terms), functions=len(functions)))
+    return Result("model", title, tuple(tables), notes=tuple(notes))
+
+
+FEATURES = {
+    "speed": "normal approach speed over 40 m/s, less 0.75",
+    "friction": "three times what the coefficient of friction exceeds 0.3",
+    "slip": "share of the friction that rolling needs, from -0.5 (none) to 0.5 (the ball slides throughout)",
+    "mobility": "mass with which ball and head resist along the normal over that of the ball, less 0.8, times 5",
+    "ratio": "mobility of the contact along the face over that along the normal, near 0 for clubs",
+    "coupling": "how far the normal impulse drives the contact along its own sliding (off centre)",
+    "face": "square of the characteristic time over 250 us",
+    "bend": "how much faster the normals approach at separation than at first touch, since a face curves and turns",
+    "offset": "how far the normal impulse drives the contact along the face in any direction",
+}
+"""What the response functions depend on, by the name that their terms have in parameters."""
+_FIRST = "_middle"
+"""How the name of the constant term of a function ends."""
+_POWERS = {"2": "²", "3": "³"}
+
+
+def _functions(parameters: Sequence[Parameter]) -> dict[str, list[Parameter]]:
+    """Return the coefficients of each response function of a model, by its name; none where a model has none."""
+    first = {each.meaning: each.name for each in parameters if each.name.endswith(_FIRST)}
+    functions: dict[str, list[Parameter]] = {}
+    for each in parameters:
+        if each.meaning in first:
+            functions.setdefault(first[each.meaning].removesuffix(_FIRST), []).append(each)
+    return functions
+
+
+def _formula(function: str, coefficients: Sequence[Parameter]) -> str:
+    """Return a sum of terms, such as "0.823 - 0.0786 speed + 0.0471 speed face"."""
+    written = ""
+    for each in coefficients:
+        features = each.name.removeprefix(f"{function}_").split("_")
+        factors = [f"{word[:-1]}{_POWERS[word[-1]]}" if word[-1] in _POWERS else word for word in features]
+        term = " ".join([f"{abs(each.default):.3g}", *(word for word in factors if word != _FIRST[1:])])
+        sign = "-" if each.default < 0.0 else "+"
+        written += f" {sign} {term}" if written else term.rjust(len(term) + (sign == "-"), "-")
+    return written
+
+
+def _function_table(functions: Mapping[str, Sequence[Parameter]]) -> Table:
+    meanings = [coefficients[0].meaning for coefficients in functions.values()]
+    return table(
+        "functions",
+        text("function", list(functions)),
+        text("meaning", [each.removeprefix("term of ") for each in meanings], label="what it is"),
+        text("terms", [len(each) for each in functions.values()], printed=False),
+        text("formula", [_formula(name, each) for name, each in functions.items()]),
+        title="Functions",
+    )
+
+
+def _feature_table() -> Table:
+    return table("features", text("feature", list(FEATURES)), text("meaning", list(FEATURES.values())),
+                 title="What they depend on")  # fmt: skip
 
 
 def _published_values(shown: Model, sets: Sequence[ParameterSet]) -> Table:

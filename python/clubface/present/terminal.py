@@ -21,6 +21,8 @@ WIDEST = 120
 """Letters of a line of text."""
 NARROWEST = 14
 """Letters to which a column of words is wrapped before a table continues below."""
+LONGEST_NUMBER = 24
+"""Letters of a number with its remark, such as "1.20 [0.95, 1.45]"."""
 
 
 def terminal_width() -> int | None:
@@ -217,7 +219,10 @@ def _heading(words: str, unit: str) -> str:
 
 
 def _holds_numbers(rows: Sequence[Sequence[str]], place: int) -> bool:
-    return all(not row[place] or row[place].lstrip("+-")[:1].isdigit() for row in rows)
+    """Whether a column holds numbers, alone or with a short remark; a formula is words."""
+    return all(not row[place] or row[place].lstrip("+-")[:1].isdigit() for row in rows) and not any(
+        len(row[place]) > LONGEST_NUMBER for row in rows
+    )
 
 
 def _wrap_words(

@@ -16,7 +16,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
 from clubface.errors import InputError, UnitError, Wording
 from clubface.quantities import display_unit
-from clubface.results.notes import note
+from clubface.results.notes import Note, note
 from clubface.results.result import Result
 from clubface.results.table import Table, text
 from clubface.simulation import core
@@ -50,6 +50,18 @@ FEW = 20
 """Parameters of a model that are shown when a table is printed; of a model with more, only ``OF_THE_BALL``, since the
 others are coefficients of a fit."""
 OF_THE_BALL = ("friction",)
+LEAST = 5e-5
+"""Derivatives smaller than this, in the units shown, are printed as zero; files have all digits."""
+
+
+_SURPRISES = {
+    "friction-lowers-spin": ("friction", 0.1, "backspin", "backspin"),
+    "high-strike-lowers-spin": ("high", 1e-3, "backspin", "backspin"),
+    "toe-strike-curves-back": ("toe", 1e-3, "sidespin", "sidespin"),
+    "attack-at-held-loft": ("attack", math.radians(1.0), "backspin", "backspin"),
+    "static-loft-at-held-loft": ("static_loft", math.radians(1.0), "launch", "launch"),
+}
+"""Notes on derivatives that are negative where many expect them positive: variable, step, output, name of the data."""
 
 
 class Sensitivity:
@@ -132,6 +144,7 @@ class Sensitivity:
         pairs = [(output, variable) for variable in self.variables for output in self.outputs] * len(shots)
         of_shot = [shot for shot in shots for _ in range(len(self.variables) * len(self.outputs))]
         values = self.values
+        shown = [float(values[(*self._place(*pair), *shot)]) for pair, shot in zip(pairs, of_shot, strict=True)]
         printed = self.variables if every_variable else self.main_variables
         table = Table(
             "derivatives",
@@ -144,9 +157,7 @@ class Sensitivity:
                 text("variable", [variable for _, variable in pairs], printed=False),
                 text("per", [self._per(variable) for _, variable in pairs], in_files=False),
                 text("of", [f"{each} {self._shown[each]}".removesuffix(" 1") for each, _ in pairs], in_files=False),
-                text("value", [
-                    float(values[(*self._place(*pair), *shot)]) for pair, shot in zip(pairs, of_shot, strict=True)
-                ], digits=-4),
+                text("value", shown, digits=[4 if abs(each) < LEAST else -4 for each in shown]),
                 text("unit", [self.unit(*pair) for pair in pairs], printed=False),
             ),
             title=f"{self.launch.club.name}, {self.launch.model}: change of the launch",
@@ -158,6 +169,7 @@ class Sensitivity:
         ]
         if any(name.startswith(("cg_", "dcg_")) for name in printed):
             notes.append(note("held-as-delivered"))
+        notes += self._sign_notes(printed)
         if hidden := len(self.variables) - len(printed):
             notes.append(note("coefficients-hidden", hidden=hidden, model=self.launch.model))
         return Result(
@@ -165,9 +177,19 @@ class Sensitivity:
             provenance=provenance_of([self.launch]),
         )  # fmt: skip
 
+    def _sign_notes(self, printed: Sequence[str]) -> list[Note]:
+        """Return why signs are as they are that many do not expect; of many shots, where all have the sign."""
+        notes = []
+        for code, (variable, step, output, data) in _SURPRISES.items():
+            if variable in printed and output in self.outputs:
+                hand = self.launch.input("hand") if output == "sidespin" else 1.0
+                slope = self.value(output, variable)
+                if np.all(hand * slope < -LEAST * units.size(self._shown[output]) / units.size(self._shown[variable])):
+                    notes.append(note(code, **{data: abs(float(np.mean(slope))) * step}))
+        return notes
+
     def _per(self, variable: str) -> str:
-        unit = self._shown[variable]
-        return variable if unit == "1" else f"{variable}, per {unit}"
+        return f"{variable}, per {self._shown[variable]}"
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a variable and one column an output, in the units shown, which stand in the labels.

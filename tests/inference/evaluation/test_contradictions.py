@@ -110,3 +110,22 @@ def test_a_wrong_parameter_set_is_detected():
     assert result["driver", "ball_speed"] == {f"{name} slip" for name in ("standard", "adjusted")} | {
         f"slip {name}" for name in ("volumetric", "rings", "area")
     }
+
+
+def test_the_least_errors_of_the_printed_tables_are_those_that_their_text_names():
+    """Section 4 of Caldwell and McPhee, table by table: where a model is the best, and where it is not."""
+
+    def least(club, *models):
+        return {model: {name for name in QUANTITIES if published()[model, club].is_least(name)} for model in models}
+
+    every = set(QUANTITIES)
+    # "less ball speed error ... similar accuracy": Table 2. "All ... except for the vertical launch angle": Table 3.
+    assert least("driver", "adjusted", "slip") == {"adjusted": every - {"sidespin"}, "slip": {"sidespin"}}
+    contact = {"volumetric": every - {"launch"}, "rings": {"launch"}, "area": set()}
+    assert least("driver", "volumetric", "rings", "area") == contact
+    # "Vertical launch angle is improved with the variable slip model": Table 4.
+    assert least("7-iron", "adjusted", "slip") == {"adjusted": every - {"launch"}, "slip": {"launch"}}
+    # "the best accuracy for ball speed and sidespin": Table 5.
+    iron = {"volumetric": every - {"ball_speed", "sidespin"}, "rings": {"ball_speed", "sidespin"}, "area": set()}
+    assert least("7-iron", "volumetric", "rings", "area") == iron
+    assert least("driver", "standard") == {"standard": set()}  # of the thesis

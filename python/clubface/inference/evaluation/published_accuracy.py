@@ -69,6 +69,15 @@ class PublishedAccuracy:
     cost: float | None
     caveats: tuple[str, ...]
 
+    def is_least(self, quantity: str) -> bool:
+        """Whether it has the least error of its table, which Tables 2 to 5 set in italics.
+
+        A figure of the thesis is in none of these tables.
+        """
+        table = [each for each in published().values() if (each.club, each.source) == (self.club, self.source)]
+        in_paper = self.source.startswith("Table")
+        return in_paper and self.mae[quantity] == min(each.mae[quantity] for each in table)
+
 
 @cache
 def _data() -> dict[str, Any]:

@@ -336,6 +336,7 @@ class Evaluation(Described):
             "published", text("error_of", [quantity(name).label for name, _ in rows], label="quantity", in_files=False),
             text("model", [each.model for _, each in rows]), text("shots", [each.shots for _, each in rows]),
             Column("mean", [each.mean[name] for name, each in rows], read_as), *columns,
+            text("least_of", [each.source if each.is_least(name) else "" for name, each in rows], label="least of"),
             title=f"As published for the {self.shots.club.parameters}", printed=False,
         )  # fmt: skip
 

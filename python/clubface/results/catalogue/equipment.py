@@ -11,6 +11,9 @@ SENTENCES = {
         "parametric club is plausible, not measured; clubface clubs NAME shows the source or the assumption of every "
         "value."
     ),
+    "coefficients-are-terms": (
+        "{coefficients} parameters are the coefficients of {functions} functions; --json lists each with its bounds."
+    ),
     "default-model": "{model} computes where no model is named.",
     "default-set": "[{place}] {set}, for {club}, used by default: {source}. {reference}",
     "further-model": '{model}: {summary} "all" does not include it.',
@@ -23,6 +26,11 @@ SENTENCES = {
     "model-summary": "{summary}",
     "parameters-from": "{parameters}: {source}",
     "published-set": "[{place}] {set}, for {club}: {source}. {reference}",
+    "rebound-of-model": (
+        "The heads are flat, rigid, struck through the CG and cannot turn; angles are compared at {speed:.0f} m/s. "
+        "Along the face, 0 means that the ball leaves rolling, -1 that it slides without friction, and more than 0 "
+        "that the ball springs back sideways. The lever is that of friction about the ball's centre, over its radius."
+    ),
     "set-caveat": "[{place}] {caveat}",
     "set-range": "[{place}] from shots with {range}",
     "small-ball": (

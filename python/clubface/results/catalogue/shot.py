@@ -2,12 +2,25 @@
 
 SENTENCES = {
     "all-models": "--model all shows every model side by side.",
+    "attack-at-held-loft": (
+        "A steeper upward blow lowers the spin, by {backspin:0} a degree, because the dynamic loft is held: less angle "
+        "is left between path and face."
+    ),
     "caveat-of-model": "{model}: {caveat}",
     "caveats-listed": "Caveats: clubface models {model}",
     "coefficients-hidden": "{hidden:n coefficient} of {model} are left out; --by NAME and --json have them.",
+    "friction-lowers-spin": (
+        "More friction lowers the spin here, by {backspin:0} for 0.1 more: this ball grips the face in any case, and "
+        "the more it grips, the more of its sideways deformation springs back against the spin before it leaves. A "
+        "ball that slides throughout gains spin from friction."
+    ),
     "held-as-delivered": (
         "Moving the CG changes the impact alone: dynamic loft, face angle and lie are held as delivered. On a shaft a "
         "CG farther from its axis also adds loft and closes the face before impact; give the delivery that you expect."
+    ),
+    "high-strike-lowers-spin": (
+        "A higher strike lowers the spin, by {backspin:0} a mm, although it launches higher: the blow turns the head "
+        "back, and the face rolls the ball forward like a gear."
     ),
     "outside-aerodynamic-data": "Spin leaves the aerodynamic data in flight: {models}.",
     "run-not-measured": (
@@ -31,4 +44,12 @@ SENTENCES = {
     "shot-without-result": "shot {row} has no result: {reason}",
     "spin-outside-aerodynamic-data": "the spin leaves the range to which the aerodynamics were fitted",
     "static-loft": ("Assumed, since no dynamic loft is given: the static loft ({clubs}), which few golfers deliver."),
+    "static-loft-at-held-loft": (
+        "More static loft lowers the launch, by {launch} a degree, because the dynamic loft is held: the head is "
+        "delivered with its shaft further forward, which moves its CG."
+    ),
+    "toe-strike-curves-back": (
+        "A strike towards the toe gives spin that curves the ball back, {sidespin:0} a mm: the blow turns the head "
+        "open, and the face rolls the ball the other way like a gear."
+    ),
 }
