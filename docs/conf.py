@@ -31,6 +31,7 @@ extensions = [
     "findings_tour",
     "mathml",
     "notebook_pages",
+    "page_figures",
     "published_tables",
     "validation_tables",
 ]

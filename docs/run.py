@@ -19,7 +19,8 @@ lines quote the page, with ``#`` for every figure, and give the values: as many 
 quotation without ``#`` is a claim, and its expression must be true. ``given`` stands for what was chosen and
 ``published`` for what the page or its source states. An indented line continues the one above. ``result(quantity,
 unit, column=value)`` reads the value of a command's JSON document in the row that the columns single out;
-``stored(file)`` reads what a long computation wrote, and ``script(file)`` imports a script of the repository.
+``stored(file)`` reads what a long computation wrote, ``script(file)`` imports a script of the repository, and
+``processor_time(command)`` [s] is what a command or a function costs.
 
 What takes long stands in ``<!-- figures study COMMIT``: `make study` checks it, and ``--update --study`` computes it
 and writes the commit of the sources that did.
@@ -42,7 +43,7 @@ import subprocess
 import sys
 import tomllib
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -125,7 +126,7 @@ class Document:
     def __init__(self, document: dict[str, Any]):
         self.document = document
 
-    def __call__(self, quantity: str, unit: str | None = None, table: str | None = None, **row: object) -> Any:
+    def __call__(self, quantity: str, unit: str | None = None, /, table: str | None = None, **row: object) -> Any:
         """Return a single value, or that of the one row of a table whose columns have the given values.
 
         Parameters
@@ -142,7 +143,7 @@ class Document:
                 if key == quantity or key.startswith(f"{quantity}_"):
                     return _converted(value, key.removeprefix(f"{quantity}_"), unit)
         cells = [
-            (each[key], column.get("unit"))
+            (each[key], column.get("unit") or each.get("unit"))
             for name, content in self.document["tables"].items()
             if table in (None, name)
             for key, column in content["columns"].items()
@@ -182,7 +183,7 @@ def run(page: Path, folder: Path, *, study: bool = False) -> Iterator[Ran]:
     sentences = _sentences(text)
     names: dict[str, Any] = {"__name__": "__main__"}
     helpers = {"clubface": clubface, "np": np, "math": math, "given": GIVEN, "published": GIVEN}
-    helpers |= {"stored": stored, "script": script}
+    helpers |= {"stored": stored, "script": script, "processor_time": processor_time}
     start = 0
     with contextlib.chdir(folder):
         for block in BLOCK.finditer(text):
@@ -211,10 +212,21 @@ def stored(name: str) -> Any:
 def script(name: str) -> ModuleType:
     """Return a script of the repository as a module, so that a page shows what its functions compute."""
     specification = importlib.util.spec_from_file_location(Path(name).stem, ROOT / name)
-    assert specification is not None and specification.loader is not None
+    assert specification is not None
+    assert specification.loader is not None
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
     return module
+
+
+def processor_time(work: str | Callable[[], object]) -> float:
+    """Return the processor time [s] of a command or a function, with that of the processes that it starts."""
+    before = sum(os.times()[:4])
+    if callable(work):
+        work()
+    else:
+        _command(work)
+    return sum(os.times()[:4]) - before
 
 
 def _sentences(text: str) -> str:
@@ -228,7 +240,7 @@ def _value(expression: str, names: dict[str, Any]) -> Any:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            return eval(expression, names)
+            return eval(f"({expression})", names)
         except Exception as error:
             raise AssertionError(f"{expression}: {error!r}") from error
 
