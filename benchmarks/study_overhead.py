@@ -16,8 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface import studies
-from clubface.jobs.shards import Shard
-from clubface.jobs.workers import in_processes
+from clubface.jobs.workers import Shard, in_processes
 from clubface.studies.axes import SweepAxis
 from clubface.studies.designs import Grid, Samples
 from clubface.studies.running import order

@@ -5,7 +5,7 @@ from hypothesis import given, strategies as st
 
 from clubface import studies
 from clubface.errors import InputError
-from clubface.jobs.shards import shard_of
+from clubface.jobs.workers import shard_of
 from study_files import shots, sums
 
 SLURM = {"SLURM_ARRAY_TASK_ID": "12", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY_TASK_COUNT": "40"}

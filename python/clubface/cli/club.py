@@ -24,27 +24,22 @@ app = typer.Typer(add_completion=False, help="Make and check a club file.", no_a
 
 
 @app.command()
+@options.takes(options.group(None, {
+    "like": (str | None, None, "CLUB", "Start from this club instead of the explained template."),
+    "set": (options.Texts, None, '"cg_x=38 mm"',
+            "Change a value, several with commas or repeated; inertia=+10% scales the whole tensor."),
+}))  # fmt: skip
 def new(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the club.")] = "my-club",
-    like: Annotated[
-        str | None,
-        options.option("--like", metavar="CLUB", text="Start from this club instead of the explained template."),
-    ] = None,
-    settings: Annotated[
-        list[str] | None,
-        options.option(
-            "--set",
-            metavar='"cg_x=38 mm"',
-            text="Change a value, several with commas or repeated; inertia=+10% scales the whole tensor.",
-        ),
-    ] = None,
     target: options.Template = None,
+    **texts: Any,
 ) -> None:
     """Write a template of a club file."""
     from clubface.equipment.clubs import Club, club
 
+    like, settings = texts["like"], texts["set"] or []
     base = Club.from_text(Club.template(name)) if like is None else club(like).replace(name=name)
-    changes = _changes(base, options.pairs([part for each in settings or () for part in each.split(",")], "--set"))
+    changes = _changes(base, options.pairs([part for each in settings for part in each.split(",")], "--set"))
     changed = base.replace(**changes)  # refuses what cannot be
     text = changed.to_toml() if like is not None else _template(name, changes)
     output.write_template(text, target, f"fill it in, then try: clubface club check {target}")

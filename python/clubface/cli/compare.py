@@ -139,29 +139,24 @@ app = typer.Typer(add_completion=False)
 _REPEATABLE = "Repeatable: what is given more than once is compared."
 COMPARED: options.Group = {
     "hand": options.EQUIPMENT["hand"],
-    "ball": (
-        Annotated[
-            list[str] | None,
-            options.option(
-                "--ball", panel="Club and ball", metavar="NAME|FILE", text=f"A ball; modern unless given. {_REPEATABLE}"
-            ),
-        ],
-        None,
-    ),
+    **options.group("Club and ball", {
+        "ball": (options.Texts, None, "NAME|FILE", f"A ball; modern unless given. {_REPEATABLE}"),
+    }),
     **options.MODELS,
-    "parameters": (
-        Annotated[
-            list[str] | None,
-            options.option(
-                "--parameters",
-                panel="Model",
-                metavar="NAME|FILE",
-                text=f"A published set or a TOML file. {_REPEATABLE}",
-            ),
-        ],
-        None,
-    ),
-}
+    **options.group("Model", {
+        "parameters": (options.Texts, None, "NAME|FILE", f"A published set or a TOML file. {_REPEATABLE}"),
+    }),
+    **options.group(None, {
+        "delivery": (options.Texts, None, '"loft=12 deg, toe=8 mm"', f"Values that a delivery changes. {_REPEATABLE}"),
+        "deliveries": (str | None, None, "FILE", "CSV or Parquet file with a delivery in each row."),
+        "label": (options.Texts, None, "NAME",
+                  "A name of your own for a column. Given once for each, in their order."),
+        "split": (bool, True, None, "Split the differences into their causes."),
+        "nodes": (int | None, None, "N", "Points at which derivatives are taken, 1 to 64."),
+        "unit": (options.Texts, None, "NAME=UNIT", "Unit of a quantity for people, carry=m, or of columns of "
+                 "--deliveries that name none, speed=mph. Repeatable."),
+    }),
+}  # fmt: skip
 
 
 @app.command()
@@ -171,50 +166,21 @@ COMPARED: options.Group = {
     show.plot_option("flights and contributions"), show.REPORT, show.JSON,
 )  # fmt: skip
 def compare(
-    clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")],
-    delivery: Annotated[
-        list[str] | None,
-        options.option(
-            "--delivery", metavar='"loft=12 deg, toe=8 mm"', text=f"Values that a delivery changes. {_REPEATABLE}"
-        ),
-    ] = None,
-    deliveries: Annotated[
-        str | None,
-        options.option("--deliveries", metavar="FILE", text="CSV or Parquet file with a delivery in each row."),
-    ] = None,
-    label: Annotated[
-        list[str] | None,
-        options.option(
-            "--label", metavar="NAME", text="A name of your own for a column. Given once for each, in their order."
-        ),
-    ] = None,
-    split: Annotated[bool, typer.Option("--split/--no-split", help="Split the differences into their causes.")] = True,
-    nodes: Annotated[
-        int | None, options.option("--nodes", metavar="N", text="Points at which derivatives are taken, 1 to 64.")
-    ] = None,
-    unit: Annotated[
-        list[str] | None,
-        options.option(
-            "--unit",
-            metavar="NAME=UNIT",
-            text="Unit of a quantity for people, carry=m, or of columns of --deliveries that name none, speed=mph. "
-            "Repeatable.",
-        ),
-    ] = None,
-    **texts: Any,
+    clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")], **texts: Any
 ) -> None:
     """Compare clubs, balls, models, parameters or deliveries, and show what makes the difference."""
     from clubface.design.comparison import MOST, compare as computed
     from clubface.design.contributions import QUANTITIES
     from clubface.present.files import write_table
 
+    deliveries, unit, split, nodes = (texts[name] for name in ("deliveries", "unit", "split", "nodes"))
     file_units = options.pairs(unit or (), "--unit") if deliveries is not None else {}
     file_units = {name: symbol for name, symbol in file_units.items() if name not in QUANTITIES}
     shown_units = [each for each in unit or () if each.partition("=")[0].strip() not in file_units]
     inputs = [*clubs, *(texts["ball"] or ()), *(texts["parameters"] or ()), deliveries]
     output = show.Output.check({**texts, "unit": shown_units}, inputs)
     conditions = options.conditions(texts)
-    alternatives = alternatives_of(clubs, delivery, deliveries, texts, file_units)
+    alternatives = alternatives_of(clubs, texts["delivery"], deliveries, texts, file_units)
     if nodes is not None and not split:
         raise ClubfaceError("--nodes has no effect with --no-split; leave out one of them")
     if not 2 <= len(alternatives) <= MOST:
@@ -223,8 +189,8 @@ def compare(
             f"there is nothing to compare: {allowed}" if len(alternatives) < 2
             else f"there are {len(alternatives)} combinations to compare; give at most {MOST}"
         )  # fmt: skip
-    if label:
-        alternatives = labelled(alternatives, label)
+    if texts["label"]:
+        alternatives = labelled(alternatives, texts["label"])
     with progress_bar("points of derivatives") as update:
         compared = computed(alternatives, **conditions, split=split, nodes=nodes, progress=update)
     if output.target is not None:

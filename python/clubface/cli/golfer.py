@@ -48,24 +48,19 @@ def show_golfer(golfer: GolferArgument, **texts: Any) -> None:
     shown.show(golfer_result(player, head, doubts=known))
 
 
+ESTIMATED = options.group(None, {
+    "name": (str, "my golfer", "NAME", "What to call the golfer."),
+    "like": (str | None, None, "GOLFER",
+             "Golfer that supplies what was not measured; the shipped one nearest in speed unless given."),
+})  # fmt: skip
+
+
 @app.command("estimate")
 @options.takes(
-    {name: each for name, each in RECORDED.items() if name != "ball"},  # no ball is struck
+    {name: each for name, each in RECORDED.items() if name != "ball"}, ESTIMATED,  # no ball is struck
     show.table_option("Write the golfer to this TOML file."), show.REPORT, show.JSON,
 )  # fmt: skip
-def estimate(
-    files: Files,
-    name: Annotated[str, options.option("--name", metavar="NAME", text="What to call the golfer.")] = "my golfer",
-    like: Annotated[
-        str | None,
-        options.option(
-            "--like",
-            metavar="GOLFER",
-            text="Golfer that supplies what was not measured; the shipped one nearest in speed unless given.",
-        ),
-    ] = None,
-    **texts: Any,
-) -> None:
+def estimate(files: Files, **texts: Any) -> None:
     """Estimate a golfer from shots in the order in which they were hit."""
     from clubface.design.golfer import to_toml
     from clubface.design.golfer_estimate import doubts, estimate_golfer
@@ -73,9 +68,9 @@ def estimate(
     from clubface.equipment.clubs import CLUB_NAMES
     from clubface.support.files import write_text
 
-    shown = show.Output.check(texts, [*files, texts["mapping"], texts["club"], like], (".toml",))
+    shown = show.Output.check(texts, [*files, texts["mapping"], texts["club"], texts["like"]], (".toml",))
     shots = recorded_shots(files, texts)
-    estimated = estimate_golfer(shots, name=name, like=like)
+    estimated = estimate_golfer(shots, name=texts["name"], like=texts["like"])
     if shown.target is not None:
         write_text(shown.target, to_toml(estimated.golfer))
         own = "" if estimated.golfer.club in CLUB_NAMES else f" --club {texts['club']}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -17,52 +17,37 @@ from clubface.support.checks import check_names
 app = typer.Typer(add_completion=False)
 
 
+MAP = options.group(None, {
+    "minus": (str | None, None, "CLUB", "Map the first club less this one."),
+    "quantity": (options.Texts, None, "NAME", "A quantity, such as carry. Several with commas or repeated."),
+    "grid": (str | None, None, "101x101", "Points towards the toe and upwards."),
+    "spread": (str | None, None, '"12 mm x 9 mm"', "Standard deviations of impacts towards the toe and upwards, about "
+               "--toe and --high: what they cost."),
+    "workers": (int | None, None, "N", "With fem: points at a time; all cores unless given."),
+})  # fmt: skip
+
+
 @app.command()
 @options.takes(
-    options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, show.UNITS,
+    options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, MAP, show.UNITS,
     show.table_option("Write the map, a row for each point, CSV or Parquet."), show.plot_option("contours on the face"),
     show.REPORT, show.JSON,
 )  # fmt: skip
-def map_(
-    club: options.ClubArgument,
-    minus: Annotated[
-        str | None, options.option("--minus", metavar="CLUB", text="Map the first club less this one.")
-    ] = None,
-    quantity: Annotated[
-        list[str] | None,
-        options.option(
-            "--quantity", metavar="NAME", text="A quantity, such as carry. Several with commas or repeated."
-        ),
-    ] = None,
-    grid: Annotated[
-        str | None, options.option("--grid", metavar="101x101", text="Points towards the toe and upwards.")
-    ] = None,
-    spread: Annotated[
-        str | None,
-        options.option(
-            "--spread",
-            metavar='"12 mm x 9 mm"',
-            text="Standard deviations of impacts towards the toe and upwards, about --toe and --high: what they cost.",
-        ),
-    ] = None,
-    workers: Annotated[
-        int | None, options.option("--workers", metavar="N", text="With fem: points at a time; all cores unless given.")
-    ] = None,
-    **texts: Any,
-) -> None:
+def map_(club: options.ClubArgument, **texts: Any) -> None:
     """Map ball speed, launch, spin and carry over the face, with its sweet spot and what bad strikes cost."""
     from clubface.design.face_map import FaceMapDifference, map_face
     from clubface.design.face_map_result import LISTED
     from clubface.design.face_surface import finished
     from clubface.present.files import write_table
 
+    minus, spread, grid = (texts[name] for name in ("minus", "spread", "grid"))
     output = show.Output.check(texts, [club, minus, texts["ball"], texts["parameters"]])
     delivery = options.delivery(texts)
     about = {name: delivery.pop(name) for name in ("toe", "high") if name in delivery}
     deviations = None if spread is None else _spread(spread)
     if about and deviations is None:
         raise ClubfaceError("--toe and --high say about which point impacts scatter; give --spread too")
-    names = _quantities(quantity)
+    names = _quantities(texts["quantity"])
     listed = {*(names or LISTED), "ball_speed", "carry"}  # the best points are of the last two
     if hidden := [name for name in output.units if name not in listed]:
         raise InputError("--unit", hidden[0], "a quantity that is listed; name it with --quantity")
@@ -81,7 +66,7 @@ def map_(
                 map_face(
                     head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"],
                     accuracy=texts["accuracy"], grid=counts if not maps else None,
-                    points=None if not maps else (maps[0].toe, maps[0].high), output=kept, workers=workers,
+                    points=None if not maps else (maps[0].toe, maps[0].high), output=kept, workers=texts["workers"],
                     progress=update, **conditions,
                 )
             )  # fmt: skip

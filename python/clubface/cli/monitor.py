@@ -27,7 +27,7 @@ LONGEST = 30 * 86400.0
 MOST_SHOTS = 1_000_000
 SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
 """What is printed of a shot."""
-Port = Annotated[int, typer.Option("--port", metavar="NUMBER", help="Port on this machine.")]
+PORT = options.group(None, {"port": (int, 921, "NUMBER", "Port on this machine.")})
 HAND = options.text_option("--hand", None, "right|left", "Hand of the player.")
 _CLUBS = options.option(
     "--club", metavar="CLUB|NAME=CLUB", text="Refer club data to this club, or NAME=CLUB for each name in the file."
@@ -40,25 +40,23 @@ app = typer.Typer(
 
 @app.command()
 @options.takes(
-    {
-        "hand": options.text_option("--hand", None, "right|left", "Hand of the player, sent to the monitor."),
-        "timeout": options.text_option("--timeout", None, '"60 s"', "End when nothing has come for this long."),
-    },
+    PORT,
+    options.group(None, {
+        "hand": (str | None, None, "right|left", "Hand of the player, sent to the monitor."),
+        "club": (str | None, None, "NAME", "Club that is sent to the monitor: DR."),
+        "shots": (int | None, None, "NUMBER", "End after this many shots."),
+        "timeout": (str | None, None, '"60 s"', "End when nothing has come for this long."),
+        "json": (bool, False, None, "Print one JSON document for each shot."),
+    }),
     show.table_option("Write the shots to a new table, CSV or Parquet, kept up to date."),
-)
-def listen(
-    port: Port = 921,
-    club: Annotated[str, options.option("--club", metavar="NAME", text="Club that is sent to the monitor: DR.")] = "",
-    count: Annotated[int | None, options.option("--shots", metavar="NUMBER", text="End after this many shots.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document for each shot.")] = False,
-    **texts: Any,
-) -> None:
+)  # fmt: skip
+def listen(**texts: Any) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
     from clubface.shots.open_connect import Listener
     from clubface.shots.open_connect_messages import recorded
     from clubface.shots.tables.writer import KINDS
 
-    target, hand, timeout = (texts[name] for name in ("target", "hand", "timeout"))
+    target, hand, timeout, count = (texts[name] for name in ("target", "hand", "timeout", "shots"))
     output.check_target("--output", target, KINDS)
     if target is not None and Path(target).exists():
         raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
@@ -80,12 +78,13 @@ def listen(
         return shots + (f" in {target}" if target is not None and kept else "")
 
     lock = nullcontext() if target is None else closing(Lock(Path(f"{target}.lock"), Path(target)))
-    with lock, Listener(port, hand=hand, club=club, keep=keep, on_problem=print_note) as listener:
+    club = texts["club"] or ""
+    with lock, Listener(texts["port"], hand=hand, club=club, keep=keep, on_problem=print_note) as listener:
         print_note(f"listening on 127.0.0.1:{listener.port}; Ctrl-C ends")
         try:
             for message in listener.messages(timeout=wait):
                 if message.kind == "shot":
-                    print(_shot_text(message, as_json), flush=True)
+                    print(_shot_text(message, texts["json"]), flush=True)
                 if count is not None and len(kept) >= count:
                     break
         except KeyboardInterrupt:
@@ -94,29 +93,26 @@ def listen(
 
 
 @app.command()
-@options.takes(READING)
+@options.takes(
+    PORT, READING,
+    options.group(None, {
+        "shot": (str | None, None, "FIRST:LAST", "Only these, from 1; all unless given."),
+        "pause": (str, "0 s", '"2 s"', "Pause between two shots."),
+        "timeout": (str, "5 s", '"5 s"', "Wait for each answer."),
+    }),
+)  # fmt: skip
 def send(
     file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
-    port: Port = 921,
-    places: Annotated[
-        str | None, options.option("--shot", metavar="FIRST:LAST", text="Only these, from 1; all unless given.")
-    ] = None,
-    pause: Annotated[
-        str, options.option("--pause", metavar='"2 s"', text="Pause between two shots, none unless given.")
-    ] = "0 s",
-    timeout: Annotated[
-        str, options.option("--timeout", metavar='"5 s"', text="Wait for each answer, 5 s unless given.")
-    ] = "5 s",
     **texts: Any,
 ) -> None:
     """Send the launches of a table to a simulator by GSPro Open Connect, as a launch monitor does."""
     from clubface.shots.open_connect import Sender
 
     shots = read_shots(file, texts | {"hand": None}, where=True)
-    first, last = _range(places, len(shots))
-    seconds = _seconds("--pause", pause)
+    first, last = _range(texts["shot"], len(shots))
+    seconds = _seconds("--pause", texts["pause"])
     refused = sent = 0
-    with Sender(port, timeout=_seconds("--timeout", timeout, above=0.0)) as sender:
+    with Sender(texts["port"], timeout=_seconds("--timeout", texts["timeout"], above=0.0)) as sender:
         for row in range(first - 1, last):
             launch, delivery = (
                 {name: float(values[row]) for name, values in columns.items() if values[row] == values[row]}

@@ -13,9 +13,24 @@ from clubface.cli.recorded import CHOICE, assumed
 
 app = typer.Typer(add_completion=False)
 
+TAKEN = (
+    "accuracy", "carry", "rejects", "resume", "hand", "format", "mapping", "only", "where", "mismatch",
+)  # fmt: skip
+"""Options that the function takes under the same names."""
+
+
+FILES = options.group(None, {
+    "rejects": (str | None, None, "FILE", "Write the rows that cannot be used, with reasons."),
+    "carry": (bool, True, None, "Compute the flight too."),
+})  # fmt: skip
+
 
 @app.command()
-@options.takes(CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR, show.JSON)
+@options.takes(
+    CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR,
+    show.table_option("Write the launches, CSV or Parquet by its ending."), FILES, {"resume": (options.Resume, False)},
+    show.JSON,
+)  # fmt: skip
 def predict(
     deliveries: Annotated[
         str,
@@ -25,13 +40,6 @@ def predict(
         ),
     ],
     club: Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")],
-    target: Annotated[str | None, options.output("FILE", "Write the launches, CSV or Parquet by its ending.")] = None,
-    rejects: Annotated[
-        str | None,
-        options.option("--rejects", metavar="FILE", text="Write the rows that cannot be used, with reasons."),
-    ] = None,
-    resume: options.Resume = False,
-    carry: Annotated[bool, typer.Option("--carry/--no-carry", help="Compute the flight too.")] = True,
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
@@ -44,10 +52,8 @@ def predict(
     with progress_bar(lambda part, whole, rows: f"{rows} deliveries") as update:
         report = compute(
             deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
-            accuracy=texts["accuracy"], carry=carry, output=target, rejects=rejects, resume=resume,
-            hand=texts["hand"], format=texts["format"], mapping=texts["mapping"],
-            units=options.pairs(texts["file_unit"] or (), "--unit"), only=texts["only"], where=texts["where"],
-            mismatch=texts["mismatch"], assume=assumed(texts),
+            output=texts["target"], units=options.pairs(texts["file_unit"] or (), "--unit"), assume=assumed(texts),
+            **{name: texts[name] for name in TAKEN},
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip
     show.Output(as_json=texts["as_json"]).show(report.to_result())

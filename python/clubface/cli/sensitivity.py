@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -10,22 +10,15 @@ from clubface.cli import options, show
 
 app = typer.Typer(add_completion=False)
 
-_NAMES = "Several with commas or repeated."
+NAMES = options.group(None, {
+    "output": (options.Texts, None, "NAME", "Launch quantity, such as backspin. Several with commas or repeated."),
+    "by": (options.Texts, None, "NAME", "Input or parameter, such as toe. Several with commas or repeated."),
+})  # fmt: skip
 
 
 @app.command()
-@options.takes(options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, show.REPORT, show.JSON)
-def sensitivity(
-    club: options.ClubArgument,
-    wanted: Annotated[
-        list[str] | None,
-        options.option("--output", metavar="NAME", text=f"Launch quantity, such as backspin. {_NAMES}"),
-    ] = None,
-    by: Annotated[
-        list[str] | None, options.option("--by", metavar="NAME", text=f"Input or parameter, such as toe. {_NAMES}")
-    ] = None,
-    **texts: Any,
-) -> None:
+@options.takes(options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, NAMES, show.REPORT, show.JSON)
+def sensitivity(club: options.ClubArgument, **texts: Any) -> None:
     """Print how the launch changes with every input and parameter ("rpm per mm")."""
     output = show.Output.check(texts, [club])
     delivery = options.delivery(texts)
@@ -36,7 +29,7 @@ def sensitivity(
 
     result = differentiate(
         head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
-        outputs=options.names(wanted) or (None if output.as_json else MAIN),
-        variables=options.names(by) or None,
+        outputs=options.names(texts["output"]) or (None if output.as_json else MAIN),
+        variables=options.names(texts["by"]) or None,
     )  # fmt: skip
-    output.show(result.to_result(every_variable=bool(by)))
+    output.show(result.to_result(every_variable=bool(texts["by"])))

@@ -12,25 +12,21 @@ from clubface.equipment.models import DEFAULT_MODEL
 
 app = typer.Typer(add_completion=False)
 
-_MODEL_TEXT = (
-    f"A model, or several with commas or repeated; all means every reduced model. {DEFAULT_MODEL} unless given."
-)
-_MODEL = options.option("--model", metavar="NAME", text=_MODEL_TEXT)
-_CHECK_TEXT = "Only this check, or several with commas or repeated, with every figure and its source."
+CHOICE = options.group(None, {
+    "check": (options.Texts, None, "NAME",
+              "Only this check, or several with commas or repeated, with every figure and its source."),
+    "model": (options.Texts, None, "NAME", "A model, or several with commas or repeated; all means every reduced model."
+              f" {DEFAULT_MODEL} unless given."),
+    "causes": (bool, False, None,
+               "Also strikes off the centre with one thing changed: closure, inertia or depth of the mass centre."),
+})  # fmt: skip
 _WITH_TEXT = "A monitor's file whose spins are compared with the model and both camps of published irons. Repeatable."
-_WITH = options.option("--with", metavar="FILE", text=_WITH_TEXT)
-_CHECK = options.option("--check", metavar="NAME", text=_CHECK_TEXT)
-_CAUSES_TEXT = "Also strikes off the centre with one thing changed: closure, inertia or depth of the mass centre."
-_CAUSES = typer.Option("--causes", help=_CAUSES_TEXT)
 
 
 @app.command()
-@options.takes(show.FOLDER, options.BALL, show.JSON)
+@options.takes(show.FOLDER, options.BALL, CHOICE, show.JSON)
 def validate(
-    check: Annotated[list[str] | None, _CHECK] = None,
-    model: Annotated[list[str] | None, _MODEL] = None,
-    causes: Annotated[bool, _CAUSES] = False,
-    session: Annotated[list[str] | None, _WITH] = None,
+    session: Annotated[list[str] | None, options.option("--with", metavar="FILE", text=_WITH_TEXT)] = None,
     **texts: Any,
 ) -> None:
     """Compare models with published figures, and say which of them they meet."""
@@ -39,15 +35,15 @@ def validate(
     from clubface.validation.own_monitor import own_monitor
     from clubface.validation.run import validate as run
 
-    models = options.model_names(model, DEFAULT_MODEL)
-    checks = options.names(check) or None
+    models = options.model_names(texts["model"], DEFAULT_MODEL)
+    checks = options.names(texts["check"]) or None
     for each in checks or ():
         check_named(each)  # before the work: a name that does not exist is found at once
     output = show.Output.check(texts, [texts["ball"], *(session or ())])
     own = own_monitor(session, model=models[0], ball=texts["ball"]).to_result() if session else None
     with progress_bar("checks") as progress:
         result = run(models, checks=checks, ball=texts["ball"], progress=progress).to_result(detailed=bool(checks))
-    if causes:
+    if texts["causes"]:
         result = result.replace(tables=(*result.tables, causes_table(models, texts["ball"])))
     if own is not None:
         result = result.replace(tables=(*result.tables, *own.tables), notes=(*result.notes, *own.notes))

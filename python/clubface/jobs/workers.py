@@ -1,7 +1,7 @@
-"""Where the parts of a job are computed: in this thread, on several threads or processes, or on a Dask cluster.
+"""Where the parts of a job are computed: in this thread, on threads, processes or a Dask cluster, or in shards.
 
-Each function here takes parts and what computes one, and yields every part with its result as it is finished. Leaving
-the loop, as Ctrl-C does, stops what is still running.
+Each ``in_`` or ``on_`` function takes parts and what computes one, and yields every part with its result as it is
+finished. Leaving the loop, as Ctrl-C does, stops what is still running.
 """
 
 from __future__ import annotations
@@ -9,13 +9,14 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
+import re
 import signal
 import sys
 import threading
 import time
 import warnings
 from collections import Counter, deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import CancelledError, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
@@ -25,13 +26,15 @@ from multiprocessing import parent_process
 from multiprocessing.context import SpawnContext, SpawnProcess
 from queue import Empty, SimpleQueue
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
-from clubface.errors import ClubfaceError, LinkError, RunError
-from clubface.support.checks import check_count
+from clubface.errors import ClubfaceError, InputError, LinkError, RunError
+from clubface.support.checks import check_count, check_text
 from clubface.support.processes import processors
 
-__all__ = ["KeepGoing", "in_processes", "in_sequence", "in_threads", "on_cluster", "worker_count"]
+__all__ = [
+    "KeepGoing", "Shard", "in_processes", "in_sequence", "in_threads", "on_cluster", "shard_of", "worker_count",
+]  # fmt: skip
 
 P = TypeVar("P")
 R = TypeVar("R")
@@ -368,3 +371,53 @@ def _without_logs() -> Iterator[None]:
     finally:
         for name, level in before.items():
             logging.getLogger(name).setLevel(level)
+
+
+FORMS = 'such as 3/40 (the third of 40), or "slurm" or "kubernetes/40" in a job of an array'
+MAX_SHARDS = 1_000_000
+
+
+class Shard(NamedTuple):
+    """One of several jobs that share the parts, every n-th each: its number, from 1 on, and how many there are."""
+
+    number: int
+    shards: int
+
+    def of_all(self, parts: int) -> range:
+        """Return which of all parts fall to it."""
+        return range(self.number - 1, parts, self.shards)
+
+
+def shard_of(text: str, environment: Mapping[str, str] = os.environ) -> Shard:
+    """Return the shard that a text means.
+
+    Parameters
+    ----------
+    text
+        "3/40"; "slurm" or "slurm/40", which takes the number from ``SLURM_ARRAY_TASK_ID`` beginning at
+        ``SLURM_ARRAY_TASK_MIN`` (and how many there are from ``SLURM_ARRAY_TASK_COUNT``); or "kubernetes/40", which
+        takes it from ``JOB_COMPLETION_INDEX``, from 0 on. Nothing is taken from the environment unless asked for.
+    environment
+        The variables.
+    """
+    check_text("shard", text)
+    match = re.fullmatch(r"(?:(\d{1,7})|slurm|kubernetes)(?:/(\d{1,7}))?", text, re.ASCII)
+    if match is None or (match[2] is None and text != "slurm"):
+        raise InputError("shard", text, FORMS)
+
+    def variable(name: str, default: str | None = None) -> int:
+        value = environment.get(name, default)
+        if value is None or not re.fullmatch(r"\d{1,9}", value, re.ASCII):
+            raise InputError(name, value, "a whole number, as the scheduler sets it in every job of an array")
+        return int(value)
+
+    if text.startswith("slurm"):
+        step, first = variable("SLURM_ARRAY_TASK_STEP", "1") or 1, variable("SLURM_ARRAY_TASK_MIN")
+        number = (variable("SLURM_ARRAY_TASK_ID") - first) // step + 1
+    else:
+        number = int(match[1]) if match[1] else variable("JOB_COMPLETION_INDEX") + 1
+    count = int(match[2]) if match[2] else variable("SLURM_ARRAY_TASK_COUNT")
+    if not 1 <= number <= count <= MAX_SHARDS:
+        given = text if match[1] else f"{text}, which is {number}/{count} here"
+        raise InputError("shard", given, f"a number from 1 to the number of shards, {FORMS}")
+    return Shard(number, count)

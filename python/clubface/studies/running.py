@@ -11,8 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError
-from clubface.jobs.shards import Shard, shard_of
-from clubface.jobs.workers import in_processes, on_cluster, worker_count
+from clubface.jobs.workers import Shard, in_processes, on_cluster, shard_of, worker_count
 from clubface.shots.tables.parquet import check_pyarrow
 from clubface.simulation.impact import Tally
 from clubface.studies.chunks import COMPUTED, KEPT, REPAIRED, chunk_size, first_tried, shared
@@ -122,7 +121,7 @@ def run(
     workers
         Processes at a time on this machine; left out, one for each processor that this process may use.
     shard
-        Compute one share alone, see :func:`clubface.jobs.shards.shard_of`.
+        Compute one share alone, see :func:`clubface.jobs.workers.shard_of`.
     scheduler
         Address of the scheduler of a Dask cluster, whose workers compute instead of this machine. They need this
         version of clubface, and the store under the same name as here.
