@@ -87,7 +87,7 @@ benchmark-data: build ## make the benchmark shots again from their recipe, bit f
 
 benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; some 20 minutes, resumed
 	@mkdir -p out
-	$(PYTHON) -m clubface.inference.findings out/benchmark-identification docs/findings.json
+	$(PYTHON) studies/benchmark_findings.py out/benchmark-identification docs/findings.json
 
 benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py

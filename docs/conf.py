@@ -11,7 +11,7 @@ from clubface.errors import RangeWarning
 from clubface.schema import PhysicalValue, entries
 from clubface.units import SI_UNITS
 
-sys.path.insert(0, str(Path(__file__).parent / "_ext"))
+sys.path[:0] = [str(Path(__file__).parent / "_ext"), str(Path(__file__).parents[1] / "studies")]
 warnings.simplefilter("ignore", RangeWarning)  # the pages compare models beyond their ranges, and say so
 
 project = "clubface"

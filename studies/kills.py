@@ -25,9 +25,10 @@ from typing import NamedTuple
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 MAIN = "from clubface.cli import main; main()"
-FINDINGS = """
-import sys
-from clubface.inference import findings
+FINDINGS = (
+    f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})"
+    + """
+import benchmark_findings as findings
 
 def untimed(value):
     if isinstance(value, dict):
@@ -42,6 +43,7 @@ run = findings.run
 findings.run = lambda *given, **options: untimed(run(*given, **options))
 sys.exit(findings.main(sys.argv[1:]))
 """
+)
 """The findings on the benchmark shots, which take hours, of two models only, one of them on a part of the shots, and
 without the times that it took, which differ from run to run."""
 UNSTARTED = "Fatal Python error: init_import_site"

@@ -104,7 +104,11 @@ def test_the_core_is_imported_in_one_module_a_room():
     ("name", "line", "imported"),
     [
         ("clubface.units", "from clubface.cli import app", "clubface.cli.app"),
-        ("clubface.fem.core", "def later():\n    import clubface.inference.findings", "clubface.inference.findings"),
+        (
+            "clubface.fem.core",
+            "def later():\n    import clubface.inference.prior",
+            "clubface.inference.prior",
+        ),
         ("clubface.errors", "from clubface import impact", "clubface"),
     ],
 )

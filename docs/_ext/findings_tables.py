@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from benchmark_findings import bias_of, bias_of_magnitudes
 from core_tables import CoreTable, markdown_table
 from findings_results import TITLES, UNITS, duration, heads, percent, results, shown
 from sphinx.application import Sphinx
@@ -13,7 +14,6 @@ from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.inference.evaluation import published
-from clubface.inference.findings import bias_of, bias_of_magnitudes
 from clubface.quantities import display_unit
 from clubface.shots.measured import QUANTITIES
 

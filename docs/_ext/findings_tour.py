@@ -6,13 +6,13 @@ import math
 from typing import Any
 
 import numpy as np
+from benchmark_findings import FREE
 from core_tables import CoreTable, markdown_table
 from findings_results import results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
 from clubface.equipment.models import model as model_named
-from clubface.inference.findings import FREE
 from clubface.quantities import display_unit
 
 

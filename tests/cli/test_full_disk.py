@@ -6,11 +6,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import benchmark_findings as findings
 import pytest
 
 from clubface.errors import FileError
 from clubface.fem import case as cases
-from clubface.inference import findings
 from clubface.jobs import store
 from clubface.present import files
 from clubface.shots.prediction import predict

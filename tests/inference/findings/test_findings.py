@@ -2,16 +2,10 @@
 
 import math
 
+import benchmark_findings as findings
 import numpy as np
 import pytest
-
-import clubface
-from clubface.equipment.balls import published_ball
-from clubface.equipment.parameters import ParameterSet
-from clubface.errors import FileError
-from clubface.inference import findings
-from clubface.inference.evaluation import published
-from clubface.inference.findings import (
+from benchmark_findings import (
     bias_of,
     bias_of_magnitudes,
     effect_sizes,
@@ -19,6 +13,12 @@ from clubface.inference.findings import (
     extrapolated,
     mean_magnitude,
 )
+
+import clubface
+from clubface.equipment.balls import published_ball
+from clubface.equipment.parameters import ParameterSet
+from clubface.errors import FileError
+from clubface.inference.evaluation import published
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour
 from clubface.validation.benchmark_data import recipe

@@ -5,15 +5,15 @@ import math
 import re
 from pathlib import Path
 
+import benchmark_findings as findings
 import numpy as np
 import pytest
+from benchmark_findings import bias_of, bias_of_magnitudes, error_budget
 
 import clubface
 from clubface.equipment.balls import published_ball
 from clubface.equipment.parameters import ParameterSet
-from clubface.inference import findings
 from clubface.inference.evaluation import published
-from clubface.inference.findings import bias_of, bias_of_magnitudes, error_budget
 from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour
 from clubface.validation.benchmark_data import recipe

@@ -14,7 +14,7 @@ dynamic loft of two clubs is published. For the others it is, for every candidat
 model gives the published launch angle: their launch angle is then no prediction, but ball speed and spin are, and the
 loft carries no other model's errors.
 
-``python -m clubface.inference.findings FOLDER [RESULTS]``: run the study, resumed in FOLDER; write RESULTS.
+``python studies/benchmark_findings.py FOLDER [RESULTS]``: run the study, resumed in FOLDER; write RESULTS.
 """
 
 from __future__ import annotations
@@ -490,13 +490,13 @@ def rounded(value: Any) -> Any:
 def main(arguments: list[str]) -> int:
     """Run the study; return the exit status."""
     if not 1 <= len(arguments) <= 2:
-        print("usage: python -m clubface.inference.findings FOLDER [RESULTS]", file=sys.stderr)
+        print("usage: python studies/benchmark_findings.py FOLDER [RESULTS]", file=sys.stderr)
         return 2
     folder = Path(arguments[0])
     target = Path(arguments[1]) if len(arguments) == 2 else folder / "findings.json"
     announced = ""
 
-    def tell(what: str, part: float) -> None:
+    def report(what: str, part: float) -> None:
         nonlocal announced
         line = f"{what}: {part:.0%}"
         if sys.stderr.isatty():
@@ -506,13 +506,13 @@ def main(arguments: list[str]) -> int:
             print(line, file=sys.stderr, flush=True)
 
     try:
-        findings = run(folder, progress=tell)
+        findings = run(folder, progress=report)
         write_text(target, json.dumps(findings, indent=1, allow_nan=False) + "\n")
     except KeyboardInterrupt:
         print(f"\ninterrupted; what is finished is in {folder}, and the next run goes on after it", file=sys.stderr)
         return 130
     except ClubfaceError as error:
-        print(f"clubface.inference.findings: {error}", file=sys.stderr)
+        print(f"benchmark_findings: {error}", file=sys.stderr)
         return 2
     print(target)
     return 0
