@@ -40,6 +40,7 @@ COMMANDS = {
     "compare": "compare driver 3-wood --speed '105 mph' --toe '10 mm' --model standard",
     "dispersion": "dispersion handicap-10-driver --count 256 --model standard --no-shares",
     "evaluate": "evaluate driver.parquet --models standard,slip --resamples 100 --where 'row <= 30'",
+    "explain": "explain driver --speed '105 mph' --path '-3 deg' --model standard",
     "fem ball": "fem ball ball.toml",
     "fem design": "fem design walls.toml -o best-head.toml --workers 2",
     "fem face": "fem face head.toml --ball ball.toml --toe 0:8:8 --high 0:0:1 --workers 2",

@@ -44,6 +44,7 @@ COMMANDS = {
     "identify": "identify",
     "flight": "flight",
     "sensitivity": "sensitivity",
+    "explain": "explain",
     "compare": "compare",
     "map": "map",
     "models": "models",

@@ -50,7 +50,28 @@ def shot(club: options.ClubArgument, **texts: Any) -> None:
     flights = {name: fly(launch, **conditions) for name, launch in launches.items()}
     hints = () if texts["model"] else (note("all-models"),)
     result = shot_result(launches, flights, conditions=conditions, paths=lambda: _paths(launches, conditions, delivery))
+    if output.report is not None:
+        result = _with_reasons(result, launches, delivery, conditions)
     output.show(result.replace(hints=hints))
+
+
+def _with_reasons(result: Any, launches: Mapping[str, Any], delivery: Any, conditions: Mapping[str, Any]) -> Any:
+    """Return a shot with the reasons for its flight, as words and as a picture, by the first model that gives them."""
+    from clubface.equipment.models import models
+    from clubface.simulation.explanation import explain, explanation_picture
+
+    launch = next((each for name, each in launches.items() if name in models()), None)
+    if launch is None:
+        return result
+    explained = explain(
+        launch.club, delivery, model=launch.model, parameters=launch.parameters, ball=launch.ball,
+        accuracy=launch.accuracy, **conditions,
+    )  # fmt: skip
+    draw = result.draw
+    return result.replace(
+        summary=(*result.summary, *(each for each in explained.reasons() if each not in result.summary)),
+        draw=lambda: [*(draw() if draw is not None else ()), explanation_picture(explained)],
+    )
 
 
 def _paths(

@@ -115,7 +115,7 @@ _STYLE = (
     "@media print{.save{display:none}body{margin:0;max-width:none;font-size:9.5pt;line-height:1.35;padding:0}"
     "a{color:inherit;text-decoration:none}h1{font-size:20pt}h2{font-size:14pt}h3{font-size:11pt}h3,p,ul{margin:.5em 0}"
     ".wide{overflow:visible}.screen{display:none}.paper{display:block;margin-bottom:1em}"
-    "img{max-height:7.2cm}table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
+    "img{max-height:7.2cm}img.tall{max-height:21cm}table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
     "thead{display:table-header-group}h1,h2,h3,h4,p:has(+ul){break-after:avoid}p,li{orphans:3;widows:3}"
     ".page{break-before:page}h2{margin:.8em 0 .4em}.page+h2,.page+h3,h1{margin-top:0}figure{margin:.6em 0}"
     "details{break-before:page}details:not([open]){display:none}}"
@@ -191,7 +191,14 @@ def _html(block: Block) -> str:
     if block.data is not None:
         links.append(_link_to_csv(block.data))
     shows = html.escape(block.shows)
-    return f'<figure><img alt="{shows}" src="{source}"><figcaption>{shows}</figcaption>{_saved(links)}</figure>'
+    tall = ' class="tall"' if _is_tall(block.svg) else ""
+    return f'<figure><img{tall} alt="{shows}" src="{source}"><figcaption>{shows}</figcaption>{_saved(links)}</figure>'
+
+
+def _is_tall(svg: str) -> bool:
+    """Return whether a picture is nearly as high as it is wide, so that it needs a page when printed."""
+    size = re.search(r'width="([\d.]+)pt" height="([\d.]+)pt"', svg)
+    return size is not None and float(size[2]) > 0.9 * float(size[1])
 
 
 def _html_table(table: TextTable) -> str:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 
 Placement = Literal["here", "page", "appendix"]
+TITLE_LINE = 0.16
+"""Height of a line of the title of a picture [inches]."""
 SCHEMA = "clubface-result-1"
 """Name and version of the layout of :meth:`Result.to_dict`; ``data/schemas/result-1.json`` describes it."""
 
@@ -83,7 +85,13 @@ class Result:
         """Return its pictures, with what was assumed in their titles."""
         pictures = [] if self.draw is None else list(self.draw())
         assumed = [each.sentence for each in self.assumptions]
-        return [replace(each, title="\n".join(filter(None, [*assumed, each.title]))) for each in pictures]
+        return [
+            replace(
+                each, title="\n".join(filter(None, [*assumed, each.title])),
+                height=each.height and each.height + TITLE_LINE * len(assumed),
+            )
+            for each in pictures
+        ]  # fmt: skip
 
     def replace(self, **fields: Any) -> Result:
         """Return it with other fields."""

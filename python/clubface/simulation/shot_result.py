@@ -66,7 +66,7 @@ def shot_result(
         summary=tuple(_summary(first, flights[first.model], alone)),
         notes=tuple(_notes(launches, flights)),
         provenance=provenance_of(launches.values(), flight_conditions(**(conditions or {}))),
-        draw=None if paths is None else lambda: [shot_picture(*paths(), title=_described(first), shapes=shapes)],
+        draw=None if paths is None else lambda: [shot_picture(*paths(), title=shot_title(first), shapes=shapes)],
     )  # fmt: skip
 
 
@@ -134,7 +134,7 @@ def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> lis
     return notes
 
 
-def _described(launch: Launch) -> str:
+def shot_title(launch: Launch) -> str:
     """Return club and delivery in words, values and units held together by spaces that do not break."""
     parts = [
         f"{name.replace('_', ' ')} {format_value(float(value), quantity(name))}"
@@ -174,7 +174,7 @@ def shot_picture(
     return Picture(
         name="flight", caption="The flight from the side and from above, and the forces where a model has them",
         rows=rows, heights=[*([2.2] if forces else []), *heights], title=title, legend=True,
-        height=(2.4 if forces else 0.2) + sum(heights) + 1.5,
+        height=(2.4 if forces else 0.2) + sum(heights) + 1.7,
         footnote=f"no force history (impulse models): {', '.join(without)}" if without else "",
     )  # fmt: skip
 
@@ -212,6 +212,7 @@ def flight_views(
     *,
     shapes: Mapping[str, str] | None = None,
     styles: Mapping[str, str | int] | None = None,
+    starts: bool = True,
 ) -> tuple[list[Panel], list[float]]:
     """Return panels of flights from the side and from above, both to scale, and their heights [inches].
 
@@ -223,6 +224,8 @@ def flight_views(
         What golfers call the shots, by name; the legend has it.
     styles
         Style of each line; that of the model of its name unless given.
+    starts
+        Whether the lines are drawn on which the balls start.
     """
     paths = {name: np.asarray(each, dtype=float) for name, each in flights.items()}
     labels = {name: f"{name}: {shape}" if (shape := (shapes or {}).get(name)) else name for name in paths}
@@ -245,7 +248,7 @@ def flight_views(
         ]
         if place == 2:
             marks.insert(0, Mark("rule", y=0.0, style=-1))
-            if len(paths) <= _MOST_STARTS:
+            if starts and len(paths) <= _MOST_STARTS:
                 marks += [_start_line(path) for path in paths.values() if len(path) > 1]
         low, high = across.limits
         panels.append(Panel(marks, along, across, title=title, equal=True))

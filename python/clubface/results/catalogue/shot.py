@@ -1,7 +1,7 @@
 """Sentences about shots, launches and flights."""
 
 SENTENCES = {
-    "all-models": "--model all shows every model side by side.",
+    "all-models": "--model all shows every model side by side; clubface explain says why the ball flies so.",
     "attack-at-held-loft": (
         "A steeper upward blow lowers the spin, by {backspin:0} a degree, because the dynamic loft is held: less angle "
         "is left between path and face."
@@ -9,6 +9,39 @@ SENTENCES = {
     "caveat-of-model": "{model}: {caveat}",
     "caveats-listed": "Caveats: clubface models {model}",
     "coefficients-hidden": "{hidden:n coefficient} of {model} are left out; --by NAME and --json have them.",
+    "explain-axis": (
+        "The spin axis is tilted {spin_axis:to the right/to the left/not at all}: the lift leans as much, and pulls the "
+        "ball that way."
+    ),
+    "explain-curve-face": (
+        "The face was {open_face:open/closed/square} to the path. With the face square to it the ball would curve "
+        "{square_curve:right/left/not at all 0} instead of {curve:right/left/not at all 0}."
+    ),
+    "explain-curve-square": (
+        "The face was square to the path, so that the curve ({curve:right/left/none 0}) comes from the strike and the "
+        "head alone."
+    ),
+    "explain-curve-strike": (
+        "Struck in the middle of the face it would curve {middle_curve:right/left/not at all 0} instead of "
+        "{curve:right/left/not at all 0}: a head struck off its centre turns and gears the ball (gear effect)."
+    ),
+    "explain-launch": (
+        "It launches at {launch}, between the loft of {loft} and the attack angle of {attack}: a degree of loft raises "
+        "it by {loft_share:.2f} degrees, a degree of attack by {attack_share:.2f}. The angle between them makes the "
+        "backspin of {backspin}."
+    ),
+    "explain-launch-strike": (
+        "The strike was {high:high/low}; in the middle of the face it would launch at {middle_launch} with "
+        "{middle_backspin} of backspin."
+    ),
+    "explain-start": (
+        "The face pointed {face:right/left/at the target} and the club moved {path:right/left/to the target}: a degree "
+        "of face turns the start by {face_share:.2f} degrees, a degree of path by {path_share:.2f}."
+    ),
+    "explain-start-strike": (
+        "The strike was {toe:towards the toe/towards the heel}; from the middle of the face it would start "
+        "{middle_azimuth:right/left/on the target line}."
+    ),
     "friction-lowers-spin": (
         "More friction lowers the spin here, by {backspin:0} for 0.1 more: this ball grips the face in any case, and "
         "the more it grips, the more of its sideways deformation springs back against the spin before it leaves. A "

@@ -1,0 +1,453 @@
+"""Why a shot starts where it starts and curves as it curves: what-ifs of its delivery, in words, tables and a picture.
+
+Nothing is split by a rule of thumb. What the strike and the angle between face and path do is what changes where they
+are taken away, computed by the same model and flown through the same air; how much face and path turn the start are the
+exact derivatives of the launch.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL, reduced_model
+from clubface.errors import InputError, RangeWarning, ShotError, Wording
+from clubface.quantities import format_value, quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.flight import Flight, fly, trajectory
+from clubface.simulation.impact import impact
+from clubface.simulation.inputs import Delivery, as_values
+from clubface.simulation.launch import Launch, assumptions_of
+from clubface.simulation.provenance import flight_conditions, provenance_of
+from clubface.simulation.sensitivity import sensitivity
+from clubface.simulation.shot_result import flight_views, shape_note, shot_title
+from clubface.support.checks import without_warnings
+
+__all__ = ["Explanation", "WhatIf", "explain", "explanation_picture"]
+
+OFF_TOE, OFF_HIGH = 15e-3, 8e-3
+"""How far from the face centre the strikes lie that are shown for comparison [m]."""
+INSIDE = 0.3
+"""The same, at most, as a share of the width and the height of the face."""
+LEAST_STRIKE = 1e-3
+"""Distance from the face centre above which the strike is explained [m]."""
+
+
+class WhatIf(NamedTuple):
+    """A shot whose delivery differs in one thing from that which is explained.
+
+    Attributes
+    ----------
+    changes
+        The values that differ [SI], by name.
+    launch, flight
+        What came of it.
+    """
+
+    changes: Mapping[str, float]
+    launch: Launch
+    flight: Flight
+
+
+class Explanation(Described):
+    """Why a shot flies as it does.
+
+    Attributes
+    ----------
+    launch, flight
+        The shot.
+    what_ifs
+        The shot with one thing changed, by what it is: "struck in the middle", "face square to the path",
+        "path to the target", "face to the target". One that changes nothing is left out.
+    strikes
+        The same delivery struck elsewhere: "heel", "middle", "toe", "low", "high".
+    slopes
+        By how much a degree of face, path, loft and attack turns the start: ("azimuth", "face"), ("azimuth", "path"),
+        ("launch", "loft") and ("launch", "attack").
+    conditions
+        Air, wind and ground.
+    """
+
+    def __init__(
+        self,
+        launch: Launch,
+        flight: Flight,
+        what_ifs: Mapping[str, WhatIf],
+        strikes: Mapping[str, WhatIf],
+        slopes: Mapping[tuple[str, str], float],
+        conditions: Mapping[str, Any],
+    ) -> None:
+        self.launch, self.flight = launch, flight
+        self.what_ifs, self.strikes, self.slopes = dict(what_ifs), dict(strikes), dict(slopes)
+        self.conditions = dict(conditions)
+
+    @property
+    def face_to_path(self) -> float:
+        """How far the face pointed right of the path [rad]."""
+        return float(self.launch.input("face") - self.launch.input("path"))
+
+    def to_result(self) -> Result:
+        """Return it as a result: the shot, its what-ifs and the strikes as tables, the reasons as notes, a picture."""
+        launch = self.launch
+        shot = {"as struck": WhatIf({}, launch, self.flight)}
+        given = [
+            *(column(name, [launch.input(name)]) for name in ("path", "face")),
+            column("face_to_path", [self.face_to_path]),
+            *(column(name, [launch.input(name)]) for name in ("attack", "loft", "toe", "high")),
+        ]
+        title = f"{launch.club.name}, ball {launch.ball.name}, by {launch.model}, explained"
+        reasons = tuple(self.reasons())
+        return Result(
+            kind="explanation", title=title,
+            tables=(
+                Table("shot", (*given, *_columns(shot)), title, layout="list"),
+                Table("what_if", (text("what if", [*shot, *self.what_ifs]), *_columns(shot | self.what_ifs)),
+                      "What if"),
+                Table("strikes", (text("strike", list(self.strikes)), *_columns(self.strikes, ("toe", "high"))),
+                      "The same swing, struck elsewhere"),
+            ),
+            assumptions=assumptions_of([launch]), summary=reasons, notes=reasons,
+            provenance=provenance_of([launch], flight_conditions(**self.conditions)),
+            draw=lambda: [explanation_picture(self)],
+        )  # fmt: skip
+
+    def reasons(self) -> Iterator[Note]:
+        """Yield why the ball starts where it starts and curves as it curves, as notes."""
+        launch, flight = self.launch, self.flight
+        given = {name: float(launch.input(name)) for name in ("path", "face", "attack", "loft", "toe", "high")}
+        yield shape_note("shot-shape", flight)
+        yield note(
+            "explain-start", face=given["face"], path=given["path"],
+            face_share=self.slopes["azimuth", "face"], path_share=self.slopes["azimuth", "path"],
+        )  # fmt: skip
+        middle = self.what_ifs.get("struck in the middle")
+        if middle is not None and abs(given["toe"]) >= LEAST_STRIKE:
+            yield note("explain-start-strike", toe=given["toe"], middle_azimuth=middle.launch.azimuth)
+        square = self.what_ifs.get("face square to the path")
+        if square is None:
+            yield note("explain-curve-square", curve=flight.curve)
+        else:
+            yield note(
+                "explain-curve-face", open_face=self.face_to_path * float(launch.input("hand")),
+                curve=flight.curve, square_curve=square.flight.curve,
+            )  # fmt: skip
+        if middle is not None and abs(given["toe"]) >= LEAST_STRIKE:
+            yield note("explain-curve-strike", curve=flight.curve, middle_curve=middle.flight.curve)
+        yield note("explain-axis", spin_axis=launch.spin_axis)
+        yield note(
+            "explain-launch", launch=launch.launch, loft=given["loft"], attack=given["attack"],
+            backspin=launch.backspin, loft_share=self.slopes["launch", "loft"],
+            attack_share=self.slopes["launch", "attack"],
+        )  # fmt: skip
+        if middle is not None and abs(given["high"]) >= LEAST_STRIKE:
+            yield note(
+                "explain-launch-strike", high=given["high"], middle_launch=middle.launch.launch,
+                middle_backspin=middle.launch.backspin,
+            )  # fmt: skip
+
+    def __repr__(self) -> str:
+        return "\n".join(each.sentence for each in (*assumptions_of([self.launch]), *self.reasons()))
+
+
+def explain(
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    model: str = DEFAULT_MODEL,
+    parameters: Any = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: Any = None,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    **values: Any,
+) -> Explanation:
+    """Compute a shot and what it would be with one thing changed, and say why it flies as it does.
+
+    Parameters
+    ----------
+    club, delivery, parameters, ball, accuracy, hand, values
+        As for :func:`clubface.impact`, of a single shot.
+    model
+        A model with derivatives: any but finite elements.
+    air, wind, ground
+        As for :func:`clubface.fly`.
+
+    Returns
+    -------
+    Explanation
+        What-ifs, strikes elsewhere, and the reasons as notes.
+
+    Raises
+    ------
+    InputError
+        There are several shots, or the model has no derivatives.
+    """
+    reduced_model(model, "one with derivatives")
+    given = dict(as_values(delivery, values))
+    options: dict[str, Any] = {
+        "model": model, "parameters": parameters, "ball": ball, "accuracy": accuracy, "hand": hand,
+    }  # fmt: skip
+    conditions = {"air": air, "wind": wind, "ground": ground}
+    launch = impact(club, given, **options)
+    if launch.shape:
+        raise InputError("delivery", Wording(f"a batch of shape {launch.shape}"), "a single shot")
+    slopes = sensitivity(
+        club, given, outputs=("azimuth", "launch"), variables=("face", "path", "loft", "attack"), **options
+    )
+    pairs = (("azimuth", "face"), ("azimuth", "path"), ("launch", "loft"), ("launch", "attack"))
+
+    def shots(changed: Mapping[str, Mapping[str, float]]) -> dict[str, WhatIf]:
+        result = {}
+        for name, changes in changed.items():
+            try:
+                with without_warnings(RangeWarning):
+                    other = impact(club, {**given, **changes}, **options)
+            except ShotError:  # that strike misses the face
+                continue
+            result[name] = WhatIf(changes, other, fly(other, **conditions))
+        return result
+
+    return Explanation(
+        launch, fly(launch, **conditions), shots(_changes(launch)), shots(_strikes(launch)),
+        {pair: slopes.value(*pair) for pair in pairs}, conditions,
+    )  # fmt: skip
+
+
+def _changes(launch: Launch) -> dict[str, dict[str, float]]:
+    """Return what is changed of the delivery in each what-if that changes anything."""
+    path = float(launch.input("path"))
+    changes = {
+        "struck in the middle": {"toe": 0.0, "high": 0.0},
+        "face square to the path": {"face": path},
+        "path to the target": {"path": 0.0},
+        "face to the target": {"face": 0.0},
+    }
+    return {
+        name: each
+        for name, each in changes.items()
+        if any(float(launch.input(key)) != value for key, value in each.items())
+        and not (name == "face to the target" and path == 0.0)  # that is square to the path
+    }
+
+
+def _strikes(launch: Launch) -> dict[str, dict[str, float]]:
+    width, height = (float(launch.input(name)) for name in ("face_width", "face_height"))
+    across = min(OFF_TOE, INSIDE * width) if width > 0.0 else OFF_TOE
+    up = min(OFF_HIGH, INSIDE * height) if height > 0.0 else OFF_HIGH
+    return {
+        "middle": {"toe": 0.0, "high": 0.0},
+        "heel": {"toe": -across, "high": 0.0}, "toe": {"toe": across, "high": 0.0},
+        "low": {"toe": 0.0, "high": -up}, "high": {"toe": 0.0, "high": up},
+    }  # fmt: skip
+
+
+_SHOWN = ("azimuth", "spin_axis", "curve", "side", "carry", "launch", "backspin", "ball_speed")
+
+
+def _columns(shots: Mapping[str, WhatIf], changed: tuple[str, ...] = ()) -> list[Column]:
+    alone = len(shots) == 1
+    columns = [column(name, [each.changes[name] for each in shots.values()]) for name in changed]
+    for name in _SHOWN:
+        columns.append(column(name, [_value(each, name) for each in shots.values()]))
+    shapes = [each.flight.shot_shape() or None for each in shots.values()]
+    return [*columns, text("shot_shape", shapes, label="shot shape", printed=not alone)]
+
+
+def _value(shot: WhatIf, name: str) -> float:
+    return float(getattr(shot.launch if name in shot.launch.quantities() else shot.flight, name))
+
+
+_FLIGHT, _PATH, _FACE, _START, _CURVE = 0, 1, 2, 3, -2
+"""Styles of what is drawn."""
+_TALLEST = 3.8
+"""Inches that a view from above takes at most."""
+_MIDDLE, _LESS, _MORE = 4, 5, 6
+"""Styles of strikes in the middle, and towards heel or sole and toe or crown."""
+
+
+def explanation_picture(explanation: Explanation) -> Picture:
+    """Return the picture of an explanation.
+
+    From above the flight with path, face, start and curve; the head as it meets the ball, the tilted ball and the place
+    of the strike; and flights of strikes elsewhere on the face. Angles and flights are to scale.
+    """
+    launch, flight = explanation.launch, explanation.flight
+    path = trajectory(launch, **explanation.conditions).position
+    views, heights = flight_views({"flight": path}, styles={"flight": _FLIGHT})
+    above, height = _with_directions(views[1], heights[1], explanation, path)
+    rows: list[list[Panel | None]] = [[above], [_at_impact(launch), _tilted_ball(launch), _face(explanation)]]
+    sizes = [height, 2.1]
+    for names, place in ((("low", "middle", "high"), 0), (("heel", "middle", "toe"), 1)):
+        struck = {name: explanation.strikes[name] for name in names if name in explanation.strikes}
+        paths = {name: trajectory(each.launch, **explanation.conditions).position for name, each in struck.items()}
+        styles = dict(zip(names, (_LESS, _MIDDLE, _MORE), strict=True))
+        panels, heights = flight_views(paths, styles=styles, starts=False)
+        words = "; ".join(
+            _strike_words(name, each, place, first=number == 0) for number, (name, each) in enumerate(struck.items())
+        )
+        marks = [replace(each, label=_LABELS.get(each.style, "")) for each in panels[place].marks]
+        rows.append([replace(panels[place], marks=marks, title=f"{panels[place].title}\n{words}")])
+        sizes.append(heights[place])
+    name = flight.shot_shape() or "no flight"
+    return Picture(
+        "explanation", "Why the ball starts and curves as it does, and what strikes elsewhere on the face would do",
+        rows, heights=sizes, height=sum(sizes) + 0.62 * len(rows) + 0.7, legend=True,
+        title=f"{shot_title(launch)}: {name}",
+    )  # fmt: skip
+
+
+_LABELS: dict[str | int, str] = {_LESS: "struck low, on the heel", _MIDDLE: "in the middle", _MORE: "high, on the toe"}
+
+
+def _strike_words(name: str, struck: WhatIf, place: int, *, first: bool) -> str:
+    launch, flight = struck.launch, struck.flight
+    if place == 0:
+        spin, carry = _words("backspin", launch.backspin), _words("carry", flight.carry, 0)
+        return f"{name}: {'launch ' * first}{_words('launch', launch.launch)}, {spin}, {'carry ' * first}{carry}"
+    start, bend = _sided("azimuth", launch.azimuth), _sided("curve", flight.curve, 0)
+    return f"{name}: {'starts ' * first}{start}, {'curves ' * first}{bend}"
+
+
+def _words(name: str, value: float, digits: int | None = None) -> str:
+    return format_value(float(value), quantity(name), digits=digits)
+
+
+def _sided(name: str, value: float, digits: int | None = None) -> str:
+    words = format_value(abs(float(value)), quantity(name), digits=digits)
+    return f"{words} {'right' if value > 0.0 else 'left'}" if any(each in words for each in "123456789") else words
+
+
+def _with_directions(panel: Panel, height: float, explanation: Explanation, path: Any) -> tuple[Panel, float]:
+    """Return the flight from above with the directions of path, face and start, and its curve; and its height."""
+    launch, flight = explanation.launch, explanation.flight
+    marks = [each for each in panel.marks if each.kind == "rule"]
+    marks.append(
+        Mark("line", path[:, 0], path[:, 2], style=_FLIGHT, label=f"flight, lands {_sided('side', flight.side, 0)}")
+    )
+    start, landing = float(launch.azimuth), path[-1, [0, 2]]
+    way = np.array([np.cos(start), np.sin(start)])
+    foot = way * float(way @ landing)
+    rays = {
+        f"path {_sided('path', launch.input('path'))}": (float(launch.input("path")), 0.45, _PATH),
+        f"face {_sided('face', launch.input('face'))}": (float(launch.input("face")), 0.6, _FACE),
+        f"start {_sided('azimuth', start)}": (start, 1.0, _START),
+    }
+    ends = []
+    for label, (angle, share, style) in rays.items():
+        end = share * float(np.hypot(*foot)) * np.array([np.cos(angle), np.sin(angle)])
+        marks.append(Mark("line", [0.0, end[0]], [0.0, end[1]], style=style, label=label))
+        ends.append(1.06 * float(end[1]))
+    marks.append(
+        Mark("line", [foot[0], landing[0]], [foot[1], landing[1]], style=_CURVE, size=2.0, dash=0,
+             label=f"curve {_sided('curve', flight.curve, 0)}")
+    )  # fmt: skip
+    low, high = (each or 0.0 for each in panel.y.limits)
+    limits = (min(low, *ends), max(high, *ends))
+    taller = height * (limits[1] - limits[0]) / (high - low)
+    return replace(panel, marks=marks, y=replace(panel.y, limits=limits)), min(taller, _TALLEST)
+
+
+def _at_impact(launch: Launch) -> Panel:
+    """Return the head as it meets the ball from above: the face with its bulge, and its directions, to scale."""
+    hand, face, path = (float(launch.input(name)) for name in ("hand", "face", "path"))
+    toe, width = float(launch.input("toe")), float(launch.input("face_width")) or 0.08
+    radius, bulge = float(launch.input("ball_radius")), float(launch.input("bulge"))
+    normal = np.array([np.sin(face), np.cos(face)])  # right, to the target
+    to_toe = hand * np.array([np.cos(face), -np.sin(face)])
+    along = np.linspace(-0.5 * width, 0.5 * width, 41)
+    points = along[:, None] * to_toe - (along**2 / (2.0 * bulge))[:, None] * normal
+    points -= toe * to_toe - toe**2 / (2.0 * bulge) * normal  # the strike is the origin
+    here = normal + to_toe * toe / bulge
+    centre = radius * here / np.hypot(*here)
+    turn = np.linspace(0.0, 2.0 * np.pi, 61)
+    marks = [
+        Mark("rule", x=0.0, style=-1, dash=2),
+        Mark("outline", centre[0] + radius * np.cos(turn), centre[1] + radius * np.sin(turn), style=-1),
+        Mark("line", points[:, 0], points[:, 1], style=-2, size=2.5, dash=0),
+    ]
+    for word, angle, style, back, length in (
+        ("path", path, _PATH, 0.04, 0.06), ("face", face, _FACE, 0.0, 0.09),
+        ("start", float(launch.azimuth), _START, 0.0, 0.12),
+    ):  # fmt: skip
+        way = np.array([np.sin(angle), np.cos(angle)])
+        marks.append(_arrow(-back * way, length * way, style))
+        side = 0.018 if word != "face" else -0.018
+        marks.append(Mark("text", [length * way[0] + side], [length * way[1] - 0.004], texts=[word], style=style))
+    for word, end in (("heel", points[0]), ("toe", points[-1])):
+        marks.append(Mark("text", [end[0]], [end[1] - 0.013], texts=[word], style=-2))
+    middle = float(points[:, 0].mean())
+    reach = 0.5 * width + 0.02
+    return Panel(
+        marks, axis(limits=(middle - reach, middle + reach), ticks=False), axis(limits=(-0.055, 0.13), ticks=False),
+        "at impact, from above", equal=True, grid=False,
+    )  # fmt: skip
+
+
+def _tilted_ball(launch: Launch) -> Panel:
+    """Return the ball as the player sees it fly off: its spin axis, tilted, and the lift across it."""
+    tilt = float(launch.spin_axis)
+    turn = np.linspace(0.0, 2.0 * np.pi, 61)
+    ends = 1.25 * np.array([np.cos(tilt), -np.sin(tilt)])  # to the right, up: tilted right, the right end is down
+    lift = np.array([np.sin(tilt), np.cos(tilt)])
+    back = 1.0 if launch.backspin >= 0.0 else -1.0
+    marks = [
+        Mark("line", [-1.25, 1.25], [0.0, 0.0], style=-1, dash=2, size=0.8),
+        Mark("outline", np.cos(turn), np.sin(turn), style=-2),
+        Mark("line", [-ends[0], ends[0]], [-ends[1], ends[1]], style=-2, size=2.0, dash=0),
+        _arrow(np.zeros(2), 1.55 * back * lift, _FLIGHT),
+        Mark("text", [1.75 * back * lift[0]], [1.75 * back * lift[1]], texts=["lift"], style=_FLIGHT),
+        Mark(
+            "text",
+            [0.0],
+            [-1.35],
+            texts=[f"axis {_sided('spin_axis', tilt)}, {_words('total_spin', launch.total_spin)}"],
+            style=-2,
+        ),
+    ]
+    blank = axis(limits=(-1.9, 1.9), ticks=False)
+    return Panel(marks, blank, replace(blank, limits=(-1.6, 2.0)),
+                 "the ball, from behind", equal=True, grid=False)  # fmt: skip
+
+
+def _face(explanation: Explanation) -> Panel:
+    """Return the face with the strike and those that it is compared with."""
+    launch = explanation.launch
+    width, height = (float(launch.input(name)) for name in ("face_width", "face_height"))
+    turn = np.linspace(0.0, 2.0 * np.pi, 61)
+    marks = []
+    if width > 0.0 and height > 0.0:
+        marks.append(Mark("outline", 0.5 * width * np.cos(turn), 0.5 * height * np.sin(turn), style=-1))
+    struck = explanation.strikes
+    for style, names in ((_LESS, ("heel", "low")), (_MIDDLE, ("middle",)), (_MORE, ("toe", "high"))):
+        there = [name for name in names if name in struck]
+        marks.append(
+            Mark("points", [struck[name].changes["toe"] for name in there],
+                 [struck[name].changes["high"] for name in there], style=style, symbol="o", hollow=True, size=5.0)
+        )  # fmt: skip
+    marks.append(Mark("points", [launch.input("toe")], [launch.input("high")], style=_FLIGHT, symbol="6", size=6.0,
+                      label="strike"))  # fmt: skip
+    across, up = (0.55 * each if each > 0.0 else 0.05 for each in (width, height))
+    return Panel(
+        marks, axis("toe", "towards the toe", limits=(-across, across)), axis("high", "up the face", limits=(-up, up)),
+        "where it was struck", equal=True,
+    )  # fmt: skip
+
+
+def _arrow(start: Any, end: Any, style: int) -> Mark:
+    """Return an arrow as a line that draws its head as well."""
+    way = np.asarray(end) - np.asarray(start)
+    aside = 0.06 * np.array([-way[1], way[0]])
+    neck = np.asarray(start) + 0.88 * way
+    points = np.array([start, end, neck + aside, end, neck - aside])
+    return Mark("line", points[:, 0], points[:, 1], style=style, dash=0)

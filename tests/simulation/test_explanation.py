@@ -1,0 +1,135 @@
+"""Why a shot starts and curves as it does: what-ifs, slopes, words for both hands, and a picture to scale."""
+
+import math
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface.errors import InputError
+
+DEG = math.pi / 180.0
+SHOT = {"speed": "105 mph", "attack": "3 deg", "loft": "13 deg", "face": "-2 deg", "path": "-6 deg", "toe": "10 mm",
+        "high": "5 mm"}  # fmt: skip
+MIRRORED = {**SHOT, "face": "2 deg", "path": "6 deg", "hand": "left"}
+
+
+@pytest.fixture(scope="module")
+def explained():
+    return clubface.explain("driver", SHOT)
+
+
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [
+        ("struck in the middle", {"toe": 0.0, "high": 0.0}),
+        ("face square to the path", {"face": "-6 deg"}),
+        ("path to the target", {"path": 0.0}),
+        ("face to the target", {"face": 0.0}),
+    ],
+)
+def test_a_what_if_is_that_shot(explained, name, changes):
+    launch = clubface.impact("driver", {**SHOT, **changes})
+    assert explained.what_ifs[name].launch.azimuth == launch.azimuth
+    assert explained.what_ifs[name].flight.curve == clubface.fly(launch).curve
+
+
+def test_a_what_if_that_changes_nothing_is_left_out():
+    straight = clubface.explain("driver", speed="105 mph", loft="13 deg")
+    assert straight.what_ifs == {}
+    assert [each.code for each in straight.reasons()] == [
+        "shot-shape", "explain-start", "explain-curve-square", "explain-axis", "explain-launch",
+    ]  # fmt: skip
+
+
+def test_a_degree_of_face_and_a_degree_of_path_turn_the_start_by_a_degree_together(explained):
+    """A delivery that is turned as a whole launches turned as much; start mostly follows the face (PING: 76 +- 8%)."""
+    face, path = (explained.slopes["azimuth", name] for name in ("face", "path"))
+    assert face + path == pytest.approx(1.0, abs=1e-9)
+    step = 0.01 * DEG
+    ends = [clubface.impact("driver", {**SHOT, "face": -2.0 * DEG + each}).azimuth for each in (-step, step)]
+    # A central difference over 0.01 degrees has an error of its square.
+    assert face == pytest.approx((ends[1] - ends[0]) / (2.0 * step), abs=1e-5)
+    assert 0.68 < face < 0.92
+    loft, attack = (explained.slopes["launch", name] for name in ("loft", "attack"))
+    # Only where neither face nor path point aside do loft and attack add up to a whole degree.
+    assert loft + attack == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_strike_on_the_toe_is_geared_towards_the_heel():
+    square = clubface.explain("driver", speed="105 mph", loft="13 deg", toe="15 mm")
+    middle = square.what_ifs["struck in the middle"]
+    assert square.launch.azimuth > middle.launch.azimuth + 2.0 * DEG  # the bulge
+    assert square.flight.curve < middle.flight.curve - 5.0
+    (reason,) = (each for each in square.reasons() if each.code == "explain-curve-strike")
+    assert reason.data == {"curve": square.flight.curve, "middle_curve": middle.flight.curve}
+
+
+def test_words_of_the_mirrored_shot_have_the_other_sides_and_the_same_openness(explained):
+    swapped = {"right": "left", "left": "right"}
+    mirrored = clubface.explain("driver", **MIRRORED)
+    words = [each.sentence for each in explained.reasons()]
+    assert any("4.0 deg open" in each for each in words)
+    turned = [" ".join(swapped.get(word.strip(".,;:"), word.strip(".,;:")) for word in each.split()) for each in words]
+    plain = [" ".join(word.strip(".,;:") for word in each.sentence.split()) for each in mirrored.reasons()]
+    assert turned == plain
+
+
+def test_strikes_high_and_low_launch_and_spin_as_the_gear_effect_has_it(explained):
+    low, middle, high = (explained.strikes[name].launch for name in ("low", "middle", "high"))
+    assert low.launch < middle.launch < high.launch
+    assert low.backspin > middle.backspin > high.backspin
+    heel, toe = (explained.strikes[name].launch for name in ("heel", "toe"))
+    assert heel.azimuth < middle.azimuth < toe.azimuth
+
+
+def drawn(panel):
+    return {each.label.split(" ")[0].rstrip(","): each for each in panel.marks if each.label}
+
+
+@pytest.mark.parametrize("shot", [SHOT, MIRRORED, {"speed": "80 mph", "loft": "10 deg", "attack": "-3 deg"}])
+def test_the_picture_has_all_directions_to_scale(shot):
+    explained = clubface.explain("driver", **shot)
+    (picture,) = explained.to_result().pictures()
+    panels = picture.panels()
+    assert all(each.equal for each in panels)
+    lines = drawn(panels[0])
+    wanted = {"path": explained.launch.input("path"), "face": explained.launch.input("face"),
+              "start": float(explained.launch.azimuth)}  # fmt: skip
+    for name, angle in wanted.items():
+        (_, along), (_, across) = lines[name].x, lines[name].y
+        assert math.atan2(across, along) == pytest.approx(angle, abs=1e-12)
+    # The curve is drawn across the start line, from it to the landing.
+    (x0, x1), (y0, y1) = lines["curve"].x, lines["curve"].y
+    assert math.hypot(x1 - x0, y1 - y0) == pytest.approx(abs(explained.flight.curve), abs=2e-3)
+    way = np.array([math.cos(wanted["start"]), math.sin(wanted["start"])])
+    assert float(way @ [x1 - x0, y1 - y0]) == pytest.approx(0.0, abs=1e-9)
+    # The lift stands across the axis and leans to where the ball curves.
+    axis = next(each for each in panels[2].marks if each.kind == "line" and each.size == 2.0)
+    assert (axis.y[1] < axis.y[0]) == (explained.launch.spin_axis > 0.0)
+
+
+def test_a_ball_that_stays_on_the_ground_is_drawn_and_has_no_shape():
+    topped = clubface.explain("driver", speed="100 mph", attack="-8 deg", loft="2 deg", high="-20 mm", model="standard")
+    assert topped.launch.launch < 0.0
+    assert next(each.code for each in topped.reasons()) == "shot-too-low"
+    assert len(topped.to_result().pictures()) == 1
+
+
+@pytest.mark.parametrize(("changes", "words"), [({"model": "fem"}, "derivatives"), ({"toe": [0.0, 0.01]}, "single")])
+def test_what_cannot_be_explained_is_refused(changes, words):
+    with pytest.raises(InputError, match=words):
+        clubface.explain("driver", speed="105 mph", **changes)
+
+
+def test_the_command_and_the_report_of_a_shot_have_words_and_picture(clubface_, tmp_path):
+    shot = ("driver", "--speed", "105 mph", "--loft", "13 deg", "--face", "1 deg", "--path", "-3 deg")
+    ran = clubface_("explain", *shot, "--plot", str(tmp_path / "explain.svg"), "--json")
+    assert (tmp_path / "explain.svg").read_bytes().startswith(b"<?xml")
+    assert ran.rows("what_if")[0]["what if"] == "as struck"
+    report = tmp_path / "report.md"
+    clubface_("shot", *shot, "--report", str(report))
+    page = report.read_text()
+    assert "Why the ball starts and curves as it does" in page
+    for each in ran.json["summary"]:
+        assert each["text"] in page
