@@ -447,7 +447,7 @@ def _face(explanation: Explanation) -> Panel:
 def _arrow(start: Any, end: Any, style: int) -> Mark:
     """Return an arrow as a line that draws its head as well."""
     way = np.asarray(end) - np.asarray(start)
-    aside = 0.06 * np.array([-way[1], way[0]])
+    barb = 0.06 * np.array([-way[1], way[0]])
     neck = np.asarray(start) + 0.88 * way
-    points = np.array([start, end, neck + aside, end, neck - aside])
+    points = np.array([start, end, neck + barb, end, neck - barb])
     return Mark("line", points[:, 0], points[:, 1], style=style, dash=0)
