@@ -52,7 +52,7 @@ FIRST = ("speed", "attack", "path", "loft", "face", "toe", "high", "ball_speed",
 """Quantities with which the table of statistics begins."""
 CLUBLESS = "a club without a name"
 MOST_PICTURES = 40
-"""Clubs that are drawn; each picture takes a fifth of a second and 150 kB."""
+"""Pictures of clubs and bags that are drawn; each takes a fifth of a second and 150 kB."""
 MOST_ROWS = 10
 """Shots of a club that a report shows; its data have all."""
 FEWEST_FOR_PROCESSES = 200
@@ -124,9 +124,9 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
         summary = [note("player-report-by", player=next(iter(players)), **data)]
     else:
         summary = [note("player-report-of", **data)]
-    if len(clubs) > MOST_PICTURES:
-        summary.append(note("player-pictures-of-some", drawn=MOST_PICTURES, clubs=len(clubs)))
-    drawn = {id(each) for each in clubs[:MOST_PICTURES]}
+    drawn = _drawn(clubs)
+    if len(drawn) < len(clubs):
+        summary.append(note("player-pictures-of-some", drawn=len(drawn), clubs=len(clubs)))
     flown = with_computed_carry(shots)
     of_players = [
         _player_parts(list(theirs), flown, drawn) for _, theirs in groupby(clubs, key=lambda each: each.player)
@@ -153,6 +153,18 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
         draw=first.draw,
         parts=parts,
     )
+
+
+def _drawn(clubs: Sequence[ClubStatistics]) -> set[int]:
+    """Return the identities of the clubs that are drawn: the first ones, with a picture of the bag of each player."""
+    players: set[str] = set()
+    drawn: set[int] = set()
+    for each in clubs:
+        players.add(each.player)
+        if len(drawn) + 1 + len(players) > MOST_PICTURES:
+            break
+        drawn.add(id(each))
+    return drawn
 
 
 def _player_parts(clubs: Sequence[ClubStatistics], flown: RecordedShots, drawn: set[int]) -> Result:

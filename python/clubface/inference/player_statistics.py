@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -136,9 +137,8 @@ class ClubStatistics:
 def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStatistics:
     """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
     kind = club_kind(name)
-    head = club_named(kind) if kind in TOUR_CLUBS else None
-    if head is not None and shots.hand is not None and set(shots.hand) == {"left"}:
-        head = head.replace(hand="left")
+    hand = "left" if shots.hand is not None and set(shots.hand) == {"left"} else "right"
+    head = _head(kind, hand) if kind in TOUR_CLUBS else None
     if head is not None:
         shots = refer(shots, head)
     flown = with_computed_carry(shots)
@@ -152,7 +152,8 @@ def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStat
     if head is None or "ball_speed" not in measured or "launch" not in measured:
         return plain
     most = min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs))
-    result = _inferred(shots, np.flatnonzero(~mask), head, most)
+    prepared = _inference(kind, hand, shots.speed_at, shots.face_at)
+    result = _inferred(shots, np.flatnonzero(~mask), prepared, most)
     if result is None:
         return plain
     launch, changes, start, closing = _changes(head, result.mean)
@@ -166,11 +167,22 @@ def with_computed_carry(shots: RecordedShots) -> RecordedShots:
     return replace(shots, launches=shots.launches | _flown({each: shots.launches[each] for each in LAUNCHED}))
 
 
-def _inferred(shots: RecordedShots, chosen: NDArray[np.intp], head: Club, most: int) -> Inferred | None:
+@cache
+def _head(kind: str, hand: str) -> Club:
+    """Return a built-in club, which the reports of many players need again and again."""
+    head = club_named(kind)
+    return head.replace(hand="left") if hand == "left" else head
+
+
+@cache
+def _inference(kind: str, hand: str, speed_at: str, face_at: str) -> Inference:
+    """Return what the deliveries of all players with such a club are inferred with."""
+    head = _head(kind, hand)
+    return Inference(club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=speed_at, face_at=face_at)
+
+
+def _inferred(shots: RecordedShots, chosen: NDArray[np.intp], prepared: Inference, most: int) -> Inferred | None:
     """Return the deliveries of the ``chosen`` shots, of at most so many."""
-    prepared = Inference(
-        club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=shots.speed_at, face_at=shots.face_at
-    )
     places = chosen[np.unique(np.linspace(0, len(chosen) - 1, most).round().astype(int))]
     means, doubts, refused, remarked = [], [], 0, []
     for place in places:
