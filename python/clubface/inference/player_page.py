@@ -61,10 +61,11 @@ def page_parts(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> t
         The same clubs with their gaps, the longest first.
     """
     findings = _findings(clubs, bag)
-    number = {2: "Two", MOST_FINDINGS: "Three"}.get(len(findings), "One")
-    heading = f"{number} finding{'s' * (len(findings) != 1)}"
+    heading = {1: "One finding", 2: "Two findings", MOST_FINDINGS: "Three findings"}.get(len(findings), "Findings")
+    is_enough = max(len(each.shots) for each in clubs) >= FEW
+    nothing = note("player-all-alike") if is_enough else note("player-too-few-shots", least=FEW)
     parts = [
-        ("findings", heading, findings or [note("player-all-alike")]),
+        ("findings", heading, findings or [nothing]),
         ("practice", "Worth practising", list(_practice(clubs))),
         ("purchases", "Worth buying", list(_purchases(clubs, bag))),
         ("confidence", "How sure this is", list(_confidence(clubs))),

@@ -136,7 +136,7 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
         first = of_players[0]
         parts = first.parts
     elif of_players:
-        parts = tuple(of_players)
+        parts = (of_players[0].replace(placement="here"), *of_players[1:])
     if notes := [*origin_notes(loft_origins(shots), AT_LAUNCH), *dict.fromkeys(shots.notes)]:
         sentences = [f"{each[:1].upper()}{each[1:]}." for each in notes]
         about_file = Result("notes", "Notes on the file", notes=tuple(free_text(sentences)), placement="appendix")
@@ -294,15 +294,19 @@ def sessions_result(club: ClubStatistics) -> Iterator[Result]:
         Column("change", [last[name].median - first[name].median for name in both], [quantity(name) for name in both],
                difference=True),
         Column("error", [difference_error(first[name], last[name]) for name in both],
-               [quantity(name) for name in both], label="give or take"), printed=False,
+               [quantity(name) for name in both], label="give or take"),
+        title=f"From {labels[0]} to {labels[-1]}",
     )  # fmt: skip
     compared = note("player-sessions-compared", first=labels[0], last=labels[-1])
     yield Result(
         "sessions",
         "From session to session",
         summary=(note("player-sessions-spread"), compared if both else note("player-sessions-of-one-shot")),
-        tables=(table("sessions", *columns), *([changed] if both else [])),
+        tables=(table("sessions", *columns),),
         notes=tuple(change_note(name, first[name], last[name]) for name in both),
+        parts=(Result("session-changes", f"{club.title} sessions", tables=(changed,), placement="appendix"),)
+        if both
+        else (),
     )
 
 

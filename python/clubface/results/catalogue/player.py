@@ -200,5 +200,6 @@ SENTENCES = {
         "Sideways, two of three shots lie between {low_toe:towards the toe/towards the heel/the middle 0} and "
         "{high_toe:towards the toe/towards the heel/the middle 0}."
     ),
+    "player-too-few-shots": "Hit at least {least} shots with a club: of fewer, nothing can be said.",
     "player-typical-shot": "Your typical shot, the median of {shots:n shot}: {figures:and}.",
 }
