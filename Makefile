@@ -88,6 +88,7 @@ benchmark-data: build ## make the benchmark shots again from their recipe, bit f
 benchmark-identification: build ## identify every model on the benchmark shots: the tables of docs/findings.md; some 20 minutes, resumed
 	@mkdir -p out
 	$(PYTHON) studies/benchmark_findings.py out/benchmark-identification docs/findings.json
+	$(PYTHON) docs/run.py --stamp docs/findings.json
 
 benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
@@ -97,6 +98,7 @@ fem-figures: dev ## the figures of docs/finite-elements, computed again; some th
 
 validation: build ## models compared with published figures: the picture and the finite elements of docs/which-model.md; minutes
 	$(PYTHON) docs/figures/validation.py
+	$(PYTHON) docs/run.py --stamp docs/validation-fem.json
 
 ball-fit: dev ## fit the core of the ball modern-2026 to published plate tests again, with intervals; a minute or two
 	$(PYTHON) studies/ball_fit.py

@@ -349,13 +349,10 @@ def update(page: Path, folder: Path, *, study: bool = False) -> None:
     for each in run(page, folder, study=study):
         if each.shown is not None and "..." not in each.shown:
             lines = "\n".join(line.rstrip() for line in each.printed.splitlines())
-            edits.append((*each.span, f"{lines}\n" if each.shown.endswith("\n") else lines))
+            edits.append((*each.span, f"{lines}\n" if each.shown.endswith("\n") or not each.shown else lines))
     if study:
-        commit = subprocess.run(
-            ["git", "rev-parse", "--short=8", "HEAD"], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True
-        ).stdout.strip()
         edits += [
-            (block.start(), block.start("figures"), f"<!-- figures study {commit}\n")
+            (block.start(), block.start("figures"), f"<!-- figures study {commit()}\n")
             for block in BLOCK.finditer(text)
             if block["study"]
         ]
@@ -367,6 +364,20 @@ def update(page: Path, folder: Path, *, study: bool = False) -> None:
             shutil.copyfile(folder / name, FIGURES / name)
 
 
+def commit() -> str:
+    """Return the commit of the sources."""
+    command = ["git", "rev-parse", "--short=8", "HEAD"]
+    return subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+
+
+def stamp(results: Path) -> None:
+    """Write the commit of the sources into a JSON file that a long computation has just written."""
+    text = results.read_text(encoding="utf-8")
+    indent = re.search(r"^{\n( *)", text)
+    document = {"commit": commit(), **{key: value for key, value in json.loads(text).items() if key != "commit"}}
+    results.write_text(json.dumps(document, indent=len(indent[1]) if indent else None) + "\n", encoding="utf-8")
+
+
 def main() -> int:
     """Run a page; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -375,7 +386,11 @@ def main() -> int:
     parser.add_argument("--update", action="store_true", help="write outputs, figures and pictures into the page")
     parser.add_argument("--study", action="store_true", help="compute the figures that take long, too")
     parser.add_argument("--uncovered", action="store_true", help="list the figures with units that nothing checks")
+    parser.add_argument("--stamp", type=Path, metavar="JSON", help="write the commit of the sources into results")
     given = parser.parse_args()
+    if given.stamp:
+        stamp(given.stamp)
+        return 0
     if given.uncovered:
         pages = [given.page] if given.page else [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
         for page in pages:

@@ -338,7 +338,7 @@ def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
     from clubface.schema import Document
     from clubface.support.files import is_path
 
-    if is_path(chosen):
+    if is_path(chosen) and chosen not in {each.name for each in builtin_sets()}:
         models = {each.model for each in read_sets(Document.read(chosen))}
         fitting = [name for name in names if name in models]
         if not fitting:
