@@ -32,6 +32,7 @@ extensions = [
     "mathml",
     "notebook_pages",
     "page_figures",
+    "pictures",
     "published_tables",
     "validation_tables",
 ]

@@ -1,4 +1,7 @@
-"""Draw the first picture of the documentation, a driver's impact in five sections over the force; writes impact.png."""
+"""Draw the first picture of the documentation, a driver's impact in sections over the force.
+
+Writes impact.png, and impact-narrow.png for telephones.
+"""
 
 from pathlib import Path
 
@@ -35,30 +38,41 @@ def draw_section(panel: plt.Axes, section: Section, frame: int) -> None:
     panel.axis("off")
 
 
+def draw_force(force: plt.Axes, impact: Impact) -> None:
+    """Draw force and backspin over time."""
+    time = impact.contact["time"] * 1e6
+    force.fill_between(time, impact.contact["normal"] / 1e3, color=FORCE, alpha=0.15, linewidth=0)
+    force.plot(time, impact.contact["normal"] / 1e3, color=FORCE)
+    force.set(xlabel="time (µs)", xlim=(0, impact.last_touch * 1e6), ylim=(0, None))
+    force.set_ylabel("force on the ball (kN)", color=FORCE)
+    spin = force.twinx()
+    spin.plot(impact.motion["time"] * 1e6, impact.motion["spin"][:, 2] * 60 / (2 * np.pi), color=SPIN)
+    spin.set_ylim(0, None)
+    spin.set_ylabel("backspin (rpm)", color=SPIN)
+    for axes in (force, spin):
+        axes.spines["top"].set_visible(False)
+
+
+def draw_page(impact: Impact, name: str, size: tuple[float, float], moments: int) -> Path:
+    """Draw sections at some moments, evenly spaced over the contact, above the force; return the file."""
+    section = Section(impact)
+    with plt.rc_context(SETTINGS):
+        figure = plt.figure(figsize=size, layout="constrained")
+        grid = figure.add_gridspec(2, moments, height_ratios=[1.5, 1] if moments == 5 else [1, 1.4])
+        for column, moment in enumerate(np.linspace(0.02, 0.98, moments) * impact.last_touch):
+            frame = int(np.argmin(abs(section.times - moment)))
+            draw_section(figure.add_subplot(grid[0, column]), section, frame)
+        draw_force(figure.add_subplot(grid[1, :]), impact)
+        target = Path(__file__).with_name(name)
+        figure.savefig(target, dpi=170)
+    return target
+
+
 def main() -> None:
     """Run the impact and draw it."""
     impact = struck()
-    section = Section(impact)
-    with plt.rc_context(SETTINGS):
-        figure = plt.figure(figsize=(10, 4.3), layout="constrained")
-        grid = figure.add_gridspec(2, 5, height_ratios=[1.5, 1])
-        for column, moment in enumerate(np.linspace(0.02, 0.98, 5) * impact.last_touch):
-            frame = int(np.argmin(abs(section.times - moment)))
-            draw_section(figure.add_subplot(grid[0, column]), section, frame)
-        force = figure.add_subplot(grid[1, :])
-        time = impact.contact["time"] * 1e6
-        force.fill_between(time, impact.contact["normal"] / 1e3, color=FORCE, alpha=0.15, linewidth=0)
-        force.plot(time, impact.contact["normal"] / 1e3, color=FORCE)
-        force.set(xlabel="time (µs)", xlim=(0, impact.last_touch * 1e6), ylim=(0, None))
-        force.set_ylabel("force on the ball (kN)", color=FORCE)
-        spin = force.twinx()
-        spin.plot(impact.motion["time"] * 1e6, impact.motion["spin"][:, 2] * 60 / (2 * np.pi), color=SPIN)
-        spin.set_ylim(0, None)
-        spin.set_ylabel("backspin (rpm)", color=SPIN)
-        for axes in (force, spin):
-            axes.spines["top"].set_visible(False)
-        target = Path(__file__).with_name("impact.png")
-        figure.savefig(target, dpi=170)
+    target = draw_page(impact, "impact.png", (10, 4.3), 5)
+    draw_page(impact, "impact-narrow.png", (4.2, 3.6), 3)
     figures = {
         "mph": impact.launch.ball_speed / 0.44704,
         "kN": impact.peak_force / 1e3,

@@ -55,7 +55,7 @@ def test_a_report_is_one_page_without_scripts_that_loads_nothing():
     assert (
         page.count("&lt;script&gt;") == 8
     )  # once in the title of the window, in three texts, twice in table and picture
-    addresses = re.findall(r'(?:src|href)="([^"]*)"', page)
+    addresses = re.findall(r'(?:src|href|srcset)="([^"]*)"', page)
     assert len(addresses) == 3
     assert all(each.startswith("data:") for each in addresses)
     assert "<script" not in as_markdown(PIECES)

@@ -70,11 +70,15 @@ class TextTable(NamedTuple):
 
 
 class DocumentPicture(NamedTuple):
-    """A picture: what it shows, in words, the text of its SVG, and the numbers it draws, or None."""
+    """A picture: what it shows, in words, the text of its SVG, and the numbers it draws, or None.
+
+    ``narrow`` is the text of the SVG that a telephone shows, if there is one.
+    """
 
     shows: str
     svg: str
     data: Data | None = None
+    narrow: str | None = None
 
 
 class Listing(NamedTuple):
@@ -107,9 +111,9 @@ _STYLE = (
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:14px}"
     "th,td{padding:.25em .7em;border-bottom:1px solid #ddd;text-align:right;vertical-align:top}"
     "th:first-child,td:first-child,.text{text-align:left}thead th{border-bottom:2px solid #0072B2}"
-    "td{white-space:nowrap}td.text{white-space:normal;overflow-wrap:anywhere}.paper{display:none}"
+    "td{white-space:nowrap}td.text{white-space:normal;overflow-wrap:anywhere;min-width:7.5em}.paper{display:none}"
     "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
-    "a{color:#005a8f}"
+    "a{color:#005a8f;overflow-wrap:anywhere}"
     "summary{font:bold 1.5em/1.2 system-ui,sans-serif;cursor:pointer;border-bottom:2px solid #0072B2;margin:2em 0 1em}"
     "@page{margin:13mm 18mm}"
     "@media print{.save{display:none}body{margin:0;max-width:none;font-size:9.5pt;line-height:1.35;padding:0}"
@@ -117,8 +121,8 @@ _STYLE = (
     "h4{font-size:10pt}h3,h4,p,ul{margin:.5em 0}"
     ".wide{overflow:visible}.screen{display:none}.paper{display:block;margin-bottom:1em}"
     "img{max-height:7.2cm}img.tall{max-height:21cm}"
-    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}figure,tr{break-inside:avoid}"
-    "thead{display:table-header-group}h1,h2,h3,h4,p:has(+ul){break-after:avoid}p,li{orphans:3;widows:3}"
+    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}td.text{min-width:0}"
+    "figure,tr{break-inside:avoid}thead{display:table-header-group}h1,h2,h3,h4,p:has(+ul){break-after:avoid}p,li{orphans:3;widows:3}"
     ".page{break-before:page}h2{margin:.8em 0 .4em}.page+h2,.page+h3,h1{margin-top:0}figure{margin:.6em 0}"
     "details{break-before:page}details:not([open]){display:none}}"
 )
@@ -186,7 +190,8 @@ def _html(block: Block) -> str:
         saved = _saved([_link(source, block.name, "the file")])
         return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
     if isinstance(block, TextTable):
-        return _html_table(block) + _saved([] if block.data is None else [_link_to_csv(block.data)])
+        shown = _html_table(block) if block.rows else ""  # a table of which nothing is printed is only saved
+        return shown + _saved([] if block.data is None else [_link_to_csv(block.data)])
     name = block.data.name if block.data is not None else file_name(block.shows)
     source = _in_the_page(block.svg, "image/svg+xml")
     links = [_link(source, f"{name}.svg", "the picture (SVG)")]
@@ -194,7 +199,11 @@ def _html(block: Block) -> str:
         links.append(_link_to_csv(block.data))
     shows = html.escape(block.shows)
     tall = ' class="tall"' if _is_tall(block.svg) else ""
-    return f'<figure><img{tall} alt="{shows}" src="{source}"><figcaption>{shows}</figcaption>{_saved(links)}</figure>'
+    image = f'<img{tall} alt="{shows}" src="{source}">'
+    if block.narrow is not None:
+        narrow = _in_the_page(block.narrow, "image/svg+xml")
+        image = f'<picture><source media="screen and (max-width:600px)" srcset="{narrow}">{image}</picture>'
+    return f"<figure>{image}<figcaption>{shows}</figcaption>{_saved(links)}</figure>"
 
 
 def _is_tall(svg: str) -> bool:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,20 +25,68 @@ from clubface.support.files import whole_file
 
 ROW_HEIGHT = 2.4
 """Inches of a row of panels unless a picture says its height."""
+NARROW = 3.9
+"""Inches of a picture in the window of a telephone."""
 LONGEST_NAMES = 60
-"""Letters of all names below a panel, beyond which they are turned."""
+"""Letters of all names below a panel, beyond which they are turned; two thirds of it in a narrow picture."""
+LETTERS = {"title": 16.0, "footnote": 20.0}
+"""Letters of a line above or below the panels, an inch."""
 _GREYS = {-1: "0.5", -2: "0.1", -3: "white"}
 
 
-@styled
 def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figure:
     """Return a picture as a figure of matplotlib; ``shown_units`` are those a person asked for, by quantity."""
-    if shown_units:
-        picture = picture.in_units(shown_units)
+    return _draw(picture.in_units(shown_units) if shown_units else picture, WIDTH)
+
+
+def draw_narrow(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figure:
+    """Return a picture as :func:`draw` does, for the window of a telephone: its panels stand below each other."""
+    return _draw(_stacked(picture.in_units(shown_units) if shown_units else picture), NARROW)
+
+
+def _height(picture: Picture) -> float:
+    return picture.height or ROW_HEIGHT * len(picture.rows) + 0.4
+
+
+def _stacked(picture: Picture) -> Picture:
+    """Return a picture with one panel a row, each as high as it was, or as wide for its height if scales are equal."""
+    columns = max(len(row) for row in picture.rows)
+    shares = picture.heights or [1.0] * len(picture.rows)
+    inches = [_height(picture) * each / sum(shares) for each in shares]
+    widths = picture.widths or [1.0] * columns
+    panels: list[Panel] = []
+    heights: list[float] = []
+    for line, row in enumerate(picture.rows):
+        for place, panel in enumerate(row):
+            if panel is None:
+                continue
+            span = columns // len(row)
+            width = WIDTH * sum(widths[place * span : (place + 1) * span]) / sum(widths)
+            height = inches[line]
+            if panel.tall:
+                height = sum(inches[line : _end_of_tall(picture.rows, line, place)])
+            first = row[0]
+            if first is not None and first.y.names and panel.y.names is None and (picture.share_y or not panel.y.ticks):
+                panel = replace(panel, y=first.y)  # beside the first its names served this panel too
+            panels.append(panel)
+            heights.append(height * min(1.0, NARROW / width) if panel.equal else height)
+    stack = [[each] for each in panels]
+    return replace(picture, rows=stack, heights=heights, widths=None, height=sum(heights), share_x=False, share_y=False)
+
+
+def _end_of_tall(rows: Sequence[Sequence[Panel | None]], line: int, place: int) -> int:
+    """Return the row below the last over which a tall panel extends."""
+    below = line + 1
+    while below < len(rows) and len(rows[below]) > place and rows[below][place] is None:
+        below += 1
+    return below
+
+
+@styled
+def _draw(picture: Picture, width: float) -> Figure:
     rows = [list(each) for each in picture.rows]
     columns = max(len(row) for row in rows)
-    height = picture.height or ROW_HEIGHT * len(rows) + 0.4
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    figure = Figure(figsize=(width, _height(picture)), layout="constrained")
     grid = figure.add_gridspec(len(rows), columns, height_ratios=picture.heights, width_ratios=picture.widths)
     first_of_row: dict[int, Axes] = {}
     first_of_column: dict[int, Axes] = {}
@@ -50,9 +100,7 @@ def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figu
                 "sharex": first_of_column.get(place) if picture.share_x and span == 1 else None,
                 "sharey": first_of_row.get(line) if picture.share_y else None,
             }
-            below = line + 1
-            while panel.tall and below < len(rows) and len(rows[below]) > place and rows[below][place] is None:
-                below += 1
+            below = _end_of_tall(rows, line, place) if panel.tall else line + 1
             axes = figure.add_subplot(grid[line:below, place * span : (place + 1) * span], **shared)
             first_of_row.setdefault(line, axes)
             first_of_column.setdefault(place, axes)
@@ -168,7 +216,8 @@ def _set_axis(axes: Axes, axis: Axis, name: str) -> None:
     if low is not None or high is not None:
         getattr(axes, f"set_{name}lim")(low, high)
     if axis.names is not None:
-        long = name == "x" and sum(map(len, axis.names)) > LONGEST_NAMES
+        narrow = axes.get_figure(root=True).get_figwidth() < WIDTH  # pyright: ignore[reportOptionalMemberAccess]
+        long = name == "x" and sum(map(len, axis.names)) > LONGEST_NAMES * (2 / 3 if narrow else 1)
         turned = {"rotation": 35, "ha": "right"} if long else {}
         getattr(axes, f"set_{name}ticks")(range(len(axis.names)), axis.names, **turned)
         axes.grid(visible=False, axis=name)  # pyright: ignore[reportArgumentType]
@@ -185,11 +234,16 @@ def _head(figure: Figure, picture: Picture) -> None:
             for mark in panel.marks:
                 if mark.label and not panel.legend:
                     handles.setdefault(mark.label, _key(mark))
-        legend_above(figure, handles.values(), title=picture.title or None)
+        legend_above(figure, handles.values(), title=_broken(figure, "title", picture.title) or None)
     elif picture.title:
-        figure.suptitle(picture.title, fontsize=8.5, x=0.01, ha="left")
+        figure.suptitle(_broken(figure, "title", picture.title), fontsize=8.5, x=0.01, ha="left")
     if picture.footnote:
-        figure.supxlabel(picture.footnote, fontsize=7.0, color="0.35")
+        figure.supxlabel(_broken(figure, "footnote", picture.footnote), fontsize=7.0, color="0.35")
+
+
+def _broken(figure: Figure, place: str, text: str) -> str:
+    """Return a text in lines that fit the figure."""
+    return "\n".join(textwrap.fill(line, int(LETTERS[place] * figure.get_figwidth())) for line in text.split("\n"))
 
 
 def _key(mark: Mark) -> Any:

@@ -100,12 +100,13 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
     pictures = result.pictures()
     if not pictures:
         return
-    from clubface.present.drawing import draw, picture_data
+    from clubface.present.drawing import draw, draw_narrow, picture_data
     from clubface.present.style import svg
 
     for each in pictures:
         headings, rows = picture_data(each)
-        yield DocumentPicture(each.caption, svg(draw(each, units)), Data(each.name, headings, rows))
+        data = Data(each.name, headings, rows)
+        yield DocumentPicture(each.caption, svg(draw(each, units)), data, svg(draw_narrow(each, units)))
 
 
 def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix: str = "") -> Iterator[Block]:

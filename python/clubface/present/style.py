@@ -105,7 +105,8 @@ def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = No
     """Put one legend, with the title of the figure, above all panels, where it covers nothing."""
     handles = list(lines)
     width = sum(len(str(each.get_label())) + 6 for each in handles)
-    columns = math.ceil(len(handles) / max(math.ceil(len(handles) / 9), math.ceil(width / 110))) if handles else 1
+    room = 110 * figure.get_figwidth() / WIDTH
+    columns = math.ceil(len(handles) / max(math.ceil(len(handles) / 9), math.ceil(width / room))) if handles else 1
     legend = figure.legend(
         handles=handles, loc="outside upper left", ncols=columns, columnspacing=1.3, title=title, alignment="left"
     )
