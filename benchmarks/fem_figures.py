@@ -1,26 +1,44 @@
-"""The figures of the pages in docs/finite-elements, computed again; with names of sections, theirs alone."""
+"""The figures of the pages in docs/finite-elements, computed again; with names of sections, theirs alone.
 
+They are kept in docs/fem-figures.json, each section with the commit whose code computed it, and a test compares the
+pages with that file. The reference case on meshes goes to the package, which quotes it.
+"""
+
+import json
 import math
+import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
+import clubface
 from clubface import fem
 from clubface.equipment.clubs import Club
-from clubface.fem import head_tests, paper, reduced, sweep
+from clubface.fem import accuracy, head_tests, paper, reduced, sweep
 from clubface.fem.case import case
 from clubface.fem.heads.read import from_toml
 from clubface.fem.result import Impact
 from clubface.support.files import builtin_path
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "studies"))
+import ball_fit
 
 RPM = 60.0 / math.tau
 END = fem.Settings(until_separation=True)
 BALLS = ("reference", "paper", "modern")
 
 
+STORED = Path(__file__).parent.parent / "docs" / "fem-figures.json"
+DIGITS = 7
+COMPUTED: dict[str, dict[str, float]] = {}
+"""The figures of the section that is being computed, by what they are of."""
+
+
 def print_figures(what: str, **figures: float) -> None:
-    """Print a line of figures."""
+    """Print a line of figures, and keep it."""
+    COMPUTED[what] = {name: float(f"{value:.{DIGITS}g}") for name, value in figures.items()}
     print(f"{what:34}", "  ".join(f"{name} {value:.6g}" for name, value in figures.items()), flush=True)
 
 
@@ -82,6 +100,32 @@ def thin_middle() -> fem.MeshedHead:
     return fem.head(replace(design, thickness=walls))
 
 
+def patches(impact: Impact) -> dict[str, dict[str, float]]:
+    """Return what stands in Fig. 5 at its moments: nodes under load, and the share that pulls against backspin.
+
+    The first moment is that at which the first node does so by more than a hundredth of a newton.
+    """
+    patch = impact.patch
+    times = np.unique(patch["time"])
+    against = patch["tangential"] < -0.01
+    moments = {"first against backspin": patch["time"][against].min()}
+    moments |= {f"{each} us": each * 1e-6 for each in range(120, 601, 120)}
+    moments["last touch"] = impact.last_touch
+    figures = {}
+    for name, wanted in moments.items():
+        moment = float(times[np.argmin(abs(times - wanted))])
+        at = patch["time"] == moment
+        loaded = patch["normal"][at] > 0.0
+        figures[name] = {
+            "us": moment * 1e6,
+            "nodes": loaded.sum(),
+            "against": against[at][loaded].mean(),
+            "above": (patch["up"][at][loaded & against[at]] > 0.0).mean() if (loaded & against[at]).any() else 0.0,
+            "newtons": patch["tangential"][at].sum(),
+        }
+    return figures
+
+
 def the_paper() -> None:
     """Roh and Lee's case and its variations."""
     impact = paper.paper()
@@ -97,6 +141,8 @@ def the_paper() -> None:
     for name, run in variations.items():
         print_figures(name, **paper.table(run), f_of_spin=paper.spin_factor(run), energies=run.energy_error)
     print_figures("top within 2%", **flat_top(impact, 0.02))
+    for moment, figures in patches(impact).items():
+        print_figures(f"patch, {moment}", **figures)
     head = fem.head("paper")
     print_figures(
         "its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6
@@ -194,18 +240,15 @@ def derivatives() -> None:
             print_figures(f"{quantity} by {name}", exact=exact.by(quantity, name), **slopes)
 
 
+THIRDS = (2, 3, 4, 5, 6, 9)
+"""Meshes of the reference case, in thirds of the elements of the default one along every edge."""
+
+
 def meshes() -> None:
-    """The reference case on finer meshes."""
-    made = fem.ball("reference")
-    balls = []
-    for cube, *layers in ((8, 4, 2), (12, 6, 3), (16, 8, 4), (20, 10, 5)):
-        pieces = tuple(replace(piece, layers=count) for piece, count in zip(made.pieces, layers, strict=True))
-        balls.append(replace(made, cube=cube, pieces=pieces))
-    for ball in [*balls, made.refined(2), made.refined(3)]:
-        impact = fem.reference(ball=ball, settings=END)
-        angle = math.degrees(math.atan2(impact.tangential_velocity, impact.normal_velocity))
-        speed = math.hypot(impact.normal_velocity, impact.tangential_velocity)
-        print_figures(f"{impact.elements} elements", speed=speed, rpm=impact.backspin * RPM, angle=angle)
+    """The reference case on other meshes."""
+    for ball in accuracy.meshes(fem.ball("reference"), THIRDS):
+        row = accuracy.mesh_row(fem.reference(ball=ball, settings=END))
+        print_figures(f"{row['elements']:.0f} elements", **row)
 
 
 def models() -> None:
@@ -222,6 +265,39 @@ def models() -> None:
         print_figures(f"driver at 45 m/s, {name}", smash=launch["ball_speed"] / 45.0, rpm=launch["backspin"] * RPM)
 
 
+FACES = (1.85, 2.3, 2.6, 3.2, 4.0)
+"""Thicknesses of Roh and Lee's face at its centre [mm]; the edge is thinner by 0.1 mm."""
+
+
+def heads() -> None:
+    """Characteristic time and restitution of faces, and the restitution of a spring with that time."""
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    assert isinstance(design, fem.DriverHead)
+    for centre in FACES:
+        walls = {**design.thickness, "face_centre": centre * 1e-3, "face_edge": (centre - 0.1) * 1e-3}
+        head = fem.head(replace(design, thickness=walls))
+        time = head_tests.characteristic_time(head)
+        spring = head.club.replace(characteristic_time=time)
+        print_figures(
+            f"{centre} mm",
+            ct_us=time * 1e6,
+            shells=head_tests.restitution(head),
+            spring=head_tests.restitution(spring),
+            rigid=head_tests.restitution(head.club),
+        )
+
+
+def distance() -> None:
+    """The ball `distance` beside `modern`, by shots of the robot tests."""
+    for club in ("driver", "7-iron", "pitching-wedge"):
+        for name, friction in (("modern", None), ("distance", None), ("distance", fem.ball("modern").friction)):
+            parameters = None if friction is None else {"friction": friction}
+            launch = clubface.impact(club, ball_fit.SHOTS[club], model="fem", ball=name, parameters=parameters)
+            figures = {key: float(launch.get(key, unit)) for key, unit in
+                       (("ball_speed", "mph"), ("launch", "deg"), ("backspin", "rpm"))}  # fmt: skip
+            print_figures(f"{club}, {name}" + ("" if friction is None else ", friction of modern"), **figures)
+
+
 SECTIONS = {
     "reference": the_reference,
     "paper": the_paper,
@@ -230,10 +306,39 @@ SECTIONS = {
     "steps": steps,
     "derivatives": derivatives,
     "models": models,
+    "distance": distance,
+    "heads": heads,
     "meshes": meshes,
 }
 
-if __name__ == "__main__":
+
+def commit() -> str:
+    """Return the commit of the code, marked where files differ from it."""
+    command = ["git", "describe", "--always", "--dirty", "--exclude=*"]
+    return subprocess.run(command, capture_output=True, text=True, check=True, cwd=STORED.parent).stdout.strip()
+
+
+def compute(section: str) -> dict[str, dict[str, float]]:
+    """Return the figures of a section by what they are of, printed while they are computed."""
+    COMPUTED.clear()
+    SECTIONS[section]()
+    return dict(COMPUTED)
+
+
+def main() -> None:
+    """Compute the sections that are named, or all, and keep them."""
+    source = commit()
     for section in sys.argv[1:] or SECTIONS:
         print(f"\n{section}")
-        SECTIONS[section]()
+        figures = compute(section)
+        if section == "meshes":
+            rows = [{"thirds": thirds, **row} for thirds, row in zip(THIRDS, figures.values(), strict=True)]
+            accuracy.STORED.write_text(json.dumps({"commit": source, "rows": rows}, indent=1) + "\n", encoding="utf-8")
+        kept = json.loads(STORED.read_text(encoding="utf-8")) if STORED.is_file() else {}
+        kept[section] = {"commit": source, "figures": figures}
+        ordered = {name: kept[name] for name in SECTIONS if name in kept}
+        STORED.write_text(json.dumps(ordered, indent=1) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

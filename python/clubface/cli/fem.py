@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -35,6 +36,7 @@ REFERENCE = options.group(None, {
     "element": (str, "one-point", "one-point|full", "Kind of elements."),
     "ball": (str, "reference", "NAME|FILE", BALL),
     "contact": (str, "penalty", "penalty|augmented-lagrange", "How nodes are kept out of the plane."),
+    "meshes": (int, 1, "COUNT", "Number of meshes, 1 to 6, each with a third more elements along every edge."),
 })  # fmt: skip
 MOVING = 81
 """Pictures of an animation."""
@@ -160,13 +162,21 @@ def design(
 def reference(**texts: Any) -> None:
     """Throw the ball of Roh and Lee at a rigid plane, the case on which solvers are compared."""
     from clubface import fem
+    from clubface.fem.accuracy import DEFAULT, meshes
     from clubface.fem.impact_result import reference_result
 
+    count = check_count("--meshes", texts["meshes"], 1, 6)
     settings = fem.Settings(contact=texts["contact"])
     how = {name: texts[name] for name in ("ball", "friction", "refine", "element")}
     impact = run_with_progress(lambda progress: fem.reference(**how, settings=settings, progress=progress))
+    finer: list[Impact] = []
+    if count > 1 and not impact.stopped:
+        for each in meshes(fem.ball(how["ball"]), range(DEFAULT + 1, DEFAULT + count)):
+            run_finer = partial(fem.reference, **how | {"ball": each}, settings=settings)
+            finer.append(run_with_progress(lambda progress, run=run_finer: run(progress=progress)))
     # What other solvers gave is known of this case alone.
-    result = reference_result(impact, published=how["friction"] == 0.35 and how["ball"] == "reference")
+    published = how["friction"] == 0.35 and how["ball"] == "reference"
+    result = reference_result(impact, published=published, finer=finer)
     show.Output.check(texts).show(result)
     _end(impact)
 

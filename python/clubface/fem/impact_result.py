@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from clubface import units
+from clubface.fem.accuracy import error_bounds, mesh_row
 from clubface.fem.balls import Ball
 from clubface.fem.materials import laws
 from clubface.fem.paper import PUBLISHED, SPIN_FACTOR, other_solvers, spin_factor, table as paper_table
@@ -74,7 +75,7 @@ def impact_result(impact: Impact, name: str = "", description: str = "") -> Resu
         kind="impact", title=description or name or f"{impact.ball.name} on {head}", values=tuple(values),
         tables=(_history("contact", impact.contact), _history("motion", impact.motion),
                 _history("energy", impact.energy), materials_table(impact.ball)),
-        summary=tuple(_summary(impact, head, out | flown)), notes=(cost_note(impact),),
+        summary=tuple(_summary(impact, head, out | flown)), notes=(cost_note(impact), _error_note(impact)),
         assumptions=assumptions_of(launches),
         provenance=provenance_of(launches, inputs | (flight_conditions() if flown else {})) if launches
         else Provenance(inputs),
@@ -146,7 +147,11 @@ def _summary(impact: Impact, head: str, out: dict[str, float]) -> Iterator[Note]
     yield note("contact-of-impact", contact_time=impact.contact_time, peak_force=impact.peak_force)
     if "carry" in out:
         yield note("carry-in-still-air", carry=out["carry"])
-    yield note("energy-balance", energy_error=impact.energy_error)
+
+
+def _error_note(impact: Impact) -> Note:
+    """Return what bounds the error of a run."""
+    return note("error-bounds", energy_error=impact.energy_error, **error_bounds()._asdict())
 
 
 def _history(name: str, arrays: dict[str, Any]) -> Table:
@@ -193,6 +198,7 @@ def materials_table(ball: Ball) -> Table:
 
 
 LABELS = {
+    "node_speed_mps": "the same, average over all nodes",
     "spin_rpm": "spin of the launch", "ball_spin_rpm": "spin of all nodes at take-off",
     "section_spin_rpm": "spin of a section's nodes at take-off", "rolling_spin_rpm": "spin if it rolled off",
     "tangential_first_mps": "velocity along the face at first", "tangential_least_mps": "least of it",
@@ -223,12 +229,12 @@ def paper_result(runs: Mapping[str, Impact]) -> Result:
     return whole.replace(
         kind="paper", title=figures.title, tables=(figures, *whole.tables),
         values=tuple(replace(each, printed=False) for each in whole.values),
-        notes=tuple(cost_note(run) for run in runs.values()), draw=whole.draw and draw,
+        notes=(*(cost_note(run) for run in runs.values()), _error_note(first)), draw=whole.draw and draw,
     )  # fmt: skip
 
 
-def reference_result(impact: Impact, *, published: bool) -> Result:
-    """Return the reference case as a result, with what other solvers gave if ``published``."""
+def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact] = ()) -> Result:
+    """Return the reference case as a result, with what other solvers gave if ``published``, and on finer meshes."""
     names, others = other_solvers() if published else ([], {})
     own = {
         "normal_velocity_mps": impact.normal_velocity, "tangential_velocity_mps": impact.tangential_velocity,
@@ -242,9 +248,20 @@ def reference_result(impact: Impact, *, published: bool) -> Result:
         rows.append({key: values[solver] for key, values in others.items() if solver < len(values)})
     title = "Reference case, compared with other solvers" if published else "Reference case, varied"
     columns = (text("solver", ["clubface", *names]), *columns_of(rows, own, unit="m/s"))
-    return impact_result(impact).replace(
-        kind="reference", title=title, values=(), tables=(Table("reference", columns, title, "transposed"),)
-    )
+    tables = [Table("reference", columns, title, "transposed")]
+    result = impact_result(impact)
+    notes = result.notes
+    if finer:
+        on_meshes = [mesh_row(run) for run in (impact, *finer)]
+        count = text("elements", [each.pop("elements") for each in on_meshes])
+        digits = {"ball_speed": 2, "angle": 2}
+        made = [replace(each, digits=digits.get(each.name)) for each in columns_of(on_meshes, on_meshes[0], unit="m/s")]
+        tables.append(table("meshes", count, *made, title="The same on finer meshes"))
+        first, last = on_meshes[0], on_meshes[-1]
+        keys = {"mesh_speed": "ball_speed_mps", "mesh_spin": "backspin_rpm", "mesh_force": "peak_force_n"}
+        spread = {name: abs(last[key] / first[key] - 1.0) for name, key in keys.items()}
+        notes = (*notes, note("mesh-spread", coarse=count.values[0], fine=count.values[-1], **spread))
+    return result.replace(kind="reference", title=title, values=(), tables=tuple(tables), notes=notes)
 
 
 RULES = {"mass": 0.04593, "diameter": 0.04267}

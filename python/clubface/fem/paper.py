@@ -102,12 +102,26 @@ def fitted_spin(impact: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], ND
     return times[1:-1], ((x * v - y * u) @ share) / ((x * x + y * y) @ share)
 
 
+def node_average_speed(impact: Impact) -> float:
+    """Return the speed [m/s] of the mean of all nodes after the impact, every node alike.
+
+    Roh and Lee define the release velocity so (section 2.3), while that of a launch is the average over the mass. The
+    ball vibrates, so the mean position is followed from take-off to the end of the run, for which it must keep
+    ``frames``.
+    """
+    after = impact.frame_times > impact.last_touch
+    if after.sum() < 3:
+        raise InputError("frames", len(impact.frames), "3 or more after the impact; ask for them in the settings")
+    places = impact.world_positions()[after].mean(axis=1)
+    return float(np.linalg.norm(np.polyfit(impact.frame_times[after], places, 1)[0]))
+
+
 def table(impact: Impact) -> dict[str, float]:
     """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``, and some more.
 
     ``spin_rpm`` is that of the launch, which is angular momentum over inertia; ``ball_spin_rpm`` and
-    ``section_spin_rpm`` fit the nodes of ball and section at take-off (the latter is left out of a run without frames),
-    and ``rolling_spin_rpm`` has the ball roll off the face.
+    ``section_spin_rpm`` fit the nodes of ball and section at take-off, ``node_speed_mps`` is that of the mean of all
+    nodes (both are left out of a run without frames), and ``rolling_spin_rpm`` has the ball roll off the face.
     """
     launch = impact.outcome()
     along, when = impact.relative_velocity()[:, 1], impact.motion["time"]
@@ -116,10 +130,12 @@ def table(impact: Impact) -> dict[str, float]:
     spin = float(np.interp(impact.last_touch, when, impact.motion["spin"][:, 2]))
     try:
         section = {"section_spin_rpm": units.from_si(float(np.interp(impact.last_touch, *section_spin(impact))), "rpm")}
+        nodes = {"node_speed_mps": node_average_speed(impact)}
     except InputError:
-        section = {}
+        section, nodes = {}, {}
     return {
         "ball_speed_mps": launch["ball_speed"],
+        **nodes,
         "launch_deg": units.from_si(launch["launch"], "deg"),
         "club_speed_after_mps": sum(launch[f"club_velocity_{axis}"] ** 2 for axis in "xyz") ** 0.5,
         "spin_rpm": units.from_si(launch["backspin"], "rpm"),

@@ -208,8 +208,11 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
                 arm += positions[face[corner] as usize].vec() * -weight;
             }
             velocity += cross(arm, spin);
-            if projection.gap.re() >= 0.0 {
-                candidate.state = NodeState::free();
+            // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
+            let mass = (candidate.mass.recip() + mobility).recip();
+            let Projection { gap, normal, .. } = projection;
+            if !self.penalty.touches(&candidate.state, mass, gap, normal, dt) {
+                self.penalty.release(&mut candidate.state);
                 self.intervals.skip_gap(index, land.gap.re(), velocity.norm_squared().re(), dt);
                 continue;
             }
@@ -222,9 +225,6 @@ impl<R: Real> Contact<R> for DeformableContact<R> {
                 let along = dot(velocities[face[corner] as usize].vec(), land.normal);
                 velocity += *slope * (along * height);
             }
-            // The reduced mass of node and face gives the stability that the node's mass gives against a rigid face.
-            let mass = (candidate.mass.recip() + mobility).recip();
-            let Projection { gap, normal, .. } = projection;
             let penetration = Penetration { mass, area: candidate.area, gap, normal, velocity };
             let total = penetration.force(&mut self.penalty, &mut candidate.state, dt);
             self.touching.push(index as u32);

@@ -109,8 +109,8 @@ impl<R: Real, T: RigidSurface<R>> Contact<R> for RigidContact<R, T> {
             let x = positions[node].vec();
             let (gap, normal) = self.surface.nearest(x);
             let velocity = velocities[node].vec() - self.surface.velocity(x);
-            if gap.re() >= 0.0 {
-                candidate.state = NodeState::free();
+            if !self.penalty.touches(&candidate.state, candidate.mass, gap, normal, dt) {
+                self.penalty.release(&mut candidate.state);
                 *force = Row::zero();
                 self.intervals.skip_gap(index, gap.re(), velocity.norm_squared().re(), dt);
                 continue;

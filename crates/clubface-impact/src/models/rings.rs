@@ -36,7 +36,7 @@ const SWING: f64 = 1.05;
 parameters! {
     /// Parameters of the rings model.
     Rings {
-        shear_modulus ["Pa"] = 5.58e7 in 1e6 ..= 1e9, "effective shear modulus G of the normal stiffness",
+        shear_modulus ["Pa"] = 5.58e7 in 1e6 ..= 1e10, "effective shear modulus G of the normal stiffness",
             "Caldwell and McPhee (2023), Table 9, driver, corrected by 1/100 (as printed a drive lasts 82 us)";
         poisson ["1"] = 0.407 in 0.0 ..= 0.499, "effective Poisson's ratio",
             "Caldwell and McPhee (2023), Table 9, driver";

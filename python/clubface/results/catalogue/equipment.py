@@ -27,10 +27,10 @@ SENTENCES = {
     "parameters-from": "{parameters}: {source}",
     "published-set": "[{place}] {set}, for {club}: {source}. {reference}",
     "rebound-of-model": (
-        "The heads are flat, rigid, struck through the CG and cannot turn; angles are compared at {speed:.0f} m/s, with the "
-        "parameters of an iron where a model has published ones. "
-        "Along the face, 0 means that the ball leaves rolling, -1 that it slides without friction, and more than 0 "
-        "that the ball springs back sideways. The lever is that of friction about the ball's centre, over its radius."
+        "The heads are flat, rigid, struck through the CG and cannot turn; angles are compared at {speed:.0f} m/s, "
+        "with the parameters of an iron where a model has published ones. Along the face, 0 means that the ball leaves "
+        "rolling, -1 that it slides without friction, and more than 0 that the ball springs back sideways. The lever "
+        "is that of friction about the ball's centre, over its radius."
     ),
     "set-caveat": "[{place}] {caveat}",
     "set-range": "[{place}] from shots with {range}",

@@ -1,0 +1,94 @@
+"""What bounds the error of a finite element impact: finer meshes, and other solvers, on the reference case.
+
+An energy balance only checks the time steps: it is as good on a mesh that is far too coarse.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from typing import Any, NamedTuple
+
+from clubface import units
+from clubface.fem.balls import Ball
+from clubface.fem.paper import other_solvers
+from clubface.fem.result import Impact
+from clubface.support.files import DATA
+
+__all__ = ["ErrorBounds", "error_bounds", "mesh_row", "meshes", "stored_meshes"]
+
+STORED = DATA / "fem_meshes.json"
+"""The reference case on meshes up to three times as fine, as ``make fem-figures`` computes it."""
+DEFAULT = 3
+"""Elements along an edge of the mesh of a ball's file, in thirds."""
+
+
+class ErrorBounds(NamedTuple):
+    """By how much results of the reference case differ from those of the default mesh, as fractions.
+
+    Attributes
+    ----------
+    mesh_speed, mesh_spin
+        Of ball speed and backspin, from the default mesh to the finest one.
+    solver_speed, solver_spin
+        To that of the independent solvers which differs most.
+    elements
+        Of the finest mesh.
+    """
+
+    mesh_speed: float
+    mesh_spin: float
+    solver_speed: float
+    solver_spin: float
+    elements: int
+
+
+def meshes(ball: Ball, thirds: Sequence[int]) -> list[Ball]:
+    """Return a ball on meshes with so many thirds of the elements of its own along every edge.
+
+    The number of elements is rounded: an even one along the cube, and at least one layer a piece.
+    """
+    made = []
+    for each in thirds:
+        pieces = tuple(replace(piece, layers=max(1, round(piece.layers * each / 3))) for piece in ball.pieces)
+        made.append(replace(ball, cube=max(2, 2 * round(ball.cube * each / 6)), pieces=pieces))
+    return made
+
+
+def mesh_row(impact: Impact) -> dict[str, float]:
+    """Return elements, speed, backspin, angle from the normal, and peak force of a throw at a plane."""
+    normal, along = impact.normal_velocity, impact.tangential_velocity
+    return {
+        "elements": impact.elements,
+        "ball_speed_mps": math.hypot(normal, along),
+        "backspin_rpm": float(units.from_si(impact.backspin, "rpm")),
+        "angle_deg": math.degrees(math.atan2(along, normal)),
+        "peak_force_n": impact.peak_force,
+    }
+
+
+@cache
+def stored_meshes() -> dict[str, Any]:
+    """Return the reference case on meshes, the coarsest first, and the commit whose code computed it."""
+    return json.loads(STORED.read_text(encoding="utf-8"))
+
+
+@cache
+def error_bounds() -> ErrorBounds:
+    """Return by how much a finer mesh and other solvers change the reference case."""
+    rows = stored_meshes()["rows"]
+    own = next(each for each in rows if each["thirds"] == DEFAULT)
+    finest = max(rows, key=lambda each: each["elements"])
+    _, others = other_solvers()
+    speeds = map(math.hypot, others["normal_velocity_mps"], others["tangential_velocity_mps"])
+
+    def largest(key: str, values: Sequence[float]) -> float:
+        return max(abs(each / own[key] - 1.0) for each in values)
+
+    return ErrorBounds(
+        largest("ball_speed_mps", [finest["ball_speed_mps"]]), largest("backspin_rpm", [finest["backspin_rpm"]]),
+        largest("ball_speed_mps", list(speeds)), largest("backspin_rpm", others["backspin_rpm"]), finest["elements"],
+    )  # fmt: skip
