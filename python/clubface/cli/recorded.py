@@ -16,38 +16,25 @@ if TYPE_CHECKING:
 
 
 _SHOTS = "Shots"
-_MISMATCH = typer.Option(
-    "--mismatch",
-    rich_help_panel=_SHOTS,
-    help="What happens to shots that look like those of another club: refuse or note.",
-)
 _UNIT = options.option(
-    "--unit",
-    panel=_SHOTS,
-    metavar="NAME=UNIT",
-    text="Unit where the file names none: speed=km/h, carry=m. Repeatable.",
-)
-_ASSUME = options.option(
-    "--assume",
-    panel=_SHOTS,
-    metavar="NAME=VALUE",
-    text='Value of a delivery where it was not measured: "toe=0 mm". Repeatable.',
+    "--unit", panel=_SHOTS, metavar="NAME=UNIT", text="Unit where the file names none: speed=km/h, carry=m. Repeatable."
 )
 READING: Group = {
     "format": (options.Format, None),
     "mapping": (options.ColumnsFile, None),
-    "file_unit": (Annotated[list[str] | None, _UNIT], None),
-    "where": text_option(
-        "--where", _SHOTS, "CONDITION", "Take only these shots: \"ball_speed > 150 mph and club == '7i'\"."
-    ),
-}
+    "file_unit": (Annotated[options.Texts, _UNIT], None),
+    **options.group(_SHOTS, {
+        "where": (str | None, None, "CONDITION",
+                  "Take only these shots: \"ball_speed > 150 mph and club == '7i'\"."),
+    }),
+}  # fmt: skip
 """Options of a command that reads a file of shots."""
-CHOICE: Group = {
-    **READING,
-    "only": text_option("--only", _SHOTS, "NAME", "Take only the shots of the club with this name in the file."),
-    "mismatch": (Annotated[str, _MISMATCH], "refuse"),
-    "assume": (Annotated[list[str] | None, _ASSUME], None),
-}
+CHOICE: Group = {**READING, **options.group(_SHOTS, {
+    "only": (str | None, None, "NAME", "Take only the shots of the club with this name in the file."),
+    "mismatch": (str, "refuse", "refuse|note", "What happens to shots that look like those of another club."),
+    "assume": (options.Texts, None, "NAME=VALUE",
+               'Value of a delivery where it was not measured: "toe=0 mm". Repeatable.'),
+})}  # fmt: skip
 """Options of a command that works on shots of one club."""
 RECORDED: Group = {
     "club": text_option(
