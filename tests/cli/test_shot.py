@@ -245,6 +245,22 @@ def test_a_loft_that_was_not_given_stands_in_the_first_line(clubface_, tmp_path)
         assert "ssumed" not in given.out.splitlines()[0]
 
 
+def test_files_of_deliveries_and_golfers_without_a_loft_say_so_too(clubface_, write, tmp_path):
+    golfer = 'title = "A"\nclub = "driver"\n[mean]\nspeed = "100 mph"\nattack = "1 deg"\n[spread]\nspeed = "2 mph"\n'
+    spread = clubface_("dispersion", str(write(golfer, "golfer.toml")), "--count", "256", "--no-shares", "--json")
+    assert spread.json["assumptions"][0]["data"] == {"clubs": ["driver 9.8 deg"]}
+    with_loft = golfer.replace("[spread]", 'loft = "13 deg"\n[spread]')
+    spread = clubface_("dispersion", str(write(with_loft, "lofted.toml")), "--count", "256", "--no-shares", "--json")
+    assert spread.json["assumptions"] == []
+    for file, text, assumed in (
+        ("a.csv", "speed_mph,attack_deg\n105,3\n", [{"clubs": ["driver 9.8 deg"]}]),
+        ("b.csv", "speed_mph,loft_deg\n105,13\n", []),
+    ):
+        target = str(tmp_path / f"launches-{file}")
+        ran = clubface_("predict", str(write(text, file)), "--club", "driver", "-o", target, "--json")
+        assert [each["data"] for each in ran.json["assumptions"]] == assumed
+
+
 def test_what_was_assumed_is_in_the_titles_of_pictures(clubface_):
     launch = clubface.impact("driver", speed="40 m/s", attack="2 deg")
     compared = clubface.compare({name: {"club": name, "delivery": {"speed": 40.0}} for name in ("driver", "3-wood")})

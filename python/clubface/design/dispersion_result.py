@@ -13,6 +13,7 @@ from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
+from clubface.simulation.launch import assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ def dispersion_result(
             text("shots", [dispersion.count], printed=False), text("lost", [dispersion.lost], printed=False),
             text("seed", [dispersion.seed], printed=False),
         ),
+        assumptions=assumptions_of([dispersion.mean_launch]),
         summary=tuple(_summary(dispersion, shares)), notes=tuple(_notes(dispersion, slopes, shares)),
         provenance=provenance_of([dispersion.mean_launch], inputs, golfer_sources(golfer)),
         draw=lambda: [dispersion_picture(dispersion, shares)],

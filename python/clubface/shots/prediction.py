@@ -18,7 +18,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import FileError, InputError, RangeWarning, Wording
 from clubface.jobs.store import Store, unfinished_folder
-from clubface.results.notes import free_text
+from clubface.results.notes import Note, free_text, note
 from clubface.results.provenance import Computation, Provenance
 from clubface.results.result import Described, Result
 from clubface.results.table import table, text
@@ -36,7 +36,7 @@ from clubface.simulation.launch import computed_with
 from clubface.simulation.own_law import source_of
 from clubface.support.checks import check_count, without_warnings
 from clubface.support.files import input_file, recorded, same_file
-from clubface.units import from_si, to_si
+from clubface.units import from_si, show, to_si
 
 __all__ = ["predict"]
 
@@ -320,6 +320,8 @@ class PredictReport(Described):
         The model, its parameters with source and caveats, club, ball and version.
     hand
         The hand of the player, "right" or "left", where no column says it.
+    assumptions
+        What was assumed of the deliveries: the static loft where no column has the dynamic loft.
     """
 
     source: str
@@ -337,13 +339,15 @@ class PredictReport(Described):
     resumed: int = 0
     provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
     hand: str = "right"
+    assumptions: tuple[Note, ...] = ()
 
     def __str__(self) -> str:
-        lines = [f"{self.written} of {self.rows} deliveries computed: {self.output}"]
+        lines = [each.sentence for each in self.assumptions]
+        lines.append(f"{self.written} of {self.rows} deliveries computed: {self.output}")
         if self.rejected:
             lines.append(f"{self.rejected} rejected: {self.rejects}")
             lines += [f"  {line}: {reason}" for line, reason in self.first_rejects]
-        lines += [f"note: {note}" for note in self.notes]
+        lines += [f"note: {each}" for each in self.notes]
         return "\n".join(lines)
 
     def to_result(self) -> Result:
@@ -359,6 +363,7 @@ class PredictReport(Described):
         return Result(
             "prediction",
             f"Launches of {self.source}",
+            assumptions=self.assumptions,
             values=tuple(
                 text(name, [getattr(self, name)], label=labels.get(name, ""),
                      printed=name in ("rows", "written") or bool(getattr(self, name)))
@@ -507,6 +512,8 @@ def predict(
         outcome = run(opened, task, (path, target, rejects_path), chunk_rows, progress, resume)
     finally:
         opened.close()
+    loft = f"{equipment.club.name} {show(equipment.club.loft, 'deg', 4)}"
+    loft_given = any(each.quantity == "loft" for each in opened.used)
     rows, written, rejected = outcome.counts["rows"], outcome.counts["written"], outcome.counts["rejected"]
     return PredictReport(
         source=str(path),
@@ -527,6 +534,7 @@ def predict(
         resumed=outcome.resumed,
         provenance=provenance,
         hand=SIDES[side],
+        assumptions=() if loft_given else (note("static-loft", clubs=[loft]),),
     )
 
 

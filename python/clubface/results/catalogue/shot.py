@@ -10,8 +10,8 @@ SENTENCES = {
     "caveats-listed": "Caveats: clubface models {model}",
     "coefficients-hidden": "{hidden:n coefficient} of {model} are left out; --by NAME and --json have them.",
     "explain-axis": (
-        "The spin axis is tilted {spin_axis:to the right/to the left/not at all}: the lift leans as much, and pulls the "
-        "ball that way."
+        "The spin axis is tilted {spin_axis:to the right/to the left/not at all}: the lift leans as much and pulls "
+        "the ball that way."
     ),
     "explain-curve-face": (
         "The face was {open_face:open/closed/square} to the path. With the face square to it the ball would curve "
