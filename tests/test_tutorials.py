@@ -127,3 +127,54 @@ def test_long_computations_wait_for_the_study_and_leave_the_commit(write, tmp_pa
 def test_figures_that_nothing_checks_are_listed(write):
     page = write(PAGE + "\nBut 7 mm, $x$ at `8 mm` and 40 % stay.\n", "page.md")
     assert [figure for _, figure in run_page.uncovered(page)] == ["7 mm", "40 %"]
+
+
+UNCHECKED = {
+    "docs/accuracy.md": 1,
+    "docs/benchmark-data.md": 8,
+    "docs/clubs-and-balls.md": 30,
+    "docs/command-line.md": 3,
+    "docs/compare.md": 4,
+    "docs/conventions.md": 9,
+    "docs/dispersion.md": 94,
+    "docs/errors-in-print.md": 28,
+    "docs/evaluation.md": 7,
+    "docs/face-maps.md": 4,
+    "docs/findings.md": 20,
+    "docs/finite-elements/ball.md": 185,
+    "docs/finite-elements/contact-laws.md": 92,
+    "docs/finite-elements/design.md": 15,
+    "docs/finite-elements/heads.md": 46,
+    "docs/finite-elements/how-it-works.md": 21,
+    "docs/finite-elements/results.md": 16,
+    "docs/finite-elements/strike-height.md": 14,
+    "docs/finite-elements/verification.md": 46,
+    "docs/finite-elements.md": 6,
+    "docs/flight.md": 48,
+    "docs/identification.md": 57,
+    "docs/inference.md": 5,
+    "docs/launch-monitors.md": 51,
+    "docs/models/adjusted.md": 2,
+    "docs/models/response.md": 76,
+    "docs/models/rings.md": 6,
+    "docs/models/standard.md": 5,
+    "docs/motion-capture.md": 71,
+    "docs/new-model.md": 1,
+    "docs/optimisation.md": 9,
+    "docs/studies.md": 32,
+    "docs/tutorials/motion-capture.md": 2,
+}
+"""How many figures with units nothing stands behind yet, page by page: the number may only fall."""
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_no_figure_is_added_that_nothing_checks(page):
+    name = page.relative_to(ROOT).as_posix()
+    figures = run_page.uncovered(page)
+    assert len(figures) <= UNCHECKED.get(name, 0), f"`python docs/run.py --uncovered {name}` lists them: {figures}"
+
+
+@pytest.mark.parametrize("page", pages_with("study"), ids=lambda page: page.stem)
+def test_figures_that_take_long_name_the_commit_that_computed_them(page):
+    blocks = [block for block in run_page.BLOCK.finditer(page.read_text()) if block["study"]]
+    assert all(len(block["commit"] or "") >= 7 for block in blocks)
