@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import clubface
+from attached_notes import noted
 from clubface.capture.swing import ALONE, _aligned, join
 from clubface.errors import InputError
 from clubface.shots.recorded import RecordedShots, RejectedRow
@@ -52,10 +53,10 @@ def test_shots_that_both_have_are_paired_and_the_others_named():
     assert [each.line for each in shots.rejected] == [5, 31, 99, 101, 108, 121]
     assert shots.rejected[0].reason == "captured.csv: not in session.csv"
     assert shots.rejected[2].reason == "session.csv: the ball speed is 0"
-    assert "paired in their order by ball_speed, launch" in shots.notes
+    assert ("paired-by-values", {"quantities": ["ball_speed", "launch"]}) in shots.notes
     # 1 degree, to the error of the median of 26.
-    (turned,) = (note for note in shots.notes if "lines to the target" in note)
-    assert 0.8 < float(turned.partition("right by ")[2].split()[0]) < 1.2
+    (turned,) = noted(shots, "target-lines-differ")
+    assert turned["azimuth"] == pytest.approx(np.radians(1.0), abs=np.radians(0.2))
 
 
 def test_joined_shots_identify_what_made_them():
@@ -108,7 +109,7 @@ def test_what_cannot_be_paired_is_told():
     )
     shots = join(bare, measured)
     assert len(shots) == 5
-    assert any("by their order alone" in note for note in shots.notes)
+    assert ("paired-by-order", {}) in shots.notes
     with pytest.raises(InputError, match="as many as captured, 5"):
         join(bare, measured.select(np.arange(4)))
     faster = RecordedShots(

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import clubface
+from attached_notes import codes, noted
 from captures import captured, damaged, deviations, errors
 from clubface.capture.setup import prepare
 from clubface.capture.swing import capture, read_swing, read_swings
@@ -28,10 +29,6 @@ def read(change=None, mapping=MAPPING, club="driver", **options):
     if change is not None:
         positions = change(positions)
     return capture(replace(RECORDING, positions=positions), prepare(mapping, club, **options))
-
-
-def notes(result, word):
-    return [note for note in result.notes if word in note]
 
 
 def changed(frames, markers, value):
@@ -78,7 +75,7 @@ def test_without_a_ball_to_see_the_head_must_be_slowed():
     place = tuple(RECORDING.positions[:IMPACT, BALL].mean(0))
     fixed = replace(MAPPING, ball=None, ball_position=place, accuracy=2e-4)
     result = read(mapping=fixed)
-    assert notes(result, "loss of the head's speed shows")
+    assert "capture-ball-not-seen" in codes(result)
     assert np.abs(errors(result, SWING) / deviations(result)).max() < 4.0
 
     free = replace(SWING, slowed=(np.zeros(3), np.zeros(3)))
@@ -94,8 +91,7 @@ def test_ball_and_head_may_both_vanish_at_impact():
         return positions
 
     result = read(vanish)
-    assert notes(result, "lost from sight before it meets the ball")
-    assert notes(result, "neither ball nor clubhead is seen after impact")
+    assert {"capture-head-lost", "capture-nothing-seen-after-impact"} <= codes(result)
     whole = read()
     assert result.delivery.speed == pytest.approx(whole.delivery.speed, abs=0.02)
     assert result.launch == {}
@@ -103,7 +99,7 @@ def test_ball_and_head_may_both_vanish_at_impact():
 
 def test_a_head_lost_before_impact_is_extended_across_the_gap_with_less_certainty():
     result = read(changed(slice(IMPACT - 5, IMPACT + 2), HEAD, np.nan))
-    assert notes(result, "the last 5 frames before impact do not show the clubhead's pose")
+    assert noted(result, "capture-path-extended") == [{"missing": 5}]
     assert result.uncertainty["speed"] > 2 * read().uncertainty["speed"]
     assert np.abs(errors(result, SWING) / deviations(result)).max() < 4.0
 
@@ -169,8 +165,9 @@ def test_exchanged_and_stray_markers_are_mended_and_told():
 
     result = read(mixed)
     first, last = IMPACT - 7, IMPACT + 1
-    assert notes(result, f"HEAD1 and HEAD3 exchanged in frames {first}-{last}: put right")
-    assert notes(result, f"HEAD5 strays in frame {IMPACT - 19}: left out there")
+    (exchanged,) = noted(result, "capture-markers-exchanged")
+    assert exchanged == {"markers": ["HEAD1", "HEAD3"], "frames": [*range(first, last + 1)]}
+    assert noted(result, "capture-marker-strays") == [{"marker": "HEAD5", "frames": [IMPACT - 19]}]
     assert result.delivery.speed == pytest.approx(read().delivery.speed, abs=0.02)
 
 
@@ -192,19 +189,19 @@ def test_what_cannot_be_read_is_refused_with_the_reason(change, options, message
 
 
 @pytest.mark.parametrize(
-    ("options", "word"),
+    ("options", "code"),
     [
-        ({"up": "-z"}, "axis that points up may be wrong"),
-        ({"club": "7-iron", "mapping": replace(MAPPING, club=None)}, "wrong club, mapping or calibration"),
+        ({"up": "-z"}, "capture-lie"),
+        ({"club": "7-iron", "mapping": replace(MAPPING, club=None)}, "capture-flight-contradicts"),
     ],
 )
-def test_what_can_be_doubted_is_told(options, word):
-    assert notes(read(**options), word)
+def test_what_can_be_doubted_is_noted(options, code):
+    assert code in codes(read(**options))
 
 
 def test_a_ball_that_flies_off_otherwise_puts_the_club_in_doubt():
     result = read(club="7-iron", mapping=replace(MAPPING, club=None))
-    assert notes(result, "where this delivery of 7-iron gives")
+    assert [each["club"] for each in noted(result, "capture-flight-contradicts")] == ["7-iron"]
 
 
 def test_a_ball_that_leaves_before_the_face_arrives_puts_the_mapping_in_doubt():
@@ -212,23 +209,23 @@ def test_a_ball_that_leaves_before_the_face_arrives_puts_the_mapping_in_doubt():
         positions[:-2, BALL] = positions[2:, BALL].copy()
         return positions
 
-    noted = notes(read(early), "after the face touches it")
+    (start,) = noted(read(early), "capture-ball-start")
     # Two frames of 1.39 ms early, and half a contact late: -2.78 + 0.22 ms.
-    assert noted
-    assert float(noted[0].split("starts ")[1].split(" ms")[0]) == pytest.approx(-2.55, abs=0.02)
+    assert start["late_time"] == pytest.approx(-2.55e-3, abs=0.02e-3)
 
 
-def test_an_impact_off_the_face_is_told():
+def test_an_impact_off_the_face_is_noted():
     wide = random_swing(2, club=clubface.club("driver").replace(face_width="150 mm"), toe=0.06)
     result = captured(replace(wide, club=SWING.club), CAMERAS)
-    assert notes(result, "outside the face of driver (105 x 55 mm)")
+    (off,) = noted(result, "capture-off-face")
+    assert (off["face_width"], off["face_height"]) == (0.105, 0.055)
 
 
 def test_a_moved_marker_is_told():
     cluster = dict(MAPPING.cluster)
     x, y, z = cluster["HEAD3"]
     cluster["HEAD3"] = (x + 0.005, y, z)
-    assert notes(read(mapping=replace(MAPPING, cluster=cluster)), "HEAD3 sits")
+    assert noted(read(mapping=replace(MAPPING, cluster=cluster)), "capture-marker-moved")[0]["marker"] == "HEAD3"
 
 
 def test_options_are_checked():
@@ -277,7 +274,7 @@ def test_calibrations_that_cannot_be_used_are_refused(tmp_path):
     one[:, 0] = np.nan
     placed = calibrated(mapping, club, replace(seen, positions=one), turn)
     assert placed.names == ("HEAD2", "HEAD3", "HEAD4", "HEAD5")
-    assert placed.notes == ("HEAD1 not seen in the calibration: left out",)
+    assert placed.notes == (("capture-markers-not-calibrated", {"markers": ["HEAD1"]}),)
 
 
 def test_of_many_files_the_bad_ones_are_listed_and_the_good_ones_read(tmp_path):
@@ -358,7 +355,7 @@ def turned(degrees):
 def test_a_head_that_goes_more_aside_than_ahead_is_refused_and_one_far_aside_is_doubted(sign):
     aside = np.degrees(read().delivery.path)
     doubted = read(turned(sign * 80.0))
-    assert notes(doubted, "the axis that points to the target may be wrong")
+    assert "capture-path" in codes(doubted)
     assert abs(np.degrees(doubted.delivery.path) - aside) == pytest.approx(80.0, abs=0.5)
     with pytest.raises(FileError, match="moves away from the target: turn the axis"):
         read(turned(sign * 100.0))

@@ -9,12 +9,13 @@ from clubface import club
 from clubface.capture.reduction import QUANTITIES
 from clubface.capture.swing import CapturedSwings
 from clubface.errors import InputError
+from clubface.results.notes import note
 
 
 def swing(hand, source, **launch):
     values = {name: float(place) for place, name in enumerate(QUANTITIES)}
     return SimpleNamespace(
-        club=club("driver").replace(hand=hand), source=source, notes=(f"of {hand}",), launch=launch,
+        club=club("driver").replace(hand=hand), source=source, notes=(note("text", text=f"of {hand}"),), launch=launch,
         launch_uncertainty=dict.fromkeys(launch, 0.25), delivery=SimpleNamespace(**values),
         uncertainty=dict.fromkeys(QUANTITIES, 0.5),
     )  # fmt: skip
@@ -33,7 +34,7 @@ def test_each_swing_keeps_its_hand_club_and_place(swings, tmp_path):
     assert list(table.rows) == [1, 3]
     assert len(swings) == 2
     assert (table.speed_at, table.face_at, table.source) == ("cg", "face", str(tmp_path))
-    assert table.notes == ("a.c3d: of 1", "b.c3d: of -1")
+    assert [str(each) for each in table.notes] == ["a.c3d: of 1", "b.c3d: of -1"]
     assert not swings.interrupted
 
 

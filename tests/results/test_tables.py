@@ -111,6 +111,36 @@ def test_a_sentence_has_other_words_for_what_rounds_to_nothing():
     assert "starts 10.0 deg left, curves not" in note("shot-shape", side=-0.6, **shape).sentence
 
 
+def test_a_mapping_is_read_as_names_with_what_they_stand_for(monkeypatch):
+    monkeypatch.setitem(SENTENCES, "paddle", "{values:and}; {counts}; {units}")
+    values = {"speed": 44.704, "launch": [math.radians(12.0), math.radians(0.5)], "smash": 1.5}
+    made = note("paddle", values=values, counts={"Measured": 3}, units={"Carry": "yd"})
+    assert made.sentence == "speed 100.0 mph, launch 12.0 ± 0.5 deg and smash 1.500; 3 Measured; Carry (yd)"
+    data = made.to_dict()["data"]
+    assert data["values"].pop("launch_deg") == pytest.approx([12.0, 0.5])
+    assert data["values"] == {"speed_mps": 44.704, "smash": 1.5}
+    assert data["counts"] == {"Measured": 3}
+
+
+def test_long_lists_are_counted_and_whole_numbers_joined_to_ranges(monkeypatch):
+    monkeypatch.setitem(SENTENCES, "paddle", "{frames:?frame/frames} {frames:ranges}; {names:2}")
+    made = note("paddle", frames=[3, 7, 8, 9, 12, 20, 30, 31, 40], names=["a", "b", "c", "d"])
+    assert made.sentence == "frames 3, 7-9, 12, 20 and 2 more; a, b and 2 more"
+    assert note("paddle", frames=[5], names=["a"]).sentence == "frame 5; a"
+
+
+def test_a_note_says_in_which_files_and_shots_it_is_true_and_keeps_its_code():
+    general = note("marks-read", column="Spin")
+    local = general.of(in_shots=2, of_shots=5).of(at_line=7).of(in_files=["a.csv", "b.csv"])
+    assert str(local) == f"a.csv, b.csv: line 7: {general} (in 2 of 5 shots)"
+    assert (local.code, local.to_dict()["data"]["in_files"]) == ("marks-read", ["a.csv", "b.csv"])
+
+
+def test_equal_notes_count_once_and_notes_of_other_data_do_not():
+    some = [note("marks-read", column="Spin"), note("marks-read", column="Spin"), note("marks-read", column="Axis")]
+    assert len(dict.fromkeys(some)) == 2
+
+
 def test_counts_agree_with_their_words():
     sentence = SENTENCES["coefficients-hidden"]
     assert "{hidden:n coefficient}" in sentence

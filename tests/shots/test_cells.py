@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from attached_notes import codes, noted
 from clubface import read_shots, shots as launch_monitor
 from clubface.errors import FileError
-from clubface.shots.monitor_cells import CellError, heading, reading, unit_in
+from clubface.shots.tables.cells import CellError, reading, unit_in
+from clubface.shots.tables.headings import heading
 from clubface.units import to_si
 
 MPH, KMH, YD, RPM, DEG = (to_si(1.0, each) for each in ("mph", "km/h", "yd", "rpm", "deg"))
@@ -114,7 +116,7 @@ def test_a_unit_in_the_cell_leaves_a_spin_as_doubtful(write):
 
 def test_a_number_that_nothing_decides_is_said_to_be_one(write):
     shots = launch_monitor.read(write("Spin Rate [rpm];Launch [deg];Altitude\n2845;12;1.200\n3102;13;1.300\n"))
-    assert any("1.200" in note for note in shots.notes)
+    assert noted(shots, "decimals-or-thousands") == [{"mark": "point", "example": "'1.200'"}]
 
 
 @pytest.mark.parametrize(
@@ -147,7 +149,7 @@ def test_fsx_2020_writes_side_and_unit_into_every_cell(tmp_path):
     assert shots.format == "foresight-2020"
     np.testing.assert_allclose(shots.launches["sidespin"], [422 * RPM], rtol=1e-14)  # one conversion: a rounding or two
     np.testing.assert_allclose(shots.launches["azimuth"], [2.1 * DEG], rtol=1e-14)
-    assert not any("assumed" in note for note in shots.notes)
+    assert "units-assumed" not in codes(shots)
 
 
 def test_the_column_that_names_the_club_is_no_speed_whatever_unit_is_given_for_speeds(tmp_path):

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from attached_notes import codes, noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError
 from clubface.shots.monitors import FORMATS
@@ -57,7 +58,7 @@ def test_the_shot_of_fsx_has_its_club_speed_and_its_club_path_but_not_what_it_di
     )  # fmt: skip
     for name in {"face", "loft", "lie", "closure", "toe", "high"} & set(shots.deliveries):
         assert np.isnan(shots.deliveries[name]).all()
-    notes = " ".join(shots.notes)
+    notes = " ".join(map(str, shots.notes))
     for name in ("Face to Path", "Distance to Pin", "16777215"):
         assert name in notes
 
@@ -100,7 +101,7 @@ def test_face_path_and_the_angle_between_them_complete_each_other(write, columns
 def test_a_face_to_path_that_contradicts_face_and_path_is_not_used_and_named(write):
     shots = launch_monitor.read(write("Ball Speed (mph),Club Path (deg),Face Angle (deg),FTP (deg)\n147,2,1.5,4\n"))
     assert_si(shots, face=([1.5], "deg"))
-    assert any("contradict" in note and "line 2" in note for note in shots.notes)
+    assert [each["line"] for each in noted(shots, "face-and-path-contradict")] == [2]
 
 
 def test_columns_of_numbers_that_are_not_understood_are_listed_and_names_and_dates_are_not(write):
@@ -109,22 +110,19 @@ def test_columns_of_numbers_that_are_not_understood_are_listed_and_names_and_dat
         "1,2026-05-01,Driver,147,0.1,12.5,22,7 iron next,7 iron,198.2\n"
         "2,2026-05-01,Driver,146,0.2,12.7,21,good,8 iron,190.1 m\n"
     )
-    (note,) = [each for each in launch_monitor.read(write(content)).notes if "not read" in each]
-    for name in ("Swing Direction (deg)", "Wobble", "Roll (yd)", "Distance to Pin (m)"):
-        assert name in note
-    for name in ("Shot", "Date", "Remark", "Next", "Club,"):
-        assert name not in note.replace("known quantities", "").replace("Distance to Pin", "")
+    (unread,) = noted(launch_monitor.read(write(content)), "columns-not-read")
+    assert unread["columns"] == ["Swing Direction (deg)", "Wobble", "Roll (yd)", "Distance to Pin (m)"]
 
 
 def test_a_makers_file_lists_its_columns_that_are_not_read_too():
-    notes = launch_monitor.read(DATA / "trackman.csv").notes
-    assert any("Swing Plane" in note and "Swing Direction" in note and "not read" in note for note in notes)
+    (unread,) = noted(launch_monitor.read(DATA / "trackman.csv"), "columns-not-read")
+    assert {"Swing Plane", "Swing Direction"} <= set(unread["columns"])
 
 
 def test_an_impact_point_without_a_side_is_said_to_be_taken_towards_the_toe(write):
     for heading, is_said in (("Horiz Impact (mm)", True), ("Impact Toe (mm)", False)):
         shots = launch_monitor.read(write(f"Ball Speed (mph),{heading}\n147,4\n"))
-        assert any("toe was taken as positive" in note for note in shots.notes) == is_said
+        assert ("toe-unsigned" in codes(shots)) == is_said
         assert_si(shots, toe=([4], "mm"))
 
 
@@ -132,14 +130,14 @@ def test_the_direction_of_the_swing_is_not_the_path_of_the_club(write):
     text = "Club,Clubhead Speed (mph),Ball Speed (mph),Swing Direction (deg),Dyn. Loft (deg)\nDriver,100,147,3,12\n"
     shots = launch_monitor.read(write(text))
     assert "path" not in shots.deliveries
-    assert any("Swing Direction" in note for note in shots.notes)
+    assert noted(shots, "columns-not-read") == [{"columns": ["Swing Direction (deg)"]}]
 
 
 def test_a_column_called_speed_is_neither_guessed_to_be_the_clubs_nor_the_balls(write):
     shots = launch_monitor.read(write("Club,Speed (mph),Launch Angle (deg)\nDriver,100,12\n"))
     assert "speed" not in shots.deliveries
     assert "ball_speed" not in shots.launches
-    assert any("Speed (mph)" in note and "club_speed or ball_speed" in note for note in shots.notes)
+    assert noted(shots, "speed-of-club-or-ball") == [{"column": "Speed (mph)"}]
     with pytest.raises(FileError, match=r"csv:1: .*Speed \(mph\) may be the speed of the club or of the ball"):
         launch_monitor.read(write("Club,Speed (mph)\nDriver,100\n"))
     assert "speed" in launch_monitor.read(write("club,speed_mph\nDriver,100\n")).deliveries
@@ -153,7 +151,7 @@ def test_the_roll_of_a_ball_on_the_ground_is_not_the_roll_of_a_face(write):
 def test_carry_on_level_ground_is_read_only_where_there_is_no_carry(write):
     shots = launch_monitor.read(write("Ball Speed (mph),Carry Dist (yd),Flat Carry (yd)\n147,240,231\n"))
     assert_si(shots, carry=([240], "yd"))
-    assert any("Flat Carry" in note for note in shots.notes)
+    assert noted(shots, "columns-not-read") == [{"columns": ["Flat Carry (yd)"]}]
     assert_si(launch_monitor.read(write("Ball Speed (mph),Flat Carry (yd)\n147,231\n")), carry=([231], "yd"))
 
 
@@ -171,7 +169,7 @@ def test_numbers_for_nothing_measured_are_no_measurements_and_do_not_speak_of_un
     assert set(shots.deliveries | shots.launches) == {"ball_speed"} or all(
         np.isnan(values).all() for name, values in (shots.deliveries | shots.launches).items() if name != "ball_speed"
     )
-    assert value == "---" or any("not measured" in note for note in shots.notes)
+    assert value == "---" or {"placeholders-for-nothing", "impossible-values"} & codes(shots)
 
 
 def test_9999_rpm_of_backspin_is_a_lob_wedge(write):

@@ -11,6 +11,7 @@ import zipfile
 import numpy as np
 import pytest
 
+from attached_notes import noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError
 
@@ -45,7 +46,7 @@ def test_a_session_reads_the_same_in_every_encoding(write, text, encoding, name)
     assert shots.clubs.tolist() == [line.replace(";", ",").split(",")[0 if text is GERMAN else 1]
                                     for line in text.splitlines()[1:]]  # fmt: skip
     assert len(shots) == 2
-    assert any(f"read as {name}" in note for note in shots.notes) == (name is not None)
+    assert [each["encoding"] for each in noted(shots, "not-utf-8")] == [name] * (name is not None)
 
 
 def test_an_ascii_beginning_does_not_decide_the_encoding(write):
@@ -102,10 +103,7 @@ def test_a_makers_table_in_a_workbook_has_its_units_row_its_dates_and_its_empty_
 
 def test_sheets_that_are_not_read_are_named(write):
     shots = launch_monitor.read(write(workbook({"May": TABLE, "June": TABLE, "Cover": [["x"]]}), "shots.xlsx"))
-    (note,) = [each for each in shots.notes if "sheet" in each]
-    assert "'May'" in note
-    assert "'June'" in note
-    assert "Cover" not in note
+    assert noted(shots, "sheet-read") == [{"sheet": "May", "others": ["June"]}]
 
 
 def test_a_damaged_workbook_is_refused_in_one_line(write):

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from attached_notes import codes, noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError, InputError, UnitError, UnknownNameError
 from clubface.shots.reading import read_shots
@@ -60,7 +61,7 @@ def test_trackman_is_read_with_its_units_row_its_signs_and_its_empty_cells():
         (8, "6 cells where there are 33 columns"),
         (9, "the ball speed is 0: no ball was measured"),
     ]
-    assert "Spin Rate Type: 1 Measured, 1 Estimated" in shots.notes
+    assert ("column-values", {"column": "Spin Rate Type", "counts": {"Measured": 1, "Estimated": 1}}) in shots.notes
 
 
 def test_trackman_without_a_row_of_units_is_in_mph_degrees_millimetres_rpm_feet_and_yards(write):
@@ -124,7 +125,8 @@ def test_trackman_with_semicolons_decimal_commas_and_metric_units():
         azimuth=[-0.5 * DEG, NAN],
         toe=[0.0125, NAN],
     )
-    assert any("speed in 1 of 2 shots, such as 671.08" in note for note in shots.notes)  # 1.080 km/h in mph
+    (impossible,) = noted(shots, "impossible-values")
+    assert impossible["example"]["speed"] == pytest.approx(1080 / 3.6)
 
 
 @pytest.mark.parametrize(
@@ -172,8 +174,8 @@ def test_foresight_speaks_of_in_out_and_open_which_a_left_hander_mirrors(hand, m
         apex=[30 * YD, 29 * YD, 31 * YD, NAN],
         landing_angle=[38 * DEG, 37 * DEG, 47 * DEG, NAN],
     )
-    assert any("without club data" in note and note.endswith(": 2") for note in shots.notes)
-    assert any("taken as right-handed" in note for note in shots.notes) == (hand is None)
+    assert noted(shots, "without-club-data") == [{"without": 2, "shots": len(shots)}]
+    assert ("hand-assumed" in codes(shots)) == (hand is None)
 
 
 @pytest.mark.parametrize(
@@ -220,7 +222,7 @@ def test_foresight_2020_tells_the_side_after_the_number_and_the_face_to_the_path
         landing_angle=[38 * DEG, 39 * DEG],
     )
     assert shots.rejected == ()
-    assert any("rows of averages" in note and note.endswith(": 2") for note in shots.notes)
+    assert ("summary-rows", {"rows": 2}) in shots.notes
 
 
 def test_garmin_is_read_behind_its_byte_order_mark_and_its_sidespin_is_turned():
@@ -276,7 +278,7 @@ def test_garmin_in_german_with_semicolons_and_decimal_commas():
         total=[156, 215],
         total_side=[-21.7, 3.75],
     )
-    assert "Drehratentyp: 1 Gemessen, 1 Berechnet" in shots.notes
+    assert ("column-values", {"column": "Drehratentyp", "counts": {"Gemessen": 1, "Berechnet": 1}}) in shots.notes
 
 
 def test_garmin_without_a_units_row_asks_for_the_units(write):
@@ -311,8 +313,8 @@ def test_rapsodo_is_a_table_a_club_with_rows_of_averages():
         total=[246 * YD, NAN, 161 * YD],
     )
     assert [tuple(each) for each in shots.rejected] == [(11, "7 cells where there are 18 columns")]
-    assert any("rows of averages" in note and note.endswith(": 4") for note in shots.notes)
-    assert any("Carry Distance in yd" in note for note in shots.notes)
+    assert ("summary-rows", {"rows": 4}) in shots.notes
+    assert noted(shots, "units-assumed")[0]["columns"]["Carry Distance"] == "yd"
     metric = launch_monitor.read(DATA / "rapsodo.csv", units={"apex": "m", "carry": "m"})
     assert (metric.launches["apex"][0], metric.launches["carry"][0]) == (101.5, 224.5)
 
@@ -359,7 +361,7 @@ def test_any_file_is_read_through_a_mapping(hand, mirror):
         launch=[17.5 * DEG, 18 * DEG],
     )
     assert [tuple(each) for each in shots.rejected] == [(5, "Bahn: 'abc' is not a number")]
-    assert "the file is not UTF-8: read as Windows-1252" in shots.notes
+    assert ("not-utf-8", {"encoding": "Windows-1252"}) in shots.notes
 
 
 def test_clubfaces_own_tables_are_recognised(write, tmp_path):
@@ -385,7 +387,7 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
     shots = launch_monitor.read(write(head + "[yds],[deg],[yds],[mph],[deg],[deg]\n200,1,210,100,3,12\n"))
     assert shots.launches["carry"].tolist() == [pytest.approx(210 * YD, rel=1e-14)]
     assert "spin_axis" not in shots.launches
-    assert "not used, since what is in brackets is no unit: Spin Axis (Sim)" in shots.notes
+    assert ("brackets-without-unit", {"columns": ["Spin Axis (Sim)"]}) in shots.notes
 
 
 @pytest.mark.parametrize(
@@ -426,13 +428,13 @@ def test_a_file_of_few_columns_is_read_as_the_format_that_is_asked_for(write, fi
         shots = launch_monitor.read(path, format)
         assert_values(shots, speed=[100 * MPH], ball_speed=[147.5 * MPH], launch=[10.5 * DEG], spin_axis=[-8 * DEG])
         assert (shots.format, shots.rejected, shots.clubs.tolist()) == (name, (), ["Driver"])
-        assert not any("as asked" in note for note in shots.notes)
+        assert "read-as-asked" not in codes(shots)
 
 
 def test_a_format_that_is_asked_for_wins_over_the_one_the_columns_tell():
     shots = launch_monitor.read(DATA / "trackman.csv", "rapsodo")
     assert shots.format == "rapsodo"
-    assert shots.notes[0] == "read as rapsodo, as asked, though the columns are those of trackman"
+    assert shots.notes[0] == ("read-as-asked", {"format": "rapsodo", "formats": ["trackman"]})
     assert shots.deliveries["speed"][0] == pytest.approx(100 * MPH, rel=1e-14)
 
 

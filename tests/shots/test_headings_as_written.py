@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import clubface
+from attached_notes import codes, noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError
 from clubface.shots.tables.headings import FOREIGN_HEADINGS, shot_words
@@ -83,7 +84,7 @@ def test_cells_may_have_the_wide_digits_and_sides_of_other_languages(write):
 def test_a_table_of_deliveries_knows_the_same_spellings(tmp_path):
     (tmp_path / "swings.csv").write_text("ClubSpeedMph,AttackAngleDeg,Schlägerpfad in deg,FaceAngle/deg\n100,1,2,3\n")
     launches = clubface.predict(tmp_path / "swings.csv", club="driver", model="standard")
-    assert not any("not used" in note for note in launches.notes)
+    assert "column-misspelled" not in codes(launches)
 
 
 def test_a_backspin_and_a_sidespin_of_minus_one_are_no_measurements(write):
@@ -108,4 +109,4 @@ def test_club_and_ball_with_a_speed_are_speeds_next_to_a_column_of_clubs(write):
 def test_a_number_that_is_marked_as_estimated_is_read_and_noted(write):
     shots = launch_monitor.read(write("Ball Speed (mph),Spin Rate (rpm)\n147,2509.1*\n146,2600\n"))
     assert_si(shots, total_spin=([2509.1, 2600], "rpm"))
-    assert any("Spin Rate" in note and "*" in note for note in shots.notes)
+    assert noted(shots, "marks-read") == [{"column": "Spin Rate (rpm)"}]

@@ -88,10 +88,10 @@ def test_clubs_and_files_are_told_apart():
         ("radar.csv", "driver"): COMPUTED, ("camera.csv", "driver"): FROM_MEASUREMENT,
         ("third.csv", "7-iron"): COMPUTED,
     }  # fmt: skip
-    (note,) = origin_notes(loft_origins(mixed), "do so")
-    assert "1.137" in note
-    assert "0.970" in note
-    assert "camera" not in note
+    *computed, advice = origin_notes(loft_origins(mixed))
+    assert [each.data["in_files"] for each in computed] == [["radar.csv"], ["third.csv"]]
+    assert [each.data["ratio"] for each in computed] == pytest.approx([1.137, 0.97], abs=1e-3)
+    assert advice.code == "loft-computed-advice"
 
 
 def test_shots_without_loft_or_launch_or_in_a_handful_have_no_origin():
@@ -110,8 +110,9 @@ def test_monitor_read_says_once_that_lofts_were_computed_and_warns_of_no_ball(tm
     session("7-iron", 12, ratio=1.137, step=0.1).write(path)
     result = clubface_("monitor", "read", path, "--json").json
     assert result["tables"]["loft_origins"]["rows"][0]["origin"] == COMPUTED
-    notes = [note["text"] for note in result["notes"]]
-    assert [note for note in notes if "--at-launch" in note] == notes[:1]
+    codes = [note["code"] for note in result["notes"]]
+    assert codes[:2] == ["loft-and-face-computed", "loft-computed-advice"]
+    assert len(set(codes)) == len(codes)
     shown = clubface_("monitor", "read", path)
     assert shown.out.count("computed from the ball") == 1
     assert "diameter" not in shown.err

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import clubface
+from attached_notes import codes
 from clubface import shots as launch_monitor
 from clubface.errors import InputError
 from clubface.shots.measured import measured_shots
@@ -55,10 +56,11 @@ def test_a_shot_without_a_delivery_value_or_without_any_launch_is_dropped_with_i
 
 
 def test_what_was_not_measured_is_said():
-    (note,) = measured_shots(recorded(), club="driver").notes
-    assert note == "not measured and taken as zero: attack, path, face, lie, high, closure, pitch_rate, lie_rate"
+    zero = ["attack", "path", "face", "lie", "high", "closure", "pitch_rate", "lie_rate"]
+    assert measured_shots(recorded(), club="driver").notes == (("taken-as-zero", {"quantities": zero}),)
     notes = measured_shots(recorded(loft=None), club="driver").notes
-    assert "static loft of driver, 9.8 deg, stands for it" in notes[-1]
+    driver = clubface.club("driver")
+    assert notes[-1] == ("static-loft-stands-in", {"club": "driver", "static_loft": driver.loft})
     # A column without a single value is no column.
     assert measured_shots(recorded(loft=[NAN] * 4), club="driver").notes == notes
 
@@ -68,8 +70,9 @@ def test_the_wrong_club_is_refused_or_noted():
     with pytest.raises(InputError, match=r"club is '7-iron'.*median dynamic loft is 14.3 deg.*--mismatch note"):
         measured_shots(recorded(), club="7-iron")
     notes = measured_shots(recorded(), club="7-iron", mismatch="note").notes
-    assert sum("right club" in note for note in notes) == 1
-    assert "right club" not in measured_shots(recorded(), club="driver").notes[-1]
+    (other,) = (each.data for each in notes if each.code == "median-loft-of-other-club")
+    assert (other["club"], other["delivered_loft"]) == ("7-iron", pytest.approx(0.25))
+    assert "median-loft-of-other-club" not in codes(measured_shots(recorded(), club="driver"))
     with pytest.raises(InputError, match="the shots name 7i, not driver"):
         measured_shots(recorded(clubs=["7i"] * 4), club="driver")
     # Chosen by its name, it is meant; so is one whose name says nothing of its kind.

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import clubface
+from attached_notes import codes, noted
 from clubface.errors import InputError, LinkError, UnknownNameError
 from clubface.shots import open_connect
 from clubface.shots.open_connect import Listener, Sender
@@ -58,7 +59,7 @@ def test_a_message_is_a_shot_in_si():
     expected |= {"spin_axis": -13.2 * DEG, "total_spin": 3250 * RPM}
     # Total spin and axis are what the protocol requires; backspin and sidespin, here of another ball, follow from them.
     expected |= {"backspin": 3250 * RPM * math.cos(13.2 * DEG), "sidespin": -3250 * RPM * math.sin(13.2 * DEG)}
-    assert "contradict" in result.notes[0]
+    assert result.notes[0].code == "spins-contradict"
     assert result.launch == pytest.approx(expected, rel=1e-14)
     assert result.delivery == pytest.approx(
         {"speed": 100 * MPH, "attack": -1.5 * DEG, "face": 1.25 * DEG, "lie": 0.5 * DEG, "loft": 14 * DEG}
@@ -117,8 +118,9 @@ def test_a_field_of_the_club_that_holds_no_number_costs_that_field_and_not_the_s
     quantity = {"Speed": "speed", "Lie": "lie", "ClosureRate": "closure"}[name]
     assert result.launch == whole.launch
     assert result.delivery == {each: number for each, number in whole.delivery.items() if each != quantity}
-    assert [note for note in result.notes if f"ClubData.{name}" in note]
-    assert any(f"ClubData.{name}" in note and "1 of 2 shots" in note for note in recorded([whole, result]).notes)
+    (field,) = (each for each in result.notes if each.code == "message-field-no-number")
+    assert field.data["field"] == f"ClubData.{name}"
+    assert field.of(in_shots=1, of_shots=2) in recorded([whole, result]).notes
 
 
 @pytest.mark.parametrize("value", [-1, -999, 16777215, 65535, 9999, 3.4e38, "65535"])
@@ -126,7 +128,7 @@ def test_what_stands_for_a_value_that_was_not_measured_costs_the_field_and_is_sa
     result = from_json(changed(ClubData={"Speed": value, "VerticalFaceImpact": value if value != -1 else 9999}))
     assert not {"speed", "high"} & set(result.delivery)
     assert "high" in result.impossible
-    assert "speed" in result.impossible or "ClubData.Speed" in "".join(result.notes)
+    assert "speed" in result.impossible or noted(result, "message-speed-negative") == [{"value": value}]
     assert result.delivery["path"] == from_json(SHOT).delivery["path"]
 
 
@@ -143,7 +145,7 @@ def test_ball_or_club_data_that_are_missing_do_not_cost_the_other(name, missing)
     kept = "delivery" if name == "BallData" else "launch"
     assert getattr(result, kept) == getattr(whole, kept)
     assert result.launch == {} or result.delivery == {}
-    assert f"{name} is missing" in result.notes
+    assert ("message-part-missing", {"part": name}) in result.notes
 
 
 def test_without_options_a_message_is_a_shot_of_what_it_holds():
@@ -159,7 +161,7 @@ def test_a_carry_in_a_unit_that_the_protocol_does_not_have_is_not_taken():
     for units in ("Feet", "", 3, ["Yards"]):
         result = from_json(SHOT | {"Units": units})
         assert "carry" not in result.launch
-        assert any("Units" in note for note in result.notes)
+        assert "message-units" in codes(result)
 
 
 @pytest.mark.parametrize(
@@ -208,10 +210,9 @@ def test_values_that_no_shot_can_have_are_not_measured_when_the_shot_arrives():
     assert result.delivery["path"] == pytest.approx(-2.5 * DEG, rel=1e-14)
     # The limits are those of files: a table of the same numbers loses the same values.
     shots = recorded([result, *(from_json(changed(BallData=polar, ClubData=club)) for club in ({}, {"Speed": 300}))])
-    assert shots.notes == (
-        "values that no shot can have were taken as not measured: speed in 2 of 3 shots, such as 500 mph; "
-        "total_spin in 1 of 3 shots, such as -21474836480 rpm; carry in 1 of 3 shots, such as 900 yd",
-    )
+    examples = {"speed": (2, 500 * MPH), "total_spin": (1, -21474836480 * RPM), "carry": (1, 900 * 0.9144)}
+    for each, (name, (wrong, value)) in zip(noted(shots, "impossible-values"), examples.items(), strict=True):
+        assert each == {"example": {name: pytest.approx(value)}, "wrong": wrong, "shots": 3}
     assert np.isnan(shots.launches["total_spin"][0])
     nothing = {"Speed": 999, "HLA": 170, "VLA": 95, "TotalSpin": 0, "SpinAxis": 999, "CarryDistance": 900}
     alone = changed(BallData=polar | nothing, ShotDataOptions={"ContainsClubData": False})

@@ -36,18 +36,18 @@ def test_shots_are_chosen_completed_and_then_referred(session):
     for name, values in shots.refer(measured, "driver").deliveries.items():
         np.testing.assert_array_equal(result.deliveries[name], values, err_msg=name)
     assert abs(result.deliveries["face"][0] - 2 * DEG) > 1.5 * DEG
-    for message in (
-        "3 of 4 shots fulfil ball_speed > 110 mph",
-        "high was not measured in 1 of 2 shots, which take 5 mm for it, as stated",
-        "closure was not measured in 2 of 2 shots, which take 2400 deg/s for it, as stated",
+    for expected in (
+        ("condition-fulfilled", {"fulfil": 3, "shots": 4, "condition": "ball_speed > 110 mph"}),
+        ("value-stated", {"quantity": "high", "lacking": 1, "shots": 2, "stated": "5 mm"}),
+        ("value-stated", {"quantity": "closure", "lacking": 2, "shots": 2, "stated": "2400 deg/s"}),
     ):
-        assert message in result.notes
+        assert expected in result.notes
 
 
 def test_what_was_measured_is_not_replaced(session):
     result = ready_shots(session, only="7i", assume={"toe": "9 mm", "face": 0.5})
     np.testing.assert_allclose(result.deliveries["toe"], [0.009, 0.004], rtol=1e-14)
-    assert "face was measured in every shot: the 0.5 rad stated for it is not used" in result.notes
+    assert ("value-stated-not-used", {"quantity": "face", "stated": "0.5 rad"}) in result.notes
     assert (np.abs(result.deliveries["face"]) < 2 * DEG).all()
 
 
@@ -64,9 +64,9 @@ def test_shots_that_are_ready_stay_as_they_are(session):
 def test_every_row_of_the_wrong_club_is_refused_or_noted(session):
     with pytest.raises(InputError, match="several clubs"):
         ready_shots(session, club="driver")
-    noted = ready_shots(session, club="driver", mismatch="note")
-    assert len(noted) == 4
-    assert "the shots name 7i, 7 Iron, not driver: is this the right club?" in noted.notes
+    taken = ready_shots(session, club="driver", mismatch="note")
+    assert len(taken) == 4
+    assert ("club-may-be-other", {"names": ["7i", "7 Iron"], "club": "driver"}) in taken.notes
     with pytest.raises(InputError, match="the shots name 7i, 7 Iron, not driver"):
         ready_shots(session, club="driver", where="club == '7-iron'")
 

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings, strategies as st
 
 import clubface
+from attached_notes import noted
 from clubface import shots as launch_monitor
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
 from clubface.shots.reading import read_shots
@@ -87,9 +88,9 @@ def test_spins_that_contradict_each_other_are_said_with_line_and_values_and_only
         "total_spin": [3000 * RPM, 2500 * RPM],
     }
     result = shots(launches=given)
-    (note,) = result.notes
-    for part in ("line 2", "2650 rpm", "1703 rpm", "3000 rpm", "kept: backspin and sidespin"):
-        assert part in note
+    (data,) = noted(result, "spins-contradict")
+    assert (data["at_line"], data["kept"]) == (2, ["backspin", "sidespin"])
+    assert data["spins"] == {name: values[0] for name, values in given.items()}
     np.testing.assert_allclose(result.launches["total_spin"][0], math.hypot(2650, 1703) * RPM, rtol=1e-12)
     assert result.select([True, False]).notes == result.notes
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import clubface
+from attached_notes import noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError, UnknownNameError
 from clubface.shots import refer
@@ -144,10 +145,8 @@ def test_shots_that_lack_what_is_needed_stay_as_measured_and_are_counted():
     assert result.deliveries["face"][0] != 0.0
     assert result.deliveries["face"][1] == 0.1
     assert math.isnan(result.deliveries["loft"][1])
-    assert [note.partition("; ")[2] for note in result.notes] == [
-        "1 of 2 shots lack the point of contact and stay as measured",
-        "1 of 2 shots lack the closure rate and stay as measured",
-    ]
+    for code in ("not-referred-contact-face", "not-referred-motion"):
+        assert noted(result, code) == [{"lacking": 1, "shots": 2}]
     assert measured.deliveries["face"].tolist() == [0.0, 0.1]
     assert (result.speed_at, result.face_at) == ("unknown", "unknown")  # some are referred and some not
     again = refer(result, "driver")

@@ -72,9 +72,9 @@ def test_dates_of_many_spellings_are_days_of_one(text, date):
 
 def test_one_day_above_12_tells_the_order_of_all_dates_and_none_is_noted():
     assert iso_dates(["03/04/2024", "25/04/2024"]) == (["2024-04-03", "2024-04-25"], None)
-    dates, note = iso_dates(["03/04/2024"])
+    dates, remark = iso_dates(["03/04/2024"])
     assert dates == ["2024-03-04"]
-    assert "month first" in note
+    assert remark.data["first"] == "month"
 
 
 def test_several_files_are_sessions_with_date_and_file_and_are_read_back(write, tmp_path):
@@ -119,7 +119,7 @@ def test_shots_of_overlapping_exports_and_of_a_file_given_twice_count_once(write
     both = write(HEAD + day("2026-01-01", [100, 99]) + day("2026-02-01", [100, 98]), "b.csv")
     shots = launch_monitor.read([first, both, first])
     assert len(shots) == 4
-    assert "b.csv: 2 of 4 shots are in an earlier file too, and were left out" in shots.notes
+    assert ("shots-in-earlier-file", {"left": 2, "shots": 4, "in_files": ["b.csv"]}) in shots.notes
 
 
 def test_equal_shots_of_one_file_and_shots_of_one_number_are_no_duplicates(write):

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from attached_notes import codes
 from clubface import shots as launch_monitor
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.signs import FEWEST, suspected_signs
@@ -41,17 +42,16 @@ def test_shots_with_the_right_signs_are_not_suspected(club, seed):
 @pytest.mark.parametrize("name", ["attack", "loft", "face", "path"])
 def test_a_turned_column_of_the_delivery_is_told(club, name):
     notes = suspected_signs(turned(some(club), name))
-    assert [note for note in notes if note.startswith(f"the sign of {name} disagrees with ")]
-    assert len(notes) == 1
+    assert [each.data["quantity"] for each in notes] == [name]
 
 
 def test_a_turned_column_of_the_launch_is_told_if_everything_runs_against_it():
-    (note,) = suspected_signs(turned(some("7-iron"), "azimuth"))
-    assert note == ("the sign of azimuth disagrees with face and path from shot to shot: is it turned in this file?")
+    turned_azimuth = suspected_signs(turned(some("7-iron"), "azimuth"))
+    assert turned_azimuth == (("sign-turned", {"quantity": "azimuth", "others": ["face", "path"]}),)
     # Thirty drives do not tell it of the toe, so that face and path are suspected as much as the axis.
     notes = suspected_signs(turned(some("driver", 30), "sidespin", "spin_axis"))
     assert notes
-    assert all(each.endswith("with spin_axis from shot to shot: is one of them turned in this file?") for each in notes)
+    assert all(each.code == "sign-one-turned" and each.data["others"] == ["spin_axis"] for each in notes)
 
 
 def test_a_left_hander_is_the_mirror_image():
@@ -59,7 +59,7 @@ def test_a_left_hander_is_the_mirror_image():
     mirrored = turned(shots, "path", "face", "azimuth", "sidespin", "spin_axis")
     left = replace(mirrored, hand=np.array(["left"] * len(shots), dtype=object))
     assert suspected_signs(left) == ()
-    assert "sign of face" in suspected_signs(turned(left, "face"))[0]
+    assert suspected_signs(turned(left, "face"))[0].data["quantity"] == "face"
 
 
 def test_clubs_are_compared_within_themselves():
@@ -92,7 +92,7 @@ def test_irons_that_are_hit_upwards_are_told_however_few(write):
     """Five shots are too few for slopes."""
     rows = "".join(f"{club},85,{attack}\n" for club, attack in zip(["7i"] * 5, (4, 4.5, 3, 5, 4), strict=True))
     shots = launch_monitor.read(write("club,club_speed_mph,attack_deg\n" + rows))
-    assert "the median attack angle of irons and wedges is 4 deg upwards" in shots.notes[-1]
+    assert shots.notes[-1] == ("irons-hit-upwards", {"attack": pytest.approx(np.radians(4.0))})
     down = launch_monitor.read(write("club,club_speed_mph,attack_deg\n" + rows.replace(",85,", ",85,-")))
     driver = launch_monitor.read(write("club,club_speed_mph,attack_deg\n" + rows.replace("7i", "Dr")))
-    assert not [note for note in (*down.notes, *driver.notes) if "sign" in note]
+    assert "irons-hit-upwards" not in codes(down) | codes(driver)

@@ -65,7 +65,7 @@ def test_the_command_prints_a_table_and_draws_a_picture(clubface_, bag, tmp_path
     rows = [line.split() for line in ran.out.splitlines()]
     assert ["Dr", "2", "148.0", "2.8", "1.460", "0.014", "2500", "245.0", "7.1", "0.0", "14.1", "87.0"] in rows
     message = " ".join(ran.out.split())
-    assert "total_spin in 1 of 6 shots, such as -21474836480 rpm" in message
+    assert "-21474836480 rpm in 1 of 6 shots" in message
     assert "1 of 2 of Dr, 2 of 3 of 7i" in message
     assert "the gap between 7i and PW is not sure: 38.0 yd with a single shot" in message
     assert "between Dr and 7i" not in message

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import clubface
+from attached_notes import noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError, UnitError
 
@@ -93,7 +94,7 @@ def test_what_no_unit_explains_is_not_measured_and_said_so(write):
     """16777215 stands for nothing in Foresight's files: no unit makes it an angle of golf."""
     shots = launch_monitor.read(write("Club,Ball Speed (mph),Face Angle (deg)\n" + "Driver,147,16777215\n" * 3))
     assert np.isnan(shots.deliveries["face"]).all()
-    assert any("face in 3 of 3 shots" in note for note in shots.notes)
+    assert [(each["wrong"], each["shots"]) for each in noted(shots, "impossible-values")] == [(3, 3)]
 
 
 def test_a_unit_that_was_given_with_the_command_is_corrected_there_and_not_in_the_file(write):
@@ -132,9 +133,9 @@ def test_a_ball_faster_than_its_club_can_send_it_is_in_no_mean(write):
     assert np.isnan(shots.deliveries["speed"]).tolist() == [True, False, True, False, False]
     assert np.isnan(shots.launches["ball_speed"]).tolist() == [True, False, True, False, False]
     assert not np.isnan(shots.launches["launch"]).any()
-    note = next(note for note in shots.notes if "faster than the club" in note)
-    assert "line 2: 193 mph from 18 mph" in note
-    assert "line 4: 90 mph from 60 mph" in note
+    (faster,) = noted(shots, "faster-than-club")
+    assert (faster["lines"], faster["wrong"], faster["shots"]) == ([2, 4], 2, 5)
+    assert faster["example"] == pytest.approx({"ball_speed": 193 * 0.44704, "speed": 18 * 0.44704})
 
 
 @pytest.mark.parametrize("cell", ["inf", "nan?", "n.a.", "#DIV/0!", "1e999"])
@@ -142,7 +143,7 @@ def test_a_computed_cell_that_holds_no_number_costs_itself_and_not_the_shot(writ
     shots = launch_monitor.read(write(f"Club Speed (mph),Ball Speed (mph),Smash Factor\n100,147,{cell}\n99,145,1.46\n"))
     assert np.isnan(shots.launches["smash"]).tolist() == [True, False]
     assert shots.rejected == ()
-    assert any(note.startswith("Smash Factor: 1 cell") for note in shots.notes)
+    assert [(each["column"], each["cells"]) for each in noted(shots, "cells-without-number")] == [("Smash Factor", 1)]
     shots = launch_monitor.read(write(f"Club Speed (mph),Ball Speed (mph)\n100,{cell}\n99,145\n"))
     assert [each.line for each in shots.rejected] == [2]
 

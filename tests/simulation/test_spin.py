@@ -140,7 +140,7 @@ def test_a_sidespin_of_a_few_turns_or_an_axis_of_nearly_a_right_angle_says_nothi
 def test_total_spin_and_sidespin_leave_a_topped_ball_out_and_say_so():
     result = complete({"total_spin": np.array([300.0]), "sidespin": np.array([-40.0])})
     assert result.values["backspin"] == pytest.approx([math.sqrt(300**2 - 40**2)], rel=1e-12)
-    assert "not topped" in result.notes[0]
+    assert result.notes == (("spin-not-topped", {}),)
 
 
 def test_a_total_spin_that_holds_the_spin_about_the_direction_of_launch_contradicts_nothing():

@@ -41,6 +41,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest
 from clubface.errors import ClubfaceError, FileError
+from clubface.results.notes import Note, note
 from clubface.support.checks import without_warnings
 
 MISPLACED = 3e-3
@@ -70,7 +71,7 @@ class Registration(NamedTuple):
     shape: Array
     covariance: Array
     misfit: float
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     geometry: tuple[Known, ...] = ()
 
 
@@ -144,7 +145,7 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     )
     about_cg = np.eye(6)
     about_cg[:3, 3:] = skew(np.array(club.cg))
-    notes = (f"{', '.join(absent)} not seen in the calibration: left out",) if absent else ()
+    notes = (note("capture-markers-not-calibrated", markers=absent),) if absent else ()
     parts = (
         Known("markers from the face", "measured", "toe", deviations=[misfit]),
         Known("points of the face", "given", "toe", deviations=[mapping.position_deviation]),
@@ -272,17 +273,14 @@ def least_squares(rows: Callable[[Array], Array], start: Array) -> tuple[Array, 
     return x, inverse
 
 
-def _disagreement(off: Array, known: int, values: Array, attitude: Attitude, deviations: Array) -> tuple[str, ...]:
+def _disagreement(off: Array, known: int, values: Array, attitude: Attitude, deviations: Array) -> tuple[Note, ...]:
     """Return a note where given positions contradict the assumed attitude."""
     if known < FEWEST or float(off @ off) <= ODD * len(off):
         return ()
     worst = int(np.argmax(np.abs(values - attitude.values) / deviations))
-    angle = ("loft", "face angle", "lie")[worst]
-    return (
-        f"the positions of the markers contradict the attitude of the club that is assumed, most of all its {angle}"
-        f" ({units.fixed(values[worst], 'deg', 1)}, not {units.fixed(attitude.values[worst], 'deg', 1)}): check them,"
-        " or allow for more under [assumed]",
-    )
+    angle = ("loft", "face", "lie")[worst]
+    measured, expected = ({angle: float(each[worst])} for each in (values, attitude.values))
+    return (note("capture-attitude-contradicted", measured=measured, assumed=expected),)
 
 
 STILL = 0.08
@@ -323,9 +321,10 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
         Known("face angle at address", "assumed", "face", [0.0], [assumed.face]),
         Known("lie at address", "assumed", "face", [0.0], [assumed.lie]),
     )
-    frames = f"address taken from frames {first + recording.first_frame} to {last + recording.first_frame}"
-    where = f" of {recording.path}" if mapping.calibration is not None else ""
-    return result._replace(geometry=(*parts, *result.geometry), notes=(f"{frames}{where}", *result.notes))
+    frames = {"first_frame": first + recording.first_frame, "last_frame": last + recording.first_frame}
+    of_file = mapping.calibration is not None
+    address = note("capture-address-of-file" if of_file else "capture-address", **frames, file=str(recording.path))
+    return result._replace(geometry=(*parts, *result.geometry), notes=(address, *result.notes))
 
 
 def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int, int]:

@@ -14,12 +14,11 @@ import numpy as np
 from clubface import units
 from clubface.capture.geometry import Known
 from clubface.capture.reduction import QUANTITIES
-from clubface.capture.remarks import NOT_PLAUSIBLE
 from clubface.capture.rotations import Array
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.quantities import format_value, quantity
-from clubface.results.notes import free_text
+from clubface.results.notes import Note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
 from clubface.results.result import Described, Result
@@ -116,7 +115,7 @@ class CapturedDelivery(Described):
     marker_noise: float
     marker_noise_freedom: int
     misfit: float
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
     geometry: tuple[Known, ...]
     trace: Trace
     source: str
@@ -124,7 +123,7 @@ class CapturedDelivery(Described):
     @property
     def plausible(self) -> bool:
         """Whether a shot can have this delivery; if not, the first of the notes says what is wrong with it."""
-        return not (self.notes and self.notes[0].startswith(NOT_PLAUSIBLE))
+        return "capture-not-plausible" not in {each.code for each in self.notes}
 
     def interval(self, name: str, level: float = 0.95) -> tuple[float, float]:
         """Return the limits [SI] between which a value lies with the probability ``level``."""
@@ -174,11 +173,15 @@ def captured_result(captured: Sequence[CapturedDelivery], rejected: Iterable[Rej
     return Result(
         kind="captured-swings", title=f"{captured[0].source}: {title}" if alone else title,
         tables=(*(each for each in tables if captured), *([rejected_table(refused, "file")] if refused else [])),
-        notes=tuple(free_text([f"{'' if alone else f'{Path(one.source).name}: '}{each}"
-                               for one in captured for each in one.notes])),
+        notes=captured[0].notes if alone else notes_by_file(captured),
         provenance=Provenance(inputs={"club": captured[0].club.name} if captured else {}),
         draw=lambda: [swing_picture(each) for each in captured],
     )  # fmt: skip
+
+
+def notes_by_file(captured: Iterable[CapturedDelivery]) -> tuple[Note, ...]:
+    """Return the notes on several swings, each with the name of its file."""
+    return tuple(each.of(in_files=[Path(one.source).name]) for one in captured for each in one.notes)
 
 
 def _deliveries(captured: Sequence[CapturedDelivery]) -> Table:

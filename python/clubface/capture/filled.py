@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.capture.recording import Recording
-from clubface.capture.remarks import frames_in_words
 from clubface.capture.rotations import Array
+from clubface.results.notes import Note, note
 
 LAST_DIGIT = 6e-8
 """Relative rounding of a number in single precision, as files hold them."""
@@ -37,23 +37,21 @@ JUMP, FAST = 0.01, 3.0
 """Metres and m/s; a marker that was held where it was last seen jumps by more."""
 
 
-def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recording, list[str]]:
-    """Return the recording as the cameras saw some of its markers, and what was left out of them, in words."""
+def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recording, list[Note]]:
+    """Return the recording as the cameras saw some of its markers, and notes on what was left out of them."""
     seen, names = recording.markers(names), tuple(names)
     calculated = filled(seen, recording.rate)
     if not calculated.any():
         return recording, []
-    positions, notes = recording.positions.copy(), {}
+    positions = recording.positions.copy()
+    gaps: dict[tuple[int, ...], list[str]] = {}
     for name, each in zip(names, calculated.T, strict=True):
         if each.any():
             positions[each, recording.place(name)] = np.nan
-            words = frames_in_words(np.flatnonzero(each).tolist(), recording.first_frame)
-            notes.setdefault(words, []).append(name)
-    left_out = [
-        f"{', '.join(each)}: {words} not seen but filled by the capture program (a line or a spline): left out"
-        for words, each in notes.items()
-    ]
-    return replace(recording, positions=positions), left_out
+            frames = tuple((np.flatnonzero(each) + recording.first_frame).tolist())
+            gaps.setdefault(frames, []).append(name)
+    notes = [note("capture-filled", markers=each, frames=list(frames)) for frames, each in gaps.items()]
+    return replace(recording, positions=positions), notes
 
 
 def filled(positions: Array, rate: float) -> NDArray[np.bool_]:

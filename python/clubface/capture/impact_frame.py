@@ -15,6 +15,7 @@ from clubface.capture.rotations import Array, left_jacobian, logarithm, pose_inf
 from clubface.capture.tracking import Track
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
+from clubface.results.notes import Note, note
 
 APPROACH = 1.0
 """m/s; a face that comes nearer more slowly is being set down behind the ball."""
@@ -43,7 +44,7 @@ class FrameInterval(NamedTuple):
 
     before: int
     after: int
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
 
 def find_impact(
@@ -138,12 +139,12 @@ def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -
         return None
     if not ahead[earlier[-2]] > ahead[earlier[-1]] > 0.0:
         return None
-    return FrameInterval(int(earlier[-1]), gone, ("the clubhead is lost from sight before it meets the ball",))
+    return FrameInterval(int(earlier[-1]), gone, (note("capture-head-lost"),))
 
 
 def _make_sure(
     position: Array, seen_ball: Array, ball: RestingBall, result: FrameInterval, rate: float, where: str
-) -> tuple[str, ...]:
+) -> tuple[Note, ...]:
     """Refuse a pass that moved neither ball nor head; return what could not be made sure."""
     frames = f"frames {result.before + 1} and {result.after + 1}"
     later = seen_ball[result.after + 1 : result.after + 12]
@@ -162,14 +163,14 @@ def _make_sure(
         _speed(position[result.after + 1 : result.after + 7], rate),
     ]
     if not np.isfinite(speeds).all():
-        return ("neither ball nor clubhead is seen after impact: that they met is taken from where they were before",)
+        return (note("capture-nothing-seen-after-impact"),)
     if speeds[1] > SLOWED * speeds[0]:
         raise FileError(
             where, None,
             f"no impact: the face passes the place of the ball between {frames}, but the head keeps its speed"
             f" ({speeds[0]:.1f} m/s before, {speeds[1]:.1f} m/s after): a swing without a ball, or a wrong mapping",
         )  # fmt: skip
-    return ("the ball is not seen after impact; the loss of the head's speed shows that they met",)
+    return (note("capture-ball-not-seen"),)
 
 
 def _speed(position: Array, rate: float) -> float:

@@ -18,6 +18,7 @@ from clubface.capture.setup import Setup
 from clubface.capture.tracking import Track
 from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
+from clubface.results.notes import Note, note
 
 FLOOR = 1e-6
 """Metres; the least noise of a marker, above the rounding of a file in single precision."""
@@ -48,7 +49,7 @@ class Meeting(NamedTuple):
         What the blow tells, if that is used.
     noise, noise_freedom
         Of a marker along an axis [m], and the degrees of freedom of its estimate; 0 if it was given.
-    remarks
+    notes
         What is not certain about it.
     geometry
         How the ball is known.
@@ -61,18 +62,8 @@ class Meeting(NamedTuple):
     evidence: Evidence | None
     noise: float
     noise_freedom: int
-    remarks: tuple[str, ...]
+    notes: tuple[Note, ...]
     geometry: tuple[Known, ...]
-
-    def notes(self, surprise: float) -> list[str]:
-        """Return warnings about the meeting of head and ball; ``surprise`` as in :class:`Reduced`."""
-        notes = list(self.remarks)
-        if surprise > SURPRISING:
-            notes.append(
-                f"the clubhead loses speed {surprise:.1f} standard deviations from where ball, club and markers are"
-                " said to be: check their positions, or give them a larger accuracy"
-            )
-        return notes
 
 
 def meet(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
@@ -103,8 +94,7 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
                     raise
                 return _at_end(recording, followed, setup, end)
             met = _by_ball(recording, followed, setup, turn)
-            reason = "the blow cannot be read, so that all depends on the given place of the ball:"
-            return met._replace(remarks=(*met.remarks, f"{reason} {error.message}"))
+            return met._replace(notes=(*met.notes, note("capture-ball-place-alone", reason=error.message)))
     return _by_ball(recording, followed, setup, turn)
 
 
@@ -145,7 +135,7 @@ def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup
     parts.append(
         Known("instant of first touch, from the blow", "measured", "contact_time", deviations=[blow.deviation])
     )
-    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _blow_remark(blow), parts)
+    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _blow_notes(blow), parts)
 
 
 def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
@@ -166,18 +156,15 @@ def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Me
             deviations=[end.deviation],
         ),
     ]
-    when = f"{end.later} frames after" if end.later else "with"
-    remark = (
-        f"the recording ends {when} the impact, which is taken to follow frame {end.before + recording.first_frame};"
-        f" record on for {FEWEST} frames or more to have the blow itself"
-    )
+    code = "capture-ends-after-impact" if end.later else "capture-ends-with-impact"
+    remark = note(code, later=end.later, frame=end.before + recording.first_frame, fewest=FEWEST)
     centre = _in_front(approach, setup)
-    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, remark, parts)
+    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, (remark,), parts)
 
 
 def _met(
     approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
-    times: Array, remark: str, parts: list[Known],
+    times: Array, notes: tuple[Note, ...], parts: list[Known],
 ) -> Meeting:  # fmt: skip
     """Return a meeting at an instant [s] known to ``instant``, with a ball known to ``deviation`` [m]."""
     assumed = setup.mapping.assumed
@@ -190,7 +177,7 @@ def _met(
     evidence = Evidence(np.zeros(3), np.array([instant, assumed.toe, assumed.high]))
     ball = RestingBall(centre, deviation, 1, (0, len(times) - 1), None)
     nowhere = np.full((len(times), 3), np.nan)
-    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, (remark,), tuple(parts))
+    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, notes, tuple(parts))
 
 
 def _in_front(approach: Approach, setup: Setup) -> Array:
@@ -203,14 +190,11 @@ def _in_front(approach: Approach, setup: Setup) -> Array:
     return values[:3] + attitude @ (np.array(head.cg) + face_axes(head.loft) @ (touched + setup.ball.radius * normal))
 
 
-def _blow_remark(blow: FaceImpact) -> str:
-    message = f"impact is taken from the blow: the head loses {100.0 * blow.lost:.0f}% of its speed"
+def _blow_notes(blow: FaceImpact) -> tuple[Note, ...]:
+    taken = note("capture-blow", lost=blow.lost)
     if blow.again is None:
-        return message
-    return (
-        f"{message} in frame {blow.before + 1} of the recording. It loses speed in frame {blow.again + 1} as well: cut"
-        " the recording to read that"
-    )
+        return (taken,)
+    return taken, note("capture-blow-again", frame=blow.before + 1, again=blow.again + 1)
 
 
 def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:

@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.capture import remarks
 from clubface.capture.ball_flight import Launched, flight
-from clubface.capture.captured import LAUNCHES, CapturedDelivery, Trace, captured_result
+from clubface.capture.captured import LAUNCHES, CapturedDelivery, Trace, captured_result, notes_by_file
 from clubface.capture.filled import without_filled
 from clubface.capture.markers import AXES, MarkerMap
-from clubface.capture.meeting import meet
+from clubface.capture.meeting import SURPRISING, meet
 from clubface.capture.recording import Recording, read_c3d
 from clubface.capture.reduction import QUANTITIES, Inputs, with_covariance
 from clubface.capture.rotations import angles, degrees_of_freedom, exponential, mirror
@@ -33,16 +33,11 @@ from clubface.capture.setup import Options, Setup, prepare
 from clubface.capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 from clubface.equipment.clubs import Club
 from clubface.errors import CaptureWarning, FileError, InputError
+from clubface.results.notes import Note, note
 from clubface.results.result import Described, Result
 from clubface.shots.recorded import RecordedShots, RejectedRow
 from clubface.simulation.inputs import Delivery
 from clubface.support.arrays import Floats
-
-ADVICE = (
-    "Do not use these figures: see which markers hide or stray in which frames (capture markers, --plot), cut the"
-    " recording to the frames of the swing, and check frames under [calibration], target and up under [laboratory], and"
-    " the club"
-)
 
 
 def read_swing(
@@ -83,8 +78,8 @@ def read_swing(
     """
     prepared = prepare(mapping, club, **options)
     outcome = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
-    for note in outcome.notes:
-        warnings.warn(f"{outcome.source}: {note}", CaptureWarning, stacklevel=2)
+    for each in outcome.notes:
+        warnings.warn(f"{outcome.source}: {each}", CaptureWarning, stacklevel=2)
     return outcome
 
 
@@ -114,20 +109,20 @@ def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
         raise FileError(where, None, "the path of the clubhead does not lead to the ball")
     deviations = dict(zip(QUANTITIES, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     before = math.floor(touch * recording.rate)
-    bad = remarks.implausible(values, deviations, head)
     flown = flight(met.seen_ball, recording.times, met.ball, touch)
     notes = [
-        *([f"{remarks.NOT_PLAUSIBLE}: {', '.join(bad)}. {ADVICE}"] if bad else []),
+        *remarks.implausible(values, deviations, head),
         *left_out,
-        *remarks.track_remarks(followed, cluster, recording.first_frame),
-        *remarks.delivery_remarks(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
-        *remarks.launch_remarks(values, head.replace(hand="right"), setup.ball, flown, touch),
-        *remarks.fit_remarks(approach.path.misfit, before - int(approach.frames[-1]), freedom),
-        *met.notes(reduced.surprise),
+        *remarks.track_notes(followed, cluster, recording.first_frame),
+        *remarks.delivery_notes(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
+        *remarks.launch_notes(values, head.replace(hand="right"), setup.ball, flown, touch),
+        *remarks.fit_notes(approach.path.misfit, before - int(approach.frames[-1]), freedom),
+        *met.notes,
+        *([note("capture-contradicts-ball", surprise=reduced.surprise)] if reduced.surprise > SURPRISING else []),
         *cluster.notes,
         *(
-            f"the cluster looks the same with {words}: that could not be noticed"
-            for words in look_alikes(cluster.shape, cluster.names, LEAST_MISFIT)
+            note("capture-markers-look-alike", markers=list(markers))
+            for markers in look_alikes(cluster.shape, cluster.names, LEAST_MISFIT)
         ),
     ]
     flip = np.array([head.hand if name in ("path", "face") else 1.0 for name in QUANTITIES])
@@ -170,7 +165,7 @@ def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
                     f"{away}: turn the axis that points to it; {axis} gives a plausible delivery (target under"
                     f" [laboratory], or --target={axis})"
                 )
-    address = "".join(f" ({note})" for note in result.notes if note.startswith("address taken"))
+    address = "".join(f" ({each})" for each in result.notes if each.code.startswith("capture-address"))
     return f"{away} in frame {result.frames[0]}, where the impact seems to be. {result.notes[0]}{address}"
 
 
@@ -263,7 +258,7 @@ class CapturedSwings(Described):
             speed_at="cg",
             face_at="face",
             rejected=self.rejected,
-            notes=tuple(f"{Path(each.source).name}: {note}" for each in self.captured for note in each.notes),
+            notes=notes_by_file(self.captured),
         )
 
 
@@ -351,10 +346,10 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
     differences = _differences(captured, measured)
     if differences:
         pairs = _aligned(_costs(differences))
-        summary = f"paired in their order by {', '.join(differences)}"
+        summary = note("paired-by-values", quantities=list(differences))
     elif len(captured) == len(measured):
         pairs = np.repeat(np.arange(len(captured))[:, None], 2, axis=1)
-        summary = "paired by their order alone: both tables have nothing in common to tell shots by"
+        summary = note("paired-by-order")
     else:
         raise InputError(
             "measured", f"{len(measured)} shots", f"as many as captured, {len(captured)}, since the tables have none of"
@@ -428,7 +423,7 @@ def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedSh
     return [each._replace(reason=f"{shots.source}: {each.reason}") for each in outcome]
 
 
-def _turned(one: RecordedShots, other: RecordedShots) -> list[str]:
+def _turned(one: RecordedShots, other: RecordedShots) -> list[Note]:
     """Return by how much the two lines to the target differ, where both saw the ball's direction."""
     if not ("azimuth" in one.launches and "azimuth" in other.launches):
         return []
@@ -436,8 +431,4 @@ def _turned(one: RecordedShots, other: RecordedShots) -> list[str]:
     if not np.isfinite(difference).any():
         return []
     median = float(np.nanmedian(difference))
-    side = "right" if median > 0.0 else "left"
-    return [
-        f"the azimuth of {other.source} is further {side} by {units.show(abs(median), 'deg', 2)} (median) than that of"
-        f" {one.source}: if that is more than noise, the lines to the target differ"
-    ]
+    return [note("target-lines-differ", measured=other.source, captured=one.source, azimuth=median)]

@@ -37,7 +37,7 @@ class Track(NamedTuple):
     seen
         Which markers the pose of each frame was made of, shape (frames, markers).
     exchanged
-        Frames in which labels were exchanged, by the exchange in words.
+        Frames in which labels were exchanged, by the markers exchanged.
     stray
         Frames in which a marker was left out, by its name.
     lost
@@ -47,7 +47,7 @@ class Track(NamedTuple):
     shape: Array
     poses: Poses
     seen: NDArray[np.bool_]
-    exchanged: dict[str, list[int]]
+    exchanged: dict[tuple[str, ...], list[int]]
     stray: dict[str, list[int]]
     lost: list[int]
 
@@ -96,7 +96,7 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
     if usual > WRONG_SHAPE:
         raise FileError(path, None, _diagnosis(shape, observed, names, usual))
     limit = max(TIMES_USUAL * usual, LEAST_MISFIT)
-    exchanged: dict[str, list[int]] = {}
+    exchanged: dict[tuple[str, ...], list[int]] = {}
     stray: dict[str, list[int]] = {}
     lost: list[int] = []
     for frame in np.flatnonzero(misfit > limit).tolist():
@@ -104,7 +104,7 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
         alone = _odd_one(shape, observed[frame], limit) if order is None else None
         if order is not None:
             observed[frame] = observed[frame, order]
-            exchanged.setdefault(_words(order, names), []).append(frame)
+            exchanged.setdefault(_exchanged(order, names), []).append(frame)
         elif alone is not None:
             observed[frame, alone] = np.nan
             stray.setdefault(names[alone], []).append(frame)
@@ -154,11 +154,11 @@ def check_scale(shape: Array, observed: Array, path: str) -> None:
         )  # fmt: skip
 
 
-def look_alikes(shape: Array, names: Sequence[str], smallest: float) -> list[str]:
-    """Return, in words, the exchanges of labels that move no marker by ``smallest`` [m]: they would not be noticed."""
+def look_alikes(shape: Array, names: Sequence[str], smallest: float) -> list[tuple[str, ...]]:
+    """Return the markers whose exchange moves none by ``smallest`` [m], so that it would not be noticed."""
     orders = _orders(len(shape))[1:]
     misfit = _misfit(fit_poses(shape, shape[orders]))
-    return [_words(orders[place], names) for place in np.flatnonzero(misfit < smallest)]
+    return [_exchanged(orders[place], names) for place in np.flatnonzero(misfit < smallest)]
 
 
 def _misfit(poses: Poses) -> Array:
@@ -215,13 +215,13 @@ def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float
         if np.median(_misfit(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]))) < LEAST_MISFIT:
             return f"{words}; their mirror image fits: the hand of the club is wrong, or an axis of the laboratory"
         orders = [_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
-        told_orders = [_words(order, names) for order in orders if order is not None]
-        if len(told_orders) > len(frames) / 2:
-            return f"{words}; they fit with {max(set(told_orders), key=told_orders.count)}: correct the mapping"
+        fitting = [_exchanged(order, names) for order in orders if order is not None]
+        if len(fitting) > len(frames) / 2:
+            markers = " and ".join(max(set(fitting), key=fitting.count))
+            return f"{words}; they fit with {markers} exchanged: correct the mapping"
     return f"{words}; is this the right club, and were the markers moved since it was calibrated?"
 
 
-def _words(order: NDArray[np.int64], names: Sequence[str]) -> str:
-    """Say which labels are exchanged."""
-    moved = [names[place] for place, source in enumerate(order) if place != source]
-    return f"{' and '.join(moved) if len(moved) == 2 else ', '.join(moved)} exchanged"
+def _exchanged(order: NDArray[np.int64], names: Sequence[str]) -> tuple[str, ...]:
+    """Return which markers are exchanged."""
+    return tuple(names[place] for place, source in enumerate(order) if place != source)

@@ -466,7 +466,7 @@ def read_deliveries(
         naming = [place for place, each in enumerate(columns.headings) if plain_name(each) in NAMES]
         if note is not None:
             for text in (*reader.notes, *columns.notes):
-                note(text)
+                note(str(text))
         result: dict[str, dict[str, float]] = {}
         for chunk in reader.chunks(most + 1, 0):
             for reject in chunk.ragged:

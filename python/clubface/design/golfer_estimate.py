@@ -33,7 +33,7 @@ from clubface.design.golfer import Golfer, golfer as golfer_named, golfers, is_a
 from clubface.equipment.clubs import Club
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
-from clubface.results.notes import Note, free_text, note
+from clubface.results.notes import Note, note
 from clubface.shots.formats import CG, FACE
 from clubface.shots.measured import ReadyShots, ready_shots
 from clubface.shots.recorded import RecordedShots
@@ -377,7 +377,7 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
     names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
     names = _together_often(names, given)
     if "speed" not in names:
-        why = "".join(f"; {note}" for note in shots.notes if "speed" in note)
+        why = "".join(f"; {each}" for each in shots.notes if _explains_missing_speed(each))
         raise InputError(
             "session",
             Wording("without club speed"),
@@ -398,6 +398,11 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
     if "speed" in same:
         raise InputError("shots", Wording("all of one club speed"), "shots whose club speed was measured")
     return tuple(name for name in names if name not in same), values[:, varies], same
+
+
+def _explains_missing_speed(remark: Note) -> bool:
+    impossible = remark.code == "impossible-values" and "speed" in remark.data["example"]
+    return impossible or remark.code in ("faster-than-club", "speed-of-club-or-ball", "without-club-data")
 
 
 def _together_often(names: tuple[str, ...], given: Mapping[str, Floats]) -> tuple[str, ...]:
@@ -446,7 +451,7 @@ def _notes(
     shots: ReadyShots, count: int, names: tuple[str, ...], base: Golfer, drift: Floats, same: Mapping[str, float],
     order: str | None, shrinks: float,
 ) -> Iterator[Note]:  # fmt: skip
-    yield from free_text(shots.notes)
+    yield from shots.notes
     if left := len(shots) - count:
         yield note("golfer-shots-left-out", left=left, shots=len(shots))
     if same:

@@ -31,11 +31,11 @@ from clubface.inference.player_statistics import (
 )
 from clubface.jobs.workers import in_processes, in_sequence
 from clubface.quantities import quantity
-from clubface.results.notes import free_text, note
+from clubface.results.notes import note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, table, text
-from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
+from clubface.shots.loft_origin import loft_origins, origin_notes
 from clubface.shots.mishits import Statistic, difference_error, statistic
 from clubface.shots.recorded import TEXTS, RecordedShots, in_order, session_labels
 from clubface.shots.session_summary import session_picture, summarize_clubs
@@ -137,9 +137,8 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
         parts = first.parts
     elif of_players:
         parts = (of_players[0].replace(placement="here"), *of_players[1:])
-    if notes := [*origin_notes(loft_origins(shots), AT_LAUNCH), *dict.fromkeys(shots.notes)]:
-        sentences = [f"{each[:1].upper()}{each[1:]}." for each in notes]
-        about_file = Result("notes", "Notes on the file", notes=tuple(free_text(sentences)), placement="appendix")
+    if notes := [*origin_notes(loft_origins(shots)), *dict.fromkeys(shots.notes)]:
+        about_file = Result("notes", "Notes on the file", notes=tuple(notes), placement="appendix")
         parts = (*parts, about_file)
     hands = "" if shots.hand is None else " and ".join(sorted(set(map(str, shots.hand))))
     inputs = {"file": sources, "read as": shots.format, "shots": str(len(shots)),

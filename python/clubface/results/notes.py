@@ -13,6 +13,15 @@ from clubface.quantities import Quantity, format_value, quantity as quantity_nam
 from clubface.results.catalogue import SENTENCES
 from clubface.results.table import Column
 
+MOST_RANGES = 4
+"""Ranges of whole numbers that a sentence lists."""
+_PLACES = {
+    "at_line": "line {{at_line}}: {}",
+    "at_row": "row {{at_row}}: {}",
+    "in_shots": "{} (in {{in_shots}} of {{of_shots:n shot}})",
+    "in_files": "{{in_files}}: {}",
+}
+"""How a sentence says where it is true, by the data that do."""
 _WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?:/(?P<none>[^/]+?))?(?: (?P<digits>\d+))?")
 
 
@@ -24,17 +33,33 @@ class Note(NamedTuple):
     code
         Names its sentence in the catalogue: "outside-aerodynamic-data".
     data
-        What the sentence says: texts, whole numbers, lists, SI values under names that end in a quantity, and mappings
-        of quantities to such values.
+        What the sentence says: texts, whole numbers, lists, SI values under names that end in a quantity, and
+        mappings from names to any of these. Any note may say besides where it is true: in which files alone
+        (``in_files``), at which line or row (``at_line``, ``at_row``), in how many shots (``in_shots``) of how many
+        (``of_shots``).
     """
 
     code: str
     data: Mapping[str, Any] = {}
 
+    def __str__(self) -> str:
+        return self.sentence
+
+    def __hash__(self) -> int:
+        return hash(self.code)
+
     @property
     def sentence(self) -> str:
         """The sentence, in the units that people read."""
-        return _SENTENCE.vformat(SENTENCES[self.code], (), self.data)
+        text = SENTENCES[self.code]
+        for name, place in _PLACES.items():
+            if name in self.data:
+                text = place.format(text)
+        return _SENTENCE.vformat(text, (), self.data)
+
+    def of(self, **data: Any) -> Note:
+        """Return the note with further data, such as ``in_files``."""
+        return self._replace(data={**self.data, **data})
 
     def to_dict(self) -> dict[str, Any]:
         """Return code, data in metric units, and sentence."""
@@ -63,10 +88,13 @@ class _Sentence(Formatter):
 
     ``{carry}`` has the unit and digits of the quantity, ``{carry:0}`` other digits, ``{carry:m 1}`` another unit,
     ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster", and with
-    a third word that word alone where the value is zero to the digits shown; a mapping of quantities is listed with
-    their labels, by ``{figures:changes}`` with signs and without zeros, by ``{figures:values}`` without labels;
-    ``{shots:n shot}`` counts ("1 shot", "3 shots"), ``{shots:?was/were}`` agrees with a count; a list is joined by
-    commas, or by ``{names:and}``. Any other format is Python's, applied to the number as it is.
+    a third word that word alone where the value is zero to the digits shown; ``{shots:n shot}`` counts ("1 shot",
+    "3 shots"), ``{shots:?was/were}`` agrees with a count. A list is joined by commas, or by ``{names:and}``;
+    ``{names:3}`` counts those after the third, and ``{frames:ranges}`` says "3, 7-12". A mapping is a list of quantities
+    with their labels ("launch angle 12.1 deg"), by ``{figures:changes}`` with signs and without zeros, by
+    ``{figures:values}`` without labels; a pair of numbers in it is a value with its standard deviation, a whole number
+    counts ("3 Measured"), and a text stands in brackets ("Carry (yd)"). Any other format is Python's, applied to the
+    number as it is.
     """
 
     def get_value(self, key: int | str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
@@ -79,6 +107,8 @@ class _Sentence(Formatter):
         name, given = value
         if isinstance(given, Mapping):
             return _listed(given, format_spec)
+        if isinstance(given, (list, tuple)) and format_spec.startswith("?"):
+            given = len(given)
         if isinstance(given, (list, tuple)):
             return _joined([str(each) for each in given], format_spec)
         if given is None or isinstance(given, (str, bool)):
@@ -115,6 +145,19 @@ def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
     return format_value(value, quantity, kind or None, places)
 
 
+def entry_text(name: str, value: Any) -> str:
+    """Return what a name stands for in words, as of an entry of a mapping: "launch angle 12.1 deg"."""
+    if isinstance(value, str):
+        return f"{name} ({value})"
+    if isinstance(value, int):
+        return f"{value} {name}"
+    known = quantity_named(name)
+    if not isinstance(value, (list, tuple)):
+        return f"{known.label} {format_value(value, known)}"
+    numbers = [format_value(each, known).split(" ")[0] for each in value]
+    return f"{known.label} {' ± '.join(numbers)} {known.golf.unit}".removesuffix(" 1")
+
+
 def _quantity_of(name: str) -> Quantity | None:
     try:
         return quantity_named(name)
@@ -126,24 +169,28 @@ def _is_zero(text: str) -> bool:
     return not text.split(" ")[0].strip("-0.")
 
 
-def _listed(values: Mapping[str, float], spec: str) -> str:
-    """Return quantities with their values; ``spec`` is that of a mapping in a sentence."""
+def _listed(values: Mapping[str, Any], spec: str) -> str:
+    """Return the entries of a mapping; ``spec`` is its format in a sentence."""
+    if spec not in ("changes", "values"):
+        return _joined(list(map(entry_text, values, values.values())), spec)
     texts = []
     for name, value in values.items():
         quantity = quantity_named(name)
         text = format_value(value, quantity)
-        if spec == "changes":
-            if _is_zero(text):
-                continue
-            text = text if text.startswith("-") else f"+{text}"
-        texts.append(text if spec == "values" else f"{quantity.label} {text}")
-    return _joined(texts, "and" if spec in ("changes", "values") else spec) or "nothing to speak of"
+        if spec == "values":
+            texts.append(text)
+        elif not _is_zero(text):
+            texts.append(f"{quantity.label} {text if text.startswith('-') else f'+{text}'}")
+    return _joined(texts, "and") or "nothing to speak of"
 
 
 def _metric(name: str, value: Any) -> tuple[str, Any]:
     """Return a name with the metric unit and the value in it; what is no quantity stays as it is."""
     if isinstance(value, Mapping):
         return name, dict(map(_metric, value, value.values()))
+    if isinstance(value, (list, tuple)) and value and all(isinstance(each, float) for each in value):
+        pairs = [_metric(name, each) for each in value]
+        return pairs[0][0], [each for _, each in pairs]
     if isinstance(value, float) and (quantity := _quantity_of(name)) is not None:
         column = Column(name, [value], quantity)
         return column.key, column.exact(0)
@@ -153,9 +200,25 @@ def _metric(name: str, value: Any) -> tuple[str, Any]:
 
 
 def _joined(texts: Sequence[str], word: str) -> str:
+    if word == "ranges":
+        texts, word = _ranges([*map(int, texts)]), str(MOST_RANGES)
+    if word.isdigit():
+        more = len(texts) - int(word)
+        return ", ".join(texts[: int(word)]) + (f" and {more} more" if more > 0 else "")
     if word in ("and", "or") and len(texts) > 1:
         return f"{', '.join(texts[:-1])} {word} {texts[-1]}"
     return ", ".join(texts)
+
+
+def _ranges(numbers: Sequence[int]) -> list[str]:
+    """Return ascending numbers as ranges: "3", "7-12"."""
+    runs: list[list[int]] = []
+    for each in numbers:
+        if runs and each == runs[-1][1] + 1:
+            runs[-1][1] = each
+        else:
+            runs.append([each, each])
+    return [str(first) if first == last else f"{first}-{last}" for first, last in runs]
 
 
 def _plural(word: str) -> str:

@@ -7,11 +7,13 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from clubface.errors import FileError, shortened
+from clubface.results.notes import Note, note
 from clubface.shots.club_names import is_club_name
 from clubface.shots.formats import COMMON, MEASURED, Format, dimension_of, side_of
-from clubface.shots.monitor_cells import SIDES, HeadingParts, Side, unit_in
+from clubface.shots.tables.cells import unit_in
 from clubface.shots.tables.headings import (
     POINTS,
+    HeadingParts,
     given_unit,
     listed,
     missing_units,
@@ -20,7 +22,7 @@ from clubface.shots.tables.headings import (
     unit_of_column,
     unit_symbol,
 )
-from clubface.shots.tables.vocabulary import vocabulary
+from clubface.shots.tables.vocabulary import SIDES, Side, vocabulary
 from clubface.units import DIMENSIONLESS
 
 __all__ = ["Columns", "Used", "columns_of", "is_units_row"]
@@ -30,10 +32,6 @@ NOT_MEASURED = frozenset({*_COLUMNS["numbering"], *_COLUMNS["not_measured"]})
 """Headings of columns of numbers that are no measurements."""
 UNSIGNED = frozenset(_COLUMNS["unsigned"])
 """Headings of impact points that do not say whether the toe or the heel is positive."""
-EITHER_SPEED = (
-    "the column {} may be the speed of the club or of the ball and is not read: call it club_speed or ball_speed, or "
-    "name it in a mapping"
-)
 WITHOUT_UNIT = 10_000
 """What a heading without a unit ranks behind one with a unit."""
 _WORD = re.compile(r"[^\W\d_]|[°%]")
@@ -112,7 +110,7 @@ class Columns(NamedTuple):
     counted: tuple[int, ...]
     assumed: tuple[tuple[str, str], ...]
     unused: tuple[str, ...]
-    remarks: tuple[str, ...]
+    remarks: tuple[Note, ...]
 
 
 def is_units_row(cells: Sequence[str]) -> bool:
@@ -150,7 +148,7 @@ def columns_of(
     used: dict[str, list[Used]] = {}
     assumed: list[tuple[str, str]] = []
     without_unit: list[tuple[str, str]] = []
-    remarks: list[str] = []
+    remarks: list[Note] = []
     for position, each in enumerate(heads):
         # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
         if each.name not in preferred or position in clubs:
@@ -159,7 +157,7 @@ def columns_of(
         shown = headings[position].strip()
         if not _is_clear(layout, each.name, quantity, shown):
             if quantity == "speed":
-                remarks.append(EITHER_SPEED.format(shortened(shown, 40)))
+                remarks.append(note("speed-of-club-or-ball", column=shortened(shown, 40)))
             continue
         named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
         symbol = named or given_unit(units, quantity, dimension_of(quantity))
@@ -174,12 +172,12 @@ def columns_of(
                 assumed.append((shown, symbol))
         side = _side(layout, quantity, each)
         if quantity == "toe" and each.name in UNSIGNED and not (each.positive or layout.field(quantity).positive):
-            remarks.append(f"the file does not say the sign of {shortened(shown, 40)}: the toe was taken as positive")
+            remarks.append(note("toe-unsigned", column=shortened(shown, 40)))
         used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, side, named is not None))
     if without_unit:
         raise missing_units(without_unit, *place, {name: dimension_of(name) for _, name in without_unit})
     if not used and remarks:
-        raise FileError(*place, remarks[0])
+        raise FileError(*place, remarks[0].sentence)
     if not used:
         raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
     player, hand, date, file = (
@@ -188,7 +186,7 @@ def columns_of(
     places = {each.place for columns in used.values() for each in columns}
     if not clubs and not layout.only_own:
         clubs = _clubs_by_cells(rows, {*range(len(headings))} - {*places, player, hand, date, file})
-        remarks += [f"the column {shortened(headings[at].strip(), 40)} names clubs and was read so" for at in clubs]
+        remarks += [note("club-column", column=shortened(headings[at].strip(), 40)) for at in clubs]
     texts = {date: "date", player: "player", **dict.fromkeys(clubs, "club")}
     return Columns(
         width=len(headings),

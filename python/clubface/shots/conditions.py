@@ -11,16 +11,16 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError, UnknownNameError
+from clubface.results.notes import note
 from clubface.shots.club_names import same_club
 from clubface.shots.recorded import RecordedShots
-from clubface.shots.tables.headings import HAND, shot_words, split_heading, unit_symbol
+from clubface.shots.tables.headings import HAND, shot_words, unit_symbol
 from clubface.units import DIMENSIONLESS, from_si, symbols, to_si, unit
 
 __all__ = ["Match", "match_shots", "matching_shots"]
@@ -122,13 +122,13 @@ def match_shots(shots: RecordedShots, condition: str) -> Match:
 def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots, NDArray[np.intp]]:
     """Return the shots that fulfil a condition, with a note that counts them, and their places; there must be one."""
     mask, undecided = match_shots(shots, condition)
-    lacking = f"{undecided} lack something on which it turns"
     if not mask.any():
-        remark = f"; {lacking}" if undecided else ""
+        remark = f"; {undecided} lack something on which it turns" if undecided else ""
         raise InputError("where", condition, f"a condition that some of the {len(shots)} shots fulfil{remark}")
-    note = f"{int(mask.sum())} of {len(shots)} shots fulfil {condition}{f'; {lacking}' if undecided else ''}"
-    result = shots.select(mask)
-    return replace(result, notes=(*result.notes, note)), np.flatnonzero(mask)
+    notes = [note("condition-fulfilled", fulfil=int(mask.sum()), shots=len(shots), condition=condition)]
+    if undecided:
+        notes.append(note("condition-undecided", undecided=undecided, shots=len(shots), condition=condition))
+    return shots.select(mask).with_notes(*notes), np.flatnonzero(mask)
 
 
 def _named(match: re.Match[str], given: dict[str, _Number]) -> str:
@@ -279,8 +279,7 @@ class _Reader:
         if name == ROW:
             return _Number(self._shots.rows.astype(float), None, name)
         words = shot_words()
-        heading, symbol = split_heading(name, words)
-        quantity = words.names.get(heading)
+        quantity, symbol = words.quantity(name), words.headings.parts(name).unit
         if quantity is None or quantity not in self._measured:
             raise UnknownNameError("name in where", name, (*self._measured, *texts, ROW))
         values, dimension = self._measured[quantity], words.dimensions[quantity]

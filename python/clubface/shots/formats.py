@@ -40,8 +40,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError
+from clubface.results.notes import Note, note
 from clubface.schema import FLAG, TEXT, Choice, Document, Place, Record, decode, file_key
-from clubface.shots.monitor_cells import FACE_TO_PATH, SIDES, HeadingParts, Side, heading
 from clubface.shots.plausibility import ColumnUnit, can_be
 from clubface.shots.tables.cells import is_number
 from clubface.shots.tables.headings import (
@@ -49,31 +49,26 @@ from clubface.shots.tables.headings import (
     HAND,
     LAUNCH_QUANTITIES,
     SECOND_CHOICE,
-    bracketed,
+    HeadingParts,
+    KnownHeadings,
     plain,
+    plain_name,
     shot_words,
     squeezed,
     unit_symbol,
-    units_behind,
 )
-from clubface.shots.tables.vocabulary import vocabulary
+from clubface.shots.tables.vocabulary import FACE_TO_PATH, SIDES, Side, vocabulary
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
-from clubface.units import DIMENSIONLESS, from_si, parse_column_name, size, to_si, unit
+from clubface.units import DIMENSIONLESS, size, to_si, unit
 
 __all__ = [
-    "CG", "COMMON", "CONTACT", "FACE", "MEASURED", "PLAYER", "POINTS", "UNKNOWN", "Field", "Format", "Mapped",
+    "CG", "COMMON", "CONTACT", "FACE", "MEASURED", "PLAYER", "UNKNOWN", "Field", "Format", "Mapped",
     "MappingFile", "common_names", "dimension_of", "mapping_of", "side_of", "with_face_and_path",
     "without_any_sentinels", "without_sentinels",
 ]  # fmt: skip
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
-POINTS = {
-    CG: "the centre of gravity",
-    FACE: "the face centre",
-    CONTACT: "the point of contact",
-    UNKNOWN: "a point that is not published",
-}
 """Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
 _COLUMNS = vocabulary()["columns"]
 CLUB, PLAYER, DATE, HAND_HEADINGS = (tuple(_COLUMNS[each]) for each in ("club", "player", "date", "hand"))
@@ -131,7 +126,7 @@ def common_names() -> Mapping[str, tuple[str, int]]:
     counts: Counter[str] = Counter()
     for name, quantity in (*shot_words().names.items(), *dict.fromkeys(TO_PATH, FACE_TO_PATH).items()):
         if quantity in MEASURED:
-            result[plain(name.replace("_", " "))] = quantity, counts[quantity] + COMMON * (name in SECOND_CHOICE)
+            result[plain(name)] = quantity, counts[quantity] + COMMON * (plain_name(name) in SECOND_CHOICE)
             counts[quantity] += 1
     return result
 
@@ -171,7 +166,7 @@ class Format:
     counted
         Headings of columns whose values a note counts, such as whether spin was measured or estimated.
     notes
-        Remarks on quantities, by their names, for shots in which they were measured.
+        Codes of notes by the names of quantities, for shots in which these were measured.
     source
         Where the layout is documented.
     """
@@ -199,7 +194,7 @@ class Format:
     def own_names(self) -> Mapping[str, tuple[str, int]]:
         """The quantity that each heading of the layout, in plain words, gives, and its rank among those of it."""
         return {
-            each: (quantity, rank + COMMON * (self.all_columns and each.replace(" ", "_") in SECOND_CHOICE))
+            each: (quantity, rank + COMMON * (self.all_columns and plain_name(each) in SECOND_CHOICE))
             for quantity, columns in self.fields.items()
             for rank, each in enumerate(columns.headings)
         }
@@ -239,10 +234,8 @@ class Format:
 
     def heading(self, text: str) -> HeadingParts:
         """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
-        if (result := self._headings.get(text)) is None:
-            parts = self._parts(text)
-            result = self._headings[text] = self.by_unit(parts, parts.unit)
-        return result
+        parts = self._headings.parts(text)
+        return self.by_unit(parts, parts.unit)
 
     def by_unit(self, head: HeadingParts, written: str | None) -> HeadingParts:
         """Return the heading that a short one such as "side" stands for, given its unit as written."""
@@ -251,35 +244,11 @@ class Format:
             return head
         symbol = unit_symbol(written)
         name = BY_UNIT[head.name].get(unit(symbol).dimension) if symbol else None
-        return head if name is None else head._replace(name=plain(name.replace("_", " ")), unit=symbol)
+        return head if name is None else head._replace(name=plain(name), unit=symbol)
 
     @cached_property
-    def _headings(self) -> dict[str, HeadingParts]:
-        return {}
-
-    @cached_property
-    def _unparted(self) -> Mapping[str, str]:
-        return {squeezed(each): each for each in reversed(list(self.names))}
-
-    def _spelled(self, name: str) -> str:
-        """Return the name of a quantity that is the same but for where its words part, else ``name``."""
-        return name if name in self.names else self._unparted.get(squeezed(name), name)
-
-    def _parts(self, text: str) -> HeadingParts:
-        parts = heading(text)
-        if (name := self._spelled(parts.name)) in self.names:
-            return parts._replace(name=name)
-        if bracketed(text)[1] is None:
-            words = "_".join(text.replace("-", "_").split())
-            for spelled in (words, words.lower()):
-                short, symbol = parse_column_name(spelled)
-                if symbol is not None and (name := self._spelled(plain(short))) in self.names:
-                    return HeadingParts(name, symbol, None, name)
-            for before, symbol in units_behind(text):
-                name = self._spelled(before)
-                if name in self.names or (name in BY_UNIT and not self.only_own):
-                    return HeadingParts(name, symbol, None, name)
-        return parts
+    def _headings(self) -> KnownHeadings:
+        return KnownHeadings(self.names, () if self.only_own else BY_UNIT)
 
 
 def side_of(quantity: str, positive: str | None) -> Side:
@@ -390,13 +359,15 @@ ROUNDING = to_si(1.6, "deg")
 """Difference of three angles that are rounded to whole degrees."""
 
 
-def without_sentinels(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> tuple[dict[str, Floats], str]:
-    """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on them, or "".
+def without_sentinels(
+    columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]
+) -> tuple[dict[str, Floats], list[Note]]:
+    """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on each.
 
     ``units`` are those in which each quantity was written. Sentinels that no shot can have are left to
     :func:`clubface.shots.plausibility.without_impossible`, which takes out all such values.
     """
-    kept, counted = dict(columns), []
+    kept, notes = dict(columns), []
     for name in (each for each in (*NEVER, FACE_TO_PATH) if each in columns and each in units):
         values, symbol = columns[name], units[name].symbol
         written = values / size(symbol)
@@ -406,10 +377,9 @@ def without_sentinels(columns: Mapping[str, Floats], units: Mapping[str, ColumnU
             is_none = _are_sentinels(written) & ((-written if name == "backspin" else np.abs(written)) >= NEVER[name])
         if is_none.any():
             kept[name] = np.where(is_none, np.nan, values)
-            shown = f"{units[name].heading} in {int(is_none.sum())} of {values.size} shots"
-            counted.append(f"{shown}, such as {written[is_none][0]:.10g} {symbol}")
-    note = f"numbers that programs write for nothing measured were taken as not measured: {'; '.join(counted)}"
-    return kept, note if counted else ""
+            notes.append(note("placeholders-for-nothing", column=units[name].heading, wrong=int(is_none.sum()),
+                              shots=values.size, value=float(written[is_none][0]), unit=symbol))  # fmt: skip
+    return kept, notes
 
 
 def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> dict[str, Floats]:
@@ -426,15 +396,15 @@ def _are_sentinels(written: Floats) -> NDArray[np.bool_]:
     return np.isin(np.abs(written).round(3), SENTINELS)
 
 
-def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple[dict[str, Floats], str]:
-    """Return columns [SI] without face to path but with what follows from it, and a note on contradictions, or "".
+def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple[dict[str, Floats], Note | None]:
+    """Return columns [SI] without face to path but with what follows from it, and a note on contradictions.
 
     With the path it gives the face angle, and with the face angle the path, where they were not measured. Where all
     three were measured and do not go together, face angle and path stay.
     """
     completed = dict(columns)
     if FACE_TO_PATH not in completed:
-        return completed, ""
+        return completed, None
     to_path = completed.pop(FACE_TO_PATH)
     nothing = np.full_like(to_path, np.nan)
     face, path = completed.get("face", nothing), completed.get("path", nothing)
@@ -444,13 +414,9 @@ def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple
         if not np.isnan(filled).all():
             completed[name] = filled
     if not apart.any():
-        return completed, ""
+        return completed, None
     first = int(np.flatnonzero(apart)[0])
-    shown = ", ".join(
-        f"{what} {float(from_si(each[first], 'deg')):.3g}"
-        for what, each in (("face angle", face), ("path", path), ("face to path", to_path))
-    )
-    return completed, (
-        f"face angle, path and face to path contradict each other in {int(apart.sum())} of {apart.size} shots, such as "
-        f"line {lines[first]}: {shown} deg; face to path is not used there"
+    values = {"face": float(face[first]), "path": float(path[first]), FACE_TO_PATH: float(to_path[first])}
+    return completed, note(
+        "face-and-path-contradict", wrong=int(apart.sum()), shots=int(apart.size), line=lines[first], values=values
     )

@@ -26,12 +26,13 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import published_ball
+from clubface.results.notes import Note, note
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.spin import rolling_speed
 from clubface.support.arrays import Floats
 
 __all__ = [
-    "AT_LAUNCH", "COMPUTED", "FROM_MEASUREMENT", "UNDECIDED", "LoftOrigin", "computed", "loft_origins", "origin_notes",
+    "COMPUTED", "FROM_MEASUREMENT", "UNDECIDED", "LoftOrigin", "computed", "loft_origins", "origin_notes",
 ]  # fmt: skip
 
 FEWEST = 5
@@ -55,11 +56,6 @@ SPIN_STEPS = (100.0, 50.0, 10.0, 1.0)
 
 COMPUTED, FROM_MEASUREMENT, UNDECIDED = ORIGINS = ("computed from the ball", "measured", "undecided")
 """Origins of the lofts of a club."""
-AT_LAUNCH = (
-    'evaluate and identify with --at-launch (compared_at="launch" in Python) solve loft and face angle so that the'
-    " measured launch is met, and compare spin and ball speed there"
-)
-"""What to do instead of taking such lofts for measured."""
 
 _ball = cache(published_ball)
 """The ball of the ratio, I = 0.400 m R^2: that of the ratios that are published."""
@@ -118,26 +114,15 @@ def computed(origins: Iterable[LoftOrigin]) -> list[LoftOrigin]:
     return [each for each in origins if each.origin == COMPUTED]
 
 
-def origin_notes(origins: Iterable[LoftOrigin], instead: str) -> list[str]:
-    """Return a note of lofts that were computed from the ball, with what to do ``instead``; none without such."""
-    origins = computed(origins)
-    if not origins:
-        return []
-    faces = all(each.with_face for each in origins)
-    what = "dynamic loft and face angle were" if faces else "dynamic loft was"
-    ratios = ", ".join(
-        f"{each.ratio:.3f} ± {each.ratio_scatter:.3f} ({_label(each)}{each.shots} shots)" for each in origins
-    )
-    return [
-        f"{what} computed from the ball, not measured: I w / (m R v_t) is one number from shot to shot, {ratios}."
-        f" Spin that is fitted or judged with it is that of the monitor's own model of impact; {instead}"
-    ]
-
-
-def _label(origin: LoftOrigin) -> str:
-    """Return club and file of an origin, in words."""
-    named = " of ".join(each for each in (origin.club, origin.file) if each)
-    return f"{named}, " if named else ""
+def origin_notes(origins: Iterable[LoftOrigin]) -> list[Note]:
+    """Return a note on each club whose lofts were computed from the ball, and one on what to do about it."""
+    notes = [
+        note("loft-and-face-computed" if each.with_face else "loft-computed", ratio=each.ratio,
+             ratio_scatter=each.ratio_scatter, shots=each.shots, club=each.club or "one club")
+        .of(**{"in_files": [each.file]} if each.file else {})
+        for each in computed(origins)
+    ]  # fmt: skip
+    return [*notes, note("loft-computed-advice")] if notes else []
 
 
 def _origin(shots: RecordedShots, chosen: NDArray[np.bool_]) -> LoftOrigin | None:

@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.errors import InputError, Wording
+from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind, may_be, same_club
 from clubface.shots.conditions import matching_shots
-from clubface.shots.loft_origin import AT_LAUNCH, LoftOrigin, computed, loft_origins, origin_notes
+from clubface.shots.loft_origin import LoftOrigin, computed, loft_origins, origin_notes
 from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots, RejectedRow, assume_values
 from clubface.shots.reference_points import refer
@@ -43,7 +44,7 @@ long ones. The launch angles of the published tour averages need 0.60 (5-iron) t
 
 def check_club(
     club: Club, names: Iterable[object] | None, lofts: NDArray[np.float64] | None, mismatch: str = "refuse"
-) -> list[str]:
+) -> list[Note]:
     """Refuse shots of another club than ``club``, or return a note that says why they look so.
 
     Parameters
@@ -62,28 +63,28 @@ def check_club(
     if result is None:
         return []
     if mismatch == REFUSE:
-        advice = 'the club of these shots: {} (mismatch="note" or --mismatch note takes them all the same)'
-        raise InputError("club", club.name, advice.format(result))
-    return [f"{result}: is this the right club?"]
+        why = result.sentence.rpartition(":")[0]
+        advice = f'the club of these shots: {why} (mismatch="note" or --mismatch note takes them all the same)'
+        raise InputError("club", club.name, advice)
+    return [result]
 
 
-def _other_name(club: Club, names: Iterable[object] | None) -> str | None:
+def _other_name(club: Club, names: Iterable[object] | None) -> Note | None:
     wanted = club_kind(club.name)
     if names is None or wanted is None:
         return None
     kinds = {str(name): club_kind(str(name)) for name in dict.fromkeys(names)}
     others = [name for name, kind in kinds.items() if kind is not None and not may_be(kind, wanted)]
-    return f"the shots name {', '.join(others)}, not {club.name}" if others else None
+    return note("club-may-be-other", names=others, club=club.name) if others else None
 
 
-def _other_loft(club: Club, lofts: NDArray[np.float64] | None) -> str | None:
+def _other_loft(club: Club, lofts: NDArray[np.float64] | None) -> Note | None:
     if lofts is None or not len(lofts):
         return None
     median = float(np.median(lofts))
     if min(club.loft - LOFT_DIFFERENCE, LEAST_LOFT * club.loft) <= median <= club.loft + LOFT_DIFFERENCE:
         return None
-    delivered, static = units.show(median, "deg", 3), units.show(club.loft, "deg", 3)
-    return f"the median dynamic loft is {delivered}, the static loft of {club.name} {static}"
+    return note("median-loft-of-other-club", delivered_loft=median, static_loft=club.loft, club=club.name)
 
 
 WEDGES = ("gap-wedge", "sand-wedge", "lob-wedge")
@@ -258,7 +259,7 @@ class MeasuredShots:
     places: NDArray[np.int64]
     source: str
     dropped: tuple[RejectedRow, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
     start: dict[str, NDArray[np.float64]] = field(default_factory=dict)
     loft_origins: tuple[LoftOrigin, ...] = ()
 
@@ -346,7 +347,7 @@ def measured_shots(
         )
     delivery = {name: values[kept] for name, values in delivery.items()}
     origins = recorded.loft_origins
-    of_lofts = _notes_at_launch(start, origins) if start else origin_notes(origins, AT_LAUNCH)
+    of_lofts = _notes_at_launch(start, origins) if start else origin_notes(origins)
     assumed = assumptions(head, delivery | dict.fromkeys(SOLVED[name] for name in start))
     return MeasuredShots(
         club=head,
@@ -377,22 +378,18 @@ def _start(recorded: RecordedShots) -> dict[str, NDArray[np.float64]]:
     return result
 
 
-def _notes_at_launch(start: Mapping[str, Any], origins: Iterable[LoftOrigin]) -> list[str]:
-    met, solved = (" and ".join(each) for each in (start, (SOLVED[name] for name in start)))
-    unused = "; those of the file were computed from the ball, and are not used" if computed(origins) else ""
-    return [f"compared at the measured {met}: {solved} are solved for each shot and model{unused}"]
+def _notes_at_launch(start: Mapping[str, Any], origins: Iterable[LoftOrigin]) -> list[Note]:
+    compared = note("compared-at-launch", met=list(start), solved=[SOLVED[name] for name in start])
+    return [compared, *([note("file-lofts-not-used")] if computed(origins) else [])]
 
 
-def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[str]:
+def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[Note]:
     """Return what was not measured and how it is taken."""
     result = []
     missing = [name for name in OF_CLUB if name not in delivery]
     zero = [name for name in missing if name != "loft"]
     if zero:
-        result.append(f"not measured and taken as zero: {', '.join(zero)}")
+        result.append(note("taken-as-zero", quantities=zero))
     if "loft" in missing:
-        loft = units.show(head.loft, "deg", 3)
-        result.append(
-            f"dynamic loft was not measured; the static loft of {head.name}, {loft}, stands for it in every shot"
-        )
+        result.append(note("static-loft-stands-in", club=head.name, static_loft=head.loft))
     return result

@@ -12,26 +12,30 @@ from typing import Any
 import numpy as np
 
 from clubface.errors import FileError, shortened
+from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind, is_club_name
 from clubface.shots.columns import Columns, Used, columns_of, is_units_row
 from clubface.shots.formats import Format
-from clubface.shots.monitor_cells import FACE_TO_PATH, MIRRORED, PLAIN, WORLD, CellError, reading
 from clubface.shots.plausibility import ColumnUnit, can_be
 from clubface.shots.recorded import RejectedRow, date_among
 from clubface.shots.summary_rows import summary_rows
 from clubface.shots.tables.cells import (
     LARGE,
     NUMBER,
+    PLAIN,
+    CellError,
     all_numbers,
     hand_of,
     is_missing,
     may_be_thousands,
     quoted_cell,
     ragged_reason,
+    reading,
 )
 from clubface.shots.tables.chunk import Reject
 from clubface.shots.tables.headings import POINTS, plain, squeezed
 from clubface.shots.tables.row_source import Row
+from clubface.shots.tables.vocabulary import FACE_TO_PATH, MIRRORED, WORLD
 from clubface.simulation.results import inputs
 from clubface.support.arrays import Floats
 from clubface.units import size, to_si, unit
@@ -127,7 +131,7 @@ class Session:
     counts: dict[str, Counter[str]] = field(default_factory=dict)
     assumed: dict[str, str] = field(default_factory=dict)
     unused: dict[str, None] = field(default_factory=dict)
-    remarks: dict[str, None] = field(default_factory=dict)
+    remarks: dict[Note, None] = field(default_factory=dict)
     unread: dict[str, None] = field(default_factory=dict)
     unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
     points: dict[str, str] = field(default_factory=dict)
@@ -525,8 +529,7 @@ class SessionReader:
                 continue
             if cell.rstrip()[-1:] in ("*", "†"):
                 cell = cell.rstrip().rstrip("*†")
-                name = shortened(column.heading, 40)
-                self.session.remarks.setdefault(f"numbers of {name} with a mark such as *, as of estimates, were read")
+                self.session.remarks.setdefault(note("marks-read", column=shortened(column.heading, 40)))
             try:
                 content = reading(cell, column.quantity, self._decimal_comma, column.side.sign)
             except CellError as error:

@@ -45,9 +45,9 @@ FORMATS: Mapping[str, Format] = Frozen({name: _read(DATA / "monitors" / f"{name}
 
 def _fields() -> dict[str, Field]:
     """Return the columns of all that is measured, and of the properties of club and ball that a delivery may have."""
-    names, dimensions = shot_words()
+    dimensions = shot_words().dimensions
     headings = {name: quantity for name, (quantity, _) in common_names().items()}
-    headings |= {plain(name.replace("_", " ")): name for name in names if name == names[name] and name != HAND}
+    headings |= {plain(name): name for name in dimensions if name != HAND}
     return {
         quantity: Field(
             *(name for name, each in headings.items() if each == quantity),

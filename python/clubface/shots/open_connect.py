@@ -15,6 +15,7 @@ from contextlib import suppress
 from typing import Any, NamedTuple, Self
 
 from clubface.errors import InputError, LinkError
+from clubface.results.notes import Note
 from clubface.shots.open_connect_messages import (
     FAILED,
     OK,
@@ -66,7 +67,7 @@ class _Client:
         self.stream = ObjectStream()
         self.heard = self.spoke = time.monotonic()
         self.has_spoken = False
-        self.reported: set[tuple[str, float] | str] = set()
+        self.reported: set[tuple[str, float] | Note] = set()
         """Values that were not taken, each reported once: a monitor without spin sends its zero with every shot."""
 
     def is_idle(self, now: float) -> bool:
@@ -216,10 +217,9 @@ class Listener:
             if new:
                 values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
                 self._report(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
-            for note in message.notes:
-                if note not in client.reported:
-                    client.reported.add(note)
-                    self._report(f"shot {message.shot_number}: {note}")
+            for remark in (each for each in message.notes if each not in client.reported):
+                client.reported.add(remark)
+                self._report(f"shot {message.shot_number}: {remark}")
             if message.kind == "shot":
                 try:
                     self._keep(message)

@@ -23,7 +23,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from clubface.errors import AssumptionWarning, ClubfaceError, InputError, shortened
-from clubface.shots.plausibility import describe_impossible, impossible, note_of, within_turn
+from clubface.results.notes import Note, note
+from clubface.shots.plausibility import impossible, impossible_note, within_turn
 from clubface.simulation.launch import Launch
 from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, complete, parts
 from clubface.support.checks import check_choice, warn_once
@@ -112,7 +113,7 @@ class Message:
     delivery: Mapping[str, float] = field(default_factory=dict)
     launch: Mapping[str, float] = field(default_factory=dict)
     impossible: Mapping[str, float] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     is_ready: bool | None = None
     sees_ball: bool | None = None
 
@@ -141,7 +142,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
     version = str(data.get("APIversion", VERSION)).strip()
     if version.partition(".")[0] != VERSION:
         raise MessageError(f"APIversion is {version[:20]!r}; it must be {VERSION!r}")
-    notes: list[str] = []
+    notes: list[Note] = []
     launch: dict[str, float] = {}
     delivery: dict[str, float] = {}
     wrong: dict[str, float] = {}
@@ -157,7 +158,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
         if flags["ContainsBallData"] and (ball is not None or not delivery):
             launch = _launch(_object(data, "BallData"), _carry_unit(data, notes), notes)
         if not launch and not delivery:
-            raise MessageError("; ".join(["ClubData holds nothing but zeros", *notes]))
+            raise MessageError("; ".join(["ClubData holds nothing but zeros", *map(str, notes)]))
         wrong = impossible(delivery | launch)
         launch, delivery = (
             {name: value for name, value in each.items() if name not in wrong} for each in (launch, delivery)
@@ -191,16 +192,16 @@ def _options(data: Mapping[str, Any]) -> Mapping[str, Any]:
     return _object(data, "ShotDataOptions")
 
 
-def _part(data: Mapping[str, Any], name: str, notes: list[str]) -> Mapping[str, Any] | None:
+def _part(data: Mapping[str, Any], name: str, notes: list[Note]) -> Mapping[str, Any] | None:
     """Return the data of ball or club; None, with a note, where the message says it holds them and does not."""
     result = data.get(name)
     if result is None:
-        notes.append(f"{name} is missing")
+        notes.append(note("message-part-missing", part=name))
         return None
     return _object(data, name)
 
 
-def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[str]) -> dict[str, float]:
+def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[Note]) -> dict[str, float]:
     needed = ("Speed", "HLA", "VLA")
     given = {name: _number(ball, name, "BallData.", LARGEST_VALUE) for name in needed}
     if not given["Speed"] > 0.0:
@@ -217,19 +218,19 @@ def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[str]) -
     return _si(given, BALL | {"CarryDistance": ("carry", carry_unit or "yd")})
 
 
-def _whole(launch: Mapping[str, float], notes: list[str]) -> dict[str, float]:
+def _whole(launch: Mapping[str, float], notes: list[Note]) -> dict[str, float]:
     """Return a launch with all that follows of its spin, and directions within half a turn."""
     spins = complete({name: np.array([launch[name]]) for name in SPINS if name in launch})
-    notes += [*(str(each) for each in spins.contradictions), *spins.notes]
+    notes += [*(each.note for each in spins.contradictions), *spins.notes]
     known = {name: float(values[0]) for name, values in spins.values.items() if values[0] == values[0]}
     rest = {name: float(within_turn(name, value)) for name, value in launch.items() if name not in SPINS}
     return rest | known
 
 
-def _delivery(club: Mapping[str, Any], notes: list[str]) -> dict[str, float]:
+def _delivery(club: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
     given = _numbers(club, CLUB, "ClubData.", notes)
     if given.get("Speed", 0.0) < 0.0:
-        notes.append(f"ClubData.Speed is {given.pop('Speed'):g}, which is below 0: taken as not measured")
+        notes.append(note("message-speed-negative", value=given.pop("Speed")))
     if not any(given.values()):
         return {}
     result = {name: value for name, value in _si(given, CLUB).items() if value or name not in NEVER_ZERO}
@@ -238,7 +239,7 @@ def _delivery(club: Mapping[str, Any], notes: list[str]) -> dict[str, float]:
     return result
 
 
-def _numbers(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[str]) -> dict[str, float]:
+def _numbers(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note]) -> dict[str, float]:
     """Return the fields that hold a number; a note says which hold something else. Null is not measured."""
     result = {}
     for name in names:
@@ -247,8 +248,7 @@ def _numbers(data: Mapping[str, Any], names: Iterable[str], where: str, notes: l
         try:
             result[name] = _number(data, name, where, LARGEST_VALUE)
         except MessageError:
-            text = shortened(repr(data[name]), 40)
-            notes.append(f"{where}{name} is {text}, which is no number: taken as not measured")
+            notes.append(note("message-field-no-number", field=f"{where}{name}", value=shortened(repr(data[name]), 40)))
     return result
 
 
@@ -286,13 +286,12 @@ def _number(data: Mapping[str, Any], name: str, where: str, largest: float = LAR
     return number
 
 
-def _carry_unit(data: Mapping[str, Any], notes: list[str]) -> str | None:
+def _carry_unit(data: Mapping[str, Any], notes: list[Note]) -> str | None:
     """Return the unit of the carry; None, with a note, where the message names one that the protocol does not have."""
     units = data.get("Units")
     result = CARRY_UNITS.get(str("yards" if units is None else units).strip().lower())
     if result is None:
-        text = shortened(repr(units), 40)
-        notes.append(f"Units is {text} and must be Yards or Meters: the carry is taken as not measured")
+        notes.append(note("message-units", value=shortened(repr(units), 40)))
     return result
 
 
@@ -313,8 +312,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None) -> Recorde
     for each in shots:
         for name, value in each.impossible.items():
             wrong.setdefault(name, []).append(value)
-    notes = Counter(note for each in shots for note in each.notes)
-    counts = [describe_impossible(name, len(values), len(shots), values[0]) for name, values in wrong.items()]
+    notes = Counter(remark for each in shots for remark in each.notes)
     return RecordedShots(
         deliveries=columns([each.delivery for each in shots]),
         launches=columns([each.launch for each in shots]),
@@ -323,9 +321,9 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None) -> Recorde
         source="Open Connect",
         format="open-connect",
         notes=(
-            *([note_of(counts)] if counts else []),
-            *(f"{note} (in {count} of {len(shots)} shots)" for note, count in notes.most_common(LISTED)),
-            *([f"and {len(notes) - LISTED} more such notes"] if len(notes) > LISTED else []),
+            *(impossible_note(name, len(values), len(shots), values[0]) for name, values in wrong.items()),
+            *(each.of(in_shots=count, of_shots=len(shots)) for each, count in notes.most_common(LISTED)),
+            *([note("messages-more", more=len(notes) - LISTED)] if len(notes) > LISTED else []),
         ),
     )
 

@@ -12,13 +12,14 @@ unit would make them those of golf, the column is refused, and the unit is named
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface.quantities import display_unit
+from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind
 from clubface.shots.tables.headings import shot_words
 from clubface.simulation.spin import wrapped
@@ -26,8 +27,8 @@ from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
 
 __all__ = [
-    "RANGES", "ColumnUnit", "can_be", "describe_impossible", "impossible", "note_of", "shown", "within_turn",
-    "without_contradictions", "without_impossible", "wrong_unit",
+    "RANGES", "ColumnUnit", "can_be", "impossible", "impossible_note", "shown", "within_turn", "without_contradictions",
+    "without_impossible", "wrong_unit",
 ]  # fmt: skip
 
 _SPEED = to_si(200.0, "mph")
@@ -46,9 +47,6 @@ _FAR = to_si(600.0, "yd")
 _RIGHT_ANGLE, _TURN = math.pi / 2, math.pi
 _SOME = 1e-6
 """More than nothing [SI]: a club that hits moves, the ball moves then, and no ball leaves without any spin at all."""
-
-NAMED = 3
-"""Shots that a note names."""
 
 RANGES: Mapping[str, tuple[float, float]] = {
     "speed": (_SOME, _SPEED),
@@ -106,12 +104,12 @@ class Cleaned(NamedTuple):
     emptied
         Which rows lost all that they had.
     notes
-        What was taken out, with counts and an example.
+        What was taken out of each column, with counts and an example.
     """
 
     columns: dict[str, Floats]
     emptied: NDArray[np.bool_]
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
 
 
 def impossible(values: Mapping[str, float]) -> dict[str, float]:
@@ -130,14 +128,9 @@ def shown(name: str, value: float, unit: str | None = None) -> str:
     return show(value, "mph" if unit == "m/s" else unit, 11)
 
 
-def describe_impossible(name: str, wrong: int, shots: int, example: float) -> str:
-    """Return how many shots have a value of a quantity that cannot be, and one such value [SI], in words."""
-    return f"{name} in {wrong} of {shots} shots, such as {shown(name, example)}"
-
-
-def note_of(every: Iterable[str]) -> str:
-    """Return the note on values that cannot be, from what :func:`describe_impossible` says of each quantity."""
-    return f"values that no shot can have were taken as not measured: {'; '.join(every)}"
+def impossible_note(name: str, wrong: int, shots: int, example: float) -> Note:
+    """Return the note on a quantity that has values that cannot be in some shots, such as ``example`` [SI]."""
+    return note("impossible-values", example={name: example}, wrong=wrong, shots=shots)
 
 
 def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
@@ -151,16 +144,14 @@ def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
     for name, values in columns.items():
         kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
         if wrong[name].any():
-            removed.append(
-                describe_impossible(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0]))
-            )
+            removed.append(impossible_note(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
     had, has = (np.any([~np.isnan(each) for each in column.values()], axis=0) for column in (columns, kept))
-    return Cleaned(kept, had & ~has, (note_of(removed),) if removed else ())
+    return Cleaned(kept, had & ~has, tuple(removed))
 
 
 def without_contradictions(
     columns: Mapping[str, Floats], clubs: Any, lines: Sequence[int]
-) -> tuple[dict[str, Floats], str | None]:
+) -> tuple[dict[str, Floats], Note | None]:
     """Return columns of shots [SI] without speeds that no club makes of each other, and a note on them.
 
     Where the ball is faster than the club can send it, either speed may be wrong, so that neither is taken as measured,
@@ -184,16 +175,9 @@ def without_contradictions(
         if name in kept:
             kept[name] = kept[name].copy()
             kept[name][wrong] = math.nan
-    pairs = [f"line {lines[each]}: {_mph(float(ball[each]))} from {_mph(float(speed[each]))}" for each in wrong[:NAMED]]
-    one = wrong.size == 1
-    return kept, (
-        f"the ball is faster than the club can send it in {wrong.size} of {speed.size} shots ({'; '.join(pairs)}"
-        f"{', ...' * (wrong.size > NAMED)}): both speeds of {'it' if one else 'them'} count as not measured"
-    )
-
-
-def _mph(value: float) -> str:
-    return show(value, "mph", 4)
+    example = {"ball_speed": float(ball[wrong[0]]), "speed": float(speed[wrong[0]])}
+    at = [lines[each] for each in wrong.tolist()]
+    return kept, note("faster-than-club", wrong=int(wrong.size), shots=int(speed.size), lines=at, example=example)
 
 
 FEWEST = 3

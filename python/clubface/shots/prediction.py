@@ -334,7 +334,7 @@ class PredictReport(Described):
     used: Mapping[str, tuple[str, str]]
     passed: tuple[str, ...]
     added: tuple[str, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     first_rejects: tuple[tuple[int, str], ...] = ()
     resumed: int = 0
     provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
@@ -378,7 +378,7 @@ class PredictReport(Described):
                       text("reason", [reason for _, reason in self.first_rejects]),
                       title=f"{self.rejected} rejected{f'; the first {SHOWN}' if self.rejected > SHOWN else ''}"),
             ),
-            notes=tuple(free_text(self.notes)),
+            notes=self.notes,
             provenance=Provenance(
                 inputs={"deliveries": self.source},
                 computations=(Computation(made["club"]["name"], made["ball"]["name"], made["model"]["name"],
@@ -529,7 +529,7 @@ def predict(
         },
         passed=columns.passed,
         added=task.headings,
-        notes=(*opened.notes(), *([remark] if (remark := outcome.tally.remark()) else [])),
+        notes=(*opened.notes(), *free_text([remark] if (remark := outcome.tally.remark()) else [])),
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,

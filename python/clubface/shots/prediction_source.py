@@ -17,6 +17,7 @@ import numpy as np
 
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
+from clubface.results.notes import Note
 from clubface.shots.measured import ReadyShots, assumptions, ready_shots
 from clubface.shots.monitors import TABLE
 from clubface.shots.reading import is_plain_table, read
@@ -80,7 +81,7 @@ class Source:
     content: str = ""
     types: Callable[[], Sequence[Any]]
     chunks: Callable[[int, int], Iterator[Chunk]]
-    notes: Callable[[], tuple[str, ...]]
+    notes: Callable[[], tuple[Note, ...]]
     progress: Callable[[], float]
     blank: Callable[[], int] = field(default=lambda: 0)
     close: Callable[[], None] = field(default=lambda: None)

@@ -14,9 +14,9 @@ import numpy as np
 
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError, shortened
+from clubface.results.notes import Note, note
 from clubface.shots.columns import is_units_row
 from clubface.shots.formats import (
-    POINTS,
     Format,
     Mapped,
     mapping_of,
@@ -24,15 +24,14 @@ from clubface.shots.formats import (
     without_any_sentinels,
     without_sentinels,
 )
-from clubface.shots.monitor_cells import heading
 from clubface.shots.monitor_file import Session, SessionReader
 from clubface.shots.monitors import FORMATS, TABLE
 from clubface.shots.plausibility import without_contradictions, without_impossible, wrong_unit
-from clubface.shots.recorded import SIDES, RecordedShots, RejectedRow, iso_dates, join_sessions
+from clubface.shots.recorded import MEASURED_AT, SIDES, RecordedShots, RejectedRow, iso_dates, join_sessions
 from clubface.shots.signs import suspected_signs
 from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell
 from clubface.shots.tables.chunk import Reject
-from clubface.shots.tables.headings import check_units, listed
+from clubface.shots.tables.headings import check_units, heading, listed
 from clubface.shots.tables.parquet import ENDINGS as PARQUET, ParquetReader
 from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, RowSource, open_rows
 from clubface.simulation.results import inputs
@@ -247,8 +246,7 @@ def _read(
         rows.close()
     shots = _shots(session, str(path), layout, rows.notes)
     if format is not None and (other := others(layout, head)):
-        note = f"read as {format}, as asked, though the columns are those of {' and '.join(other)}"
-        shots = replace(shots, notes=(note, *shots.notes))
+        shots = replace(shots, notes=(note("read-as-asked", format=format, formats=other), *shots.notes))
     return shots
 
 
@@ -343,7 +341,7 @@ def _no_header(path: str, rows: Sequence[Row | Reject]) -> FileError:
     return FileError(path, reject.line, reject.reason) if reject else FileError(path, 1, "the file is empty")
 
 
-def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] = ()) -> RecordedShots:
+def _shots(session: Session, path: str, layout: Format, of_file: Sequence[Note] = ()) -> RecordedShots:
     """Return the shots of a session, without values that no shot can have."""
     tables = session.tables
     rejected = tuple(sorted(session.rejected, key=lambda each: each.line or 0))
@@ -366,7 +364,12 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[str] =
     dates, date_note = iso_dates(written)
     agreeing, contradiction = without_contradictions(columns, clubs, lines)
     cleaned = without_impossible(agreeing)
-    notes = [*_notes(session, layout, set(columns), of_file), *filter(None, (sentinels, turned)), *cleaned.notes]
+    notes = [
+        *_notes(session, layout, set(columns), len(lines), of_file),
+        *sentinels,
+        *filter(None, (turned,)),
+        *cleaned.notes,
+    ]
     every = RecordedShots(
         deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
         launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
@@ -410,35 +413,30 @@ def _hands(hands: Any) -> Any:
     return None if np.isnan(hands).any() else np.array([SIDES[each] for each in hands], dtype=object)
 
 
-def _notes(session: Session, layout: Format, measured: set[str], of_file: Sequence[str]) -> Iterator[str]:
-    yield from (text for name, text in layout.notes.items() if name in measured)
-    if measured & {"speed", "attack", "path"} and layout is not TABLE:
-        yield f"club speed, attack angle and path were taken at {POINTS[layout.speed_at]}"
-    if measured & {"loft", "face"} and layout is not TABLE:
-        yield f"dynamic loft and face angle were taken at {POINTS[layout.face_at]}"
+def _notes(session: Session, layout: Format, measured: set[str], shots: int, of_file: Sequence[Note]) -> Iterator[Note]:
+    yield from (note(f"monitor-{remark}") for name, remark in layout.notes.items() if name in measured)
+    if layout is not TABLE:
+        for point, (what, quantities) in MEASURED_AT.items():
+            if measured & quantities:
+                yield note(f"measured-{what}-at-{getattr(layout, point)}")
     if session.guessed_hand:
-        yield "the file does not say the hand: taken as right-handed; give the hand, left, if the player is not"
+        yield note("hand-assumed")
     if session.assumed:
-        units = ", ".join(f"{name} in {symbol}" for name, symbol in session.assumed.items())
-        yield f"the file does not name these units, which were assumed: {units}"
+        yield note("units-assumed", columns={shortened(name, 40): each for name, each in session.assumed.items()})
     if session.unused:
-        unused = ", ".join(shortened(each, 40) for each in islice(session.unused, COUNTED))
-        yield f"not used, since what is in brackets is no unit: {unused}"
+        yield note("brackets-without-unit", columns=[shortened(each, 40) for each in session.unused])
     yield from session.remarks
     if session.unread:
-        unread = ", ".join(shortened(each, 40) for each in islice(session.unread, COUNTED))
-        more = f" and {len(session.unread) - COUNTED} more" if len(session.unread) > COUNTED else ""
-        yield f"columns of numbers that are not read, since they are none of the known quantities: {unread}{more}"
+        yield note("columns-not-read", columns=[shortened(each, 40) for each in session.unread])
     for name, counts in session.counts.items():
-        shown = [f"{count} {shortened(value, 40)}" for value, count in islice(counts.items(), COUNTED)]
-        yield f"{shortened(name, 40)}: {', '.join(shown)}" + ", ..." * (len(counts) > COUNTED)
+        some = {shortened(value, 40): count for value, count in islice(counts.items(), COUNTED)}
+        yield note("column-values", column=shortened(name, 40), counts=some)
     for name, (count, cell) in session.unreadable.items():
-        cells = "1 cell holds" if count == 1 else f"{count} cells hold"
-        yield f"{shortened(name, 40)}: {cells} no number, such as {quoted_cell(cell)}, and count as not measured"
+        yield note("cells-without-number", column=shortened(name, 40), cells=count, example=quoted_cell(cell))
     if session.doubtful_number:
         yield doubt(session.doubtful_number)
     if session.summaries:
-        yield f"rows of averages and deviations, which are no shots and were left out: {session.summaries}"
+        yield note("summary-rows", rows=session.summaries)
     if session.without_club:
-        yield f"shots without club data, for which the file holds no club speed that can be: {session.without_club}"
+        yield note("without-club-data", without=session.without_club, shots=shots)
     yield from of_file

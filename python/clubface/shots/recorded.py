@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
+from clubface.results.notes import Note, free_text, note
 from clubface.shots.plausibility import can_be
 from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, heading_of, shot_words
 from clubface.shots.tables.parquet import ENDINGS as PARQUET
@@ -101,7 +102,7 @@ class RecordedShots:
     rejected
         The rows that gave no shot.
     notes
-        Remarks on the shots.
+        Remarks on the shots; texts may be given too.
     speed_at
         Where speed, attack angle and path were taken: "cg", as models want it, "face" (its centre) or "unknown".
     face_at
@@ -122,7 +123,7 @@ class RecordedShots:
     source: str
     format: str
     rejected: tuple[RejectedRow, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     speed_at: str = POINTS["speed_at"][0]
     face_at: str = POINTS["face_at"][0]
     derived: dict[str, Floats] = field(default_factory=dict)
@@ -143,7 +144,8 @@ class RecordedShots:
             for name, values in spins.values.items()
         }
         spin_notes = notes_of(spins, checked["rows"].tolist(), self.row_word)
-        checked["notes"] = tuple(dict.fromkeys((*spin_notes, *self.notes)))
+        given = (free_text([each])[0] if isinstance(each, str) else each for each in self.notes)
+        checked["notes"] = tuple(dict.fromkeys((*spin_notes, *given)))
         for name in TEXTS:
             given = getattr(self, name)
             if given is not None:
@@ -174,7 +176,7 @@ class RecordedShots:
             lines.append(f"  {len(self.rejected)} row{'s' * (len(self.rejected) != 1)} rejected")
         return "\n".join(lines)
 
-    def with_notes(self, *notes: str) -> Self:
+    def with_notes(self, *notes: Note) -> Self:
         """Return the same shots with further notes, whose arrays are neither checked nor completed again."""
         noted = copy(self)
         object.__setattr__(noted, "notes", tuple(dict.fromkeys((*self.notes, *notes))))
@@ -240,8 +242,9 @@ class RecordedShots:
         columns: dict[str, Any] = {"row": self.rows}
         columns |= {heading: texts for name, heading in TEXTS.items() if (texts := getattr(self, name)) is not None}
         frame = pandas.DataFrame(columns | self.deliveries | self.launches)
-        kept = {name: getattr(self, name) for name in ("source", "format", "notes", "speed_at", "face_at")}
-        frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept}
+        kept = {name: getattr(self, name) for name in ("source", "format", "speed_at", "face_at")}
+        frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept,
+                       "notes": [str(each) for each in self.notes]}  # fmt: skip
         return frame
 
     def headings(self) -> dict[str, tuple[str, str]]:
@@ -296,11 +299,8 @@ def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
 
 FEWEST_SAME = 3
 """Values that two shots of different files must share to be the same shot."""
-_MEASURED_AT = {
-    "speed_at": ("club speed, attack angle and path", {"speed", "attack", "path"}),
-    "face_at": ("dynamic loft and face angle", {"loft", "face"}),
-}
-"""What is taken at each place, in words and by quantity."""
+MEASURED_AT = {"speed_at": ("motion", {"speed", "attack", "path"}), "face_at": ("face-angles", {"loft", "face"})}
+"""What is taken at each place, as the codes of notes call it and by quantity."""
 NAMED = 3
 """Files that the name of their shots lists."""
 
@@ -320,19 +320,20 @@ def join_sessions(sessions: Sequence[RecordedShots]) -> RecordedShots:
     ]
     kept = _first_of_each(sessions)
     notes = [
-        f"{name}: {np.sum(~mask)} of {mask.size} shots are in an earlier file too, and were left out"
+        note("shots-in-earlier-file", left=int(np.sum(~mask)), shots=int(mask.size)).of(in_files=[name])
         for name, mask in zip(names, kept, strict=True)
         if not mask.all()
     ]
-    for note in dict.fromkeys(note for each in sessions for note in each.notes):
-        holders = [name for name, each in zip(names, sessions, strict=True) if note in each.notes]
-        notes.append(note if len(holders) == len(sessions) else f"{', '.join(holders)}: {note}")
+    for remark in dict.fromkeys(remark for each in sessions for remark in each.notes):
+        holders = [name for name, each in zip(names, sessions, strict=True) if remark in each.notes]
+        is_of_all = len(holders) == len(sessions) or "in_files" in remark.data
+        notes.append(remark if is_of_all else remark.of(in_files=holders))
     points = {}
-    for point, (what, quantities) in _MEASURED_AT.items():
+    for point, (what, quantities) in MEASURED_AT.items():
         where = list(dict.fromkeys(getattr(each, point) for each in sessions if quantities & each.deliveries.keys()))
         points[point] = where[0] if len(where) == 1 else getattr(sessions[0], point) if not where else "unknown"
         if len(where) > 1:
-            notes.append(f"the files take {what} at different places ({', '.join(where)}), so that they do not compare")
+            notes.append(note(f"measured-{what}-at-different-places", places=where))
     parts = [each.select(mask) for each, mask in zip(sessions, kept, strict=True) if mask.any()]
     columns = {
         kind: _columns([getattr(each, kind) for each in parts], parts) for kind in ("deliveries", "launches", "derived")
@@ -438,11 +439,9 @@ def assume_values(shots: Shots, assume: Mapping[str, Any]) -> Shots:
         deliveries[name] = np.where(lacking, value, measured)
         shown = stated if _has_unit(stated) else units.show(value, units.SI_UNITS[DIMENSIONS[name]])
         if count := int(lacking.sum()):
-            notes.append(
-                f"{name} was not measured in {count} of {len(shots)} shots, which take {shown} for it, as stated"
-            )
+            notes.append(note("value-stated", quantity=name, lacking=count, shots=len(shots), stated=shown))
         else:
-            notes.append(f"{name} was measured in every shot: the {shown} stated for it is not used")
+            notes.append(note("value-stated-not-used", quantity=name, stated=shown))
     return replace(shots, deliveries=deliveries, notes=(*shots.notes, *notes))
 
 
@@ -461,7 +460,7 @@ _NAMED = re.compile(
 _COMPACT = re.compile(r"(20\d{2})(\d{2})(\d{2})(?:[T_-]?(\d{2})(\d{2})(\d{2})?)?")
 
 
-def iso_dates(texts: Sequence[str]) -> tuple[list[str], str | None]:
+def iso_dates(texts: Sequence[str]) -> tuple[list[str], Note | None]:
     """Return dates, with time where there is one, as ISO text, and a note where their order is not certain.
 
     A text that is no date stays as it is. Whether day or month comes first is decided by the dates of all texts; where
@@ -470,11 +469,11 @@ def iso_dates(texts: Sequence[str]) -> tuple[list[str], str | None]:
     different = dict.fromkeys(texts)
     day_first, is_certain = _order(different)
     known = {text: _iso(text, day_first) or text for text in different}
-    note = None
+    remark = None
     if not is_certain:
         text = next(each for each in different if _YEAR_LAST.search(each))
-        note = f"the date {text!r} was read as {known[text][:10]}, with the {'day' if day_first else 'month'} first"
-    return [known[each] for each in texts], note
+        remark = note("date-read", date=text, day=known[text][:10], first="day" if day_first else "month")
+    return [known[each] for each in texts], remark
 
 
 def date_among(cells: Iterable[str]) -> str | None:

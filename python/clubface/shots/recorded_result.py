@@ -7,11 +7,10 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from clubface.quantities import quantity
-from clubface.results.notes import free_text
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, table, text
-from clubface.shots.loft_origin import AT_LAUNCH, loft_origins, origin_notes
+from clubface.shots.loft_origin import loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, RejectedRow
 
 __all__ = ["rejected_table", "session_table", "shots_result"]
@@ -39,7 +38,7 @@ def shots_result(shots: RecordedShots) -> Result:
                     (("ratio", "1"), ("ratio_scatter", "1"), ("scatter", "rad"), ("rounding", "rad"))), printed=False),
             rejected_table(shots.rejected, shots.row_word),
         ),
-        notes=tuple(free_text([*origin_notes(origins, AT_LAUNCH), *shots.notes])),
+        notes=(*origin_notes(origins), *shots.notes),
         provenance=Provenance(inputs={"file": shots.source, "read as": shots.format}),
     )  # fmt: skip
 

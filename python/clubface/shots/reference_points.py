@@ -9,7 +9,7 @@ TrackMan's article "Club Data Definitions" says where TrackMan and cameras do.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import UnknownNameError
+from clubface.results.notes import Note, note
 from clubface.shots.formats import CG, CONTACT, FACE, UNKNOWN
 from clubface.shots.recorded import RecordedShots
 from clubface.support.arrays import Floats
@@ -53,7 +54,7 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
         some were. What was unknown before stays as measured.
     """
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
-    notes = list(shots.notes)
+    notes: list[Note] = []
     at_face, at_cg = (np.zeros(len(shots), dtype=bool) for _ in range(2))
     for head, rows in _groups(shots, club):
         hand = _hands(shots, head)[rows]
@@ -63,17 +64,15 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
             _put(deliveries, rows, referred)
             some |= referred
             at_face[rows] = known = _known(some, "toe", "high")
-            notes.append(
-                _note("dynamic loft and face angle referred to the face centre", head, known, "point of contact")
-            )
+            notes += _notes("contact-face", head, known)
         if shots.speed_at == FACE and _measured(some, "speed"):
             _put(deliveries, rows, _at_cg(some, head, hand))
             at_cg[rows] = known = _known(some, "closure")
-            notes.append(_note("the club's motion referred to its centre of gravity", head, known, "closure rate"))
+            notes += _notes("motion", head, known)
     return replace(
         shots,
         deliveries=deliveries,
-        notes=tuple(notes),
+        notes=(*shots.notes, *notes),
         speed_at=_point(shots.speed_at, CG, at_cg),
         face_at=_point(shots.face_at, FACE, at_face),
     )
@@ -122,10 +121,10 @@ def _known(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
     return ~np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
 
 
-def _note(what: str, head: Club, known: NDArray[np.bool_], needed: str) -> str:
-    lacking = int((~known).sum())
-    more = f"; {lacking} of {known.size} shots lack the {needed} and stay as measured" if lacking else ""
-    return f"{what} of {head.name}{more}"
+def _notes(what: str, head: Club, known: NDArray[np.bool_]) -> Iterator[Note]:
+    yield note(f"referred-{what}", club=head.name, referred=int(known.sum()), shots=known.size)
+    if not known.all():
+        yield note(f"not-referred-{what}", lacking=int((~known).sum()), shots=known.size)
 
 
 def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError, Wording
 from clubface.quantities import quantity
-from clubface.results.notes import Note, free_text, note
+from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
@@ -142,7 +142,7 @@ def session_result(shots: RecordedShots) -> Result:
             session_table(shots),
             rejected_table(shots.rejected, shots.row_word),
         ),
-        notes=(*free_text(shots.notes), *_remarks(clubs)),
+        notes=(*shots.notes, *_remarks(clubs)),
         provenance=Provenance(inputs={"file": shots.source, "read as": shots.format}),
         draw=lambda: [session_picture(shots, clubs)],
     )

@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.equipment.described import HANDS
+from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind
 from clubface.shots.recorded import RecordedShots
-from clubface.units import show, to_si
+from clubface.units import to_si
 
 __all__ = ["FEWEST", "suspected_signs"]
 
@@ -61,18 +62,17 @@ RULES = (
 between club path and face, and a hit towards the toe makes the ball curve towards the heel's side (gear effect)."""
 
 
-def suspected_signs(shots: RecordedShots) -> tuple[str, ...]:
+def suspected_signs(shots: RecordedShots) -> tuple[Note, ...]:
     """Return a note for each column whose sign disagrees with the others."""
     clubs = np.array([club_kind(str(each)) or str(each) for each in shots.clubs]) if shots.clubs is not None else None
     suspects: dict[str, list[str]] = {}
     for rule in RULES:
         for name, other in _disagreeing(shots, clubs, rule).items():
             suspects.setdefault(name, []).extend(other)
-    notes = []
-    for name, others in suspects.items():
-        turned = "it" if len(others) > 1 else "one of them"
-        message = f"the sign of {name} disagrees with {' and '.join(others)} from shot to shot"
-        notes.append(f"{message}: is {turned} turned in this file?")
+    notes = [
+        note("sign-turned" if len(others) > 1 else "sign-one-turned", quantity=name, others=others)
+        for name, others in suspects.items()
+    ]
     if "attack" not in suspects:
         notes += _upward_irons(shots, clubs)
     return tuple(notes)
@@ -130,7 +130,7 @@ def _for_a_right_hander(shots: RecordedShots, name: str) -> NDArray[np.float64] 
     return values * np.array([float(HANDS[each]) for each in shots.hand])
 
 
-def _upward_irons(shots: RecordedShots, clubs: NDArray[np.str_] | None) -> list[str]:
+def _upward_irons(shots: RecordedShots, clubs: NDArray[np.str_] | None) -> list[Note]:
     """Return a note if irons and wedges are said to be hit upwards."""
     if clubs is None or "attack" not in shots.deliveries:
         return []
@@ -138,8 +138,4 @@ def _upward_irons(shots: RecordedShots, clubs: NDArray[np.str_] | None) -> list[
     attack = attack[np.isfinite(attack)]
     if attack.size < FEWEST_IRONS or np.median(attack) <= UPWARDS:
         return []
-    median = show(float(np.median(attack)), "deg", 3)
-    return [
-        f"the median attack angle of irons and wedges is {median} upwards, where players hit them down: is the sign of "
-        "attack turned in this file?"
-    ]
+    return [note("irons-hit-upwards", attack=float(np.median(attack)))]

@@ -11,7 +11,7 @@ topped ball out. What does not follow stays unknown; nothing is taken as zero he
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from clubface.equipment.balls import Ball
 from clubface.errors import InputError, Wording
+from clubface.results.notes import Note, entry_text, note
 from clubface.support.arrays import Floats
 from clubface.units import show, size
 
@@ -38,12 +39,7 @@ CLEARLY = 0.5
 """By which part of their rounding three spins must agree better than three others to decide about the fourth."""
 VECTOR = "total_spin^2 = backspin^2 + sidespin^2 and spin_axis = atan2(sidespin, backspin)"
 LISTED = 3
-"""Contradictions that a note lists."""
-ONE_SIDED = "where only total spin and sidespin are known, backspin is that of a ball that was not topped"
-NO_DIRECTION = (
-    "where total spin was measured without its axis, alone or with backspin, it does not say to which side the ball"
-    " curves: sidespin and spin axis stay unknown there"
-)
+"""Contradictions that have a note each."""
 
 
 class Contradiction(NamedTuple):
@@ -64,13 +60,11 @@ class Contradiction(NamedTuple):
     kept: tuple[str, ...]
 
     @property
-    def spins(self) -> str:
-        """What was given, in words."""
-        return _listed([f"{_name(name)} {show(value, UNITS[name], 7)}" for name, value in self.given.items()])
-
-    def __str__(self) -> str:
-        kept = _listed([_name(name) for name in self.kept])
-        return f"{self.spins} contradict each other; {f'kept: {kept}' if kept else 'none of them is kept'}"
+    def note(self) -> Note:
+        """What contradicts each other, and what is kept of it."""
+        if not self.kept:
+            return note("spins-contradict-none-kept", spins=dict(self.given))
+        return note("spins-contradict", spins=dict(self.given), kept=[name.replace("_", " ") for name in self.kept])
 
 
 class Spins(NamedTuple):
@@ -88,7 +82,7 @@ class Spins(NamedTuple):
 
     values: dict[str, Floats]
     contradictions: tuple[Contradiction, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
 
 
 def wrapped(angle: Any) -> Any:
@@ -118,7 +112,8 @@ def complete(given: Mapping[str, Any]) -> Spins:
     contradictions = _settle(completed)
     lifting = _follow(completed)
     alone = ~np.isnan(completed[TOTAL]) & np.isnan(completed[AXIS])
-    notes = [text for text, where in ((ONE_SIDED, lifting), (NO_DIRECTION, alone)) if where.any()]
+    notes = [*([note("spin-not-topped")] if lifting.any() else []),
+             *([note("spin-direction-unknown")] if alone.any() else [])]  # fmt: skip
     kept = {name: values for name, values in completed.items() if name in given or not np.isnan(values).all()}
     return Spins(kept, contradictions, tuple(notes))
 
@@ -127,10 +122,9 @@ def agreeing(given: Mapping[str, Any]) -> Spins:
     """Return spins completed as by :func:`complete`, but refuse those that contradict each other."""
     spins = complete(given)
     for first in spins.contradictions:
+        words = " and ".join(map(entry_text, first.given, first.given.values()))
         at = f"shot {first.place}: " if len(given[next(iter(first.given))]) > 1 else ""
-        raise InputError(
-            "spin", Wording(f"{at}{first.spins}"), f"one vector, with {VECTOR}; give two of them that agree"
-        )
+        raise InputError("spin", Wording(f"{at}{words}"), f"one vector, with {VECTOR}; give two of them that agree")
     return spins
 
 
@@ -155,7 +149,7 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
     flat = {name: np.broadcast_to(each, shape).ravel() for name, each in whole.items()}
     spins = agreeing(flat)
     completed = {name: values.reshape(shape) if shape else float(values[0]) for name, values in spins.values.items()}
-    assumed = "; ".join(note for note in spins.notes if note == ONE_SIDED)
+    assumed = "; ".join(each.sentence for each in spins.notes if each.code == "spin-not-topped")
     if BACK in completed and SIDE in completed:
         return completed[BACK], completed[SIDE], assumed
     if AXIS in names:
@@ -170,21 +164,14 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
     return 0.0, 0.0, "the spin is not known and taken as 0: the ball has no lift"
 
 
-def notes_of(spins: Spins, places: Iterable[Any], what: str = "line") -> tuple[str, ...]:
-    """Return the notes on the spins of shots; ``places`` say where each shot stands."""
-    at = list(places)
-    listed = "; ".join(f"{what} {at[each.place]}: {each}" for each in spins.contradictions[:LISTED])
-    more = len(spins.contradictions) - LISTED
-    contradictions = [f"{listed}; and {more} more such shots" if more > 0 else listed] if listed else []
-    return (*contradictions, *spins.notes)
-
-
-def _listed(parts: Sequence[str]) -> str:
-    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
-
-
-def _name(name: str) -> str:
-    return name.replace("_", " ")
+def notes_of(spins: Spins, places: Iterable[int], row_word: str = "line") -> tuple[Note, ...]:
+    """Return the notes on the spins of shots; ``places`` are their lines or rows."""
+    at, more = list(places), len(spins.contradictions) - LISTED
+    return (
+        *(each.note.of(**{f"at_{row_word}": at[each.place]}) for each in spins.contradictions[:LISTED]),
+        *([note("spins-contradict-more", more=more)] if more > 0 else []),
+        *spins.notes,
+    )
 
 
 def _settle(spins: dict[str, Floats]) -> tuple[Contradiction, ...]:

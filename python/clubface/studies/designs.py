@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.errors import FileError, InputError, Wording
 from clubface.shots.summary_rows import summaries_in
-from clubface.shots.tables.headings import Vocabulary, check_units, delivery_words, layout, plain_name
+from clubface.shots.tables.headings import Vocabulary, check_units, delivery_words, layout, plain, plain_name
 from clubface.shots.tables.reader import open_table
 from clubface.studies.axes import FORMS, INTERVAL, MOST, SweepAxis, Swept, whole_flaw
 from clubface.support.checks import is_count
@@ -239,5 +239,5 @@ def _words(known: Mapping[str, Swept]) -> Vocabulary:
     """Return the words for the inputs that hold numbers: their names, and those that launch monitors have for them."""
     numbers = {name: units.unit(each.unit).dimension for name, each in known.items() if each.unit is not None}
     others = {word: name for word, name in delivery_words().names.items() if name in numbers}
-    grouped = {f"{known[name].group}_{name}": name for name in numbers}
-    return Vocabulary({**others, **grouped, **{name: name for name in numbers}}, numbers)
+    grouped = {plain(f"{known[name].group}_{name}"): name for name in numbers}
+    return Vocabulary({**others, **grouped, **{plain(name): name for name in numbers}}, numbers)

@@ -21,7 +21,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning
-from clubface.results.notes import Note, free_text, note
+from clubface.results.notes import Note, note
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.measured import LAUNCH, measured_shots, ready_shots
@@ -195,7 +195,7 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
     for needed, there in (("attack", measured.delivery), (kind, ready.launches)):
         if needed not in there:
             raise InputError(needed, None, "measured, to compare spin at the measured launch")
-    notes += free_text(measured.notes)
+    notes += measured.notes
     spin = ready.launches[kind][measured.places]
     # Without the path, the start direction says nothing of the face angle.
     start: dict[str, Any] = {

@@ -39,16 +39,16 @@ def test_a_fit_with_lofts_computed_from_the_ball_is_biased_and_one_at_the_measur
 
 def test_fits_say_of_computed_lofts_what_they_are_and_what_to_do(radar):
     usual = clubface.identify(radar, **QUICK)
-    assert "1.137" in usual.notes[0].sentence
-    assert "--at-launch" in usual.notes[0].sentence
+    assert usual.notes[0].data["ratio"] == pytest.approx(1.137)
+    assert usual.notes[1].code == "loft-computed-advice"
     (origin,) = json.loads(json.dumps(usual.to_dict()))["tables"]["loft_origins"]["rows"]
     assert origin["origin"] == "computed from the ball"
     assert origin["ratio"] == pytest.approx(1.137)
     at_launch = clubface.identify(radar, **QUICK, compared_at="launch")
-    assert "not used" in at_launch.notes[0].sentence
+    assert [each.code for each in at_launch.notes[:2]] == ["compared-at-launch", "file-lofts-not-used"]
     assert at_launch.to_dict()["provenance"]["inputs"]["compared_at"] == "launch"
     camera = clubface.identify(session("7-iron", 60, model="slip", parameters=TRUE), **QUICK)
-    assert not any("computed from the ball" in note.sentence for note in camera.notes)
+    assert "loft-computed-advice" not in {each.code for each in camera.notes}
 
 
 def test_lofts_and_faces_of_the_file_change_nothing_at_the_measured_launch(radar):
@@ -60,7 +60,7 @@ def test_lofts_and_faces_of_the_file_change_nothing_at_the_measured_launch(radar
     )
     fits = [clubface.identify(shots, **QUICK, compared_at="launch") for shots in (radar, shifted, bare)]
     assert fits[0].parameters.values == fits[1].parameters.values == fits[2].parameters.values
-    assert not any("static loft" in note.sentence for note in fits[2].notes)
+    assert "static-loft-stands-in" not in {each.code for each in fits[2].notes}
 
 
 @pytest.mark.parametrize(("model", "free"), [("slip", ["cor", "slip_y", "slip_z"]), ("response", ["friction"])])
@@ -120,7 +120,7 @@ def test_an_evaluation_at_the_measured_launch_sees_the_model_that_made_the_shots
     assert at_launch.quantities == ["ball_speed", "backspin", "sidespin"]
     assert at_launch.to_dict()["values"]["compared_at"] == "launch"
     assert usual.to_dict()["tables"]["loft_origins"]["rows"][0]["origin"] == "computed from the ball"
-    assert any("--at-launch" in note["text"] for note in usual.to_dict()["notes"])
+    assert "loft-computed-advice" in {each["code"] for each in usual.to_dict()["notes"]}
 
 
 def test_what_measurement_alone_explains_holds_the_noise_of_the_launch_that_is_met():

@@ -182,7 +182,7 @@ def test_a_column_without_a_unit_is_refused_until_the_unit_is_given(write, tmp_p
 def test_a_misspelt_column_is_pointed_out(write, tmp_path):
     report = predict(write("speed_mph,atack_deg,weather\n50,5,1\n"), club="driver", output=tmp_path / "out.csv")
     assert report.passed == ("atack_deg", "weather")
-    assert report.notes == ("the column 'atack_deg' is not used; did you mean attack?",)
+    assert report.notes == (("column-misspelled", {"column": "atack_deg", "near": "attack"}),)
 
 
 def test_measured_launches_in_the_file_are_not_written_over(write, tmp_path):

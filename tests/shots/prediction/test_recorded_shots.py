@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import clubface
+from attached_notes import codes, noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError, InputError
 from clubface.jobs.store import unfinished_folder
@@ -48,7 +49,7 @@ def test_face_angles_of_the_impact_point_are_referred_to_the_face_centre(shots):
     # Nine digits are written. What was wrong by degrees is wrong by none.
     assert azimuth[0] == pytest.approx(right[0], rel=1e-8)
     assert abs(wrong - right[0]) > 1.0
-    assert any("referred to the face centre of driver" in note for note in report.notes)
+    assert noted(report, "referred-contact-face")[0]["club"] == "driver"
 
 
 def test_a_monitors_file_and_its_table_give_what_evaluate_computes(tmp_path):
@@ -69,7 +70,7 @@ def test_only_chosen_rows_are_written_as_they_stand(shots):
     report = predict(shots, club="driver", where="club == 'Dr' and face > 1.5 deg")
     assert (report.rows, report.written, report.rejected) == (2, 2, 0)
     assert [row["player"] for row in rows_of(report.output)] == ["A", "B"]
-    assert any("2 of 4 shots fulfil" in note for note in report.notes)
+    assert [(each["fulfil"], each["shots"]) for each in noted(report, "condition-fulfilled")] == [(2, 4)]
 
 
 def test_what_was_not_measured_is_rejected_unless_a_value_is_stated(shots):
@@ -77,8 +78,10 @@ def test_what_was_not_measured_is_rejected_unless_a_value_is_stated(shots):
     assert report.first_rejects == ((5, 'toe_mm: not measured; --assume "toe=..." states a value'),)
     stated = predict(shots, club="driver", only="Driver", assume={"toe": "0 mm", "closure": "2000 deg/s"})
     assert (stated.written, stated.rejected) == (3, 0)
-    assert "toe was not measured in 1 of 3 shots, which take 0 mm for it, as stated" in stated.notes
-    assert "closure was not measured in 3 of 3 shots, which take 2000 deg/s for it, as stated" in stated.notes
+    assert noted(stated, "value-stated") == [
+        {"quantity": "toe", "lacking": 1, "shots": 3, "stated": "0 mm"},
+        {"quantity": "closure", "lacking": 3, "shots": 3, "stated": "2000 deg/s"},
+    ]
     delivery = {"speed": "99 mph", "loft": 12 * DEG, "face": 1 * DEG, "toe": 0.0, "high": 0.002}
     before = clubface.impact("driver", delivery, model="response").get("azimuth", "deg")
     assert column(stated.output, "predicted_azimuth_deg")[2] != pytest.approx(before, abs=0.01)  # the face closes
@@ -115,7 +118,7 @@ def test_shots_of_another_club_are_refused_or_noted(shots, write):
     for source, count in ((shots, 4), (irons, 2)):
         report = predict(source, club="driver", mismatch="note", assume={"toe": 0.0})
         assert report.written == count
-        assert any("is this the right club?" in note for note in report.notes)
+        assert "club-may-be-other" in codes(report)
 
 
 def test_a_table_of_plain_deliveries_is_no_recorded_one(write):

@@ -18,7 +18,7 @@ from clubface.errors import FileError
 from clubface.inference.evaluation.published_accuracy import PublishedAccuracy, published
 from clubface.inference.evaluation.statistics import COVARIATES, Best, ErrorSize, Rival, Trend, fewest_groups
 from clubface.quantities import Quantity, Reading, quantity
-from clubface.results.notes import Note, free_text, note
+from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
 from clubface.results.result import Described, Result
@@ -357,7 +357,7 @@ class Evaluation(Described):
         return [note("evaluation-best", model=model, names=names) for model, names in of_model.items()]
 
     def _notes(self) -> list[Note]:
-        notes = free_text(self.shots.notes)
+        notes = [*self.shots.notes]
         if self.shots.dropped:
             notes.append(
                 note(

@@ -18,7 +18,7 @@ from clubface.equipment.models import Parameter, model as model_named
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, UnknownNameError
 from clubface.inference.evaluation.statistics import group_labels
-from clubface.results.notes import Note, free_text, note
+from clubface.results.notes import Note, note
 from clubface.results.provenance import Provenance
 from clubface.schema import Document
 from clubface.shots.loft_origin import LoftOrigin
@@ -384,7 +384,7 @@ def prepared_shots(
         rows=measured.rows[kept],
         groups=np.unique(np.arange(len(kept)) if labels is None else labels, return_inverse=True)[1],
         source=measured.source,
-        dropped=(*measured.dropped, *dropped), notes=(*free_text(measured.notes), *notes),
+        dropped=(*measured.dropped, *dropped), notes=(*measured.notes, *notes),
         loft_origins=measured.loft_origins, provenance=provenance_of([launch]).with_files(),
     )  # fmt: skip
 

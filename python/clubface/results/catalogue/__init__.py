@@ -3,6 +3,7 @@
 One file a subject; :mod:`clubface.results.notes` explains the placeholders.
 """
 
+from clubface.results.catalogue.capture import SENTENCES as _CAPTURE
 from clubface.results.catalogue.design import SENTENCES as _DESIGN
 from clubface.results.catalogue.equipment import SENTENCES as _EQUIPMENT
 from clubface.results.catalogue.fem import SENTENCES as _FEM
@@ -15,6 +16,7 @@ from clubface.results.catalogue.validation import SENTENCES as _VALIDATION
 
 SENTENCES: dict[str, str] = {
     "text": "{text}",
+    **_CAPTURE,
     **_DESIGN,
     **_EQUIPMENT,
     **_FEM,

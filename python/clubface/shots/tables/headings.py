@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from functools import cache, lru_cache
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
 from typing import NamedTuple
 
 from clubface import units
 from clubface.errors import FileError, UnitError, shortened
 from clubface.quantities import file_unit, quantity as quantity_named
-from clubface.shots.tables.vocabulary import by_word, vocabulary
+from clubface.results.notes import Note, note
+from clubface.shots.tables.vocabulary import SIDES, by_word, vocabulary
 from clubface.simulation.results import flight_outputs, input_dimensions, inputs, outputs
 from clubface.support.checks import check_choice
 from clubface.units import unit
@@ -26,11 +28,14 @@ __all__ = [
     "SECOND_CHOICE",
     "ColumnLayout",
     "FileColumn",
+    "HeadingParts",
+    "KnownHeadings",
     "Vocabulary",
     "bracketed",
     "check_units",
     "delivery_words",
     "given_unit",
+    "heading",
     "heading_of",
     "layout",
     "listed",
@@ -40,7 +45,6 @@ __all__ = [
     "plain_name",
     "require_speed",
     "shot_words",
-    "split_heading",
     "squeezed",
     "unit_of_column",
     "unit_symbol",
@@ -52,6 +56,8 @@ _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 """The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""
 _GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
 """What stands between a heading and its unit."""
+_SIDES = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
+_TWO_SIDES = re.compile(rf"(?:^|\s)({_SIDES})([-+])\s*/\s*({_SIDES})([-+])$", re.IGNORECASE)
 _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
 
@@ -132,13 +138,94 @@ MOST_NAMED = 12
 """Columns that an error names."""
 
 
-class Vocabulary(NamedTuple):
+class HeadingParts(NamedTuple):
+    """The parts of a heading.
+
+    Attributes
+    ----------
+    name
+        Its words in lower case, without punctuation.
+    unit
+        The text of the unit in brackets, or None.
+    positive
+        The word for the positive side, as in ``(deg closed-/open+)``, or None.
+    bare
+        Its words without those in brackets: "spin axis" for ``Spin Axis (Sim)``. Words in brackets that are not a unit
+        belong to ``name``.
+    """
+
+    name: str
+    unit: str | None
+    positive: str | None
+    bare: str
+
+
+def heading(text: str) -> HeadingParts:
+    """Return the parts of a heading such as ``Push/Pull (deg L-/R+)``."""
+    before, inner = bracketed(text)
+    if inner is None:
+        return HeadingParts(plain(text), None, None, plain(text))
+    positive = None
+    sides = _TWO_SIDES.search(inner)
+    if sides:
+        inner = inner[: sides.start()].strip()
+        positive = plain(sides[1] if sides[2] == "+" else sides[3])
+    bare = plain(before)
+    is_unit = not inner or unit_symbol(inner) is not None
+    return HeadingParts(bare if is_unit else plain(text), inner if inner and is_unit else None, positive, bare)
+
+
+class KnownHeadings:
+    """The headings that are known, in plain words, however a file spells them and wherever it writes the unit.
+
+    Parameters
+    ----------
+    names
+        The headings in plain words; of those that are the same without spaces the first counts.
+    with_unit
+        Headings that count only with a unit behind them.
+    """
+
+    def __init__(self, names: Iterable[str], with_unit: Collection[str] = ()) -> None:
+        self._names = dict.fromkeys(names)
+        self._unparted = {squeezed(each): each for each in reversed(self._names)}
+        self._with_unit = with_unit
+        self._read: dict[str, HeadingParts] = {}
+
+    def spelled(self, name: str) -> str:
+        """Return the heading that is the same but for where its words part, as of ``clubspeed``; else ``name``."""
+        return name if name in self._names else self._unparted.get(squeezed(name), name)
+
+    def parts(self, text: str) -> HeadingParts:
+        """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``, ``Carry/yd``."""
+        if (result := self._read.get(text)) is None:
+            result = self._read[text] = self._parts(text)
+        return result
+
+    def _parts(self, text: str) -> HeadingParts:
+        parts = heading(text)
+        if (name := self.spelled(parts.name)) in self._names:
+            return parts._replace(name=name)
+        if bracketed(text)[1] is None:
+            words = "_".join(text.replace("-", "_").split())
+            for spelled in (words, words.lower()):
+                short, symbol = units.parse_column_name(spelled)
+                if symbol is not None and (name := self.spelled(plain(short))) in self._names:
+                    return HeadingParts(name, symbol, None, name)
+            for before, symbol in units_behind(text):
+                if (name := self.spelled(before)) in self._names or name in self._with_unit:
+                    return HeadingParts(name, symbol, None, name)
+        return parts
+
+
+@dataclass(frozen=True)
+class Vocabulary:
     """The words a table may use.
 
     Attributes
     ----------
     names
-        The quantity meant by every name a column may have.
+        The quantity meant by every name a column may have, in plain words.
     dimensions
         The dimension of each quantity.
     """
@@ -146,34 +233,34 @@ class Vocabulary(NamedTuple):
     names: Mapping[str, str]
     dimensions: Mapping[str, str]
 
-    def spelled(self, name: str) -> str:
-        """Return the name that is the same but for where its words part, as of ``clubspeed``; else ``name``."""
-        return name if name in self.names else _unparted(frozenset(self.names)).get(name.replace("_", ""), name)
+    @cached_property
+    def headings(self) -> KnownHeadings:
+        """The names as headings."""
+        return KnownHeadings(self.names)
 
-
-@cache
-def _unparted(names: frozenset[str]) -> Mapping[str, str]:
-    return {each.replace("_", ""): each for each in names}
+    def quantity(self, text: str) -> str | None:
+        """Return the quantity that a heading names; None for any other."""
+        return self.names.get(self.headings.parts(text).name)
 
 
 @cache
 def delivery_words() -> Vocabulary:
     """Return the words for the inputs of an impact."""
-    own = {name: name for name in inputs()}
-    foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in own}
+    own = {plain(name): name for name in inputs()}
+    foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in inputs()}
     return Vocabulary({**_reversed(foreign), **own, **_synonyms(DELIVERY_QUANTITIES)}, input_dimensions())
 
 
 @cache
 def shot_words() -> Vocabulary:
     """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
-    names, dimensions = delivery_words()
+    deliveries = delivery_words()
     variables = {**flight_outputs(), **outputs()}
-    own = {name: name for name in LAUNCH_QUANTITIES}
+    own = {plain(name): name for name in LAUNCH_QUANTITIES}
     launches = {name: variables[name].dimension for name in LAUNCH_QUANTITIES}
     foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in launches}
-    words = {**_reversed(foreign), **names, **own, **_synonyms(LAUNCH_QUANTITIES)}
-    return Vocabulary(words, {**dimensions, **launches})
+    words = {**_reversed(foreign), **deliveries.names, **own, **_synonyms(LAUNCH_QUANTITIES)}
+    return Vocabulary(words, {**deliveries.dimensions, **launches})
 
 
 class FileColumn(NamedTuple):
@@ -215,7 +302,7 @@ class ColumnLayout(NamedTuple):
     headings: tuple[str, ...]
     used: tuple[FileColumn, ...]
     passed: tuple[str, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
 
 
 POINTS = {"speed_at": ("cg", "face", "unknown"), "face_at": ("face", "contact", "unknown")}
@@ -247,13 +334,14 @@ def layout(
     passed, notes = [], []
     without_unit: list[tuple[str, str]] = []
     for place, heading in enumerate(named):
-        name, unit = split_heading(heading, words)
+        parts, inner = words.headings.parts(heading), bracketed(heading)[1]
+        name, unit = words.headings.spelled(parts.bare), inner or parts.unit
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
-            near = None if name in POINTS else _near(name, words.names)
+            near = None if plain_name(name) in POINTS else _near(name, words.names)
             if near is not None:
-                notes.append(f"the column {shortened(heading, 80)!r} is not used; did you mean {near}?")
+                notes.append(note("column-misspelled", column=shortened(heading, 80), near=near))
             continue
         if quantity in used:
             message = f"the columns {used[quantity].heading!r} and {heading!r} both give the {quantity}"
@@ -348,22 +436,6 @@ def listed(headings: Sequence[str]) -> str:
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
 
 
-def split_heading(heading: str, words: Vocabulary) -> tuple[str, str | None]:
-    """Return the name in lower case and the unit of a heading, known or not: ``club_speed_mph``, ``Speed [mph]``."""
-    before, unit_text = bracketed(heading)
-    name = words.spelled(plain_name(before))
-    if unit_text is None:
-        for spelled in (before, before.lower()):
-            short, unit = units.parse_column_name("_".join(spelled.replace("-", "_").split()), words.names)
-            if (known := words.spelled(plain_name(short))) in words.names:
-                return known, unit
-        for short, unit in units_behind(before):
-            if (known := words.spelled(plain_name(short))) in words.names:
-                return known, unit
-        return name, None
-    return name, unit_text or None
-
-
 def plain_name(name: str) -> str:
     """Return a heading in lower case with underscores between its words."""
     return plain(name).replace(" ", "_").strip("_")
@@ -373,9 +445,9 @@ def _near(name: str, known: Collection[str]) -> str | None:
     """Return the known name that ``name``, with or without a unit at its end, is most likely a misspelling of."""
     from difflib import get_close_matches
 
-    for each in (name, name.rpartition("_")[0]):
+    for each in (name, name.rpartition(" ")[0]):
         if len(each) > 3 and (near := get_close_matches(each, known, 1, 0.8)):
-            return near[0]
+            return plain_name(near[0])
     return None
 
 
@@ -384,7 +456,7 @@ def _synonyms(names: Sequence[str]) -> dict[str, str]:
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:
-    return {plain_name(other): name for name, others in synonyms.items() for other in others}
+    return {plain(other): name for name, others in synonyms.items() for other in others}
 
 
 def heading_of(name: str, si_unit: str) -> tuple[str, str]:

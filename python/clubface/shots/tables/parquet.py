@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from clubface.errors import FileError
+from clubface.results.notes import Note
 from clubface.shots.tables.chunk import PARTS_MISSING, Chunk
 from clubface.shots.tables.file_kind import START, refuse_no_table
 from clubface.support.files import open_input
@@ -46,7 +47,7 @@ class ParquetReader:
     delimiter = ","
     decimal_comma = False
     blank = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def __init__(self, path: Path) -> None:
         self.path = str(path)

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from clubface.errors import FileError
+from clubface.results.notes import Note
 from clubface.shots.tables.cells import decimals_of, doubt, ragged_reason
 from clubface.shots.tables.chunk import Chunk, Reject
-from clubface.shots.tables.headings import shot_words, split_heading
+from clubface.shots.tables.headings import shot_words
 from clubface.shots.tables.parquet import ENDINGS, ParquetReader
 from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, open_rows
 
@@ -49,7 +50,7 @@ class CsvReader:
         return self._rows.blank
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Note, ...]:
         """Remarks on the file, as far as it is read."""
         return (*self._rows.notes, *([doubt(self._doubtful)] if self._doubtful else []))
 
@@ -70,8 +71,7 @@ class CsvReader:
         while len(self._seen) < DECIMAL_ROWS and (row := self._rows.next()) is not None:
             self._seen.append(row)
         rows = [row[0] for row in self._seen if not isinstance(row, Reject)]
-        words = shot_words()
-        quantities = [words.names.get(split_heading(each, words)[0]) for each in self.headings]
+        quantities = [*map(shot_words().quantity, self.headings)]
         cells = ((cell, quantity) for row in rows for cell, quantity in zip(row, quantities, strict=False))
         self.decimal_comma, self._doubtful = decimals_of(cells, self.delimiter)
 

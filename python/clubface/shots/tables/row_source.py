@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from clubface.errors import FileError, shortened
+from clubface.results.notes import Note, note
 from clubface.shots.tables.chunk import Reject
 from clubface.shots.tables.file_kind import START, is_workbook, refuse_no_table
 from clubface.shots.tables.writer import csv_lines
@@ -169,9 +170,9 @@ class CsvRows:
             raise
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Note, ...]:
         """Remarks on the rows, as far as they are read."""
-        return (f"the file is not UTF-8: read as {self.encoding}",) if self.encoding else ()
+        return (note("not-utf-8", encoding=self.encoding),) if self.encoding else ()
 
     def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
         self._file.seek(0)
@@ -350,9 +351,8 @@ class WorkbookRows:
         except BaseException:
             self.close()
             raise
-        others = ", ".join(repr(shortened(each.title, 40)) for each in sheets[1:])
-        read = f"the sheet {shortened(sheets[0].title, 40)!r} was read and {others} not: save each as a file of its own"
-        self.notes: tuple[str, ...] = (read,) if others else ()
+        sheet, *others = (shortened(each.title, 40) for each in sheets)
+        self.notes: tuple[Note, ...] = (note("sheet-read", sheet=sheet, others=others),) if others else ()
         self._line = 0
 
     def next(self) -> Row | Reject | None:

@@ -1,0 +1,101 @@
+"""Sentences about deliveries from motion capture."""
+
+SENTENCES = {
+    "capture-address": "address taken from frames {first_frame} to {last_frame}",
+    "capture-address-of-file": "address taken from frames {first_frame} to {last_frame} of {file}",
+    "capture-attitude-contradicted": (
+        "the positions of the markers contradict the attitude of the club that is assumed, most of all in its "
+        "{measured} (assumed: {assumed}): check them, or allow for more under [assumed]"
+    ),
+    "capture-ball-not-seen": "the ball is not seen after impact; the loss of the head's speed shows that they met",
+    "capture-ball-place-alone": (
+        "the blow cannot be read, so that all depends on the given place of the ball: {reason}"
+    ),
+    "capture-ball-start": (
+        "the ball starts {late_time:ms 2} after the face touches it, not the 0.2 ms of a real impact: a wrong club, "
+        "mapping or calibration"
+    ),
+    "capture-blow": "impact is taken from the blow: the head loses {lost:.0%} of its speed",
+    "capture-blow-again": (
+        "it loses speed in frame {again} as well as in frame {frame} of the recording: cut the recording to read that"
+    ),
+    "capture-contradicts-ball": (
+        "the clubhead loses speed {surprise:.1f} standard deviations from where ball, club and markers are said to be: "
+        "check their positions, or give them a larger accuracy"
+    ),
+    "capture-ends-after-impact": (
+        "the recording ends {later:n frame} after the impact, which is taken to follow frame {frame}; record on for "
+        "{fewest} frames or more to have the blow itself"
+    ),
+    "capture-ends-with-impact": (
+        "the recording ends with the impact, which is taken to follow frame {frame}; record on for {fewest} frames or "
+        "more to have the blow itself"
+    ),
+    "capture-face-opens": (
+        "the face opens through impact, with a closure rate of {closure}: the hand of the club may be wrong (--hand)"
+    ),
+    "capture-few-degrees-of-freedom": ("the noise of the markers is estimated from {freedom:n degree} of freedom only"),
+    "capture-filled": (
+        "{markers}: {frames:?frame/frames} {frames:ranges} not seen but filled by the capture program (a line or a "
+        "spline): left out"
+    ),
+    "capture-flight-contradicts": (
+        "the ball flies off with {seen}, where this delivery of {club} gives {expected}: a wrong club, mapping or "
+        "calibration"
+    ),
+    "capture-head-lost": "the clubhead is lost from sight before it meets the ball",
+    "capture-lie": "the lie of {lie} is no club's: the axis that points up may be wrong",
+    "capture-loft": (
+        "the dynamic loft of {loft} is far from the {static_loft} of {club}: a wrong club, mapping or calibration"
+    ),
+    "capture-loft-uncertain": (
+        "the dynamic loft is not known to 2 deg: too few markers, too near together, or gaps before impact"
+    ),
+    "capture-marker-moved": (
+        "{marker} sits {marker_displacement} from its place by the mapping or calibration: has it moved?"
+    ),
+    "capture-marker-not-seen": "{marker} is never seen",
+    "capture-marker-strays": "{marker} strays in {frames:?frame/frames} {frames:ranges}: left out there",
+    "capture-markers-do-not-fit": (
+        "the markers of the clubhead do not fit in {frames:?frame/frames} {frames:ranges}: left out"
+    ),
+    "capture-markers-exchanged": "{markers:and} exchanged in {frames:?frame/frames} {frames:ranges}: put right",
+    "capture-markers-look-alike": (
+        "the cluster looks the same with {markers:and} exchanged: that could not be noticed"
+    ),
+    "capture-markers-not-calibrated": "{markers} not seen in the calibration: left out",
+    "capture-not-plausible": (
+        "not plausible: {values}. Do not use these figures: see which markers hide or stray in which frames (capture "
+        "markers, --plot), cut the recording to the frames of the swing, and check frames under [calibration], target "
+        "and up under [laboratory], and the club"
+    ),
+    "capture-nothing-seen-after-impact": (
+        "neither ball nor clubhead is seen after impact: that they met is taken from where they were before"
+    ),
+    "capture-off-face": (
+        "the impact lies {toe} towards the toe and {high} high, outside the face of {club} ({face_width:bare} x "
+        "{face_height}): a wrong club, mapping or calibration"
+    ),
+    "capture-path": (
+        "the club goes {path} to the right of the target: the axis that points to the target may be wrong (target "
+        "under [laboratory], or --target)"
+    ),
+    "capture-path-extended": (
+        "the last {missing} frames before impact do not show the clubhead's pose: extended across them"
+    ),
+    "capture-path-misfit": (
+        "the path departs from the estimator's by {misfit:.1f} times the variance expected: its uncertainty is too "
+        "small (a larger roughness, or the given marker noise, may be needed)"
+    ),
+    "capture-speed": "a clubhead of {speed}: the unit of length or the frame rate may be wrong",
+    "capture-speed-uncertain": (
+        "the speed is hardly known, {values}: too few frames before impact show the clubhead, or markers stray there; "
+        "take out of [cluster] what strays, or cut the recording"
+    ),
+    "paired-by-order": "paired by their order alone: both tables have nothing in common to tell shots by",
+    "paired-by-values": "paired in their order by {quantities}",
+    "target-lines-differ": (
+        "the azimuth of {measured} lies {azimuth:sides 2} of that of {captured} (median): if that is more than noise, "
+        "the lines to the target differ"
+    ),
+}
