@@ -115,7 +115,9 @@ def test_a_mapping_is_read_as_names_with_what_they_stand_for(monkeypatch):
     monkeypatch.setitem(SENTENCES, "paddle", "{values:and}; {counts}; {units}")
     values = {"speed": 44.704, "launch": [math.radians(12.0), math.radians(0.5)], "smash": 1.5}
     made = note("paddle", values=values, counts={"Measured": 3}, units={"Carry": "yd"})
-    assert made.sentence == "speed 100.0 mph, launch 12.0 ± 0.5 deg and smash 1.500; 3 Measured; Carry (yd)"
+    assert made.sentence == (
+        "club speed 100.0 mph, launch angle 12.0 ± 0.5 deg and smash factor 1.500; 3 Measured; Carry (yd)"
+    )
     data = made.to_dict()["data"]
     assert data["values"].pop("launch_deg") == pytest.approx([12.0, 0.5])
     assert data["values"] == {"speed_mps": 44.704, "smash": 1.5}
