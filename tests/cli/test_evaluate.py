@@ -111,6 +111,6 @@ def test_a_launch_monitors_file_is_read_as_it_is(clubface_):
         "7-iron",
         1,
     )  # of the other one the clubhead speed is missing
-    assert not any("referred to" in note["text"] for note in document["notes"])  # no face angle was measured
+    assert "referred-contact-face" not in {each["code"] for each in document["notes"]}  # no face angle was measured
     document = clubface_("evaluate", trackman, "--only", "driver", "--models", "standard", "--json").json
-    assert any("referred to the face centre of driver" in note["text"] for note in document["notes"])
+    assert "referred-contact-face" in {each["code"] for each in document["notes"]}

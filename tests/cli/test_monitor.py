@@ -56,7 +56,7 @@ def test_club_data_is_referred_to_the_clubs_that_are_named(clubface_, tmp_path):
     ran = clubface_(
         "monitor", "read", str(DATA / "foresight-play.csv"), "--club", "Driver=driver", "-o", path, "--json"
     )
-    assert any("referred to its centre of gravity of driver" in note["text"] for note in ran.json["notes"])
+    assert [each["club"] for each in ran.notes("referred-motion")] == ["driver"]
     before, after = (
         next(row["mean"] for row in each["tables"]["quantities"]["rows"] if row["quantity"] == "path")
         for each in (measured, ran.json)
@@ -173,7 +173,7 @@ def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path)
     assert child.returncode == 130
     assert "clubface: shot 3: no shot can have total_spin of 95000 rpm" in message
     assert message.count(": no shot can have") == 1  # the next shot has the same value, which is not told again
-    assert "total_spin in 2 of 4 shots, such as 95000 rpm" in message
+    assert "total spin 95000 rpm in 2 of 4 shots" in message
     assert f"clubface: interrupted: 4 shots in {path}" in message
 
 

@@ -7,7 +7,10 @@ import clubface
 from attached_notes import codes, noted
 from clubface import shots as launch_monitor
 from clubface.errors import FileError
-from clubface.shots.tables.headings import FOREIGN_HEADINGS, shot_words
+from clubface.quantities import quantity
+from clubface.shots.formats import MEASURED
+from clubface.shots.monitors import FORMATS, TABLE
+from clubface.shots.tables.headings import DELIVERY_QUANTITIES, FOREIGN_HEADINGS, HAND, delivery_words, shot_words
 from clubface.units import to_si
 
 
@@ -40,6 +43,16 @@ def test_a_heading_of_another_language_means_one_quantity():
     words = [name for names in FOREIGN_HEADINGS.values() for name in names]
     assert len(words) == len(set(words))
     assert set(FOREIGN_HEADINGS) <= set(shot_words().dimensions)
+
+
+def test_tables_of_deliveries_and_files_of_monitors_know_every_synonym_of_the_registry():
+    """One vocabulary: what a table of deliveries calls a quantity, a file of shots calls it too, however spelled."""
+    for name in (each for each in DELIVERY_QUANTITIES if each != HAND):
+        for synonym in quantity(name).synonyms:
+            for spelled in (synonym, synonym.replace("_", " ").title(), synonym.replace("_", "").upper()):
+                assert delivery_words().quantity(spelled) == name, spelled
+                for reader in (TABLE, FORMATS["trackman"]) if name in MEASURED else (TABLE,):
+                    assert reader.names[reader.heading(spelled).name][0] == name, (reader.name, spelled)
 
 
 def test_a_row_of_units_may_have_signs_in_columns_without_unit(write):

@@ -13,6 +13,7 @@ from clubface.shots.formats import COMMON, MEASURED, Format, dimension_of, side_
 from clubface.shots.tables.cells import unit_in
 from clubface.shots.tables.headings import (
     POINTS,
+    FileColumn,
     HeadingParts,
     given_unit,
     listed,
@@ -25,7 +26,7 @@ from clubface.shots.tables.headings import (
 from clubface.shots.tables.vocabulary import SIDES, Side, vocabulary
 from clubface.units import DIMENSIONLESS
 
-__all__ = ["Columns", "Used", "columns_of", "is_units_row"]
+__all__ = ["Columns", "columns_of", "is_units_row"]
 
 _COLUMNS = vocabulary()["columns"]
 NOT_MEASURED = frozenset({*_COLUMNS["numbering"], *_COLUMNS["not_measured"]})
@@ -36,33 +37,6 @@ WITHOUT_UNIT = 10_000
 """What a heading without a unit ranks behind one with a unit."""
 _WORD = re.compile(r"[^\W\d_]|[°%]")
 """A unit has one; a number or a dash, which stands for nothing measured, has none."""
-
-
-class Used(NamedTuple):
-    """A column that is used.
-
-    Attributes
-    ----------
-    place
-        Its place in a row.
-    heading
-        Its heading, as in the file.
-    quantity
-        The quantity that it gives.
-    unit
-        The symbol of its unit.
-    side
-        The sign of a number without a side, and whether it is in world or club terms.
-    is_named
-        Whether the file names the unit.
-    """
-
-    place: int
-    heading: str
-    quantity: str
-    unit: str
-    side: Side
-    is_named: bool = True
 
 
 class Columns(NamedTuple):
@@ -87,8 +61,6 @@ class Columns(NamedTuple):
         Places of the columns that give none of all this, but for those that number the shots.
     counted
         Places of columns whose values a note counts.
-    assumed
-        Headings whose unit the file does not name, with the one taken.
     unused
         Headings that would give a quantity but for what is in their brackets, which is no unit.
     remarks
@@ -98,7 +70,7 @@ class Columns(NamedTuple):
     width: int
     needed: int
     first: int
-    used: Mapping[str, tuple[Used, ...]]
+    used: Mapping[str, tuple[FileColumn, ...]]
     club: tuple[int, ...]
     player: int | None
     hand: int | None
@@ -108,7 +80,6 @@ class Columns(NamedTuple):
     labels: Mapping[int, str]
     others: tuple[int, ...]
     counted: tuple[int, ...]
-    assumed: tuple[tuple[str, str], ...]
     unused: tuple[str, ...]
     remarks: tuple[Note, ...]
 
@@ -145,8 +116,7 @@ def columns_of(
     preferred = _preferred(layout, heads, with_unit)
     names = [squeezed(each.name) if each.unit is None else "" for each in heads]
     clubs = _places(layout.club, names)
-    used: dict[str, list[Used]] = {}
-    assumed: list[tuple[str, str]] = []
+    used: dict[str, list[FileColumn]] = {}
     without_unit: list[tuple[str, str]] = []
     remarks: list[Note] = []
     for position, each in enumerate(heads):
@@ -160,7 +130,7 @@ def columns_of(
                 remarks.append(note("speed-of-club-or-ball", column=shortened(shown, 40)))
             continue
         named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
-        symbol = named or given_unit(units, quantity, dimension_of(quantity))
+        symbol, is_assumed = named or given_unit(units, quantity, dimension_of(quantity)), False
         if symbol is None:
             symbol = layout.field(quantity).unit
             if symbol is None and quantity not in layout.fields:
@@ -168,12 +138,13 @@ def columns_of(
             if symbol is None:
                 without_unit.append((shown, quantity))
                 continue
-            if not layout.needs_units and dimension_of(quantity) in ("speed", "length"):
-                assumed.append((shown, symbol))
+            is_assumed = not layout.needs_units and dimension_of(quantity) in ("speed", "length")
         side = _side(layout, quantity, each)
         if quantity == "toe" and each.name in UNSIGNED and not (each.positive or layout.field(quantity).positive):
             remarks.append(note("toe-unsigned", column=shortened(shown, 40)))
-        used.setdefault(quantity, []).append(Used(position, shown, quantity, symbol, side, named is not None))
+        used.setdefault(quantity, []).append(
+            FileColumn(position, shown, quantity, symbol, side, named is not None, is_assumed)
+        )
     if without_unit:
         raise missing_units(without_unit, *place, {name: dimension_of(name) for _, name in without_unit})
     if not used and remarks:
@@ -210,7 +181,6 @@ def columns_of(
             if place not in {*places, *clubs, player, hand, date, file} and each.name not in NOT_MEASURED
         ),
         counted=_places(layout.counted, names),
-        assumed=tuple(assumed),
         unused=tuple(
             shown.strip()
             for each, shown in zip(heads, headings, strict=True)

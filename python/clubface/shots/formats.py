@@ -22,9 +22,6 @@ A mapping file is a TOML file that describes the columns of any CSV file, which 
     unit = "deg"
     positive = "in-out"     # the positive side: right if left out; or left, open, toe, heel, up, toe up, ...
     optional = true         # the file may lack it
-
-Numbers that programs write where nothing was measured are taken out here, and face angle or path completed from face to
-path.
 """
 
 from __future__ import annotations
@@ -36,13 +33,8 @@ from dataclasses import dataclass, field as dataclass_field
 from functools import cache, cached_property, partial
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from clubface.errors import InputError
-from clubface.results.notes import Note, note
 from clubface.schema import FLAG, TEXT, Choice, Document, Place, Record, decode, file_key
-from clubface.shots.plausibility import ColumnUnit, can_be
 from clubface.shots.tables.cells import is_number
 from clubface.shots.tables.headings import (
     DELIVERY_QUANTITIES,
@@ -58,14 +50,12 @@ from clubface.shots.tables.headings import (
     unit_symbol,
 )
 from clubface.shots.tables.vocabulary import FACE_TO_PATH, SIDES, Side, vocabulary
-from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
-from clubface.units import DIMENSIONLESS, size, to_si, unit
+from clubface.units import DIMENSIONLESS, unit
 
 __all__ = [
     "CG", "COMMON", "CONTACT", "FACE", "MEASURED", "PLAYER", "UNKNOWN", "Field", "Format", "Mapped",
-    "MappingFile", "common_names", "dimension_of", "mapping_of", "side_of", "with_face_and_path",
-    "without_any_sentinels", "without_sentinels",
+    "MappingFile", "common_names", "dimension_of", "mapping_of", "side_of",
 ]  # fmt: skip
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
@@ -346,77 +336,3 @@ def mapping_of(path: str | os.PathLike[str]) -> Mapped:
         face_at=file.face_at or UNKNOWN,
     )
     return Mapped(layout, file.delimiter, file.decimal)
-
-
-SENTINELS = (
-    999.0, 999.9, 9999.0, 9999.9, 99999.0, 32767.0, 32768.0, 65535.0, 65536.0, 8388607.0, 16777215.0, 16777216.0,
-    2147483647.0, 2147483648.0, 4294967295.0,
-)  # fmt: skip
-"""With either sign: the greatest and least numbers of so many digits or bits."""
-NEVER = {"sidespin": 9000.0, "closure": 9000.0, "backspin": 9000.0}
-"""From which number [rpm, deg/s] a sentinel is no measurement, though within the limits; backspin only below zero."""
-ROUNDING = to_si(1.6, "deg")
-"""Difference of three angles that are rounded to whole degrees."""
-
-
-def without_sentinels(
-    columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]
-) -> tuple[dict[str, Floats], list[Note]]:
-    """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on each.
-
-    ``units`` are those in which each quantity was written. Sentinels that no shot can have are left to
-    :func:`clubface.shots.plausibility.without_impossible`, which takes out all such values.
-    """
-    kept, notes = dict(columns), []
-    for name in (each for each in (*NEVER, FACE_TO_PATH) if each in columns and each in units):
-        values, symbol = columns[name], units[name].symbol
-        written = values / size(symbol)
-        if name == FACE_TO_PATH:
-            is_none = ~can_be("face", values)
-        else:
-            is_none = _are_sentinels(written) & ((-written if name == "backspin" else np.abs(written)) >= NEVER[name])
-        if is_none.any():
-            kept[name] = np.where(is_none, np.nan, values)
-            notes.append(note("placeholders-for-nothing", column=units[name].heading, wrong=int(is_none.sum()),
-                              shots=values.size, value=float(written[is_none][0]), unit=symbol))  # fmt: skip
-    return kept, notes
-
-
-def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> dict[str, Floats]:
-    """Return columns [SI] without whatever looks like a sentinel and no shot can have: it says nothing of the unit."""
-    return {
-        name: np.where(_are_sentinels(values / size(units[name].symbol)) & ~can_be(name, values), np.nan, values)
-        if name in units
-        else values
-        for name, values in columns.items()
-    }
-
-
-def _are_sentinels(written: Floats) -> NDArray[np.bool_]:
-    return np.isin(np.abs(written).round(3), SENTINELS)
-
-
-def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple[dict[str, Floats], Note | None]:
-    """Return columns [SI] without face to path but with what follows from it, and a note on contradictions.
-
-    With the path it gives the face angle, and with the face angle the path, where they were not measured. Where all
-    three were measured and do not go together, face angle and path stay.
-    """
-    completed = dict(columns)
-    if FACE_TO_PATH not in completed:
-        return completed, None
-    to_path = completed.pop(FACE_TO_PATH)
-    nothing = np.full_like(to_path, np.nan)
-    face, path = completed.get("face", nothing), completed.get("path", nothing)
-    apart = np.abs(face - path - to_path) > ROUNDING
-    for name, values, other in (("face", face, path + to_path), ("path", path, face - to_path)):
-        filled = np.where(np.isnan(values), other, values)
-        if not np.isnan(filled).all():
-            completed[name] = filled
-    if not apart.any():
-        return completed, None
-    first = int(np.flatnonzero(apart)[0])
-    values = {"face": float(face[first]), "path": float(path[first]), FACE_TO_PATH: float(to_path[first])}
-    return completed, note(
-        "face-and-path-contradict", wrong=int(apart.sum()), shots=int(apart.size), line=lines[first], values=values
-    )

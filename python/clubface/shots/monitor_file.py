@@ -14,9 +14,9 @@ import numpy as np
 from clubface.errors import FileError, shortened
 from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind, is_club_name
-from clubface.shots.columns import Columns, Used, columns_of, is_units_row
+from clubface.shots.columns import Columns, columns_of, is_units_row
 from clubface.shots.formats import Format
-from clubface.shots.plausibility import ColumnUnit, can_be
+from clubface.shots.plausibility import can_be
 from clubface.shots.recorded import RejectedRow, date_among
 from clubface.shots.summary_rows import summary_rows
 from clubface.shots.tables.cells import (
@@ -33,7 +33,7 @@ from clubface.shots.tables.cells import (
     reading,
 )
 from clubface.shots.tables.chunk import Reject
-from clubface.shots.tables.headings import POINTS, plain, squeezed
+from clubface.shots.tables.headings import POINTS, FileColumn, plain, squeezed
 from clubface.shots.tables.row_source import Row
 from clubface.shots.tables.vocabulary import FACE_TO_PATH, MIRRORED, WORLD
 from clubface.simulation.results import inputs
@@ -135,7 +135,7 @@ class Session:
     unread: dict[str, None] = field(default_factory=dict)
     unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
     points: dict[str, str] = field(default_factory=dict)
-    units: dict[str, ColumnUnit] = field(default_factory=dict)
+    units: dict[str, FileColumn] = field(default_factory=dict)
     header_line: int | None = None
     guessed_hand: bool = False
     doubtful_number: str = ""
@@ -167,7 +167,7 @@ class _Faults:
         """Add the reason why a row gives no shot, if it has none yet."""
         self.reasons.setdefault(row, reason)
 
-    def add(self, row: int, cell: str, what: str, column: Used) -> None:
+    def add(self, row: int, cell: str, what: str, column: FileColumn) -> None:
         """Add a cell that holds no number: of a computed quantity it costs the cell, otherwise the row."""
         if column.quantity in DERIVED:
             self.unreadable.setdefault(column.heading, {})[row] = cell.strip()
@@ -395,9 +395,9 @@ class SessionReader:
         if not session.units:
             session.header_line = self._header_line
         for quantity, (first, *_) in columns.used.items():
-            is_assumed = first.heading in dict(columns.assumed)
-            session.units.setdefault(quantity, ColumnUnit(first.heading, first.unit, first.is_named, is_assumed))
-        session.assumed.update(columns.assumed)
+            session.units.setdefault(quantity, first)
+        every = (each for used in columns.used.values() for each in used)
+        session.assumed.update({each.heading: each.unit for each in every if each.is_assumed})
         session.unused.update(dict.fromkeys(columns.unused))
         session.remarks.update(dict.fromkeys(columns.remarks))
         session.names_clubs |= bool(columns.club)
@@ -481,7 +481,7 @@ class SessionReader:
                 faults.reject(row, f"{self._header[place].strip()}: {what}")
         return hands
 
-    def _quantity(self, cells: Sequence[Any], used: Sequence[Used], hands: Floats, faults: _Faults) -> Floats:
+    def _quantity(self, cells: Sequence[Any], used: Sequence[FileColumn], hands: Floats, faults: _Faults) -> Floats:
         """Return the values of a quantity; where several columns have it, of the one with the finest steps."""
         values = self._numbers(cells[used[0].place], used[0], hands, faults)
         if len(used) == 1:
@@ -502,7 +502,7 @@ class SessionReader:
             values, step = np.where(taken, other, values), np.where(taken, other_step, step)
         return values
 
-    def _numbers(self, cells: Any, column: Used, hands: Floats, faults: _Faults) -> Floats:
+    def _numbers(self, cells: Any, column: FileColumn, hands: Floats, faults: _Faults) -> Floats:
         """Return the SI values of a column with their signs here, NaN where nothing was measured."""
         mirrored = np.sign(hands) if column.quantity in MIRRORED else None
         if column.quantity in LARGE and self._doubtful and not _is_array(cells):
@@ -612,7 +612,7 @@ def _is_measurement(cell: str) -> bool:
     return any(map(str.isdigit, match["number"])) and not (words and club_kind(cell))
 
 
-def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:
+def _steps(cells: Any, column: FileColumn, decimal_comma: bool) -> Floats:
     """Return the last place [SI] to which each cell of a column is written."""
     if _is_array(cells):
         return np.zeros(len(cells))
@@ -622,7 +622,7 @@ def _steps(cells: Any, column: Used, decimal_comma: bool) -> Floats:
     return 10.0**-places * size(column.unit)
 
 
-def _both(one: Used, other: Used) -> str:
+def _both(one: FileColumn, other: FileColumn) -> str:
     if one.heading == other.heading:
         return f"{one.heading}: the column is there twice, and columns {one.place + 1} and {other.place + 1} differ"
     return f"the columns {one.heading!r} and {other.heading!r} both give the {one.quantity} and differ"

@@ -21,14 +21,16 @@ from numpy.typing import NDArray
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind
-from clubface.shots.tables.headings import shot_words
+from clubface.shots.tables.headings import FileColumn, shot_words
+from clubface.shots.tables.vocabulary import FACE_TO_PATH
 from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
 
 __all__ = [
-    "RANGES", "ColumnUnit", "can_be", "impossible", "impossible_note", "shown", "within_turn", "without_contradictions",
-    "without_impossible", "wrong_unit",
+    "RANGES", "can_be", "impossible", "impossible_note", "shown", "with_face_and_path",
+    "within_turn", "without_any_sentinels", "without_contradictions", "without_impossible", "without_sentinels",
+    "wrong_unit",
 ]  # fmt: skip
 
 _SPEED = to_si(200.0, "mph")
@@ -220,40 +222,19 @@ _CARRIES = (0.9, 4.0)
 """The same of most shots [s]."""
 
 
-class ColumnUnit(NamedTuple):
-    """The unit of a column.
-
-    Attributes
-    ----------
-    heading
-        Of the column.
-    symbol
-        Its unit.
-    is_named
-        Whether the file names it, so that the file is to be corrected and not the command.
-    is_assumed
-        Whether neither the file nor anyone says it: it is the one that the maker's program has when it is installed.
-    """
-
-    heading: str
-    symbol: str
-    is_named: bool
-    is_assumed: bool = False
-
-
-def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> str | None:
+def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> str | None:
     """Return what is wrong with the unit of a column and which it most likely is; None where all go together."""
     return next(_wrong(columns, units), None)
 
 
-def _wrong(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> Iterator[str]:
+def _wrong(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> Iterator[str]:
     for name, column in units.items():
         values = columns[name][~np.isnan(columns[name])] if name in columns else np.empty(0)
         if column.is_assumed and name in ("speed", "ball_speed") and values.size:
             median = float(np.median(values))
             others = [each for each in _others(column) if _is_usual(name, np.array([median * each[1]]))[0]]
             if not _is_usual(name, np.array([median]))[0] and median > USUAL[name][1] and others:
-                typical = shown(name, median, column.symbol)
+                typical = shown(name, median, column.unit)
                 what = f"{name.replace('_', ' ')} is {typical} in the median of {values.size} shots"
                 yield _message(what, [(name, column, others)])
         impossible = values[~can_be(name, values)]
@@ -261,7 +242,7 @@ def _wrong(columns: Mapping[str, Floats], units: Mapping[str, ColumnUnit]) -> It
             continue
         if others := [each for each in _others(column) if 2 * np.sum(_is_usual(name, values * each[1])) > values.size]:
             value_text = (
-                f"{name.replace('_', ' ')} is {shown(name, float(impossible[0]), column.symbol)} or another such value"
+                f"{name.replace('_', ' ')} is {shown(name, float(impossible[0]), column.unit)} or another such value"
             )
             what = f"{value_text} in {impossible.size} of {values.size} shots, which no shot can have"
             yield _message(what, [(name, column, others)])
@@ -296,7 +277,7 @@ def _contradiction(
     is_wrong: Callable[[float], bool],
     usual: tuple[float, float],
     powers: Mapping[str, int],
-    units: Mapping[str, ColumnUnit],
+    units: Mapping[str, FileColumn],
     message: str,
 ) -> Iterator[str]:
     """Yield what is wrong where most values are, and another unit of one of the quantities makes their median usual."""
@@ -316,12 +297,12 @@ def _contradiction(
         yield _message(f"{message.format(median)} in the median of {known.size} shots", columns)
 
 
-def _others(current: ColumnUnit) -> list[tuple[str, float]]:
+def _others(current: FileColumn) -> list[tuple[str, float]]:
     """Return the other units of the dimension of a column, and by what values must be multiplied to be in them."""
     return [
-        (each, size(each) / size(current.symbol))
-        for each in IN_USE.get(unit(current.symbol).dimension, ())
-        if each != current.symbol
+        (each, size(each) / size(current.unit))
+        for each in IN_USE.get(unit(current.unit).dimension, ())
+        if each != current.unit
     ]
 
 
@@ -330,10 +311,84 @@ def _is_usual(name: str, values: Floats) -> NDArray[np.bool_]:
     return (values >= low) & (values <= high)
 
 
-def _message(what: str, columns: list[tuple[str, ColumnUnit, list[tuple[str, float]]]]) -> str:
+def _message(what: str, columns: list[tuple[str, FileColumn, list[tuple[str, float]]]]) -> str:
     likely = []
     for name, column, others in columns:
         symbols = " or ".join(each for each, _ in others)
         remedy = "correct its heading" if column.is_named else f"give --unit {name}={others[0][0]}"
-        likely.append(f"the column {column.heading!r} is most likely in {symbols} and not in {column.symbol}: {remedy}")
+        likely.append(f"the column {column.heading!r} is most likely in {symbols} and not in {column.unit}: {remedy}")
     return f"{what}: {'; or '.join(likely)}"
+
+
+SENTINELS = (
+    999.0, 999.9, 9999.0, 9999.9, 99999.0, 32767.0, 32768.0, 65535.0, 65536.0, 8388607.0, 16777215.0, 16777216.0,
+    2147483647.0, 2147483648.0, 4294967295.0,
+)  # fmt: skip
+"""With either sign: the greatest and least numbers of so many digits or bits."""
+NEVER = {"sidespin": 9000.0, "closure": 9000.0, "backspin": 9000.0}
+"""From which number [rpm, deg/s] a sentinel is no measurement, though within the limits; backspin only below zero."""
+ROUNDING = to_si(1.6, "deg")
+"""Difference of three angles that are rounded to whole degrees."""
+
+
+def without_sentinels(
+    columns: Mapping[str, Floats], units: Mapping[str, FileColumn]
+) -> tuple[dict[str, Floats], list[Note]]:
+    """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on each.
+
+    ``units`` are those in which each quantity was written. Sentinels that no shot can have are left to
+    :func:`clubface.shots.plausibility.without_impossible`, which takes out all such values.
+    """
+    kept, notes = dict(columns), []
+    for name in (each for each in (*NEVER, FACE_TO_PATH) if each in columns and each in units):
+        values, symbol = columns[name], units[name].unit
+        written = values / size(symbol)
+        if name == FACE_TO_PATH:
+            is_none = ~can_be("face", values)
+        else:
+            is_none = _are_sentinels(written) & ((-written if name == "backspin" else np.abs(written)) >= NEVER[name])
+        if is_none.any():
+            kept[name] = np.where(is_none, np.nan, values)
+            notes.append(note("placeholders-for-nothing", column=units[name].heading, wrong=int(is_none.sum()),
+                              shots=values.size, value=float(written[is_none][0]), unit=symbol))  # fmt: skip
+    return kept, notes
+
+
+def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> dict[str, Floats]:
+    """Return columns [SI] without whatever looks like a sentinel and no shot can have: it says nothing of the unit."""
+    return {
+        name: np.where(_are_sentinels(values / size(units[name].unit)) & ~can_be(name, values), np.nan, values)
+        if name in units
+        else values
+        for name, values in columns.items()
+    }
+
+
+def _are_sentinels(written: Floats) -> NDArray[np.bool_]:
+    return np.isin(np.abs(written).round(3), SENTINELS)
+
+
+def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple[dict[str, Floats], Note | None]:
+    """Return columns [SI] without face to path but with what follows from it, and a note on contradictions.
+
+    With the path it gives the face angle, and with the face angle the path, where they were not measured. Where all
+    three were measured and do not go together, face angle and path stay.
+    """
+    completed = dict(columns)
+    if FACE_TO_PATH not in completed:
+        return completed, None
+    to_path = completed.pop(FACE_TO_PATH)
+    nothing = np.full_like(to_path, np.nan)
+    face, path = completed.get("face", nothing), completed.get("path", nothing)
+    apart = np.abs(face - path - to_path) > ROUNDING
+    for name, values, other in (("face", face, path + to_path), ("path", path, face - to_path)):
+        filled = np.where(np.isnan(values), other, values)
+        if not np.isnan(filled).all():
+            completed[name] = filled
+    if not apart.any():
+        return completed, None
+    first = int(np.flatnonzero(apart)[0])
+    values = {"face": float(face[first]), "path": float(path[first]), FACE_TO_PATH: float(to_path[first])}
+    return completed, note(
+        "face-and-path-contradict", wrong=int(apart.sum()), shots=int(apart.size), line=lines[first], values=values
+    )

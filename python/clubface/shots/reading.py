@@ -20,13 +20,17 @@ from clubface.shots.formats import (
     Format,
     Mapped,
     mapping_of,
-    with_face_and_path,
-    without_any_sentinels,
-    without_sentinels,
 )
 from clubface.shots.monitor_file import Session, SessionReader
 from clubface.shots.monitors import FORMATS, TABLE
-from clubface.shots.plausibility import without_contradictions, without_impossible, wrong_unit
+from clubface.shots.plausibility import (
+    with_face_and_path,
+    without_any_sentinels,
+    without_contradictions,
+    without_impossible,
+    without_sentinels,
+    wrong_unit,
+)
 from clubface.shots.recorded import MEASURED_AT, SIDES, RecordedShots, RejectedRow, iso_dates, join_sessions
 from clubface.shots.signs import suspected_signs
 from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell

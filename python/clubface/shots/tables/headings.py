@@ -14,7 +14,7 @@ from clubface import units
 from clubface.errors import FileError, UnitError, shortened
 from clubface.quantities import file_unit, quantity as quantity_named
 from clubface.results.notes import Note, note
-from clubface.shots.tables.vocabulary import SIDES, by_word, vocabulary
+from clubface.shots.tables.vocabulary import SIDES, WORLD, Side, by_word, vocabulary
 from clubface.simulation.results import flight_outputs, input_dimensions, inputs, outputs
 from clubface.support.checks import check_choice
 from clubface.units import unit
@@ -273,15 +273,24 @@ class FileColumn(NamedTuple):
     heading
         As in the file.
     quantity
-        The input it gives.
+        The quantity it gives.
     unit
-        The unit of its numbers.
+        The symbol of the unit of its numbers.
+    side
+        The sign of a number without a side, and whether it is in world or club terms.
+    is_named
+        Whether the file names the unit, so that the file is to be corrected and not the command.
+    is_assumed
+        Whether neither the file nor anyone says it: it is the one that the maker's program has when it is installed.
     """
 
     place: int
     heading: str
     quantity: str
     unit: str
+    side: Side = Side(1.0, WORLD)
+    is_named: bool = True
+    is_assumed: bool = False
 
 
 class ColumnLayout(NamedTuple):
