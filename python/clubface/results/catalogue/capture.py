@@ -95,7 +95,7 @@ SENTENCES = {
     "paired-by-order": "paired by their order alone: both tables have nothing in common to tell shots by",
     "paired-by-values": "paired in their order by {quantities}",
     "target-lines-differ": (
-        "the azimuths of {measured} differ from those of {captured} by {azimuth:sides 2} (median): if that is more than "
-        "noise, the lines to the target differ"
+        "the azimuths of {measured} differ from those of {captured} by {azimuth:sides 2} (median): if that is more "
+        "than noise, the lines to the target differ"
     ),
 }
