@@ -132,17 +132,7 @@ class Explanation(Described):
         middle = self.what_ifs.get("struck in the middle")
         if middle is not None and abs(given["toe"]) >= LEAST_STRIKE:
             yield note("explain-start-strike", toe=given["toe"], middle_azimuth=middle.launch.azimuth)
-        square = self.what_ifs.get("face square to the path")
-        if square is None:
-            yield note("explain-curve-square", curve=flight.curve)
-        else:
-            yield note(
-                "explain-curve-face", open_face=self.face_to_path * float(launch.input("hand")),
-                curve=flight.curve, square_curve=square.flight.curve,
-            )  # fmt: skip
-        if middle is not None and abs(given["toe"]) >= LEAST_STRIKE:
-            yield note("explain-curve-strike", curve=flight.curve, middle_curve=middle.flight.curve)
-        yield note("explain-axis", spin_axis=launch.spin_axis)
+        yield from self._curve_reasons(middle)
         yield note(
             "explain-launch", launch=launch.launch, loft=given["loft"], attack=given["attack"],
             backspin=launch.backspin, loft_share=self.slopes["launch", "loft"],
@@ -153,6 +143,23 @@ class Explanation(Described):
                 "explain-launch-strike", high=given["high"], middle_launch=middle.launch.launch,
                 middle_backspin=middle.launch.backspin,
             )  # fmt: skip
+
+    def _curve_reasons(self, middle: WhatIf | None) -> Iterator[Note]:
+        """Yield why the ball curves, if it flies."""
+        launch, flight = self.launch, self.flight
+        if not flight.carry > 0.0:
+            return
+        square = self.what_ifs.get("face square to the path")
+        if square is None:
+            yield note("explain-curve-square", curve=flight.curve)
+        else:
+            yield note(
+                "explain-curve-face", open_face=self.face_to_path * float(launch.input("hand")),
+                curve=flight.curve, square_curve=square.flight.curve,
+            )  # fmt: skip
+        if middle is not None and abs(float(launch.input("toe"))) >= LEAST_STRIKE:
+            yield note("explain-curve-strike", curve=flight.curve, middle_curve=middle.flight.curve)
+        yield note("explain-axis", spin_axis=launch.spin_axis)
 
     def __repr__(self) -> str:
         return "\n".join(each.sentence for each in (*assumptions_of([self.launch]), *self.reasons()))
