@@ -33,7 +33,8 @@ def parameters(club, model):
 
 def sections():
     """Every section of the page: of each sentence its numbers, as (value, step of the last digit, unit)."""
-    for section in (DOCS / "findings.md").read_text(encoding="utf-8").split("\n#")[1:]:
+    page = re.sub(r"<!--.*?-->", "", (DOCS / "findings.md").read_text(encoding="utf-8"), flags=re.DOTALL)
+    for section in page.split("\n#")[1:]:
         title, text = section.lstrip("# ").split("\n", 1)
         sentences = re.split(r"(?<=\.)\s+(?=[A-Z`*])|\n\n", text)
         yield (
