@@ -39,6 +39,19 @@ def test_the_reference_case_is_a_result(clubface_, tmp_path):
     assert "normal velocity" in clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml")).out
 
 
+def test_the_reference_case_on_finer_meshes_says_by_how_much_they_differ(clubface_, tmp_path):
+    write_case(tmp_path)
+    ran = clubface_("fem", "reference", "--ball", str(tmp_path / "ball.toml"), "--meshes", "2", "--json")
+    coarse, fine = ran.rows("meshes")
+    assert coarse["elements"] == 256 < fine["elements"]
+    (spread,) = ran.notes("mesh-spread")
+    assert (spread["coarse"], spread["fine"]) == (coarse["elements"], fine["elements"])
+    assert spread["spin_over_meshes"] == pytest.approx(abs(fine["backspin_rpm"] / coarse["backspin_rpm"] - 1.0))
+    assert spread["speed_over_meshes"] == pytest.approx(abs(fine["ball_speed_mps"] / coarse["ball_speed_mps"] - 1.0))
+    (bounds,) = ran.notes("error-bounds")
+    assert 0.01 * bounds["energy_error_pct"] < bounds["spin_over_meshes"]
+
+
 def test_paper_has_the_published_figures_and_draws(clubface_, paper_like, tmp_path):
     pytest.importorskip("matplotlib")
     ran = clubface_("fem", "paper", "--case", str(paper_like), "--json", "-o", str(tmp_path / "out"))

@@ -31,18 +31,18 @@ class ErrorBounds(NamedTuple):
 
     Attributes
     ----------
-    mesh_speed, mesh_spin
+    speed_over_meshes, spin_over_meshes
         Of ball speed and backspin, from the default mesh to the finest one.
-    solver_speed, solver_spin
+    speed_over_solvers, spin_over_solvers
         To that of the independent solvers which differs most.
     elements
         Of the finest mesh.
     """
 
-    mesh_speed: float
-    mesh_spin: float
-    solver_speed: float
-    solver_spin: float
+    speed_over_meshes: float
+    spin_over_meshes: float
+    speed_over_solvers: float
+    spin_over_solvers: float
     elements: int
 
 

@@ -258,7 +258,11 @@ def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact]
         made = [replace(each, digits=digits.get(each.name)) for each in columns_of(on_meshes, on_meshes[0], unit="m/s")]
         tables.append(table("meshes", count, *made, title="The same on finer meshes"))
         first, last = on_meshes[0], on_meshes[-1]
-        keys = {"mesh_speed": "ball_speed_mps", "mesh_spin": "backspin_rpm", "mesh_force": "peak_force_n"}
+        keys = {
+            "speed_over_meshes": "ball_speed_mps",
+            "spin_over_meshes": "backspin_rpm",
+            "force_over_meshes": "peak_force_n",
+        }
         spread = {name: abs(last[key] / first[key] - 1.0) for name, key in keys.items()}
         notes = (*notes, note("mesh-spread", coarse=count.values[0], fine=count.values[-1], **spread))
     return result.replace(kind="reference", title=title, values=(), tables=tuple(tables), notes=notes)

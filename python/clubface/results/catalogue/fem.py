@@ -12,10 +12,10 @@ SENTENCES = {
     "cost-of-failed-run": _COST + " until {last_time:us 0}, the last record kept",
     "cost-of-run": _COST,
     "error-bounds": (
-        "Accuracy: on the reference case a mesh of {elements} elements changes ball speed by {mesh_speed:.1%} and spin "
-        "by {mesh_spin:.1%}, and other programs differ by up to {solver_speed:.1%} and {solver_spin:.1%} (clubface fem "
-        "reference --meshes 3). The energy balance, off by {energy_error}, checks the time steps alone. Errors of the "
-        "material constants come on top."
+        "Accuracy: on the reference case a mesh of {elements} elements changes ball speed by {speed_over_meshes:.1%} "
+        "and spin by {spin_over_meshes:.1%}, and other programs differ by up to {speed_over_solvers:.1%} and "
+        "{spin_over_solvers:.1%} (clubface fem reference --meshes 3). The energy balance, off by {energy_error}, "
+        "checks the time steps alone. Errors of the material constants come on top."
     ),
     "face-gives": (
         "Its restitution is {restitution}. The pendulum of the rules touches it for {characteristic_time}; the rules "
@@ -33,8 +33,8 @@ SENTENCES = {
     ),
     "mesh-dependence": "Meshes of {counts:and} elements change it by {spread:.0%} at most.",
     "mesh-spread": (
-        "From {coarse} to {fine} elements the ball speed changes by {mesh_speed:.2%}, the spin by {mesh_spin:.1%} and "
-        "the peak force by {mesh_force:.1%}."
+        "From {coarse} to {fine} elements the ball speed changes by {speed_over_meshes:.2%}, the spin by "
+        "{spin_over_meshes:.1%} and the peak force by {force_over_meshes:.1%}."
     ),
     "mesh-dependence-unknown": "How far the stress depends on the mesh is not known: compare it with a finer mesh.",
     "no-launch": "There is no launch: {reason}.",
