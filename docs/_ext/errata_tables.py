@@ -63,31 +63,40 @@ class LayerSpinTable(CoreTable):
         return markdown_table(["spin, rpm", *columns], ([word, *row] for word, row in zip(words, cells, strict=True)))
 
 
-class AreaReadings(CoreTable):
-    """``{area-readings}``: launches by the contact-area model as its parameters can be read."""
+READINGS = {
+    "rings": (("G / 100 (default)", ""), ("G as printed", "as-printed")),
+    "area": (
+        ("G / 100, η = 0 (default)", ""), ("G / 100, η / 1000", "eta-in-thousandths"),
+        ("G and η as printed", "as-printed"),
+    ),
+}  # fmt: skip
+"""How the parameters of a model can be read, and the variant of the published set, by model."""
+READ = {
+    "launch, deg": ("launch", "deg", 1), "spin, rpm": ("backspin", "rpm", 0),
+    "contact, µs": ("contact_time", "us", 0), "peak, kN": ("peak_force", "kN", 1),
+}  # fmt: skip
+"""Label, name, unit and digits of what is compared."""
+
+
+class Readings(CoreTable):
+    """``{area-readings}``, ``{rings-readings}``: launches by a contact model as its parameters can be read."""
 
     def table(self) -> list[str]:
         """One row a reading."""
+        name = self.name.removesuffix("-readings")
         rows = []
-        for words, of in (
-            ("G / 100, η = 0 (default)", lambda club: {}),
-            ("G / 100, η / 1000", lambda club: {"parameters": "three-dimensional-impact-models/eta-in-thousandths"}),
-            ("G and η as printed", lambda club: {"parameters": "three-dimensional-impact-models/as-printed"}),
-        ):
+        for words, variant in READINGS[name]:
             row = [words]
+            parameters = {"parameters": f"three-dimensional-impact-models/{variant}"} if variant else {}
             for club in benchmark_data.CLUBS:
                 shot = clubface.impact(
-                    HEADS[club], mean_delivery(club), model="area", ball=published_ball(), **of(club)
+                    HEADS[club], mean_delivery(club), model=name, ball=published_ball(), **parameters
                 )
-                row += [
-                    f"{shot.get('launch', 'deg'):.1f}", f"{shot.get('backspin', 'rpm'):.0f}",
-                    f"{shot.get('contact_time', 'us'):.0f}",
-                ]  # fmt: skip
+                row += [f"{shot.get(key, unit):.{digits}f}" for key, unit, digits in READ.values()]
             rows.append(row)
-        heads = [
-            f"{club}: {what}" for club in benchmark_data.CLUBS for what in ("launch, deg", "spin, rpm", "contact, µs")
-        ]
-        return markdown_table(["parameters", *heads], rows)
+        return markdown_table(
+            ["parameters", *(f"{club}: {what}" for club in benchmark_data.CLUBS for what in READ)], rows
+        )
 
 
 class DriverCgReadings(CoreTable):
@@ -129,5 +138,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("driver-cg-readings", DriverCgReadings)
     app.add_directive("contradictions", Contradictions)
     app.add_directive("layer-spins", LayerSpinTable)
-    app.add_directive("area-readings", AreaReadings)
+    for name in READINGS:
+        app.add_directive(f"{name}-readings", Readings)
     return {"parallel_read_safe": True}
