@@ -90,5 +90,6 @@ def error_bounds() -> ErrorBounds:
 
     return ErrorBounds(
         largest("ball_speed_mps", [finest["ball_speed_mps"]]), largest("backspin_rpm", [finest["backspin_rpm"]]),
-        largest("ball_speed_mps", list(speeds)), largest("backspin_rpm", others["backspin_rpm"]), int(finest["elements"]),
+        largest("ball_speed_mps", list(speeds)), largest("backspin_rpm", others["backspin_rpm"]),
+        int(finest["elements"]),
     )  # fmt: skip
