@@ -116,13 +116,14 @@ _STYLE = (
     "a{color:#005a8f;overflow-wrap:anywhere}"
     "summary{font:bold 1.5em/1.2 system-ui,sans-serif;cursor:pointer;border-bottom:2px solid #0072B2;margin:2em 0 1em}"
     "@page{margin:13mm 18mm}"
-    "@media print{.save{display:none}body{margin:0;max-width:none;font-size:9.5pt;line-height:1.35;padding:0}"
+    "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt;padding:0}"
+    ".sheets{font-size:9.5pt;line-height:1.35}.sheets img{max-height:6.4cm}"
     "a{color:inherit;text-decoration:none}h1{font-size:20pt}h2{font-size:14pt}h3{font-size:11pt}"
     "h4{font-size:10pt}h3,h4,p,ul{margin:.5em 0}"
     ".wide{overflow:visible}.screen{display:none}.paper{display:block;margin-bottom:1em}"
-    "img{max-height:7.2cm}img.tall{max-height:21cm}"
-    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}td.text{min-width:0}"
-    "figure,tr{break-inside:avoid}thead{display:table-header-group}h1,h2,h3,h4,p:has(+ul){break-after:avoid}p,li{orphans:3;widows:3}"
+    ".sheets img.tall,img.tall{max-height:21cm}"
+    "table{font-size:var(--print,9pt)}th,td{padding:.2em .4em}td.text{min-width:0}figure,tr{break-inside:avoid}"
+    "thead{display:table-header-group}h1,h2,h3,h4,p:has(+ul){break-after:avoid}p,li{orphans:3;widows:3}"
     ".page{break-before:page}h2{margin:.8em 0 .4em}.page+h2,.page+h3,h1{margin-top:0}figure{margin:.6em 0}"
     "details{break-before:page}details:not([open]){display:none}}"
 )
@@ -165,7 +166,8 @@ def as_html(blocks: Sequence[Block]) -> str:
         f"<title>{title}</title><style>{_STYLE}</style>"
     )
     body = "\n".join(_html(each) for each in blocks)
-    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{body}\n</main></body></html>\n'
+    kind = ' class="sheets"' if any(isinstance(each, PageBreak) for each in blocks) else ""
+    return f'<!doctype html>\n<html lang="en"><head>{head}</head>\n<body><main{kind}>\n{body}\n</main></body></html>\n'
 
 
 def as_markdown(blocks: Sequence[Block]) -> str:
