@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import product
 from typing import Annotated, Any
 
@@ -17,13 +18,14 @@ app = typer.Typer(add_completion=False)
 
 @app.command("best-loft")
 @options.takes(
-    options.EQUIPMENT, options.ONE_MODEL, options.AIR, show.UNITS, show.TABLE,
-    show.plot_option("best lofts and carries, or those found over those of the chart"), show.REPORT, show.JSON,
+    options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, options.WORTH, show.UNITS, show.TABLE,
+    show.plot_option("best lofts and carries, those of a chart, or what loft is worth"), show.REPORT, show.JSON,
 )  # fmt: skip
 def best_loft(
     club: Annotated[
-        str, typer.Option("--club", metavar="CLUB", help="Name or TOML file; driver unless given.", show_default=False)
-    ] = "driver",
+        str | None,
+        options.option("--club", metavar="CLUB", text="Name or TOML file; the golfer's, or driver, unless given."),
+    ] = None,
     speed: Annotated[
         list[str] | None,
         options.option("--speed", metavar='"100 mph"', text="Club speed; several with commas or repeated."),
@@ -32,21 +34,73 @@ def best_loft(
         list[str] | None,
         options.option("--attack", metavar='"0 deg"', text="Attack angle; -5, 0 and 5 deg unless given."),
     ] = None,
+    golfer: Annotated[
+        str | None,
+        options.option("--golfer", metavar="NAME|FILE", text="Advise a golfer: over all shots, by all that counts."),
+    ] = None,
+    loft: Annotated[
+        str | None,
+        options.option("--loft", metavar='"15.5 deg"', text="Advise on this dynamic loft, at one speed."),
+    ] = None,
+    objective: Annotated[
+        str | None,
+        options.option(
+            "--objective",
+            metavar="NAME",
+            text="What counts, with --golfer or --loft: carry (default), total, side_spread or strokes.",
+        ),
+    ] = None,
+    hole: Annotated[
+        str | None,
+        options.option("--hole", metavar='"430 yd"', text="Length of the hole on which strokes are counted."),
+    ] = None,
     chart: Annotated[
         str | None,
         options.option("--chart", metavar="NAME", text="Take speeds and attack angles of a chart: trackman or ping."),
     ] = None,
     **texts: Any,
 ) -> None:
-    """Find the dynamic loft of the longest carry; by club speed, or compared with a published chart."""
+    """Find the best dynamic loft: for a golfer, by club speed, or compared with a published chart."""
     from clubface.design.best_loft import CHARTS, best_loft as find_best_loft, compare_with_chart
+    from clubface.design.golfer import club_of, golfer as golfer_named
+    from clubface.design.loft_fit import fit_loft, steady_golfer
+    from clubface.design.strokes import Hole
 
-    output = show.Output.check(texts, (club,))
-    head = options.club_of(club, texts["hand"], texts.get("model"))
+    output = show.Output.check(texts, (club, golfer))
+    player = None if golfer is None else golfer_named(golfer)
+    own = None if player is None or club is not None else "right" if player.hand > 0 else "left"
+    club = club if club is not None else "driver" if player is None else club_of(player)
+    head = options.club_of(club, texts["hand"] or own, texts.get("model"))
+    worth = options.pairs(texts["worth"] or (), "--worth")
     setup = {
         "club": head, "model": texts["model"], "parameters": options.one_set(head, texts), "ball": texts["ball"],
         "accuracy": texts["accuracy"], **options.conditions(texts),
     }  # fmt: skip
+    compared = {"--objective": objective, "--hole": hole}
+    if player is not None or loft is not None:
+        if player is not None:
+            _refuse({"--speed": speed, "--attack": attack, "--loft": loft, "--chart": chart}, "the golfer has his own")
+        else:
+            _refuse({"--chart": chart}, "--loft is of one delivery")
+            player = steady_golfer(club, **{
+                name: options.parsed(f"--{name}", text, dimension)
+                for name, text, dimension in (
+                    ("speed", _one("--speed", speed, "91 mph"), "speed"),
+                    ("attack", _one("--attack", attack, "-1 deg"), "angle"), ("loft", loft, "angle"),
+                )
+                if text is not None
+            })  # fmt: skip
+        options.check_accuracy([texts["model"]], texts["accuracy"])
+        setup.pop("accuracy")
+        played = None if hole is None else Hole(length=options.parsed("--hole", hole, "length"))
+        with progress_bar(lambda done, whole, step: step) as update:
+            result = fit_loft(
+                player, **setup, objective=objective or "carry", worth=worth, hole=played, progress=update
+            ).to_result()
+        output.show(result)
+        return
+    _refuse(compared, "give --golfer, or --loft with --speed and --attack, to compare with")
+    setup["worth"] = worth
     if chart is not None:
         check_choice("--chart", chart, CHARTS)
         if speed is not None or attack is not None:
@@ -63,3 +117,18 @@ def best_loft(
         with progress_bar("shots") as update:
             result = find_best_loft(*map(list, cases), **setup, progress=update).to_result()
     output.show(result)
+
+
+def _refuse(given: Mapping[str, Any], reason: str) -> None:
+    """Refuse options that have no effect."""
+    for option, value in given.items():
+        if value is not None:
+            raise ClubfaceError(f"{option} has no effect here: {reason}")
+
+
+def _one(option: str, texts: list[str] | None, example: str) -> str:
+    """Return the one value of an option that may have several."""
+    values = options.names(texts)
+    if len(values) != 1:
+        raise ClubfaceError(f'{option} must be given once with --loft, as in {option} "{example}"')
+    return values[0]

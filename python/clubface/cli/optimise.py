@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated, Any
 
 import typer
@@ -18,7 +19,7 @@ app = typer.Typer(add_completion=False)
         "Write the best club to this TOML file, which clubface shot reads; or all combinations of a fitting, CSV."
     ),
     show.plot_option("the landings, and the front, the bounds or the parts"), show.REPORT,
-    {"resume": (options.Resume, False)}, show.JSON,
+    {"resume": (options.Resume, False)}, options.WORTH, show.JSON,
 )  # fmt: skip
 def optimise(
     study: Annotated[
@@ -28,7 +29,6 @@ def optimise(
 ) -> None:
     """Find the club that is best for golfers within limits, or the parts that fit them."""
     from clubface.design.optimisation.fitting import Fitting
-    from clubface.design.optimisation.fitting_result import fitting_result
     from clubface.design.optimisation.fitting_run import fit
     from clubface.design.optimisation.run import optimise as find_optimum
     from clubface.design.optimisation.study import read
@@ -37,11 +37,13 @@ def optimise(
     files = {"output": shown.target, "resume": texts["resume"]}
     output.check_resume(texts["resume"], shown.target)
     asked = read(study)
+    if texts["worth"]:
+        asked = replace(asked, worth={**asked.worth, **options.pairs(texts["worth"], "--worth")})
     output.check_not_read(shown.target)
     if isinstance(asked, Fitting):
         output.check_target("--output", shown.target, (".csv",))
         with progress_bar("combinations") as progress:
-            result = fitting_result(asked, fit(asked, **files, progress=progress))
+            result = fit(asked, **files, progress=progress).to_result()
     else:
         output.check_target("--output", shown.target, (".toml",))
         with progress_bar(lambda done, whole, step: step) as progress:

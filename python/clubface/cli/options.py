@@ -181,6 +181,22 @@ GROUND: Group = {
     "ground": text_option("--ground", "Ground", '"firm fairway"', "Where the ball lands; a fairway unless given."),
 }
 
+WORTH: Group = {
+    "worth": (
+        Annotated[
+            list[str] | None,
+            option(
+                "--worth",
+                metavar="NAME=VALUE",
+                text='The smallest difference worth a change: "carry=3 yd". 2 yd of carry and total, 1 yd of '
+                "side_spread and 0.01 strokes unless given. Repeatable.",
+            ),
+        ],
+        None,
+    ),
+}
+"""What a golfer does not notice is not ranked."""
+
 
 def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the options of ``groups``, which reach its keyword arguments, after its own required ones."""

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from clubface import published_data, units
+from clubface.design.optimisation.advice import WORTH, worth_of
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
@@ -46,7 +47,7 @@ CHARTS = {
 BEYOND = np.radians(15.0)
 """How much more loft than attack angle [rad] a shot has that is hit to see why none flies."""
 HALVINGS = 14
-"""How often the loft at which a yard is lost is halved in."""
+"""How often the loft at which too much is lost is halved in."""
 SMASH = 1.46
 """Ball speed over club speed to begin with, where the ball speed is wanted."""
 
@@ -64,7 +65,10 @@ class BestLoft(Described):
     ball_speed, launch, spin, carry, total
         What it gives; the spin is the total spin.
     within
-        How far from the best a loft may be, below and above, before a yard of carry is lost, shape (cases, 2).
+        How far from the best a loft may be, below and above, before as much carry is lost as is worth a change, shape
+        (cases, 2).
+    worth
+        The smallest difference of carry worth a change [m].
     flown
         The launches.
     air, wind
@@ -81,6 +85,7 @@ class BestLoft(Described):
     total: Floats
     within: Floats
     flown: Launch
+    worth: float = WORTH["carry"]
     air: Any = None
     wind: Any = None
 
@@ -103,6 +108,7 @@ def best_loft(
     air: Any = None,
     wind: Any = None,
     ground: str | Mapping[str, Any] | None = None,
+    worth: Mapping[str, Any] | None = None,
     progress: Callable[[int, int], object] | None = None,
     **delivery: Any,
 ) -> BestLoft:
@@ -116,6 +122,8 @@ def best_loft(
         Of the club: text with a unit, SI numbers or arrays, which broadcast.
     club, model, parameters, ball, accuracy, air, wind, ground
         As for :func:`impact` and :func:`fly`.
+    worth
+        The smallest difference worth a change, by objective; that of "carry" says how flat the optimum is.
     progress
         Called with the number of shots done and that of all.
     **delivery
@@ -139,6 +147,7 @@ def best_loft(
         if name in delivery:
             raise InputError(name, delivery[name], "left out: it is not among the further values of the delivery")
 
+    enough = worth_of(worth)["carry"]
     fixed: dict[str, Any] = {"model": model, "parameters": parameters, "ball": ball, "accuracy": accuracy}
     done, shots = 0, len(speeds) * (ROUNDS * POINTS + 1 + 2 * HALVINGS)
 
@@ -177,7 +186,7 @@ def best_loft(
     return BestLoft(
         speed=speeds, attack=attacks, loft=best, ball_speed=ball_speed, launch=launched, spin=spin,
         carry=flight.carry[:, 0], total=flight.total[:, 0], flown=launch, air=air, wind=wind,
-        within=_within(lambda lofts: strike(lofts)[1].carry, best, flight.carry[:, 0]),
+        within=_within(lambda lofts: strike(lofts)[1].carry, best, flight.carry[:, 0], enough), worth=enough,
     )  # fmt: skip
 
 
@@ -189,15 +198,15 @@ def _reached(distance: Floats) -> Floats:
     return np.where(np.isfinite(distance), distance, -np.inf)
 
 
-def _within(distance: Any, best: Floats, reached: Floats) -> Floats:
-    """Return how far below and above the best loft a yard is lost, by halving, up to 15 degrees."""
-    yard, wide = units.parse("1 yd", "length"), np.radians(15.0)
+def _within(distance: Any, best: Floats, reached: Floats, worth: float) -> Floats:
+    """Return how far below and above the best loft what is worth a change is lost, by halving, up to 15 degrees."""
+    wide = np.radians(15.0)
     result = []
     for side in (-1.0, 1.0):
         near, far = np.zeros_like(best), np.full_like(best, wide)
         for _ in range(HALVINGS):
             middle = 0.5 * (near + far)
-            lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > yard
+            lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > worth
             near, far = np.where(lost, near, middle), np.where(lost, middle, far)
         result.append(0.5 * (near + far))
     return np.stack(result, axis=1)

@@ -30,7 +30,8 @@ def best_loft_result(best_loft: BestLoft) -> Result:
     title = f"Best dynamic loft for carry: {best_loft.flown.club.name}, {best_loft.flown.model}"
     return Result(
         kind="best-loft", title=title, tables=(Table("best_lofts", columns),),
-        summary=(*_summary(best_loft), note("best-loft-delivered")), notes=(note("best-loft-within"),),
+        summary=(*_summary(best_loft), note("best-loft-delivered")),
+        notes=(note("best-loft-within", worth_carry=best_loft.worth), note("best-loft-carry")),
         provenance=provenance_of([best_loft.flown], flight_conditions(best_loft.air, best_loft.wind)),
         draw=lambda: [best_loft_picture(best_loft)],
     )  # fmt: skip
@@ -93,8 +94,8 @@ def _own(best_loft: BestLoft, name: str, *, printed: bool = True) -> Column:
 def _other(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
     return [
         column("total", best_loft.total, printed=False),
-        column("yard_lost_less", best_loft.within[:, 0], "loft", label="a yard is lost with less", printed=printed),
-        column("yard_lost_more", best_loft.within[:, 1], "loft", label="or with more", printed=printed),
+        column("within_below", best_loft.within[:, 0], "loft", label="as good with less", printed=printed),
+        column("within_above", best_loft.within[:, 1], "loft", label="or more", printed=printed),
     ]
 
 
@@ -108,11 +109,12 @@ def _summary(best_loft: BestLoft) -> Iterator[Note]:
         yield note(
             "best-loft-level" if abs(attack) < _SAME_ANGLE else "best-loft-inclined", attack=attack, speed=speed,
             loft=float(best_loft.loft[place]), carry=float(best_loft.carry[place]), less_loft=less, more_loft=more,
+            worth_carry=best_loft.worth,
         )  # fmt: skip
 
 
 def best_loft_picture(best_loft: BestLoft) -> Picture:
-    """Return loft and carry over the club speed; bars reach as far as a yard of carry is lost."""
+    """Return loft and carry over the club speed; bars reach as far as a loft is as good."""
     lofts, carries = [], []
     for place, attack in enumerate(np.unique(best_loft.attack)):
         rows = np.flatnonzero(best_loft.attack == attack)
@@ -129,7 +131,7 @@ def best_loft_picture(best_loft: BestLoft) -> Picture:
             Mark("points", speed, carry, style=place, symbol=str(place), label=label),
         ]
     panels: list[Panel | None] = [
-        Panel(lofts, axis("speed"), axis("loft", "best dynamic loft"), "Bars: within them less than a yard is lost"),
+        Panel(lofts, axis("speed"), axis("loft", "best dynamic loft"), "Bars: within them the loft is as good"),
         Panel(carries, axis("speed"), axis("carry"), "How far the ball carries with it"),
     ]
     return Picture("best-loft", "Best loft and its carry over the club speed", [panels], height=3.4, legend=True)

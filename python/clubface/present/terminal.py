@@ -58,9 +58,12 @@ def as_text(
     if values:
         parts.append(_list_lines(result.title, values, width, emphasis))
     printed = [each for each in result.tables if each.printed and len(each)]
-    if not values and printed and not printed[0].title:
+    if result.lead:
+        parts.append([_bold(line, emphasis) for line in _wrapped(result.title, width)] * (not values))
+        parts[-1] += [line for each in result.lead for line in _wrapped(in_a_line(each.sentence), width)]
+    elif not values and printed and not printed[0].title:
         printed[0] = replace(printed[0], title=result.title)
-    if not values and result.title not in [each.title for each in printed]:
+    if not values and not result.lead and result.title not in [each.title for each in printed]:
         parts.append([_bold(line, emphasis) for line in _wrapped(result.title, width)])
     parts += [_table_lines(each, units, width, emphasis) for each in printed]
     if notes := note_lines(result.notes, width):

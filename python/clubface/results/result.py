@@ -44,6 +44,8 @@ class Result:
         Single values: columns of one row, by name.
     assumptions
         What was assumed where nothing was given; it stands first in every rendering, and in the titles of pictures.
+    lead
+        What to do, in sentences that every surface shows first; files have them before the summary.
     summary
         What came out, in sentences for a reader who knows no options.
     notes
@@ -66,6 +68,7 @@ class Result:
     tables: tuple[Table, ...] = ()
     values: tuple[Column, ...] = ()
     assumptions: tuple[Note, ...] = ()
+    lead: tuple[Note, ...] = ()
     summary: tuple[Note, ...] = ()
     notes: tuple[Note, ...] = ()
     hints: tuple[Note, ...] = ()
@@ -109,7 +112,7 @@ class Result:
             "assumptions": [each.to_dict() for each in self.assumptions],
             "values": {each.key: each.exact(0) for each in self.values},
             "tables": {each.name: {"columns": each.describe(), "rows": each.records()} for each in self.tables},
-            "summary": [each.to_dict() for each in self.summary],
+            "summary": [each.to_dict() for each in (*self.lead, *self.summary)],
             "notes": [each.to_dict() for each in self.notes],
             "provenance": self.provenance.to_dict(),
         } | ({"parts": [each.to_dict() for each in self.parts]} if self.parts else {})

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from importlib import import_module
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from clubface import units
+from clubface.design.optimisation.advice import Advice, advised, hole_for, worth_of
 from clubface.design.optimisation.landings import (
     DEFAULT_SETTING,
     Landings,
@@ -22,6 +24,7 @@ from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, RuleWarning
+from clubface.results.result import Described, Result
 from clubface.support.checks import without_warnings
 
 if TYPE_CHECKING:
@@ -51,6 +54,8 @@ class Fitting:
         Least and greatest change of the loft and the lie that can be set freely [SI].
     hole, setting, shots, seed
         As of a study.
+    worth
+        The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
     """
 
     title: str
@@ -64,9 +69,11 @@ class Fitting:
     setting: Setting = DEFAULT_SETTING
     shots: int = 10_000
     seed: int = 1
+    worth: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.judge(self.objective)
+        objective(self.objective, self.hole)
+        object.__setattr__(self, "worth", worth_of(self.worth))
         count = len(self.clubs) * len(self.balls) * max(len(self.settings), 1)
         if not 1 <= count <= MOST_COMBINATIONS:
             raise InputError("combinations of parts", count, f"from 1 to {MOST_COMBINATIONS}")
@@ -84,7 +91,19 @@ class Fitting:
 
     def judge(self, name: str) -> Objective:
         """Return an objective by its name."""
-        return objective(name, self.hole)
+        return objective(name, hole_for(self.clubs[0], self.hole))
+
+    @property
+    def judges(self) -> tuple[Objective, ...]:
+        """All objectives that can be computed, those of the advice first: strokes on the assumed hole if need be."""
+        hole = hole_for(self.clubs[0], self.hole)
+        first = advised(self.objective, hole)
+        return (*first, *(each for each in objectives(hole) if each.name not in [one.name for one in first]))
+
+    @property
+    def advised(self) -> tuple[Objective, ...]:
+        """The objectives that the advice compares, the one asked for first."""
+        return advised(self.objective, hole_for(self.clubs[0], self.hole))
 
     def set(self, head: Club, setting: str) -> dict[str, float]:
         """Return the fields of a head that a setting changes, and its lie [SI]."""
@@ -117,15 +136,9 @@ def landings(fitting: Fitting, combination: Combination) -> list[Any]:
     return [each.of(club) for each, _ in golfer_landings(fitting, head, ball, fitting.samples())]
 
 
-def as_it_is(fitting: Fitting) -> dict[str, float]:
-    """Return what the first club with the first ball is judged by, with nothing changed [SI]."""
-    return judged_values(
-        fitting,
-        [
-            (each.of({}), weight)
-            for each, weight in golfer_landings(fitting, *fitting.names()[0][:2], fitting.samples())
-        ],
-    )
+def present_landings(fitting: Fitting) -> list[Any]:
+    """Return where the shots of every golfer land with the first club and ball as they are, like :func:`landings`."""
+    return [each.of({}) for each, _ in golfer_landings(fitting, *fitting.names()[0][:2], fitting.samples())]
 
 
 def golfer_landings(fitting: Fitting, head: Club, ball: Ball | None, samples: Any) -> list[tuple[Landings, float]]:
@@ -137,15 +150,6 @@ def golfer_landings(fitting: Fitting, head: Club, ball: Ball | None, samples: An
         delivered = {**sample, "loft": sample.get("loft", base_loft) + (head.loft - base_loft)}
         result.append((Landings(head, delivered, own), weight))
     return result
-
-
-def judged_values(fitting: Fitting, landed: Sequence[tuple[Any, float]]) -> dict[str, float]:
-    """Return every objective of the landings of golfers, each with how much he counts, by its name."""
-    total = sum(weight for _, weight in landed)
-    return {
-        each.name: sum(weight * each.judge(one)[0] for one, weight in landed) / total
-        for each in objectives(fitting.hole)
-    }
 
 
 SETTINGS = ("loft", "lie", "cg_x", "cg_y", "cg_z")
@@ -179,6 +183,8 @@ class Combination(NamedTuple):
         Standard error of the difference from the best [SI], 0 for the best itself.
     place
         Index of the combination in :meth:`Fitting.names`.
+    rank
+        1 for the best; those that do not differ by what is worth a change share one.
     """
 
     club: str
@@ -189,11 +195,59 @@ class Combination(NamedTuple):
     others: Mapping[str, float]
     error: float
     place: int
+    rank: int = 1
 
 
-def describe(each: Combination) -> str:
-    """Write a combination in words: "driver with the ball modern, the setting "back" and 1.0 deg more loft"."""
-    parts = [f"{each.club} with the ball {each.ball}", *([f'the setting "{each.setting}"'] if each.setting else [])]
+class Effect(NamedTuple):
+    """How much one kind of part matters: the most that it changes an objective, all else being equal.
+
+    Attributes
+    ----------
+    part
+        "club", "ball" or "setting".
+    objective
+        The name of an objective.
+    difference, error
+        The greatest difference between two of the parts, and its standard error [SI].
+    matters
+        Whether the difference is worth a change and statistically clear.
+    """
+
+    part: str
+    objective: str
+    difference: float
+    error: float
+    matters: bool
+
+
+class Fitted(list[Combination], Described):
+    """The combinations of a fitting, those that share the best rank first.
+
+    Attributes
+    ----------
+    fitting
+        What was chosen among.
+    advice
+        The present club, all combinations, and those that are best by other objectives.
+    effects
+        How much clubs, balls and settings matter, by objective.
+    """
+
+    def __init__(
+        self, combinations: list[Combination], fitting: Fitting, advice: Advice, effects: tuple[Effect, ...]
+    ) -> None:
+        super().__init__(combinations)
+        self.fitting, self.advice, self.effects = fitting, advice, effects
+
+    def to_result(self) -> Result:
+        """Return the combinations and the advice as a result."""
+        return import_module("clubface.design.optimisation.fitting_result").fitting_result(self)
+
+
+def describe(each: Combination, *, with_ball: bool = True) -> str:
+    """Write a combination in words: "driver with the ball modern, the setting "back", 1.0 deg more loft"."""
+    parts = [f"{each.club} with the ball {each.ball}" if with_ball else each.club]
+    parts += [f'the setting "{each.setting}"'] if each.setting else []
     changed = describe_changes(each.changes)
     return ", ".join([*parts, changed] if changed else parts)
 

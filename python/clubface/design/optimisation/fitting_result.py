@@ -2,40 +2,49 @@
 
 from __future__ import annotations
 
-import math
-import textwrap
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from clubface import units
-from clubface.design.optimisation.fitting import Combination, Fitting, as_it_is, describe, describe_changes, landings
-from clubface.design.optimisation.optimum_result import CERTAIN, landings_panel, study_provenance
+from clubface.design.optimisation.advice_result import (
+    advice_lead,
+    advice_notes,
+    advice_tables,
+    gains_panel,
+    short_label,
+)
+from clubface.design.optimisation.fitting import (
+    Combination,
+    Fitted,
+    Fitting,
+    describe_changes,
+    landings,
+    present_landings,
+)
+from clubface.design.optimisation.optimum_result import landings_panel, study_provenance
 from clubface.results.notes import Note, note
-from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.pictures import Panel, Picture
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
 
 SHOWN = 12
 """Combinations that are printed; files have all."""
-FELT = 2.0
-"""Yards below which a difference is taken to escape a golfer on a range, however certain it is of computed shots. It is
-assumed: no measurement was found."""
-LANDINGS, BARS = 3, 10
-"""The best combinations whose landings are drawn, and that are compared."""
-LETTERS = 36
-"""Most letters in a line of the name of a combination."""
-ERRORS = 2.0
-"""Standard errors that a bar of uncertainty reaches: about 19 of 20 differences lie within."""
+BARS = 10
+"""Most alternatives that are drawn."""
 
 
-def fitting_result(fitting: Fitting, combinations: Sequence[Combination]) -> Result:
-    """Return a fitting and its combinations, the best first, as a result."""
+def fitting_result(fitted: Fitted) -> Result:
+    """Return a fitting and its combinations, those of the best rank first, as a result."""
+    fitting, advice = fitted.fitting, fitted.advice
+    shown = [*range(min(len(fitted), SHOWN) + 1), *range(len(fitted) + 1, len(advice.names))]
+    tables = [combinations_table(fitting, fitted), *advice_tables(advice, shown=shown)]
+    if fitted.effects:
+        tables.append(_effects_table(fitted))
     return Result(
-        kind="fitting", title=fitting.title, tables=(combinations_table(fitting, combinations),),
-        summary=tuple(_summary(fitting, combinations)),
-        notes=tuple(_notes(fitting, combinations)), provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
-        draw=lambda: [fitting_picture(fitting, combinations)],
+        kind="fitting", title=fitting.title, tables=tuple(tables),
+        lead=(*advice_lead(advice), *_parts(fitted)), notes=(*_notes(fitting, fitted), *advice_notes(advice)),
+        provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
+        draw=lambda: [fitting_picture(fitted)],
     )  # fmt: skip
 
 
@@ -43,8 +52,9 @@ def combinations_table(fitting: Fitting, combinations: Sequence[Combination]) ->
     """Return all combinations as a table."""
     first, *others = (fitting.judge(name) for name in (fitting.objective, *combinations[0].others))
     changes = dict.fromkeys(name for each in combinations for name in each.changes)
+    best = max((each.value for each in combinations), key=lambda value: -first.sign * value)
     columns = [
-        text("place", list(range(1, len(combinations) + 1)), label=""),
+        text("place", [each.rank for each in combinations], label=""),
         text("club", [each.club for each in combinations]),
         text("ball", [each.ball for each in combinations]),
         text("setting", [each.setting for each in combinations], printed=any(each.setting for each in combinations)),
@@ -53,34 +63,38 @@ def combinations_table(fitting: Fitting, combinations: Sequence[Combination]) ->
         *(column(f"{name}_change", [each.changes.get(name, 0.0) for each in combinations],
                  "rad" if name in ("loft", "lie") else "m", printed=False) for name in changes),
         Column(first.name, [each.value for each in combinations], first.quantity),
-        Column("against_the_best", [each.value - combinations[0].value for each in combinations], first.quantity,
+        Column("against_the_best", [each.value - best for each in combinations], first.quantity,
                "against the best", difference=True),
         Column("error", [each.error for each in combinations], first.quantity, "±"),
         *(Column(judge.name, [each.others[judge.name] for each in combinations], judge.quantity) for judge in others),
     ]  # fmt: skip
-    return Table("combinations", tuple(columns), shown_rows=range(min(len(combinations), SHOWN)))
+    return Table("combinations", tuple(columns), printed=False)
 
 
-def _summary(fitting: Fitting, combinations: Sequence[Combination]) -> Iterator[Note]:
-    best, judge = combinations[0], fitting.judge(fitting.objective)
-    yield note(
-        "fitting-best", combinations=len(combinations), best=describe(best), meaning=judge.meaning,
-        value=judge.show(best.value),
-    )  # fmt: skip
-    if len(combinations) > 1:
-        behind = abs(combinations[1].value - best.value)
-        if math.isnan(combinations[1].error):
-            code = "fitting-error-unknown"
-        elif behind <= CERTAIN * combinations[1].error:
-            code = "fitting-not-certain"
-        else:
-            little = judge.unit == "yd" and units.from_si(behind, "yd") < FELT
-            code = f"fitting-certain{'-but-small' * little}"
-        yield note(code, worse=describe(combinations[1]), behind=judge.show(behind))
-    now = as_it_is(fitting)[judge.name]
-    if not math.isnan(now):
-        ball = "the same ball" if fitting.balls[0] is None else f"the ball {fitting.balls[0].name}"
-        yield note("fitting-unchanged", club=fitting.clubs[0].name, ball=ball, value=judge.show(now))
+def _effects_table(fitted: Fitted) -> Table:
+    kinds = [fitted.fitting.judge(each.objective).quantity for each in fitted.effects]
+    columns = (
+        text("part", [each.part for each in fitted.effects]),
+        text("objective", [each.objective for each in fitted.effects], printed=False),
+        text("what counts", [each.label for each in kinds], in_files=False),
+        Column("difference", [each.difference for each in fitted.effects], kinds, "greatest difference"),
+        Column("error", [each.error for each in fitted.effects], kinds, "±"),
+        Column("worth", [fitted.advice.worth[each.objective] for each in fitted.effects], kinds, "worth a change"),
+        text("matters", [each.matters for each in fitted.effects]),
+    )
+    return Table("effects", columns, "Which parts matter, all else being equal")
+
+
+def _parts(fitted: Fitted) -> Iterator[Note]:
+    parts = {each.part: [] for each in fitted.effects}
+    for each in fitted.effects:
+        if each.matters:
+            judge = fitted.fitting.judge(each.objective)
+            parts[each.part].append(f"{short_label(judge)} by up to {judge.show(each.difference)}")
+    if idle := [part for part, effects in parts.items() if not effects]:
+        yield note("fitting-parts-idle", parts=idle)
+    if effects := [f"the {part}: {', '.join(effects)}" for part, effects in parts.items() if effects]:
+        yield note("fitting-parts-matter", effects=effects)
 
 
 def _notes(fitting: Fitting, combinations: Sequence[Combination]) -> Iterator[Note]:
@@ -91,10 +105,6 @@ def _notes(fitting: Fitting, combinations: Sequence[Combination]) -> Iterator[No
         golfers=len(fitting.golfers),
         club=fitting.clubs[0].name,
     )
-    if any(math.isnan(each.error) for each in combinations):
-        yield note("fitting-errors-missing")
-    if close := sum(abs(each.value - combinations[0].value) <= CERTAIN * each.error for each in combinations[1:]):
-        yield note("fitting-close", close=close)
     if ends := [
         name for name, limits in fitting.bounds.items() if _is_at_an_end(combinations[0].changes.get(name), limits)
     ]:
@@ -108,41 +118,17 @@ def _is_at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
     return value is not None and min(value - low, high - value) < 1e-3 * (high - low)
 
 
-def fitting_picture(fitting: Fitting, combinations: Sequence[Combination]) -> Picture:
-    """Return landings and ellipses of the best combinations, and how far behind the best the others are."""
-    best = enumerate(combinations[:LANDINGS], 1)
-    landed = {f"{rank}": np.concatenate(landings(fitting, each), axis=1) for rank, each in best}
+def fitting_picture(fitted: Fitted) -> Picture:
+    """Return what each alternative gains on the present club, and where shots land with it and with the best one."""
+    fitting, advice = fitted.fitting, fitted.advice
+    best = landings(fitting, fitted[0])
+    clubs = {"present": present_landings(fitting), f"best for {short_label(advice.objectives[0])}": best}
+    panels: list[Panel | None] = [landings_panel({name: np.concatenate(each, axis=1) for name, each in clubs.items()})]
+    if len(advice.names) == 1:
+        return Picture("fitting", "Landings with the present club", [panels], height=3.2)
+    rows = min(len(advice.names) - 1, BARS)
+    heights = [1.3 + 0.5 * rows, 3.2]
     return Picture(
-        "fitting", "Landings with the best parts, and how far behind the others are",
-        [[landings_panel(landed), _behind_panel(fitting, combinations[:BARS])]], widths=[1.0, 1.1],
-        height=max(3.2, 0.8 + 0.42 * min(len(combinations), BARS)),
+        "fitting", "What each alternative gains on the present club, and the landings with it and with the best one",
+        [[gains_panel(advice, BARS)], panels], heights=heights, height=sum(heights),
     )  # fmt: skip
-
-
-def _behind_panel(fitting: Fitting, combinations: Sequence[Combination]) -> Panel:
-    judge = fitting.judge(fitting.objective)
-    behind = np.array([judge.sign * (each.value - combinations[0].value) for each in combinations])
-    errors = ERRORS * np.array([each.error for each in combinations])
-    rows = np.arange(len(combinations))
-    marks = [
-        Mark("bars", behind[row : row + 1], rows[row : row + 1], style=row if row < LANDINGS else -1, size=0.6)
-        for row in range(len(combinations))
-    ]
-    known = np.isfinite(errors)
-    marks.append(Mark("intervals", behind[known], rows[known], x0=(behind - errors)[known], x1=(behind + errors)[known],
-                      symbol="", style=-2))  # fmt: skip
-    labels = [_label(place + 1, each) for place, each in enumerate(combinations)]
-    low = 1.05 * min(0.0, float(np.nanmin(behind - errors)))
-    return Panel(
-        marks, Axis(judge.quantity, "behind the best", limits=(low, None)),
-        axis(names=labels, reversed=True, limits=(len(combinations) - 0.4, -0.6)),
-        textwrap.fill(f"By the {judge.meaning}", LETTERS),
-    )  # fmt: skip
-
-
-def _label(number: int, combination: Combination) -> str:
-    parts = textwrap.wrap(
-        ", ".join(each for each in (combination.club, combination.ball, combination.setting) if each), LETTERS
-    )
-    changes = textwrap.wrap(describe_changes(combination.changes), LETTERS)
-    return "\n".join([f"{number}: {parts[0]}", *parts[1:], *changes])

@@ -9,10 +9,27 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.optimisation.fitting import Combination, Fitting, golfer_landings, judged_values
+from clubface.design.optimisation.advice import (
+    BETTER,
+    Advice,
+    adds_nothing,
+    describe_conditions,
+    describe_golfers,
+    hole_for,
+    judge_sets,
+)
+from clubface.design.optimisation.fitting import (
+    Combination,
+    Effect,
+    Fitted,
+    Fitting,
+    describe,
+    describe_changes,
+    golfer_landings,
+)
 from clubface.design.optimisation.fitting_result import combinations_table
 from clubface.design.optimisation.landings import Landings, Objective, own_value
-from clubface.design.optimisation.solve import Problem, best, solve, starts
+from clubface.design.optimisation.solve import COARSE, Problem, best, solve, starts
 from clubface.design.optimisation.study import content, fitting
 from clubface.design.optimisation.variables import Variables
 from clubface.equipment.balls import Ball
@@ -24,18 +41,36 @@ from clubface.shots.tables.writer import csv_lines
 
 STARTS = 3
 """Starts of a combination's adjustment; it has at most two numbers, loft and lie."""
-BLOCKS = 16
-"""Parts of the shots; the spread of their differences gives the standard error of a difference."""
+
+
+class _Judged(NamedTuple):
+    """A club as it is set for one objective [SI].
+
+    Attributes
+    ----------
+    changes
+        Of loft, lie and CG.
+    values
+        All objectives over all shots.
+    sets
+        Those of the advice in sets of shots.
+    """
+
+    changes: dict[str, float]
+    values: list[float]
+    sets: list[list[float]]
 
 
 class _Tried(NamedTuple):
-    """What is kept of a combination: its changes and values [SI], and the values of parts of its shots by golfer."""
+    """What is kept of a combination: its ball, and how it is judged as it is set for each objective."""
 
     ball: str
-    changes: dict[str, float]
-    values: dict[str, float]
-    shots: list[int]
-    parts: list[list[float]]
+    judged: dict[str, _Judged]
+
+    @classmethod
+    def read(cls, ball: str, judged: Mapping[str, Any]) -> _Tried:
+        """Return what was kept."""
+        return cls(ball, {name: _Judged(*each) for name, each in judged.items()})
 
 
 def fit(
@@ -44,11 +79,12 @@ def fit(
     output: str | Path | None = None,
     resume: bool = False,
     progress: Callable[[int, int], object] | None = None,
-) -> list[Combination]:
-    """Return all combinations, the best first.
+) -> Fitted:
+    """Return all combinations, the best first, and what the golfer should do.
 
     A setting changes the loft of a head, and with it the loft at impact, the lie at impact, and the CG; a loft that is
     set by turning the head is taken to leave the face angle alone, as a golfer does who squares the face again.
+    Combinations that do not differ by what is worth a change share a rank, and stand in the order of the parts.
 
     Parameters
     ----------
@@ -71,29 +107,102 @@ def fit(
     subject = fitting(subject)
     depends_on = {"study": content(subject), "order of the settings": list(subject.settings)}
     with store_for(output, depends_on, resume=resume) as store:
-        ranked = _ranked(subject, _all(subject, store, progress))
+        fitted = _fitted(subject, _all(subject, store, progress))
         if output is not None:
-            store.write_result(
-                Path(output), lambda file: file.write(csv_lines(combinations_table(subject, ranked).csv_rows(), ","))
-            )
+            table = combinations_table(subject, fitted)
+            store.write_result(Path(output), lambda file: file.write(csv_lines(table.csv_rows(), ",")))
             store.remove()
-    return ranked
+    return fitted
 
 
-def _ranked(fitting: Fitting, tried: list[_Tried]) -> list[Combination]:
-    """Return combinations from the best to the worst."""
-    judge = fitting.judge(fitting.objective)
-    order = sorted(range(len(tried)), key=lambda place: judge.sign * tried[place].values[judge.name])
-    first, weights = tried[order[0]], [weight for _, weight in fitting.golfers]
-    ranked = []
-    for place in order:
-        one, (head, _, setting) = tried[place], fitting.names()[place]
-        error = 0.0 if place == order[0] else _error(weights, one, first)
-        others = {name: value for name, value in one.values.items() if name != judge.name}
-        ranked.append(
-            Combination(head.name, one.ball, setting, one.changes, one.values[judge.name], others, error, place)
+def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
+    """Return ranked combinations with the advice on them."""
+    purpose, count = fitting.objective, range(len(tried))
+    own = [each.judged[purpose] for each in tried]
+    same = next((place for place in count if _is_present(fitting, place, own[place])), None)
+    present = own[same] if same is not None else _present(fitting)
+    rows = {place: row for row, place in enumerate((place for place in count if place != same), 1)}
+    rows |= {} if same is None else {same: 0}
+    judged = [present, *(own[place] for place in count if place != same)]
+    every = _advice(fitting, ["" for _ in judged], judged)
+    ranks = every.ranks([rows[place] for place in count])
+    order = sorted(count, key=lambda place: (ranks[rows[place]], place))
+    best = max(rows.values(), key=lambda row: every.gain(purpose, row))
+    ranked = [
+        _combination(fitting, tried[place].ball, place, own[place])._replace(
+            error=every.error(purpose, rows[place], best), rank=ranks[rows[place]]
         )
-    return ranked
+        for place in order
+    ]
+    with_ball = len(fitting.balls) > 1
+    chosen = {describe(each, with_ball=with_ball): own[each.place] for each in ranked if each.place != same}
+    for each in fitting.advised[1:]:
+        tuned = [one.judged.get(each.name, own[place]) for place, one in enumerate(tried)]
+        column = [one.name for one in fitting.judges].index(each.name)
+        place = min(count, key=lambda place: each.sign * tuned[place].values[column])
+        words = describe(_combination(fitting, tried[place].ball, place, tuned[place]), with_ball=with_ball)
+        known = [each.values[column] for each in (present, *chosen.values())]
+        if not adds_nothing(each, fitting.worth[each.name], tuned[place].values[column], known):
+            chosen.setdefault(words, tuned[place])
+    ball = f" with the ball {tried[0].ball}" if with_ball else ""
+    names = [f"{fitting.clubs[0].name}{ball} as it is", *chosen]
+    return Fitted(ranked, fitting, _advice(fitting, names, [present, *chosen.values()]), _effects(fitting, tried))
+
+
+def _combination(fitting: Fitting, ball: str, place: int, judged: _Judged) -> Combination:
+    head, _, setting = fitting.names()[place]
+    values = {each.name: value for each, value in zip(fitting.judges, judged.values, strict=True)}
+    value = values.pop(fitting.objective)
+    return Combination(head.name, ball, setting, judged.changes, value, values, 0.0, place)
+
+
+def _is_present(fitting: Fitting, place: int, judged: _Judged) -> bool:
+    """Return whether a combination is the first club with the first ball, nothing changed that is seen."""
+    head, ball, _ = fitting.names()[place]
+    return head is fitting.clubs[0] and ball is fitting.balls[0] and not describe_changes(judged.changes)
+
+
+def _present(fitting: Fitting) -> _Judged:
+    """Return how the first club with the first ball is judged, with nothing changed."""
+    golfers = golfer_landings(fitting, *fitting.names()[0][:2], fitting.samples())
+    return _judged(fitting, golfers, {}, {})
+
+
+def _advice(fitting: Fitting, names: list[str], judged: list[_Judged]) -> Advice:
+    columns = slice(0, len(fitting.advised))
+    return Advice(
+        purpose=fitting.objective, golfer=describe_golfers(fitting.golfers), objectives=fitting.advised,
+        names=tuple(names), values=np.array([each.values for each in judged])[:, columns],
+        sets=np.array([each.sets for each in judged]), worth=fitting.worth,
+        conditions=describe_conditions(fitting.setting, fitting.hole, fitting.shots),
+        assumed_hole=fitting.hole is None and hole_for(fitting.clubs[0], None) is not None,
+    )  # fmt: skip
+
+
+def _effects(fitting: Fitting, tried: list[_Tried]) -> tuple[Effect, ...]:
+    """Return how much clubs, balls and settings matter, each combination as it is set for the objective."""
+    names = [(head.name, each.ball, setting) for (head, _, setting), each in zip(fitting.names(), tried, strict=True)]
+    effects = []
+    for place, part in enumerate(("club", "ball", "setting")):
+        groups: dict[tuple[str, ...], list[int]] = {}
+        for row, name in enumerate(names):
+            groups.setdefault(name[:place] + name[place + 1 :], []).append(row)
+        if all(len(rows) < 2 for rows in groups.values()):
+            continue
+        for judge in fitting.advised:
+            judged = [one.judged.get(judge.name) or one.judged[fitting.objective] for one in tried]
+            every = _advice(fitting, ["" for _ in judged], judged)
+            ends = [
+                (max(rows, key=lambda row: every.gain(judge.name, row)),
+                 min(rows, key=lambda row: every.gain(judge.name, row)))
+                for rows in groups.values()
+            ]  # fmt: skip
+            most, least = max(ends, key=lambda pair: every.gain(judge.name, *pair))
+            effects.append(Effect(
+                part, judge.name, every.gain(judge.name, most, least), every.error(judge.name, most, least),
+                every.state(judge.name, most, least) == BETTER,
+            ))  # fmt: skip
+    return tuple(effects)
 
 
 def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
@@ -104,31 +213,48 @@ def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], objec
         return list(_tried(fitting, head, ball, setting, samples))
 
     job = Job("combinations", range(len(combinations)), compute, lambda place: f"combination {place}")
-    return [_Tried(*each) for each in run(job, store=store, progress=progress).values()]
+    return [_Tried.read(*each) for each in run(job, store=store, progress=progress).values()]
 
 
 def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
-    """Judge one combination, after what can be set freely is set as well as it can be."""
-    judge, golfers = fitting.judge(fitting.objective), golfer_landings(fitting, head, ball, samples)
+    """Judge one combination, after what can be set freely is set as well as it can be for each objective."""
+    golfers = golfer_landings(fitting, head, ball, samples)
     changes = dict(fitting.settings[setting]) if setting else {}
     club = fitting.set(head, setting)
-    if fitting.bounds:
-        moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
-        problem = _Adjusted(Variables(base=moved, bounds=fitting.free(head, club)), golfers, judge, club)
-        solution = best([solve(problem, each) for each in starts(problem, STARTS, fitting.seed)])
-        if solution is None:
+    judged = {}
+    for judge in fitting.advised if fitting.bounds else fitting.advised[:1]:
+        tuned = _tuned(fitting, judge, head, ball, setting, samples, golfers) if fitting.bounds else {}
+        moved = {name: tuned[name] - own_value(head, name) for name in fitting.bounds}
+        result = _judged(fitting, golfers, {**changes, **moved}, {**club, **tuned})
+        if not np.isfinite(result.values).all():
             raise _impossible(head, setting)
-        club |= problem.variables.club(solution.point)
-        changes |= {name: club[name] - own_value(head, name) for name in fitting.bounds}
-    landed = [each.of(club) for each, _ in golfers]
-    if any(np.isnan(each).any() for each in landed):
+        judged[judge.name] = result
+    return _Tried(golfers[0][0].ball.name, judged)
+
+
+def _tuned(
+    fitting: Fitting, judge: Objective, head: Club, ball: Ball | None, setting: str, samples: Any, golfers: Any
+) -> dict[str, float]:
+    """Return what can be set freely as it is best for an objective: from several starts on few shots, then on all."""
+    club = fitting.set(head, setting)
+    moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
+    variables = Variables(base=moved, bounds=fitting.free(head, club))
+    few = [({name: values[:COARSE] for name, values in sample.items()}, weight) for sample, weight in samples]
+    coarse = _Adjusted(variables, golfer_landings(fitting, head, ball, few), judge, club)
+    solution = best([solve(coarse, each) for each in starts(coarse, STARTS, fitting.seed)])
+    problem = _Adjusted(variables, golfers, judge, club)
+    if solution is not None and fitting.shots > COARSE:
+        solution = best([solve(problem, solution.point)])
+    if solution is None:
         raise _impossible(head, setting)
-    values = judged_values(fitting, [(one, weight) for one, (_, weight) in zip(landed, golfers, strict=True)])
-    parts = [
-        [judge.judge(part)[0] for part in np.array_split(one, BLOCKS, axis=1)] if one.shape[1] >= 2 * BLOCKS else []
-        for one in landed
-    ]
-    return _Tried(golfers[0][0].ball.name, changes, values, [one.shape[1] for one in landed], parts)
+    return problem.variables.club(solution.point)
+
+
+def _judged(fitting: Fitting, golfers: Any, changes: Mapping[str, float], club: Mapping[str, float]) -> _Judged:
+    """Return how a club is judged by all objectives, over all shots and in sets of them."""
+    landed = [(each, weight, each.of(club)) for each, weight in golfers]
+    whole = judge_sets(fitting.judges, landed, 1)[0]
+    return _Judged(dict(changes), whole.tolist(), judge_sets(fitting.advised, landed).tolist())
 
 
 def _impossible(head: Club, setting: str) -> InputError:
@@ -155,14 +281,3 @@ class _Held(Landings):
 
     def _inputs(self, club: Mapping[str, float]) -> list[Any]:
         return super()._inputs({**self._held, **club})
-
-
-def _error(weights: list[float], one: _Tried, first: _Tried) -> float:
-    """Return the standard error of a difference on the same shots, from the differences of ``BLOCKS`` parts of them.
-
-    Where other shots miss the face of the other club, the shots do not pair, and it is not known.
-    """
-    if one.shots != first.shots or not all(one.parts):
-        return float("nan")
-    differences = np.average(np.subtract(one.parts, first.parts), axis=0, weights=weights)
-    return float(np.std(differences, ddof=1) / np.sqrt(BLOCKS))

@@ -123,6 +123,8 @@ class Landings:
         The number of shots that are computed.
     missed
         The number of shots that miss the face of the base club; they are left out.
+    kept
+        Which of the deliveries are computed: their indices, shape (count,).
     """
 
     def __init__(self, base: Club, deliveries: Mapping[str, Any], setting: Setting) -> None:
@@ -143,7 +145,8 @@ class Landings:
             each if isinstance(each, float) else np.ascontiguousarray(each[good]) for each in setup.columns
         ]
         self._own = parameters
-        self.count = int(good.sum())
+        self.kept = np.flatnonzero(good)
+        self.count = len(self.kept)
         self.ball = equipment.ball
 
     def _inputs(self, club: Mapping[str, float]) -> list[Any]:
@@ -187,6 +190,11 @@ class Landings:
             return np.full((len(LANDING), self.count), np.nan)
         flown, _ = core.fly(self._flights(launches, columns), self.count, self.setting.threads)
         return flown[[list(flight_outputs()).index(name) for name in LANDING]]
+
+    def split(self, landed: NDArray[Any], sets: int) -> list[NDArray[Any]]:
+        """Return landings in sets of deliveries that follow each other, the same deliveries whatever the club."""
+        ends = np.linspace(0, self.count + self.missed, sets + 1).round()[1:-1]
+        return np.split(landed, np.searchsorted(self.kept, ends), axis=1)
 
     def differentiated(self, club: Mapping[str, float], variables: tuple[str, ...]) -> tuple[NDArray[Any], Slopes]:
         """Return the landings of :meth:`of`, and their derivatives by fields of the club."""
@@ -290,6 +298,13 @@ def carry(landed: NDArray[Any]) -> Judged:
     return float(landed[0].mean()), weights
 
 
+def total(landed: NDArray[Any]) -> Judged:
+    """Judge by the mean distance to where balls come to rest [m]."""
+    weights = np.zeros_like(landed)
+    weights[2] = 1.0 / landed.shape[1]
+    return float(landed[2].mean()), weights
+
+
 def side_spread(landed: NDArray[Any]) -> Judged:
     """Judge by the standard deviation of the side [m], 0 for a single shot."""
     weights, deviation = np.zeros_like(landed), landed[1] - landed[1].mean()
@@ -324,6 +339,7 @@ OBJECTIVES = {
     each.name: each
     for each in (
         Objective("carry", "mean carry", "length", "yd", -1.0, carry, True),
+        Objective("total", "mean total distance", "length", "yd", -1.0, total, True, ROUGH),
         Objective("side_spread", "standard deviation of the side", "length", "yd", 1.0, side_spread, False),
         Objective("ellipse", f"area of the ellipse of {SHARE:.0%} of the landings", "area", "m2", 1.0, ellipse, False),
     )

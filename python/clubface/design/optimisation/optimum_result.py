@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.golfer import golfer_sources
+from clubface.design.optimisation.advice import CERTAIN
+from clubface.design.optimisation.advice_result import advice_lead, advice_notes, advice_tables
 from clubface.design.optimisation.fitting import Fitting, change_words
-from clubface.design.optimisation.landings import FREE, SHARE, own_value
+from clubface.design.optimisation.landings import SHARE, own_value
 from clubface.design.optimisation.study import UNITS, DesignStudy, field_quantity
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
@@ -27,8 +29,8 @@ from clubface.simulation.provenance import flight_conditions, provenance_of
 if TYPE_CHECKING:
     from clubface.design.optimisation.result import Optimum
 
-CERTAIN = 2.0
-"""Standard errors beyond which a difference is called one."""
+CLUBS = ("start", "nominal", "optimum")
+"""The clubs that every optimisation compares."""
 ONE_PLACE = 2e-4
 """Distance [m] within which point masses are shown as one."""
 LEAST_SHOWN = 5e-5
@@ -39,7 +41,8 @@ DRAWN_POINTS = 400
 
 def optimum_result(optimum: Optimum) -> Result:
     """Return an optimum as a result."""
-    tables = [_club_table(optimum), _fresh_table(optimum), _limits_table(optimum)]
+    advice = optimum.advice
+    tables = [_club_table(optimum), *advice_tables(advice), _fresh_table(optimum), _limits_table(optimum)]
     if masses := optimum.placed():
         tables.append(placement_table(masses))
     if optimum.front:
@@ -53,7 +56,8 @@ def optimum_result(optimum: Optimum) -> Result:
     return Result(
         kind="optimum", title=optimum.study.title, tables=tuple(tables),
         values=tuple(text(name, [value], printed=False) for name, value in counts.items()),
-        summary=tuple(_summary(optimum)), notes=tuple(_notes(optimum)),
+        lead=tuple(advice_lead(advice)), summary=tuple(_summary(optimum)),
+        notes=(*_notes(optimum), *advice_notes(advice)),
         provenance=provenance + Provenance(descriptions={"the-best-club.toml": optimum.built.to_toml()}),
         draw=lambda: [optimum_picture(optimum)],
     )  # fmt: skip
@@ -88,20 +92,16 @@ def _club_table(optimum: Optimum) -> Table:
     """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
     kinds = [field_quantity(name) for name in optimum.club]
     bounds = [optimum.study.bounds.get(name, (None, None)) for name in optimum.club]
+    labels = {"nominal": "best for the mean delivery"}
+    labels |= {name: f"best for {name.replace('_', ' ')}" for name in optimum.rivals}
     columns = (
         text("field", list(optimum.club)),
-        Column("start", [own_value(optimum.study.club, name) for name in optimum.club], kinds, digits=-4),
-        Column(
-            "nominal",
-            [optimum.nominal.get(name) for name in optimum.club],
-            kinds,
-            "best for the mean delivery",
-            digits=-4,
-        ),
-        Column("optimum", list(optimum.club.values()), kinds, digits=-4),
+        *(Column(club if club in ("start", "nominal", "optimum") else f"best_for_{club}",
+                 [optimum.fields(club).get(name) for name in optimum.club], kinds, labels.get(club, ""), digits=-4)
+          for club in optimum.fresh.clubs),
         Column("least", [low for low, _ in bounds], kinds, "least allowed", digits=-4),
         Column("most", [high for _, high in bounds], kinds, "most allowed", digits=-4),
-    )
+    )  # fmt: skip
     return Table("club", columns)
 
 
@@ -109,14 +109,14 @@ def _fresh_table(optimum: Optimum) -> Table:
     """Return what the clubs are judged by on fresh shots, and what the optimum gains on either."""
     judges = optimum.study.known()
     kinds = [each.quantity for each in judges]
-    values = {club: [optimum.fresh.value(club, each.name) for each in judges] for club in optimum.fresh.clubs}
+    values = {club: [optimum.fresh.value(club, each.name) for each in judges] for club in CLUBS}
     labels = {"start": "start", "nominal": "best for the mean delivery", "optimum": "optimum"}
     columns = [
         text("objective", [each.name for each in judges], printed=False),
         text("what", [each.label for each in kinds], in_files=False),
         *(Column(club, each, kinds, labels[club]) for club, each in values.items()),
     ]
-    for club in optimum.fresh.clubs[:2]:
+    for club in CLUBS[:2]:
         gains = [best - other for best, other in zip(values["optimum"], values[club], strict=True)]
         errors = [optimum.fresh.error(club, each.name) for each in judges]
         columns += [
@@ -124,7 +124,9 @@ def _fresh_table(optimum: Optimum) -> Table:
             Column(f"error_of_gain_on_{club}", errors, kinds, "±"),
         ]
     solved = [optimum.judged.get(each.name) for each in judges]
-    return Table("fresh", (*columns, Column("on_solved_shots", solved, kinds, printed=False)), "On fresh shots")
+    return Table(
+        "fresh", (*columns, Column("on_solved_shots", solved, kinds, printed=False)), "On fresh shots", printed=False
+    )
 
 
 def _limits_table(optimum: Optimum) -> Table:
@@ -244,7 +246,7 @@ def _notes(optimum: Optimum) -> Iterator[Note]:
 def _against_nominal(optimum: Optimum) -> Note:
     """Return whether the optimum is better than the club that is best for the mean delivery alone."""
     name = optimum.study.objectives[0]
-    if any(each not in FREE for each in optimum.study.limits):
+    if optimum.study.limits_shots:
         return note("optimum-limits-of-shots")
     robust, nominal = (optimum.fresh.value(club, name) for club in ("optimum", "nominal"))
     gain, error = optimum.study.objective(name).sign * (nominal - robust), optimum.fresh.error("nominal", name)

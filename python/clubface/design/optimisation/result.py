@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design import feasibility
-from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.advice import Advice, adds_nothing, describe_conditions, describe_golfers, hole_for
+from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy, field_quantity, shown_quantity
 from clubface.design.optimisation.variables import PointMass, placement
 from clubface.equipment.clubs import Club
@@ -22,6 +23,8 @@ from clubface.quantities import Quantity, Reading
 from clubface.results.result import Described, Result
 from clubface.support.checks import without_warnings
 
+FEW_FIELDS = 2
+"""Most fields by whose values a club is named."""
 ACTIVE = 1e-4
 """A margin, as a part of the limit or of the range, below which a limit is what stops the optimum."""
 
@@ -35,20 +38,22 @@ class Fresh:
     shots
         How many.
     clubs
-        "start", "nominal" and "optimum".
+        "start", "nominal" and "optimum", then the name of every objective for which there is a best club of its own.
     objectives
         Names of what they are judged by.
-    values
-        Shape (clubs, objectives) [SI].
-    errors
-        Standard errors of the differences from the optimum, of the same shape.
+    sets
+        Values of independent sets of shots [SI], shape (sets, clubs, objectives).
     """
 
     shots: int
     clubs: tuple[str, ...]
     objectives: tuple[str, ...]
-    values: NDArray[Any]
-    errors: NDArray[Any]
+    sets: NDArray[Any]
+
+    @property
+    def values(self) -> NDArray[Any]:
+        """Values over all sets [SI], shape (clubs, objectives)."""
+        return self.sets.mean(axis=0)
 
     def value(self, club: str, objective: str) -> float:
         """Return what a club is judged by."""
@@ -56,7 +61,9 @@ class Fresh:
 
     def error(self, club: str, objective: str) -> float:
         """Return the standard error of its difference from the optimum."""
-        return float(self.errors[self.clubs.index(club), self.objectives.index(objective)])
+        column = self.sets[:, :, self.objectives.index(objective)]
+        differences = column[:, self.clubs.index(club)] - column[:, self.clubs.index("optimum")]
+        return float(differences.std(ddof=1) / np.sqrt(len(differences)))
 
 
 @dataclass(frozen=True)
@@ -130,6 +137,8 @@ class Optimum(Described):
         The objective, and others that limit it, on the shots that were solved on [SI].
     fresh
         What start, nominal optimum and optimum are judged by on fresh shots.
+    rivals
+        The fields of the clubs that are best for other objectives, within the same limits, by objective [SI].
     front
         Clubs between two objectives; empty for one.
     message
@@ -146,6 +155,7 @@ class Optimum(Described):
     missed: int
     judged: Mapping[str, float]
     fresh: Fresh
+    rivals: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     front: tuple[FrontPoint, ...] = ()
     message: str = ""
 
@@ -162,6 +172,45 @@ class Optimum(Described):
     def built(self) -> Club:
         """The optimum as a club."""
         return club_of(self.study, self.club)
+
+    @cached_property
+    def compared(self) -> dict[str, str]:
+        """The clubs of the advice, as :attr:`fresh` names them, by what they are in words; the start comes first."""
+        study = self.study
+        clubs = {f"{study.club.name} as it is": "start", self._words("optimum"): "optimum"}
+        for name in self.rivals:
+            known = [self.fresh.value(club, name) for club in clubs.values()]
+            if not adds_nothing(study.objective(name), study.worth[name], self.fresh.value(name, name), known):
+                clubs[self._words(name)] = name
+        if self.nominal and not study.limits_shots:
+            clubs.setdefault(self._words("nominal"), "nominal")
+        return clubs
+
+    @cached_property
+    def advice(self) -> Advice:
+        """The club at the start, the optimum, and the clubs that are best for other objectives."""
+        study = self.study
+        rows = [self.fresh.clubs.index(name) for name in self.compared.values()]
+        columns = [self.fresh.objectives.index(each.name) for each in study.advised]
+        return Advice(
+            purpose=study.objectives[0], golfer=describe_golfers(study.golfers), objectives=study.advised,
+            names=tuple(self.compared), values=self.fresh.values[np.ix_(rows, columns)],
+            sets=self.fresh.sets[:, rows][:, :, columns].swapaxes(0, 1), worth=study.worth, choices=(1,),
+            conditions=describe_conditions(study.setting, study.hole, self.fresh.shots),
+            assumed_hole=study.hole is None and hole_for(study.club, None) is not None,
+        )  # fmt: skip
+
+    def fields(self, club: str) -> Mapping[str, float]:
+        """Return the fields [SI] of a club that :attr:`fresh` judges."""
+        own = {name: own_value(self.study.club, name) for name in self.club}
+        return {"start": own, "nominal": self.nominal, "optimum": self.club, **self.rivals}[club]
+
+    def _words(self, club: str) -> str:
+        fields = self.fields(club)
+        if len(fields) <= FEW_FIELDS:
+            return ", ".join(f"{name} {units.show(value, UNITS[name], 3)}" for name, value in fields.items())
+        purpose = {"optimum": self.study.objectives[0], "nominal": "the mean delivery"}.get(club, club)
+        return f"the best club for {purpose.replace('_', ' ')}"
 
     def to_result(self) -> Result:
         """Return the optimum as a result."""

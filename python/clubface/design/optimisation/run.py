@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from clubface.design.feasibility import of_club, refuse_impossible
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.limits import ShotLimit
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
-from clubface.design.optimisation.solve import Problem, Solution, agreeing, best, refused, solve, starts
+from clubface.design.optimisation.solve import COARSE, Problem, Solution, agreeing, best, refused, solve, starts
 from clubface.design.optimisation.study import DesignStudy, content, design_study
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.jobs.store import Finished, store_for
@@ -104,13 +104,13 @@ def _not_dominated(points: list[FrontPoint], one: float, other: float, names: tu
     return kept
 
 
-COARSE = 512
-"""Shots of a golfer from which all starts are tried; the first of those on which the best is solved again."""
 MORE = 5
 """How many times as many shots the best is solved on next."""
 FRONT_SHOTS = 2048
 """Shots of a golfer for a front, at most."""
 NOMINAL_STARTS = 4
+RIVAL_STARTS = 3
+"""Starts of the solver for an objective that was not asked for: the optimum, the club at the start, and one more."""
 REPEATS = 8
 """Independent sets of fresh shots; their spread gives the standard error of a difference."""
 FRESH_SEED = 1_000_003
@@ -125,9 +125,10 @@ def optimise(
     *,
     output: str | Path | None = None,
     resume: bool = False,
+    others: Sequence[str] | None = None,
     progress: Progress | None = None,
 ) -> Optimum:
-    """Find the best club of a study.
+    """Find the best club of a study, and what it is worth by other objectives.
 
     Parameters
     ----------
@@ -139,6 +140,8 @@ def optimise(
     resume
         Whether an interrupted run of another study is an error; otherwise it is started over. An interrupted run of the
         same study goes on in either case.
+    others
+        Objectives for which the best clubs are found as well, for the advice; those of ``ADVISED`` unless given.
     progress
         Called with the parts done, the number of all parts, and what is being done, in words.
 
@@ -156,7 +159,7 @@ def optimise(
     study = design_study(study)
     store = store_for(output, {"study": content(study)}, resume=resume)
     with without_warnings(RuleWarning), without_warnings(RangeWarning), store as kept:
-        result = _Run(study, kept, progress).result()
+        result = _Run(study, kept, others, progress).result()
         if output is not None:
             kept.write_result(Path(output), lambda file: file.write(result.built.to_toml().encode()))
             kept.remove()
@@ -164,12 +167,16 @@ def optimise(
 
 
 class _Run:
-    def __init__(self, study: DesignStudy, kept: Finished, progress: Progress | None) -> None:
+    def __init__(
+        self, study: DesignStudy, kept: Finished, others: Sequence[str] | None, progress: Progress | None
+    ) -> None:
         self.study, self._kept, self._progress = study, kept, progress
-        two = len(study.objectives) == 2
+        self._others = [each.name for each in study.advised[1:]] if others is None else list(others)
+        two, levels = len(study.objectives) == 2, len(_levels(study.shots))
         self._whole = (
-            study.starts + len(_levels(study.shots)) + NOMINAL_STARTS + REPEATS + (front_solutions(study) if two else 0)
-        )
+            study.starts + levels + NOMINAL_STARTS + REPEATS + (front_solutions(study) if two else 0)
+            + len(self._others) * (RIVAL_STARTS + min(levels, 1))
+        )  # fmt: skip
         self._done = 0
 
     def _once(self, name: str, words: str, compute: Callable[[], Any]) -> Any:
@@ -200,12 +207,13 @@ class _Run:
             raise refused(whole, [result])
         club = whole.variables.club(result.point)
         nominal = self._nominal(name)
-        fresh = self._fresh({"start": {}, "nominal": nominal, "optimum": club})
+        rivals = {other: fields for other in self._others if (fields := self._rival(other, result.point))}
+        fresh = self._fresh({"start": {}, "nominal": nominal, "optimum": club, **rivals})
         points = self._front() if len(study.objectives) == 2 else ()
         missed = sum(each.missed for each, _ in whole.golfers)
         return Optimum(
             study=study, club=club, nominal=nominal, starts=study.starts, alike=alike, steps=result.steps,
-            shots=whole.shots, missed=missed, fresh=fresh, front=points,
+            shots=whole.shots, missed=missed, fresh=fresh, rivals=rivals, front=points,
             judged=dict(whole.values(result.point).judged), message=result.message,
         )  # fmt: skip
 
@@ -234,6 +242,20 @@ class _Run:
         solution = best(tried)
         return {} if solution is None else single.variables.club(solution.point)
 
+    def _rival(self, name: str, optimum: NDArray[Any]) -> dict[str, float]:
+        """Return the club that is best for another objective within the same limits; empty if none is reached."""
+        study, words = self.study, f"solving for {name.replace('_', ' ')}"
+        coarse = study.problem(study.landings(min(study.shots, COARSE), seed=study.seed), name)
+        points = [optimum, *starts(coarse, RIVAL_STARTS - 1, study.seed)]
+        solution = best([self._solved(f"{name} {place}", words, coarse, point) for place, point in enumerate(points)])
+        if solution is None:
+            return {}
+        if (levels := _levels(study.shots)) and levels[0] > COARSE:
+            more = study.problem(study.landings(levels[0], seed=study.seed), name)
+            finer = self._solved(f"{name} {levels[0]} shots", words, more, solution.point)
+            solution = finer if finer.allowed else solution
+        return coarse.variables.club(solution.point)
+
     def _fresh(self, clubs: Mapping[str, Mapping[str, float]]) -> Fresh:
         """Judge clubs on shots that no solver has seen, in independent sets."""
         study, count = self.study, max(self.study.shots // REPEATS, 1)
@@ -247,9 +269,7 @@ class _Run:
         table = np.array(rows)  # repeats, clubs, objectives
         return Fresh(
             shots=count * REPEATS * len(study.golfers), clubs=tuple(clubs),
-            objectives=tuple(each.name for each in judges),
-            values=table.mean(axis=0),
-            errors=_error(table - table[:, -1:]),
+            objectives=tuple(each.name for each in judges), sets=table,
         )  # fmt: skip
 
     def _judged(self, place: int, count: int, clubs: Mapping[str, Mapping[str, float]]) -> list[list[float]]:
@@ -277,8 +297,3 @@ def _levels(shots: int) -> list[int]:
         levels.append(count)
         count *= MORE
     return [*levels, shots] if shots > COARSE else []
-
-
-def _error(differences: NDArray[Any]) -> NDArray[Any]:
-    """Return the standard error of the mean over independent sets, the first axis."""
-    return differences.std(axis=0, ddof=1) / np.sqrt(len(differences))

@@ -162,6 +162,8 @@ def _keep(kept: dict[bytes, State], key: bytes, state: State) -> None:
         del kept[next(iter(kept))]
 
 
+COARSE = 512
+"""Shots of a golfer from which all starts are tried; the first of those on which the best is solved again."""
 SLACK = 1e-6
 """What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
 MOST_STEPS = 200

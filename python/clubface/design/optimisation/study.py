@@ -38,6 +38,7 @@ import numpy as np
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, SHAPES, Envelope, Volume, of_club, pseudo_inertia, room_inside
 from clubface.design.golfer import golfer as golfer_of
+from clubface.design.optimisation.advice import WORTH, advised, hole_for, judged_unit, worth_of
 from clubface.design.optimisation.fitting import SETTINGS, Fitting
 from clubface.design.optimisation.landings import (
     DEFAULT_SETTING,
@@ -176,6 +177,8 @@ class DesignStudy:
         Model, ball and air.
     shots, seed, starts, points
         Shots of a golfer, the seed of shots and starts, starts of the solver, points of a front.
+    worth
+        The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
     """
 
     title: str
@@ -194,12 +197,14 @@ class DesignStudy:
     seed: int = 1
     starts: int = 8
     points: int = DEFAULT_POINTS
+    worth: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "worth", worth_of(self.worth))
         if not self.bounds and not self.distributed:
             raise InputError("variables", None, "at least one of " + ", ".join((*FREE, DISTRIBUTION)))
         for name in (*self.objectives, *(each for each in self.limits if each not in FREE)):
-            self.objective(name)
+            objective(name, self.hole)
         if self.moves_mass and self.head is None:
             problem = "give [head] with size, centre and discretionary_mass, since mass properties change"
             raise InputError("head", None, problem)
@@ -215,18 +220,28 @@ class DesignStudy:
         return self.distributed or any(name in MASS_PROPERTIES for name in self.bounds)
 
     @property
+    def limits_shots(self) -> bool:
+        """Whether there are limits of the shots, which the best club for the mean delivery does not know."""
+        return any(each not in FREE for each in self.limits)
+
+    @property
     def variables(self) -> Variables:
         """What the optimiser turns."""
         envelope = self.head.envelope(self.club) if self.head is not None and self.moves_mass else None
         return Variables(base=self.club, bounds=self.bounds, envelope=envelope, distributed=self.distributed)
 
     def objective(self, name: str) -> Objective:
-        """Return an objective of the study by its name."""
-        return objective(name, self.hole)
+        """Return an objective of the study by its name; strokes are counted on the assumed hole if need be."""
+        return objective(name, hole_for(self.club, self.hole))
 
     def known(self) -> tuple[Objective, ...]:
         """Return all objectives that the study can compute."""
-        return objectives(self.hole)
+        return objectives(hole_for(self.club, self.hole))
+
+    @property
+    def advised(self) -> tuple[Objective, ...]:
+        """The objectives that the advice compares, the first one asked for first."""
+        return advised(self.objectives[0], hole_for(self.club, self.hole))
 
     def landings(self, shots: int, *, seed: int) -> list[tuple[Landings, float]]:
         """Return the shots of the golfers, and how much each golfer counts."""
@@ -331,7 +346,7 @@ def _bounds(name: str) -> Interval:
 
 
 def _limit_kinds() -> dict[str, Value]:
-    judged = {name: OBJECTIVES[name].unit if name in OBJECTIVES else "1" for name in JUDGED}
+    judged = {name: judged_unit(name) for name in JUDGED}
     kinds = {name: UNITS[name] for name in FREE} | judged
     return {name: Interval(PhysicalValue(unit), no_limits=NO_LIMITS) for name, unit in kinds.items()}
 
@@ -346,6 +361,7 @@ NAMED_GOLFERS = Either(
     "a name, a file, or tables [[golfer]] with name and weight",
 )
 VECTOR = Items(PhysicalValue("mm"), 3, 3, 'three lengths, as in ["115 mm", "62 mm", "124 mm"]')
+WORTHS = Record({name: PhysicalValue(judged_unit(name), above=0) for name in WORTH}, example='{ carry = "3 yd" }')
 RULES = Record({"conform": FLAG, "tolerance": FLAG})
 SETTING = Record({"name": NAME, **{name: PhysicalValue(UNITS[name]) for name in SETTINGS}}, ("name",))
 _NAMES = "a list of names or files"
@@ -400,6 +416,9 @@ class CommonFile:
     air: Any = file_key(Record(Simple()), "conditions of the flight", default=None)
     wind: Any = file_key(Simple(), "conditions of the flight", default=None)
     ground: Any = file_key(Simple(), "conditions of the flight", default=None)
+    worth: Mapping[str, float] = file_key(
+        WORTHS, "the smallest difference worth a change, by objective", default_factory=dict
+    )
 
     def common(self, **setting: Any) -> dict[str, Any]:
         """Return the arguments that studies and fittings share."""
@@ -408,7 +427,7 @@ class CommonFile:
         check_conditions(**flown)
         return {
             "title": self.title, "golfers": golfers_of(self.golfer), "shots": self.shots, "seed": self.seed,
-            "hole": self.hole, "setting": Setting(model=self.model, **setting, **flown),
+            "hole": self.hole, "worth": self.worth, "setting": Setting(model=self.model, **setting, **flown),
         }  # fmt: skip
 
 
@@ -492,7 +511,7 @@ def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
 
 def content(study: DesignStudy | Fitting) -> dict[str, Any]:
     """Return all that the result of a study or a fitting depends on, for a fingerprint."""
-    values = {name: getattr(study, name) for name in study.__dataclass_fields__ if name != "golfers"}
+    values = {name: getattr(study, name) for name in study.__dataclass_fields__ if name not in ("golfers", "worth")}
     return {**values, "golfers": [(each.content(), weight) for each, weight in study.golfers]}
 
 

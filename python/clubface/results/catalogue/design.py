@@ -1,22 +1,67 @@
 """Sentences about comparisons, face maps, golfers, dispersions, best lofts and optimisations."""
 
 SENTENCES = {
+    "advice-as-good": "As good for this purpose: {others:;}.",
+    "advice-by-objective": "What each objective alone would choose: {wishes:;}.",
+    "advice-change": (
+        "Change from {present} to {best}. For {golfer}, {label} is {after} instead of {before}: better by {gain} "
+        "± {error}."
+    ),
+    "advice-costs": "The price of {best}: it is worse in {losses:and}.",
+    "advice-errors": (
+        "After ± stands the standard error of a difference on the same shots; errors of the model are not in it."
+    ),
+    "advice-hole-assumed": "Strokes are counted on a hole that is assumed: {hole}. A table [hole] gives another.",
+    "advice-holds": (
+        "This holds whatever counts, {labels:and}: {best} is better than {present} or does not differ from it."
+    ),
+    "advice-keep": (
+        "Keep {present}. For {golfer}, no alternative improves {label} by {worth}, the smallest difference worth a "
+        "change; the most to gain is {most}."
+    ),
+    "advice-keep-all": (
+        "Keep {present}. For {golfer}, none of {alternatives:n alternative} makes a difference worth a change, "
+        "whatever counts: {labels:or}."
+    ),
+    "advice-not-certain": (
+        "Keep {present} for now. For {golfer}, {best} may improve {label} by {gain} ± {error}, which is not clearly "
+        "worth a change; more shots would show it."
+    ),
+    "advice-purpose": "What counts is the {meaning}. Judged on {conditions}.",
+    "advice-single-delivery": "This is for one delivery; how a golfer's shots spread is not in it.",
+    "advice-worth": (
+        "Smaller differences than these are not ranked, since no golfer would notice them: {sizes}. --worth or a table "
+        "[worth] sets others."
+    ),
+    "best-loft-at-an-end": (
+        "For {labels:and} the best lies at an end of what was tried, {low_loft} to {high_loft}: it is no optimum."
+    ),
+    "best-loft-carry": (
+        "The best loft here is that of the longest carry of one delivery; --golfer or --loft compare carry, total "
+        "distance and strokes with the present loft."
+    ),
+    "best-loft-flat": (
+        "Best for {label} is a dynamic loft of {best_loft}; anything from {low_loft} to {high_loft} is within {worth}."
+    ),
     "best-loft-delivered": (
         "This is the loft that the face has when it meets the ball, not the one that is stamped on the club."
     ),
     "best-loft-inclined": (
         "With a club that moves {attack:sides} at {speed:0}, the ball carries farthest with {loft} of loft at impact: "
-        "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than a yard."
+        "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than {worth_carry:0}."
     ),
     "best-loft-launch-difference": (
         "The best launch here is {loft:higher/lower} than in the chart of {chart} on average."
     ),
     "best-loft-level": (
         "With a club that moves level at {speed:0}, the ball carries farthest with {loft} of loft at impact: "
-        "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than a yard."
+        "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than {worth_carry:0}."
     ),
     "best-loft-loft-difference": ("The best loft here is {loft:higher/lower} than in the chart of {chart} on average."),
-    "best-loft-within": "the last two columns: with so much less or more loft a yard of carry is lost",
+    "best-loft-within": (
+        "the last two columns: so much less or more loft costs less than {worth_carry:0} of carry, the smallest "
+        "difference worth a change; --worth sets another"
+    ),
     "comparison-difference": (
         "Compared with {first}, with {name} the ball leaves {ball_speed:faster/slower}, spins {backspin:more/less 0} "
         "and carries {carry:farther/shorter}."
@@ -114,24 +159,13 @@ SENTENCES = {
         "{carry_toe:towards the toe/towards the heel} and {carry_high:above the centre/below the centre}."
     ),
     "fitting-at-an-end": ("The best is at an end of the range of {names:and}; a wider range may give a better one."),
-    "fitting-best": "Of {combinations:n combination} the best is {best}: the {meaning} is {value}.",
-    "fitting-certain": "{worse} comes next, {behind} behind: the difference is statistically clear.",
-    "fitting-certain-but-small": (
-        "{worse} comes next, {behind} behind: the difference is statistically clear, but less than a golfer notices."
-    ),
-    "fitting-close": "Not clearly behind the best: {close} of the others.",
-    "fitting-error-unknown": "{worse} comes next, {behind} behind: how certain that is is not known, since other "
-    "shots miss its face.",
-    "fitting-errors-missing": "No error is given where other shots miss the face than with the best club.",
-    "fitting-not-certain": (
-        "{worse} comes next, {behind} behind: that is not clearly worse; more shots, or trying both, would show it."
-    ),
     "fitting-not-shown": "{hidden} more are not shown; --output and --json have all.",
+    "fitting-parts-idle": "No difference worth a change comes from the {parts:and}, whatever counts.",
+    "fitting-parts-matter": "What matters, all else being equal: {effects}.",
     "fitting-shots": (
         "{combinations:n combination}, all judged on the same {shots} shots of {golfers:n golfer}, delivered as with "
         "{club}, with more dynamic loft where the club has more loft."
     ),
-    "fitting-unchanged": "With {club} as it is now and {ball} it is {value}.",
     "optimum-angles": "The club has {angles:and}.",
     "optimum-change": "The {meaning} is {after} instead of {before}.",
     "optimum-cg-moved": "Compared with the club at the start, its CG lies {moved:and}.",

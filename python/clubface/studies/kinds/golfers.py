@@ -222,7 +222,8 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
     every["alike"] = Column("1", "share of the starts of the solver that end as well as the best")
 
     def compute(task: Mapping[str, Any]) -> dict[str, Any]:
-        optimum = optimise(changed_study(asked, {**task, **{name: each[task[name]] for name, each in parts.items()}}))
+        changed = changed_study(asked, {**task, **{name: each[task[name]] for name, each in parts.items()}})
+        optimum = optimise(changed, others=())
         figures = {**optimum.club, "alike": optimum.alike / optimum.starts}
         for name in asked.objectives:
             figures |= {f"{name}_{club}": optimum.fresh.value(club, name) for club in optimum.fresh.clubs}

@@ -90,8 +90,8 @@ COLUMNS = {
     "spin": Column("rad/s", "total spin with it"),
     "carry": Column("m", "carry with it"),
     "total": Column("m", "total distance with it"),
-    "within_below": Column("rad", "how much less loft costs a yard of carry"),
-    "within_above": Column("rad", "how much more loft costs a yard of carry"),
+    "within_below": Column("rad", "how much less loft costs the smallest difference of carry worth a change, 2 yd"),
+    "within_above": Column("rad", "how much more loft costs the same"),
 }
 
 

@@ -1,0 +1,213 @@
+"""The loft that suits a golfer: the best dynamic loft by each objective, and how much of it makes no difference.
+
+It is an optimisation of the loft alone, so that it gives the same advice as one.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.design.golfer import Golfer, club_of, golfer as golfer_of
+from clubface.design.optimisation.advice import Advice, describe_conditions
+from clubface.design.optimisation.landings import Objective, Setting
+from clubface.design.optimisation.result import Optimum
+from clubface.design.optimisation.run import REPEATS, judged, optimise
+from clubface.design.optimisation.study import DesignStudy
+from clubface.design.strokes import Hole
+from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.clubs import Club, club as club_named
+from clubface.equipment.models import DEFAULT_MODEL, reduced_model
+from clubface.errors import InputError
+from clubface.results.result import Described, Result
+from clubface.simulation.flight import check_conditions
+from clubface.simulation.impact import Parameters
+from clubface.support.arrays import Floats
+
+SPAN = units.parse("8 deg", "angle")
+"""How much more and less loft than the present one is tried."""
+STEPS = 33
+"""Lofts of the curve, half a degree apart."""
+SHOTS = 4096
+STARTS = 3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LoftFit(Described):
+    """What the dynamic loft of a golfer is worth.
+
+    Attributes
+    ----------
+    optimum
+        The optimisation of the loft.
+    present
+        The mean dynamic loft as it is [rad].
+    lofts
+        Dynamic lofts of the curve [rad], shape (lofts,).
+    values
+        What they are judged by [SI], shape (lofts, objectives), the objectives as the advice has them.
+    """
+
+    optimum: Optimum
+    present: float
+    lofts: Floats
+    values: Floats
+
+    @property
+    def objectives(self) -> tuple[Objective, ...]:
+        """What the lofts are judged by, the objective asked for first."""
+        return self.optimum.study.advised
+
+    def loft(self, club: str) -> float:
+        """Return the dynamic loft [rad] of a club of the optimisation: "optimum", or an objective."""
+        change = self.optimum.fields(club)["loft"] - self.optimum.study.club.loft
+        return self.present + change
+
+    def best(self, name: str) -> float:
+        """Return the dynamic loft that is best by an objective [rad]."""
+        if name == self.objectives[0].name:
+            return self.loft("optimum")
+        return self.loft(name) if name in self.optimum.rivals else float("nan")
+
+    def flat(self, name: str) -> tuple[float, float]:
+        """Return the least and the greatest dynamic loft [rad] that cost less than what is worth a change.
+
+        The curve is a straight line between its lofts. An end of it means that the range may reach farther.
+        """
+        column = [each.name for each in self.objectives].index(name)
+        behind = self.objectives[column].sign * self.values[:, column]
+        behind = behind - behind.min() - self.optimum.study.worth[name]
+        best = int(np.argmin(behind))
+        ends = []
+        for step in (-1, 1):
+            place = best
+            while 0 <= place + step < len(behind) and behind[place + step] < 0.0:
+                place += step
+            if 0 <= place + step < len(behind):
+                part = behind[place] / (behind[place] - behind[place + step])
+                ends.append(float(self.lofts[place] + part * (self.lofts[place + step] - self.lofts[place])))
+            else:
+                ends.append(float(self.lofts[place]))
+        return ends[0], ends[1]
+
+    @cached_property
+    def advice(self) -> Advice:
+        """The present loft, and those that are best by each objective."""
+        names = [f"{units.fixed(self.present, 'deg', 1)} of dynamic loft as it is"]
+        names += [self._words(club) for club in list(self.optimum.compared.values())[1:]]
+        study = self.optimum.study
+        varies = any(each.spread.any() for each, _ in study.golfers)
+        conditions = describe_conditions(study.setting, study.hole, self.optimum.fresh.shots if varies else 1)
+        return replace(self.optimum.advice, names=tuple(names), conditions=conditions)
+
+    def _words(self, club: str) -> str:
+        loft = self.loft(club)
+        side = "more" if loft > self.present else "less"
+        change = units.fixed(abs(loft - self.present), "deg", 1)
+        return f"{units.fixed(loft, 'deg', 1)} of dynamic loft, {change} {side}"
+
+    def to_result(self) -> Result:
+        """Return lofts, advice and curve as a result."""
+        return import_module("clubface.design.loft_fit_result").loft_fit_result(self)
+
+
+def fit_loft(
+    golfer: str | os.PathLike[str] | Golfer,
+    *,
+    club: str | os.PathLike[str] | Club | None = None,
+    objective: str = "carry",
+    worth: Mapping[str, Any] | None = None,
+    hole: Hole | None = None,
+    model: str = DEFAULT_MODEL,
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    air: Any = None,
+    wind: Any = None,
+    ground: str | Mapping[str, Any] | None = None,
+    shots: int = SHOTS,
+    seed: int = 1,
+    progress: Callable[[int, int, str], object] | None = None,
+) -> LoftFit:
+    """Return the dynamic loft that suits a golfer by each objective, and what it is worth.
+
+    A degree of dynamic loft is had from a degree of static loft, as in an optimisation.
+
+    Parameters
+    ----------
+    golfer
+        Who plays: a name, a file, or a golfer; :func:`steady_golfer` for a single delivery.
+    club
+        With which the golfer delivers; his own unless given.
+    objective
+        What counts: "carry", "total", "side_spread", "ellipse" or "strokes".
+    worth
+        The smallest difference worth a change, by objective: text with a unit or SI numbers.
+    hole
+        On which strokes are counted.
+    model, parameters, ball, air, wind, ground
+        As for :func:`clubface.impact` and :func:`clubface.fly`; the model is one with derivatives.
+    shots, seed
+        Shots of the golfer, and which.
+    progress
+        As for :func:`clubface.optimise`.
+
+    Raises
+    ------
+    InputError
+        The golfer's shots cannot be computed, or an objective, a model or a condition is unknown.
+    """
+    player = golfer_of(golfer)
+    head = club_named(club_of(player) if club is None else club)
+    if club is None:
+        head = head.replace(hand=player.hand)
+    reduced_model(model, "one with derivatives")
+    check_conditions(air=air, wind=wind, ground=ground)
+    own_ball = None if ball is None else ball_named(ball)
+    setting = Setting(model=model, parameters=parameters, ball=own_ball, air=air, wind=wind, ground=ground)
+    least, most = max(head.loft - SPAN, 0.0), head.loft + SPAN
+    study = DesignStudy(
+        title=f"The loft for {player.title or player.name}", club=head, golfers=((player, 1.0),),
+        objectives=(objective,), bounds={"loft": (least, most)}, conform=False, hole=hole, setting=setting,
+        shots=shots, seed=seed, starts=STARTS, worth=worth or {},
+    )  # fmt: skip
+    if not player.spread.any():
+        study = replace(study, shots=REPEATS)
+    optimum = optimise(study, progress=progress)
+    means = dict(zip(player.variables, player.mean, strict=True))
+    present = float(means.get("loft", head.loft))
+    golfers = study.landings(study.shots, seed=seed)
+    places = [[each.name for each in study.known()].index(each.name) for each in study.advised]
+    statics = np.linspace(least, most, STEPS)
+    values = np.array([judged(study, golfers, {"loft": float(loft)}) for loft in statics])[:, places]
+    return LoftFit(optimum=optimum, present=present, lofts=present + statics - head.loft, values=values)
+
+
+def steady_golfer(club: str = "driver", **delivery: Any) -> Golfer:
+    """Return a golfer who delivers the club in the same way every time.
+
+    Parameters
+    ----------
+    club
+        With which.
+    **delivery
+        Values as for :class:`clubface.Delivery`: text with a unit or SI numbers; speed and loft at least.
+    """
+    from clubface.simulation.inputs import DIMENSIONS
+
+    for name in ("speed", "loft"):
+        if delivery.get(name) is None:
+            raise InputError(name, None, f"given, as in {name}={'91 mph' if name == 'speed' else '15.5 deg'!r}")
+    values = {name: units.parse(value, DIMENSIONS[name], name=name) for name, value in delivery.items()}
+    words = [f"{name} {units.show(value, 'mph' if name == 'speed' else 'deg', 3)}" for name, value in values.items()]
+    return Golfer(
+        name="delivery", title=f"a delivery with {', '.join(words)}", club=club, variables=tuple(values),
+        mean=np.array(list(values.values())), covariance=np.zeros((len(values), len(values))),
+        sources={f"{part} of {name}": "given" for name in values for part in ("mean", "spread")},
+    )  # fmt: skip
