@@ -64,13 +64,14 @@ def test_the_gradient_of_the_carry_vanishes_at_the_best_loft():
     assert newton / DEG == pytest.approx(0.0, abs=0.02)
 
 
-def test_a_yard_is_lost_where_it_is_said():
+@pytest.mark.parametrize(("worth", "lost"), [(None, 2 * 0.9144), ({"carry": "1 yd"}, 0.9144)])
+def test_at_the_ends_of_the_flat_range_what_is_worth_a_change_is_lost(worth, lost):
     import clubface
 
-    result = best_loft(45.0)
+    result = best_loft(45.0, worth=worth)
     for side, away in zip((-1.0, 1.0), result.within[0], strict=True):
         shot = clubface.fly(clubface.impact("driver", speed=45.0, loft=float(result.loft[0] + side * away)))
-        assert result.carry[0] - shot.carry == pytest.approx(0.9144, abs=0.01)
+        assert result.carry[0] - shot.carry == pytest.approx(lost, abs=0.01)
 
 
 def test_loft_is_what_is_looked_for():

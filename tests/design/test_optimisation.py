@@ -61,7 +61,7 @@ def test_derivatives_of_landings_are_those_of_differences():
         assert np.all(np.abs((result - exact[:, place]).mean(axis=1)) < 3e-3 * size), name
 
 
-@pytest.mark.parametrize("name", ["carry", "side_spread", "ellipse", "strokes"])
+@pytest.mark.parametrize("name", ["carry", "total", "side_spread", "ellipse", "strokes"])
 def test_weights_of_an_objective_are_its_derivatives(name):
     """Central differences of smooth functions of lengths near 200 m, h = 1e-4 m: (h / 4 m)^2 of the band of an edge."""
     rng = np.random.default_rng(1)

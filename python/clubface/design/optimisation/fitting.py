@@ -231,13 +231,20 @@ class Fitted(list[Combination], Described):
         The present club, all combinations, and those that are best by other objectives.
     effects
         How much clubs, balls and settings matter, by objective.
+    others
+        How many of the last alternatives of the advice were set for other objectives.
     """
 
     def __init__(
-        self, combinations: list[Combination], fitting: Fitting, advice: Advice, effects: tuple[Effect, ...]
+        self,
+        combinations: list[Combination],
+        fitting: Fitting,
+        advice: Advice,
+        effects: tuple[Effect, ...],
+        others: int,
     ) -> None:
         super().__init__(combinations)
-        self.fitting, self.advice, self.effects = fitting, advice, effects
+        self.fitting, self.advice, self.effects, self.others = fitting, advice, effects, others
 
     def to_result(self) -> Result:
         """Return the combinations and the advice as a result."""

@@ -36,7 +36,8 @@ BARS = 10
 def fitting_result(fitted: Fitted) -> Result:
     """Return a fitting and its combinations, those of the best rank first, as a result."""
     fitting, advice = fitted.fitting, fitted.advice
-    shown = [*range(min(len(fitted), SHOWN) + 1), *range(len(fitted) + 1, len(advice.names))]
+    count = len(advice.names)
+    shown = [row for row in range(count) if row <= SHOWN or row >= count - fitted.others]
     tables = [combinations_table(fitting, fitted), *advice_tables(advice, shown=shown)]
     if fitted.effects:
         tables.append(_effects_table(fitted))

@@ -136,6 +136,7 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
     ]
     with_ball = len(fitting.balls) > 1
     chosen = {describe(each, with_ball=with_ball): own[each.place] for each in ranked if each.place != same}
+    combinations = len(chosen)
     for each in fitting.advised[1:]:
         tuned = [one.judged.get(each.name, own[place]) for place, one in enumerate(tried)]
         column = [one.name for one in fitting.judges].index(each.name)
@@ -146,7 +147,8 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
             chosen.setdefault(words, tuned[place])
     ball = f" with the ball {tried[0].ball}" if with_ball else ""
     names = [f"{fitting.clubs[0].name}{ball} as it is", *chosen]
-    return Fitted(ranked, fitting, _advice(fitting, names, [present, *chosen.values()]), _effects(fitting, tried))
+    advice = _advice(fitting, names, [present, *chosen.values()])
+    return Fitted(ranked, fitting, advice, _effects(fitting, tried), len(chosen) - combinations)
 
 
 def _combination(fitting: Fitting, ball: str, place: int, judged: _Judged) -> Combination:
