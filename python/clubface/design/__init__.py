@@ -25,7 +25,14 @@ if TYPE_CHECKING:
     from clubface.design.golfer import to_toml as to_toml, uniform as uniform
     from clubface.design.golfer_estimate import Doubts as Doubts, Estimate as Estimate, doubts as doubts
     from clubface.design.golfer_result import doubts_picture as doubts_picture
-    from clubface.design.optimisation.fitting import Combination as Combination, Fitting as Fitting
+    from clubface.design.loft_fit import LoftFit as LoftFit, fit_loft as fit_loft, steady_golfer as steady_golfer
+    from clubface.design.optimisation.advice import WORTH as WORTH, Advice as Advice
+    from clubface.design.optimisation.fitting import (
+        Combination as Combination,
+        Effect as Effect,
+        Fitted as Fitted,
+        Fitting as Fitting,
+    )
     from clubface.design.optimisation.fitting_result import fitting_picture as fitting_picture
     from clubface.design.optimisation.optimum_result import optimum_picture as optimum_picture
     from clubface.design.optimisation.result import (
@@ -63,7 +70,9 @@ _NAMES = {
     "golfer": "to_toml uniform",
     "golfer_estimate": "Doubts Estimate doubts",
     "golfer_result": "doubts_picture",
-    "optimisation.fitting": "Combination Fitting",
+    "loft_fit": "LoftFit fit_loft steady_golfer",
+    "optimisation.advice": "Advice WORTH",
+    "optimisation.fitting": "Combination Effect Fitted Fitting",
     "optimisation.fitting_result": "fitting_picture",
     "optimisation.optimum_result": "optimum_picture",
     "optimisation.result": "Fresh FrontPoint Optimum Verdict",
