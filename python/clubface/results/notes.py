@@ -90,8 +90,8 @@ class _Sentence(Formatter):
     ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster", and with
     a third word that word alone where the value is zero to the digits shown; ``{shots:n shot}`` counts ("1 shot",
     "3 shots"), ``{shots:?was/were}`` agrees with a count. A list is joined by commas, by ``{names:and}`` or
-    ``{names:;}``; ``{names:3}`` counts those after the third, and ``{frames:ranges}`` says "3, 7-12". A mapping lists quantities with
-    their labels ("launch angle 12.1 deg"), by ``{figures:changes}`` with signs and without zeros, by
+    ``{names:;}``; ``{names:3}`` counts those after the third, and ``{frames:ranges}`` says "3, 7-12". A mapping lists
+    quantities with their labels ("launch angle 12.1 deg"), by ``{figures:changes}`` with signs and without zeros, by
     ``{figures:values}`` without labels; a pair of numbers in it is a value with its standard deviation, a whole number
     counts ("3 Measured"), and a text stands in brackets ("Carry (yd)"). Any other format is Python's, applied to the
     number as it is.
