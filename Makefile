@@ -71,8 +71,8 @@ notebooks: dev ## run the notebooks again and store what they print and draw
 wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
 	@command -v node >/dev/null || { echo "wasm-check needs Node 20 or newer" >&2; exit 1; }
 	rustup target add wasm32-unknown-unknown
-	cargo build --release --locked --package clubface-wasm --target wasm32-unknown-unknown
-	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface_wasm.wasm
+	cargo build --release --locked --package clubface-c --no-default-features --target wasm32-unknown-unknown
+	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface.wasm
 
 bench: dev ## speed, printed next to the computed results
 	cargo bench $(RUST_TESTED)

@@ -2,7 +2,7 @@
 
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
-import { load } from "../crates/clubface-wasm/clubface.js";
+import { load } from "../crates/clubface-c/clubface.js";
 
 const asked = JSON.parse(readFileSync(0, "utf8"));
 const bytes = readFileSync(asked.module);
@@ -32,6 +32,10 @@ for (const [model, parameters] of Object.entries(asked.models)) {
 }
 const flights = timed(() => core.flights(asked.flights, asked.flights[0].length), 3);
 
+/** Arrays by name as JSON has them. */
+const plain = (arrays) =>
+  Object.fromEntries(Object.entries(arrays).map(([name, { values, shape }]) => [name, { values: [...values], shape }]));
+
 /** What `core` says of something that it cannot compute. */
 const refusals = [
   () => core.launches("no such model", asked.inputs, [], 1),
@@ -44,17 +48,15 @@ const refusals = [
   }
 });
 
-const reference = core.referenceCase();
+const path = core.trajectory(asked.flights.map((column) => column[0]));
+const history = core.history("response", first, asked.models.response);
+const reference = core.simulate(asked.case).text;
 const seen = calls;
-let stopped;
-try {
-  (await load(bytes, (time) => time < 1e-4)).referenceCase();
-} catch (error) {
-  stopped = error.message;
-}
+const { stopped } = (await load(bytes, (time) => time < 1e-4)).simulate(asked.case).text;
 process.stdout.write(
   JSON.stringify({
     description: core.description, launches, derivatives, flights, refusals, reference, seen, stopped,
+    path: plain(path), history: plain(history),
     size: bytes.length, compressed: gzipSync(bytes, { level: 9 }).length,
   }),
 );

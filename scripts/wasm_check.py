@@ -13,6 +13,7 @@ import numpy as np
 
 import clubface
 from clubface import _core
+from clubface.fem.run import case
 
 SHOTS = 300
 TOLERANCES = {"rings": 1e-12, "response": 1e-12, "flight": 1e-12}
@@ -113,8 +114,9 @@ def main(module: str) -> int:
     flights = _launches_in_air(native["standard"][0])
     flown = _core.fly([np.array(column) for column in flights], len(flights[0]))
     thrown = clubface.fem.reference()
+    described = case(thrown.ball, {"plane": thrown.given}, thrown.friction, thrown.settings)
 
-    asked = {"module": module, "inputs": inputs, "models": models, "flights": flights}
+    asked = {"module": module, "inputs": inputs, "models": models, "flights": flights, "case": described}
     script = Path(__file__).with_name("wasm_check.mjs")
     ran = subprocess.run(["node", script], input=json.dumps(asked), capture_output=True, text=True, check=False)
     if ran.returncode != 0:
@@ -138,21 +140,33 @@ def main(module: str) -> int:
     seconds = answer["flights"]["seconds"] / len(flights[0])
     good = difference <= TOLERANCES["flight"]
     report.line("flight", good, f"largest difference {difference:.1e}, {seconds * 1e6:.1f} us a flight")
+    first = [column[0] for column in inputs]
+    paths = {
+        "path": _core.trajectory([column[0] for column in flights]),
+        "history": _core.history("response", first, models["response"]),
+    }
+    for name, arrays in paths.items():
+        there = answer[name]
+        shapes = {key: list(array.shape) for key, array in arrays.items()}
+        ends = [(array.flat[-1], there[key]["values"][-1]) for key, array in arrays.items()]
+        difference = max(abs(one - other) / (abs(one) or 1.0) for one, other in ends)
+        good = shapes == {key: array["shape"] for key, array in there.items()} and difference <= 1e-9
+        report.line(name, good, f"{len(arrays)} arrays, largest difference {difference:.1e}")
     refusals = answer["refusals"]
     report.line("refusals", "no such model" in refusals[0] and "accuracy" in refusals[1], "; ".join(refusals))
 
     reference = answer["reference"]
     pairs = {
-        "normal velocity": (thrown.normal_velocity, reference["velocity"][0], "m/s"),
-        "tangential velocity": (thrown.tangential_velocity, reference["velocity"][1], "m/s"),
-        "backspin": (thrown.backspin, reference["spin"][2], "rad/s"),
+        "normal velocity": (thrown.normal_velocity, reference["ball_velocity"][0], "m/s"),
+        "tangential velocity": (thrown.tangential_velocity, reference["ball_velocity"][1], "m/s"),
+        "backspin": (thrown.backspin, reference["ball_spin"][2], "rad/s"),
         "peak force": (thrown.peak_force, reference["peak_force"], "N"),
         "contact time": (thrown.contact_time, reference["contact_time"], "s"),
     }
     for name, (here, there, unit) in pairs.items():
         difference = abs(there / here - 1.0)
         report.line(name, difference <= SIMULATION, f"{here:.10g} {unit}, difference {difference:.1e}")
-    each = reference["wall"] * 1e9 / (reference["elements"] * reference["steps"])
+    each = reference["wall"] * 1e9 / (thrown.ball.properties()["elements"] * reference["steps"])
     speed = f"{each:.1f} ns an element and step, {reference['steps']} steps in {reference['wall']:.2f} s"
     report.line("finite elements", reference["steps"] == thrown.steps, speed)
     interrupted = "by request" in (answer["stopped"] or "")

@@ -16,15 +16,16 @@ CRATES = Path(__file__).parent.parent / "crates"
 LAYERS = {
     "clubface-math": ("scalar", "elementary", "vec3", "mat3", "quat", "dual", "pack", "ode"),
     "clubface-impact": (
-        "error", "fault", "description", "unit", "quantity", "ball", "face", "club", "delivery", "shot", "face_spring",
+        "error", "fault", "description", "series", "unit", "quantity", "ball", "face", "club", "delivery", "shot", "face_spring",
         "inertia_check", "check", "launch", "first_touch", "guided_mass", "giving_face", "impact", "columns",
         "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch",
-        "sensitivity", "flight",
+        "sensitivity", "flight", "describe",
     ),
     "clubface-fem": (
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",
-        "cases", "sensitivity",
+        "cases", "sensitivity", "description",
     ),
+    "clubface-c": ("result", "rows", "names", "shots", "flights", "fem"),
 }  # fmt: skip
 
 USE = re.compile(r"\b(pub(?:\([a-z ]+\))?\s+)?use\s+([^;]+);")

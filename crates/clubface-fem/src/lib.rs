@@ -7,6 +7,7 @@ pub mod ball;
 mod block;
 pub mod cases;
 pub mod contact;
+pub mod description;
 pub mod element;
 pub mod environment;
 pub mod error;

@@ -2,6 +2,7 @@
 
 /// One parameter of a model.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Parameter {
     /// Name, as in the Python API and in parameter files.
     pub name: &'static str,
@@ -21,6 +22,7 @@ pub struct Parameter {
 
 /// Whether a model resolves the contact in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ModelKind {
     /// Velocities jump: the contact is not followed in time.
     Impulse,
@@ -41,6 +43,7 @@ impl ModelKind {
 
 /// A law of physics that a model obeys for any input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Law {
     /// Linear momentum of club and ball is kept.
     Momentum,
@@ -67,6 +70,7 @@ impl Law {
 
 /// Description of a model.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModelInfo {
     /// Name, as on the command line.
     pub name: &'static str,
@@ -86,6 +90,7 @@ pub struct ModelInfo {
     /// face; nothing if the defaults are of the ball alone.
     pub face_in: Option<&'static str>,
     /// Whether the shots of a pack may differ (a model that branches on values runs one shot at a time).
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub lanes: bool,
     /// Its parameters, in order.
     pub parameters: &'static [Parameter],

@@ -9,6 +9,8 @@ pub mod club;
 pub mod columns;
 pub mod contact;
 pub mod delivery;
+#[cfg(feature = "serde")]
+pub mod describe;
 pub mod description;
 pub mod error;
 pub mod face;
@@ -31,6 +33,7 @@ pub mod quantity;
 pub mod registry;
 pub mod rings;
 pub mod sensitivity;
+pub mod series;
 pub mod shot;
 pub mod unit;
 

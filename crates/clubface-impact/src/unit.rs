@@ -2,10 +2,12 @@
 
 /// A unit: SI value = value * numerator / denominator + offset.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Unit {
     /// How it is written.
     pub symbol: &'static str,
     /// Other spellings, separated by commas; blanks, `^`, `*` and raised digits do not count.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "split_at_commas"))]
     pub spellings: &'static str,
     /// What it measures.
     pub dimension: &'static str,
@@ -28,6 +30,7 @@ pub struct Reading {
 
 /// What a unit measures, and how people read it unless a quantity says otherwise.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Dimension {
     /// Name.
     pub name: &'static str,
@@ -37,6 +40,20 @@ pub struct Dimension {
     pub metric: Reading,
     /// How golfers read it.
     pub golf: Reading,
+}
+
+/// Serializes spellings as a list.
+#[cfg(feature = "serde")]
+fn split_at_commas<S: serde::Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(text.split_terminator(','))
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Reading {
+    /// As (unit, digits behind the point).
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        (self.unit, self.digits).serialize(serializer)
+    }
 }
 
 const fn multiple(

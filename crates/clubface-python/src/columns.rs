@@ -3,9 +3,11 @@
 use crate::pool::shared_pool;
 use clubface_impact::columns::{Column, Reject};
 use clubface_impact::parallel::in_parallel;
+use clubface_impact::series::Series;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use std::ops::Range;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -115,4 +117,13 @@ pub fn run_in_pieces<'py>(
         }
     }
     Ok((array, rejects))
+}
+
+/// A dictionary of arrays.
+pub fn arrays(py: Python<'_>, all: impl IntoIterator<Item = Series>) -> PyResult<Bound<'_, PyDict>> {
+    let dict = PyDict::new(py);
+    for Series { name, shape, values } in all {
+        dict.set_item(name, PyArray1::from_vec(py, values).reshape(shape)?)?;
+    }
+    Ok(dict)
 }

@@ -1,6 +1,6 @@
 //! Flights: batches, trajectories, derivatives.
 
-use crate::columns::{Computed, Derivatives, Values, columns, run_in_pieces, value_error};
+use crate::columns::{Computed, Derivatives, Values, arrays, columns, run_in_pieces, value_error};
 use clubface_impact::batch::CHUNK;
 use clubface_impact::columns::Column;
 use clubface_impact::error::all_inputs;
@@ -58,15 +58,7 @@ pub fn fly_sensitivities<'py>(
 #[allow(clippy::needless_pass_by_value)]
 pub fn trajectory(py: Python<'_>, inputs: Vec<f64>) -> PyResult<Bound<'_, PyDict>> {
     let track = all_inputs(&inputs).and_then(flight::trajectory).map_err(|e| value_error(&e))?;
-    let dict = PyDict::new(py);
-    dict.set_item("time", PyArray1::from_slice(py, &track.time))?;
-    for (name, vectors) in
-        [("position", &track.position), ("velocity", &track.velocity), ("spin", &track.spin)]
-    {
-        let rows: Vec<Vec<f64>> = vectors.iter().map(|v| v.to_vec()).collect();
-        dict.set_item(name, PyArray2::from_vec2(py, &rows)?)?;
-    }
-    Ok(dict)
+    arrays(py, track.series())
 }
 
 /// One flight and its derivatives: (outputs, array of outputs by inputs).

@@ -1,10 +1,9 @@
 //! Impacts: batches, histories, derivatives.
 
-use crate::columns::{Computed, Derivatives, Values, columns, run_in_pieces, value_error};
+use crate::columns::{Computed, Derivatives, Values, arrays, columns, run_in_pieces, value_error};
 use clubface_impact::batch::{Batch, CHUNK};
 use clubface_impact::check::{check_ball, check_club};
 use clubface_impact::columns::Column;
-use clubface_impact::contact::History;
 use clubface_impact::error::all_inputs;
 use clubface_impact::launch::OUTPUT_COUNT;
 use clubface_impact::registry::named;
@@ -119,50 +118,7 @@ pub fn history<'py>(
         named(model)?.history(all_inputs(&inputs)?, &parameters, accuracy)
     };
     let (history, launch) = py.detach(shot).map_err(|e| value_error(&e))?;
-    history_arrays(py, &history, &launch)
-}
-
-fn history_arrays<'py>(py: Python<'py>, history: &History, launch: &[f64]) -> PyResult<Bound<'py, PyDict>> {
-    let dict = PyDict::new(py);
-    let frames = &history.frames;
-    macro_rules! scalars {
-        ($($name:ident)+) => {
-            $(dict.set_item(stringify!($name), PyArray1::from_iter(py, frames.iter().map(|f| f.$name)))?;)+
-        };
-    }
-    macro_rules! vectors {
-        ($($name:ident)+) => {
-            $(
-                let rows: Vec<Vec<f64>> = frames.iter().map(|f| f.$name.to_vec()).collect();
-                dict.set_item(stringify!($name), PyArray2::from_vec2(py, &rows)?)?;
-            )+
-        };
-    }
-    scalars! {
-        time normal_force force_y force_z penetration sliding_y sliding_z contact_area face_depth kinetic_energy face_energy
-        layer_energy normal_work friction_work layer_work
-    }
-    vectors! {
-        ball_position ball_velocity ball_spin cover_spin core_spin club_position club_velocity club_spin club_attitude
-    }
-    if !history.rings.is_empty() {
-        macro_rules! rings {
-            ($($name:literal => $value:expr;)+) => {
-                $(
-                    let rows: Vec<Vec<f64>> =
-                        history.rings.iter().map(|frame| frame.iter().map($value).collect()).collect();
-                    dict.set_item($name, PyArray2::from_vec2(py, &rows)?)?;
-                )+
-            };
-        }
-        rings! {
-            "ring_radius" => |ring| ring.radius;
-            "ring_traction_y" => |ring| ring.traction[0];
-            "ring_traction_z" => |ring| ring.traction[1];
-            "ring_slip" => |ring| f64::from(u8::from(ring.slipping));
-            "ring_inside" => |ring| f64::from(u8::from(ring.inside));
-        }
-    }
-    dict.set_item("launch", PyArray1::from_slice(py, launch))?;
+    let dict = arrays(py, history.series())?;
+    dict.set_item("launch", PyArray1::from_slice(py, &launch))?;
     Ok(dict)
 }

@@ -19,9 +19,8 @@ mod _core {
     };
     #[pymodule_export]
     use crate::fem::{
-        FemImpact, fem_ball, fem_check_law, fem_deformable, fem_driver, fem_head, fem_head_properties,
-        fem_iron, fem_laws, fem_mesh, fem_plane, fem_sensitivity, fem_shear, fem_thickness_points,
-        fem_variables, fem_yield_stress,
+        FemImpact, fem_ball, fem_check_law, fem_driver, fem_head_properties, fem_impact, fem_iron, fem_laws,
+        fem_mesh, fem_sensitivity, fem_shear, fem_thickness_points, fem_variables, fem_yield_stress,
     };
     #[pymodule_export]
     use crate::flight::{fly, fly_sensitivities, fly_sensitivity, trajectory};

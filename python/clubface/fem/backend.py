@@ -14,7 +14,7 @@ from clubface.errors import InputError
 from clubface.fem.balls import ball
 from clubface.fem.heads.meshed import mesh_of
 from clubface.fem.result import Impact
-from clubface.fem.run import FRICTION, simulate, strike, struck
+from clubface.fem.run import FRICTION, face_of, simulate, strike
 from clubface.fem.settings import Settings
 from clubface.simulation.impact import Balls, Problems, Request
 from clubface.simulation.results import outputs
@@ -56,7 +56,7 @@ class FiniteElements:
         for row in range(shots.size):
             columns, mu = [_at(each, row) for each in shots.inputs], _at(friction, row)
             try:
-                record, _ = simulate(*struck(head, shots.club, shots.own, columns), mu, how=how)
+                record, _ = simulate(shots.own, face_of(head, shots.club, columns), mu, how=how)
             except InputError as error:
                 problems.append((row, error.parameter, error.allowed))
                 continue

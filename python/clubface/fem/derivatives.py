@@ -15,7 +15,7 @@ from clubface.fem import core
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import MeshedHead, ShellHead
-from clubface.fem.run import AnyBall, friction_of, inputs_of, one_shot
+from clubface.fem.run import AnyBall, case, friction_of, inputs_of, one_shot
 from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.inputs import Delivery
 from clubface.simulation.results import outputs
@@ -61,7 +61,8 @@ def variables(club: str | os.PathLike[str] | Club | ShellHead, *, ball: AnyBall 
     is no variable.
     """
     made, head, rigid = ball_of(ball), *_head_of(club)
-    names = core.fem_variables(made.values(), head, inputs_of(one_shot(rigid, {"speed": 1.0}, made)))
+    inputs = inputs_of(one_shot(rigid, {"speed": 1.0}, made))
+    names = core.fem_variables(case(made, {"head": {"inputs": inputs, "mesh": head}}, 0.0, Settings()))
     for piece in made.pieces:
         names.insert(names.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
     return names
@@ -120,18 +121,18 @@ def sensitivity(
     head, rigid = _head_of(club)
     inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
     slopes = [_slopes(made, name) for name in names]
-    directions = [list(one.items()) for one in slopes]
+    directions = [list(slope.items()) for slope in slopes]
     runs = -(-len(directions) // VARIABLES_A_RUN)
-    run = replace(how, frames=0).values()
+    one = case(made, {"head": {"inputs": inputs, "mesh": head}}, mu, replace(how, frames=0))
 
     def all_runs(watch: Progress) -> Any:
         def step(number: int, time: float, whole: float) -> None:
             watch(number + time / whole, runs)
 
-        return core.fem_sensitivity(made.values(), head, inputs, mu, run, directions, step)
+        return core.fem_sensitivity(one, directions, step)
 
     def at(safety: float | None) -> tuple[Any, Any]:
-        run["safety"] = safety
+        one["run"]["safety"] = safety
         return cast("tuple[Any, Any]", core_call(all_runs, progress=progress))
 
     launch, jacobian = _first_stable(at, how)

@@ -70,7 +70,7 @@ def laws() -> Mapping[str, Law]:
     """Return the elastic laws by name."""
     laws_by_name = {}
     for each in core.fem_laws():
-        constants = Frozen(dict(zip(each["constants"], each["dimensions"], strict=True)))
+        constants = Frozen({constant["name"]: constant["dimension"] for constant in each["constants"]})
         rest = (each[key] for key in ("needed", "group", "summary"))
         laws_by_name[each["name"]] = Law(each["name"], constants, *rest)
     return Frozen(laws_by_name)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -45,15 +45,15 @@ FRICTION = Parameter(
 
 
 def simulate(
-    function: Callable[..., Any], *arguments: Any, how: Settings, progress: Progress | None = None
+    ball: Ball, face: Mapping[str, Any], friction: float, *, how: Settings, progress: Progress | None = None
 ) -> tuple[FemImpact, Settings]:
-    """Run the core; if elements fail and the settings leave the step open, run it again with shorter steps.
+    """Run an impact; if elements fail and the settings leave the step open, run it again with shorter steps.
 
-    Returns the record, and the settings that led to it.
+    ``face`` is what the ball meets, as the core takes it. Returns the record, and the settings that led to it.
     """
 
     def run(safety: float | None) -> FemImpact:
-        return core_call(function, *arguments, replace(how, safety=safety).values(), progress=progress)
+        return core_call(core.fem_impact, case(ball, face, friction, replace(how, safety=safety)), progress=progress)
 
     first, *shorter = how.safeties()
     record = run(first)
@@ -92,8 +92,14 @@ def throw(
     """
     made, (v, incidence) = ball_of(ball), throw_values(speed, angle)
     mu, how = friction_of(friction, made), settings_of(settings)
-    record, used = simulate(core.fem_plane, made.values(), v, incidence, mu, how=how, progress=progress)
-    return Impact(record, made, {"speed": v, "angle": incidence}, mu, used)
+    plane = {"speed": v, "angle": incidence}
+    record, used = simulate(made, {"plane": plane}, mu, how=how, progress=progress)
+    return Impact(record, made, plane, mu, used)
+
+
+def case(ball: Ball, face: Mapping[str, Any], friction: float, how: Settings) -> dict[str, Any]:
+    """Return a case as the core takes it."""
+    return {"ball": ball.values(), "face": face, "friction": friction, "run": how.values()}
 
 
 def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
@@ -138,7 +144,7 @@ def strike(
         club = club_of(club)  # pyright: ignore[reportArgumentType]
     head = mesh_of(club)
     shot = one_shot(club.club if isinstance(club, MeshedHead) else club, given, made)
-    record, used = simulate(*struck(head, shot.club, made, inputs_of(shot)), mu, how=how, progress=progress)
+    record, used = simulate(made, face_of(head, shot.club, inputs_of(shot)), mu, how=how, progress=progress)
     if record.over_edge and not record.failed:
         toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))
         warn_once(
@@ -149,8 +155,8 @@ def strike(
     return Impact(record, made, given, mu, used, shot, head)
 
 
-def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float]) -> tuple[Any, ...]:
-    """Return the function of the core that hits a ball with a mesh or, without one, with a rigid head; its arguments.
+def face_of(head: MeshedHead | None, club: Club, inputs: list[float]) -> dict[str, Any]:
+    """Return the head that hits a ball, as the core takes it: a mesh or, without one, the rigid head of the inputs.
 
     Raises
     ------
@@ -158,13 +164,13 @@ def struck(head: MeshedHead | None, club: Club, made: Ball, inputs: list[float])
         An input would change what the mesh says of the club.
     """
     if head is None:
-        return core.fem_head, made.values(), inputs
+        return {"head": {"inputs": inputs}}
     own = club.inputs()
     for name, value in zip(input_columns(), inputs, strict=True):
         # Left hands are mirrored; the time of the face is for models that take the head as rigid.
         if name in own and name not in ("hand", "characteristic_time") and value != own[name]:
             raise InputError(name, value, f"left out: the mesh of {head.name} says it")
-    return core.fem_deformable, made.values(), head.values(), inputs
+    return {"head": {"inputs": inputs, "mesh": head.values()}}
 
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:

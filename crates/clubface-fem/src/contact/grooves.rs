@@ -5,6 +5,7 @@ use clubface_math::Real;
 
 /// Straight grooves from heel to toe all over a face, with a land through its centre, m.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Grooves {
     /// Width from edge to edge.
     pub width: f64,

@@ -4,6 +4,7 @@ use crate::error::FemError;
 
 /// A constant of a law.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Constant {
     /// Name, as in files.
     pub name: &'static str,
@@ -30,6 +31,7 @@ impl Constant {
 
 /// Description of the law.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Description {
     /// Name, as in files.
     pub name: &'static str,
@@ -44,12 +46,16 @@ pub struct Description {
     /// See [`Description::needed`].
     pub group: usize,
     /// Whether files choose it by its name; a metal that yields is chosen by its yield stress.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub listed: bool,
     /// State variables of a point before any deformation, none for an elastic law.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub state: &'static [f64],
     /// Rough time of a one-point element in a step, ns: to give threads as much to do.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub cost: usize,
     /// Constants of a material that contract tests compute with.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub example: &'static [f64],
 }
 

@@ -31,6 +31,7 @@ impl Region {
 
 /// Shape of a driver head, m and rad.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(deny_unknown_fields))]
 pub struct DriverShape {
     /// Elevation of the face normal.
     pub loft: f64,
@@ -52,6 +53,7 @@ pub struct DriverShape {
 
 /// Thickness by region, m.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(deny_unknown_fields))]
 pub struct DriverThickness {
     /// At the face centre.
     pub face_centre: f64,

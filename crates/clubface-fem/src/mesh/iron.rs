@@ -8,6 +8,7 @@ use clubface_math::Vec3;
 
 /// Shape of an iron head, m and rad.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(deny_unknown_fields))]
 pub struct IronShape {
     /// Elevation of the face normal.
     pub loft: f64,

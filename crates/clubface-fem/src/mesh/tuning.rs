@@ -16,6 +16,7 @@ pub struct Trim {
 
 /// Mass properties that a head should have.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Target {
     /// Mass, kg.
     pub mass: f64,

@@ -6,6 +6,7 @@ use crate::element::ElementOutput;
 use crate::error::FemError;
 use clubface_impact::first_touch::{FirstTouch, Motion};
 use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::series::Series;
 use clubface_math::{Mat3, Vec3};
 use std::ops::Range;
 
@@ -112,6 +113,63 @@ pub struct ImpactRecord {
 }
 
 impl ImpactRecord {
+    /// Forces and area of the contact over the steps: time, normal, tangential, toe (N), area (m2).
+    #[must_use]
+    pub fn contact_series(&self) -> [Series; 5] {
+        let records = &self.records.contact;
+        [
+            Series::scalars("time", records, |r| r.time),
+            Series::scalars("normal", records, |r| r.normal),
+            Series::scalars("tangential", records, |r| r.tangential),
+            Series::scalars("toe", records, |r| r.toe),
+            Series::scalars("area", records, |r| r.area),
+        ]
+    }
+
+    /// Motion of the ball over the motion records: time, radius (m), velocity (m/s), spin (rad/s).
+    #[must_use]
+    pub fn motion_series(&self) -> [Series; 4] {
+        let records = &self.records.motion;
+        [
+            Series::scalars("time", records, |r| r.time),
+            Series::scalars("radius", records, |r| r.radius),
+            Series::vectors("velocity", records, |r| r.velocity),
+            Series::vectors("spin", records, |r| r.spin),
+        ]
+    }
+
+    /// Energies over the energy records, J: time (s), kinetic, contact, friction, damping, strain, hourglass, viscous,
+    /// plastic.
+    #[must_use]
+    pub fn energy_series(&self) -> [Series; 9] {
+        let records = &self.records.energy;
+        [
+            Series::scalars("time", records, |r| r.time),
+            Series::scalars("kinetic", records, |r| r.kinetic),
+            Series::scalars("contact", records, |r| r.contact),
+            Series::scalars("friction", records, |r| r.friction),
+            Series::scalars("damping", records, |r| r.damping),
+            Series::scalars("strain", records, |r| r.elements.strain),
+            Series::scalars("hourglass", records, |r| r.elements.hourglass),
+            Series::scalars("viscous", records, |r| r.elements.viscous),
+            Series::scalars("plastic", records, |r| r.elements.plastic),
+        ]
+    }
+
+    /// The nodes of the ball in contact at the motion records: time, up, toe (m), normal, tangential (N), area (m2).
+    #[must_use]
+    pub fn patch_series(&self) -> [Series; 6] {
+        let points = &self.contact_points;
+        [
+            Series::scalars("time", points, |p| p.time),
+            Series::scalars("up", points, |p| p.up),
+            Series::scalars("toe", points, |p| p.toe),
+            Series::scalars("normal", points, |p| p.normal),
+            Series::scalars("tangential", points, |p| p.tangential),
+            Series::scalars("area", points, |p| p.area),
+        ]
+    }
+
     /// Whether elements failed; only what came before is kept.
     #[must_use]
     pub fn failed(&self) -> bool {

@@ -4,6 +4,7 @@ use super::check::{check, never_lands};
 use super::shot::{FlightShot, INPUT_COUNT};
 use super::trajectory::{Flight, TOLERANCE, fly_to_ground};
 use crate::error::ImpactError;
+use crate::series::Series;
 use clubface_math::Vec3;
 
 /// Longest time between two recorded points, s.
@@ -28,6 +29,19 @@ impl Track {
         self.position.push(position.array());
         self.velocity.push(velocity.array());
         self.spin.push(spin.array());
+    }
+}
+
+impl Track {
+    /// Every quantity of the points.
+    #[must_use]
+    pub fn series(&self) -> [Series; 4] {
+        [
+            Series::scalars("time", &self.time, |&time| time),
+            Series::vectors("position", &self.position, |&position| position),
+            Series::vectors("velocity", &self.velocity, |&velocity| velocity),
+            Series::vectors("spin", &self.spin, |&spin| spin),
+        ]
     }
 }
 

@@ -10,6 +10,7 @@ pub use table::QUANTITIES;
 
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Quantity {
     /// Name, as in the Python API and in files.
     pub name: &'static str,

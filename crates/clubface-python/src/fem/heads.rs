@@ -1,61 +1,18 @@
-//! Heads of shells: the parametric driver as a mesh, mass properties of any mesh.
+//! Heads: the parametric driver and iron as meshes, mass properties of any mesh, metals and walls as the solver takes them.
 
-use super::inputs::{AnyHead, build_head, to_py_error};
-use clubface_fem::element::{Isotropic, ShellMaterial};
-use clubface_fem::head::Driver;
-use clubface_fem::mesh::{
-    DriverFineness, DriverShape, DriverThickness, IronFineness, IronShape, MassProperties, Target, Trim,
-};
-use clubface_math::Vec3;
+use super::described::{Described, to_py_error};
+use clubface_fem::description::{DriverDescription, HeadDescription, PlasticDescription};
+use clubface_fem::element::Rule;
+use clubface_fem::mesh::{IronFineness, IronShape, MassProperties};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A mass that may be added: name, place (m), most (kg).
-type TrimValues = (String, [f64; 3], f64);
-
-/// A parametric driver head.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct DriverValues {
-    /// Loft, bulge, roll, width, depth, crown, sole, rounding.
-    shape: [f64; 8],
-    elements: [usize; 3],
-    /// Face centre, face edge, crown, sole, skirt.
-    thickness: [f64; 5],
-    /// Young's modulus, Poisson's ratio, density.
-    metal: [f64; 3],
-    scales: (f64, f64),
-    trims: Vec<TrimValues>,
-    mass: f64,
-    centre: [Option<f64>; 3],
-    /// Height of the mass centre above the normal at the face centre.
-    above: Option<f64>,
-    inertia: [Option<f64>; 3],
-}
-
-fn build_driver(values: DriverValues) -> Driver<f64> {
-    let [loft, bulge, roll, width, depth, crown, sole, rounding] = values.shape;
-    let shape = DriverShape { loft, bulge, roll, width, depth, crown, sole, rounding };
-    let [face_centre, face_edge, crown, sole, skirt] = values.thickness;
-    let [young, poisson, density] = values.metal;
-    let trims = values.trims.into_iter();
-    let (mass, centre, inertia) = (values.mass, values.centre, values.inertia);
-    Driver {
-        shape,
-        fineness: DriverFineness(values.elements),
-        thickness: DriverThickness { face_centre, face_edge, crown, sole, skirt },
-        metal: ShellMaterial::elastic(Isotropic { young, poisson }, density),
-        scales: values.scales,
-        trims: trims.map(|(name, at, most)| Trim { name, at: Vec3::from_f64(at), most }).collect(),
-        target: Target { mass, centre, above: values.above, inertia },
-    }
-}
-
 /// The mesh of a parametric driver, tuned: {nodes, quads, thickness, added, parts: [(name, elements)], scale, trims}.
 #[pyfunction]
-pub fn fem_driver(py: Python<'_>, driver: DriverValues) -> PyResult<Bound<'_, PyDict>> {
-    let meshed = build_driver(driver).mesh().map_err(|e| to_py_error(&e))?;
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_driver(py: Python<'_>, driver: Described<DriverDescription>) -> PyResult<Bound<'_, PyDict>> {
+    let meshed = driver.0.build().mesh().map_err(|e| to_py_error(&e))?;
     let shells = &meshed.head.shells;
     let dict = PyDict::new(py);
     dict.set_item("nodes", PyArray1::from_iter(py, shells.nodes.iter().flat_map(|p| p.array())))?;
@@ -70,13 +27,15 @@ pub fn fem_driver(py: Python<'_>, driver: DriverValues) -> PyResult<Bound<'_, Py
     Ok(dict)
 }
 
-/// The mesh of a parametric iron: {nodes, elements: 8 an element in binary order, face}. `shape`: loft, length, height
-/// at heel and toe, thickness of face, sole and top line, rim, rounding.
+/// The mesh of a parametric iron: {nodes, elements: 8 an element in binary order, face}.
 #[pyfunction]
-pub fn fem_iron(py: Python<'_>, shape: [f64; 9], elements: [usize; 3]) -> PyResult<Bound<'_, PyDict>> {
-    let [loft, length, heel_height, toe_height, face, sole, top, rim, rounding] = shape;
-    let shape = IronShape { loft, length, heel_height, toe_height, face, sole, top, rim, rounding };
-    let mesh = shape.mesh(IronFineness(elements));
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_iron(
+    py: Python<'_>,
+    shape: Described<IronShape>,
+    elements: [usize; 3],
+) -> PyResult<Bound<'_, PyDict>> {
+    let mesh = shape.0.mesh(IronFineness(elements));
     let dict = PyDict::new(py);
     dict.set_item("nodes", PyArray1::from_iter(py, mesh.solid.nodes.iter().flat_map(|p| p.array())))?;
     dict.set_item("elements", PyArray1::from_iter(py, mesh.solid.elements.iter().copied().flatten()))?;
@@ -87,8 +46,8 @@ pub fn fem_iron(py: Python<'_>, shape: [f64; 9], elements: [usize; 3]) -> PyResu
 /// Mass properties of a head that deforms: {mass, centre, inertia: (3, 3)}, in the axes of its nodes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-pub fn fem_head_properties<'py>(py: Python<'py>, head: AnyHead<'py>) -> PyResult<Bound<'py, PyDict>> {
-    let head = build_head(&head)?;
+pub fn fem_head_properties(py: Python<'_>, head: Described<HeadDescription>) -> PyResult<Bound<'_, PyDict>> {
+    let head = head.0.build().map_err(|e| to_py_error(&e))?;
     head.check().map_err(|e| to_py_error(&e))?;
     let MassProperties { mass, centre, inertia } = head.mass_properties();
     let dict = PyDict::new(py);
@@ -96,4 +55,18 @@ pub fn fem_head_properties<'py>(py: Python<'py>, head: AnyHead<'py>) -> PyResult
     dict.set_item("centre", centre.array())?;
     dict.set_item("inertia", PyArray2::from_vec2(py, &inertia.rows.map(|r| r.array().to_vec()))?)?;
     Ok(dict)
+}
+
+/// Yield stress (Pa) of a metal at equivalent plastic strains.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_yield_stress(metal: Described<PlasticDescription>, strains: Vec<f64>) -> PyResult<Vec<f64>> {
+    let law = metal.0.build("metal").map_err(|e| to_py_error(&e))?;
+    Ok(strains.into_iter().map(|strain| law.at(strain).0).collect())
+}
+
+/// Points through the thickness of a shell by a rule: places from -1 to 1, and weights, 2 in all.
+#[pyfunction]
+pub fn fem_thickness_points(count: usize, rule: &str) -> PyResult<Vec<(f64, f64)>> {
+    Ok(Rule::from_name(rule, count).map_err(|e| to_py_error(&e))?.points())
 }

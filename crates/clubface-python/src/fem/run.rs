@@ -1,8 +1,9 @@
 //! Runs a simulation and gives its record to Python.
 
-use super::inputs::{RunValues, to_py_error};
-use clubface_fem::contact::ContactMethod;
-use clubface_fem::solve::{ElementHistory, ImpactRecord, Options, Progress, Recording, Simulation};
+use super::described::to_py_error;
+use crate::columns::arrays;
+use clubface_fem::description::RunDescription;
+use clubface_fem::solve::{ElementHistory, ImpactRecord, Progress, Simulation};
 use clubface_impact::first_touch::FirstTouch;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
@@ -10,20 +11,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-pub(super) fn run_options(run: &RunValues) -> PyResult<Options> {
-    Ok(Options {
-        duration: run.duration,
-        safety: run.safety,
-        interval: run.interval,
-        until_separation: run.until_separation,
-        contact: ContactMethod::from_name(&run.contact).map_err(|e| to_py_error(&e))?,
-        bulk_viscosity: run.bulk_viscosity,
-        ..Options::default()
-    })
-}
-
 /// Threads of a run alone: rayon's global pool has none in a process that was forked from one that used it.
-pub(super) fn run_pool(run: &RunValues) -> PyResult<Arc<rayon::ThreadPool>> {
+pub(super) fn run_pool(run: &RunDescription) -> PyResult<Arc<rayon::ThreadPool>> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(run.threads)
         .build()
@@ -43,12 +32,11 @@ pub(super) fn record(
     py: Python<'_>,
     simulation: &mut Simulation<f64>,
     pool: &rayon::ThreadPool,
-    run: &RunValues,
+    run: &RunDescription,
     touch: Option<&FirstTouch<f64>>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<FemImpact> {
-    let options = run_options(run)?;
-    let recording = Recording { frames: run.frames, fields: run.fields };
+    let (options, recording) = (run.options().map_err(|e| to_py_error(&e))?, run.recording());
     let progress = progress.map(Bound::unbind);
     let mut raised = None;
     let result = py.detach(|| {
@@ -83,15 +71,6 @@ macro_rules! record {
             }
         }
     };
-}
-
-/// A dictionary of arrays, one a column of a history.
-macro_rules! columns {
-    ($py:ident, $records:expr, $($name:literal => $value:expr),+ $(,)?) => {{
-        let dict = PyDict::new($py);
-        $(dict.set_item($name, PyArray1::from_iter($py, $records.iter().map($value)))?;)+
-        dict
-    }};
 }
 
 record! {
@@ -194,39 +173,24 @@ impl FemImpact {
     /// Arrays over the steps: time, normal, tangential, toe (N), area (m2).
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        Ok(columns!(py, self.record.records.contact,
-            "time" => |r| r.time, "normal" => |r| r.normal, "tangential" => |r| r.tangential, "toe" => |r| r.toe,
-            "area" => |r| r.area))
+        arrays(py, self.record.contact_series())
     }
     /// Arrays over the motion records: time, radius; velocity and spin with a row a record.
     #[getter]
     fn motion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let motion = &self.record.records.motion;
-        let dict = columns!(py, motion, "time" => |r| r.time, "radius" => |r| r.radius);
-        let rows = |values: Vec<[f64; 3]>| {
-            PyArray1::from_slice(py, values.as_flattened()).reshape([values.len(), 3])
-        };
-        dict.set_item("velocity", rows(motion.iter().map(|r| r.velocity).collect())?)?;
-        dict.set_item("spin", rows(motion.iter().map(|r| r.spin).collect())?)?;
-        Ok(dict)
+        arrays(py, self.record.motion_series())
     }
     /// Arrays over the energy records, J: time (s), kinetic, contact, friction, damping, strain, hourglass, viscous,
     /// plastic.
     #[getter]
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        Ok(columns!(py, self.record.records.energy,
-            "time" => |r| r.time, "kinetic" => |r| r.kinetic, "contact" => |r| r.contact,
-            "friction" => |r| r.friction, "damping" => |r| r.damping, "strain" => |r| r.elements.strain,
-            "hourglass" => |r| r.elements.hourglass, "viscous" => |r| r.elements.viscous,
-            "plastic" => |r| r.elements.plastic))
+        arrays(py, self.record.energy_series())
     }
     /// Arrays over the nodes of the ball in contact at the motion records: time, up, toe (m), normal, tangential (N),
     /// area (m2).
     #[getter]
     fn patch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        Ok(columns!(py, self.record.contact_points,
-            "time" => |p| p.time, "up" => |p| p.up, "toe" => |p| p.toe, "normal" => |p| p.normal,
-            "tangential" => |p| p.tangential, "area" => |p| p.area))
+        arrays(py, self.record.patch_series())
     }
     /// Times of the deformed shapes, s.
     #[getter]

@@ -84,17 +84,19 @@ class DriverHead:
         """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
         target = self.target
         values = {
-            "shape": [self.shape[key] for key in SHAPE],
+            "shape": dict(self.shape),
             "elements": list(self.elements),
-            "thickness": [self.thickness[key] for key in WALLS],
-            "metal": [self.metal.youngs, self.metal.poisson, self.metal.density],
+            "thickness": {key: self.thickness[key] for key in WALLS},
+            "metal": (self.metal.youngs, self.metal.poisson, self.metal.density),
             "scales": self.scales,
             "trims": [(name, list(place[:3]), place[3]) for name, place in self.trims.items()],
-            "mass": target["mass"],
-            # The target is from the CG to the face centre, the core's from the face centre to the CG.
-            "centre": [None if key not in target else -target[key] for key in CENTRE],
-            "above": target.get("cg_above"),
-            "inertia": [target.get(key) for key in INERTIA],
+            "target": {
+                "mass": target["mass"],
+                # The target is from the CG to the face centre, the core's from the face centre to the CG.
+                "centre": [None if key not in target else -target[key] for key in CENTRE],
+                "above": target.get("cg_above"),
+                "inertia": [target.get(key) for key in INERTIA],
+            },
         }
         meshed = in_thread(core.fem_driver, values)
         report = {"scale": meshed["scale"], **dict(zip(self.trims, meshed["trims"], strict=True))}

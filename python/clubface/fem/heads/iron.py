@@ -85,7 +85,7 @@ class IronHead:
 
     def mesh(self) -> SolidHead:
         """Mesh the head."""
-        meshed = in_thread(core.fem_iron, [self.shape[key] for key in SHAPE], list(self.elements))
+        meshed = in_thread(core.fem_iron, dict(self.shape), list(self.elements))
         nodes = meshed["nodes"].reshape(-1, 3)
         hexahedra, face = meshed["elements"].reshape(-1, 8)[:, ROUND], meshed["face"].reshape(-1, 4)
         masses = element_masses(nodes, hexahedra, self.metal.density)

@@ -196,19 +196,20 @@ class SolidHead(MeshedHead):
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
         material = Material.linear(self.metal.youngs, self.metal.poisson, density=self.metal.density)
-        return {
-            "nodes": np.ascontiguousarray(self.nodes, float).reshape(-1),
-            "elements": np.ascontiguousarray(self.hexahedra[:, ROUND], np.uint32).reshape(-1),
-            "face": np.ascontiguousarray(self.face, np.uint32).reshape(-1),
-            "added": np.ascontiguousarray(self.added, float),
+        values = {
+            "nodes": self.nodes.ravel().tolist(),
+            "elements": self.hexahedra[:, ROUND].ravel().tolist(),
+            "face": self.face.ravel().tolist(),
+            "added": self.added.tolist(),
             "shear": material.shear,
             "bulk": material.bulk,
             "density": self.metal.density,
             "plastic": self.metal.plastic(),
             "element": self.element,
             "loft": self.loft,
-            "grooves": None if self.grooves is None else list(self.grooves.values()),
+            "grooves": None if self.grooves is None else dict(self.grooves),
         }
+        return {"solid": values}
 
 
 @dataclass(frozen=True)
@@ -319,14 +320,15 @@ class ShellHead(MeshedHead):
             | {"name": part.name, "elements": part.elements, "plastic": part.metal.plastic(), "face": part.face}
             for part in self.parts
         ]
-        return {
-            "nodes": np.ascontiguousarray(self.nodes, float).reshape(-1),
-            "quads": np.ascontiguousarray(self.quads, np.uint32).reshape(-1),
-            "thickness": np.ascontiguousarray(self.thickness, float),
-            "added": np.ascontiguousarray(self.added, float),
+        shells = {
+            "nodes": self.nodes.ravel().tolist(),
+            "quads": self.quads.ravel().tolist(),
+            "thickness": self.thickness.tolist(),
+            "added": self.added.tolist(),
             "parts": parts,
             "loft": self.loft,
         }
+        return {"shells": shells}
 
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
