@@ -49,7 +49,7 @@ const refusals = [
 });
 
 const path = core.trajectory(asked.flights.map((column) => column[0]));
-const history = core.history("response", first, asked.models.response);
+const history = core.history("rings", first, asked.models.rings);
 const reference = core.simulate(asked.case).text;
 const seen = calls;
 const { stopped } = (await load(bytes, (time) => time < 1e-4)).simulate(asked.case).text;

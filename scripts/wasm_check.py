@@ -143,7 +143,7 @@ def main(module: str) -> int:
     first = [column[0] for column in inputs]
     paths = {
         "path": _core.trajectory([column[0] for column in flights]),
-        "history": _core.history("response", first, models["response"]),
+        "history": _core.history("rings", first, models["rings"]),
     }
     for name, arrays in paths.items():
         there = answer[name]

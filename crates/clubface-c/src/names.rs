@@ -21,18 +21,20 @@ pub enum ClubfaceColumns {
     FlightOutputs = 3,
 }
 
-fn names(columns: ClubfaceColumns) -> Vec<&'static str> {
+/// Names of the columns of a number of [`ClubfaceColumns`]; none for a number that is not one of them.
+fn names(columns: u32) -> Vec<&'static str> {
     match columns {
-        ClubfaceColumns::Inputs => INPUTS.iter().map(|input| input.quantity.name).collect(),
-        ClubfaceColumns::Outputs => OUTPUTS.iter().map(|quantity| quantity.name).collect(),
-        ClubfaceColumns::FlightInputs => flight::INPUTS.iter().map(|input| input.quantity.name).collect(),
-        ClubfaceColumns::FlightOutputs => flight::OUTPUTS.iter().map(|quantity| quantity.name).collect(),
+        0 => INPUTS.iter().map(|input| input.quantity.name).collect(),
+        1 => OUTPUTS.iter().map(|quantity| quantity.name).collect(),
+        2 => flight::INPUTS.iter().map(|input| input.quantity.name).collect(),
+        3 => flight::OUTPUTS.iter().map(|quantity| quantity.name).collect(),
+        _ => Vec::new(),
     }
 }
 
-/// Returns the number of columns.
+/// Returns how many columns there are, of `CLUBFACE_COLUMNS_INPUTS` and so on.
 #[unsafe(no_mangle)]
-pub extern "C" fn clubface_count(columns: ClubfaceColumns) -> usize {
+pub extern "C" fn clubface_count(columns: u32) -> usize {
     names(columns).len()
 }
 
@@ -41,7 +43,7 @@ pub extern "C" fn clubface_count(columns: ClubfaceColumns) -> usize {
 /// # Safety
 /// `name` is null or ends with a null byte.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn clubface_column(columns: ClubfaceColumns, name: *const c_char) -> isize {
+pub unsafe extern "C" fn clubface_column(columns: u32, name: *const c_char) -> isize {
     // SAFETY: the caller's promise.
     let Ok(name) = (unsafe { text_from(name, "name") }) else { return -1 };
     let place = names(columns).into_iter().position(|each| each == name);

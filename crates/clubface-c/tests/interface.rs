@@ -72,10 +72,10 @@ fn c(text: &str) -> CString {
 /// A drive; the first rows of a batch differ in speed and strike, the last misses the face.
 fn shot(row: usize, rows: usize) -> [f64; INPUT_COUNT] {
     let given = [
-        ("speed", 40.0 + row as f64),
+        ("speed", 40.0 + 0.1 * row as f64),
         ("attack", 0.03),
         ("loft", 0.22),
-        ("toe", if row + 1 == rows { 0.4 } else { 0.002 * row as f64 }),
+        ("toe", if row + 1 == rows { 0.4 } else { 1e-4 * row as f64 }),
         ("club_mass", 0.2),
         ("cg_x", 0.0354),
         ("cg_y", 0.0035),
@@ -194,11 +194,11 @@ fn derivatives_of_one_shot_and_of_a_batch_agree() {
 
 #[test]
 fn a_history_ends_in_the_launch() {
-    let (model, inputs) = (c("response"), shot(2, 100));
+    let (model, inputs) = (c("slip"), shot(2, 100));
     let defaults = named("response").unwrap().info().defaults();
     let answer = read(unsafe { clubface_history(model.as_ptr(), inputs.as_ptr(), defaults.as_ptr(), 1e-9) });
     let (history, launch) =
-        named("response").unwrap().history(&inputs, &defaults, Accuracy::Tolerance(1e-9)).unwrap();
+        named("slip").unwrap().history(&inputs, &defaults, Accuracy::Tolerance(1e-9)).unwrap();
     assert_same(&answer.array("launch").2, &launch);
     assert_eq!(answer.array("ball_velocity").1, [history.frames.len(), 3]);
     let forces: Vec<f64> = history.frames.iter().map(|frame| frame.normal_force).collect();
@@ -307,6 +307,10 @@ fn what_cannot_be_computed_names_the_input() {
     let wrong = c(&case.to_string());
     let error = read(unsafe { clubface_fem(wrong.as_ptr(), None, null_mut()) }).outcome.unwrap_err();
     assert!(error["message"].as_str().unwrap().contains("durations"), "{error}");
+    let name = c("speed");
+    assert_eq!(unsafe { clubface_column(ClubfaceColumns::Inputs as u32, name.as_ptr()) }, 0);
+    assert_eq!(unsafe { clubface_column(ClubfaceColumns::Outputs as u32, name.as_ptr()) }, -1);
+    assert_eq!(unsafe { clubface_column(7, name.as_ptr()) }, -1);
     unsafe { clubface_free(null_mut()) };
 }
 

@@ -1,0 +1,284 @@
+/* clubface for C: how a golf club meets a ball. Made from the crate clubface-c by cbindgen; do not edit. */
+
+#ifndef CLUBFACE_H
+#define CLUBFACE_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* Memory: every computing function returns a result that is never null and belongs to the caller, who ends it with
+   clubface_free. What is read from it is valid until then. Arrays that go in or out belong to the caller; nothing is
+   kept of them. Text is UTF-8 and ends with a null byte; descriptions, errors and rejected rows are JSON. All values
+   are in SI units and radians. Functions may be called from several threads at once. */
+
+// Number of this interface; it grows with every change that a compiled caller would notice.
+#define CLUBFACE_ABI 1
+
+// Columns that a caller lays out or takes.
+enum ClubfaceColumns
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // Inputs of an impact.
+  CLUBFACE_COLUMNS_INPUTS = 0,
+  // Outputs of an impact.
+  CLUBFACE_COLUMNS_OUTPUTS = 1,
+  // Inputs of a flight.
+  CLUBFACE_COLUMNS_FLIGHT_INPUTS = 2,
+  // Outputs of a flight.
+  CLUBFACE_COLUMNS_FLIGHT_OUTPUTS = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum ClubfaceColumns ClubfaceColumns;
+#else
+typedef uint32_t ClubfaceColumns;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// Kind of the numbers of an array.
+enum ClubfaceKind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // `double`.
+  CLUBFACE_KIND_FLOAT64 = 0,
+  // `float`.
+  CLUBFACE_KIND_FLOAT32 = 1,
+  // `uint32_t`.
+  CLUBFACE_KIND_UINT32 = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum ClubfaceKind ClubfaceKind;
+#else
+typedef uint32_t ClubfaceKind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// A result: an error, or text and arrays. End it with [`clubface_free`].
+typedef struct ClubfaceResult ClubfaceResult;
+
+// Called by a running simulation with the caller's pointer, the simulated time and the duration, s; `false` stops it.
+typedef bool (*ClubfaceProgress)(void *context, double time, double duration);
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Returns the number of the interface of the library, to be compared with [`CLUBFACE_ABI`] of the header.
+uint32_t clubface_abi(void);
+
+// Returns the version of clubface, such as "0.1.0". The text lives as long as the program.
+const char *clubface_version(void);
+
+// Describes everything that can be computed, as text: `quantities`, `units`, `dimensions`, `models` with their
+// parameters, and `inputs`, `outputs`, `flight_inputs`, `flight_outputs` in the order of the columns. A default that is
+// not a number is null.
+ClubfaceResult *clubface_describe(void);
+
+// Returns `bytes` of memory, aligned for every kind of number, for hosts without an allocator of their own.
+uint8_t *clubface_allocate(size_t bytes);
+
+// Gives memory back.
+//
+// # Safety
+// `memory` and `bytes` are those of one call of [`clubface_allocate`].
+void clubface_release(uint8_t *memory, size_t bytes);
+
+// Simulates an impact. `case` describes ball, face, friction and run; see the documentation of the C interface.
+//
+// The text has the summary (`peak_force`, `contact_time`, `f_prime`, ...), `launch` in the order of the outputs, `stopped`
+// (why there is no launch, or null), `nodes` of the ball and of all bodies, `steps`, `step`, `wall` (s). Arrays:
+// `contact.time` and other names over the steps, `motion...`, `energy...`, `patch...`, `frame_times`, `frames` (positions
+// by frame, node and axis, m), and if asked for `ball.stress`, `ball.strain`, `ball.plastic_strain`, `head.stress`, ...
+// A run that `progress` stops keeps what it has.
+//
+// # Safety
+// `case` ends with a null byte; `progress` may be called with `context` during this call.
+ClubfaceResult *clubface_fem(const char *case_,
+                             ClubfaceProgress progress,
+                             void *context);
+
+// Meshes a ball about the origin, its pole of first contact along -x. Arrays: `nodes` by node and axis (m), `elements`
+// by element and corner (in binary order), `piece` of each element.
+//
+// # Safety
+// `ball` ends with a null byte.
+ClubfaceResult *clubface_fem_ball(const char *ball);
+
+// Weighs a head that deforms: `mass` (kg), `centre` (m), `inertia` (kg m2, rows), in the axes of its nodes; a driver is
+// meshed and tuned first. Arrays: `nodes` by node and axis (m), `face` by quadrilateral and corner.
+//
+// # Safety
+// `head` ends with a null byte.
+ClubfaceResult *clubface_fem_head(const char *head);
+
+extern double now(void);
+
+extern uint32_t progress(double time, double duration);
+
+// Computes flights of `rows` launches. `inputs` are the columns of the flight inputs of the description, one after the
+// other, `rows` numbers each; `outputs` takes the flight outputs. Rows that cannot be flown are NaN, and named in the
+// text. `threads`: 0 for one a core.
+//
+// # Safety
+// The arrays hold as many numbers as said.
+ClubfaceResult *clubface_flights(const double *inputs,
+                                 size_t rows,
+                                 size_t threads,
+                                 double *outputs);
+
+// Computes one flight and all its derivatives: in `jacobian` a row an output, by the inputs.
+//
+// # Safety
+// The arrays hold as many numbers as said.
+ClubfaceResult *clubface_flight_sensitivity(const double *inputs,
+                                            double *outputs,
+                                            double *jacobian);
+
+// Computes the path of one flight: arrays `time`, `position`, `velocity` and `spin` over its points, world axes. The
+// last point is the landing.
+//
+// # Safety
+// `inputs` holds as many numbers as there are flight inputs.
+ClubfaceResult *clubface_trajectory(const double *inputs);
+
+// Returns the number of columns.
+size_t clubface_count(ClubfaceColumns columns);
+
+// Returns the place of a column, counted from 0, by its name, such as "speed"; -1 if there is none of this name.
+//
+// # Safety
+// `name` is null or ends with a null byte.
+ptrdiff_t clubface_column(ClubfaceColumns columns,
+                          const char *name);
+
+// Writes the default parameters of a model to `parameters`, unless it is null. Returns how many there are; -1 for a model
+// that is unknown.
+//
+// # Safety
+// `model` is null or ends with a null byte; `parameters` is null or has room for as many numbers as this returns.
+ptrdiff_t clubface_default_parameters(const char *model,
+                                      double *parameters);
+
+// Writes the default flight inputs; what has none, the launch, is NaN.
+//
+// # Safety
+// `inputs` has room for as many numbers as there are flight inputs.
+void clubface_default_flight(double *inputs);
+
+// Returns why the computation failed, as `{"input", "message"}` and perhaps `"value"`, or null if it did not.
+//
+// # Safety
+// `result` comes from this library and has not been freed.
+const char *clubface_error(const ClubfaceResult *result);
+
+// Returns the text of the result; of rows, the list of those that could not be computed: `{"row", "input", "message"}`.
+//
+// # Safety
+// `result` comes from this library and has not been freed.
+const char *clubface_text(const ClubfaceResult *result);
+
+// Returns the number of arrays of the result.
+//
+// # Safety
+// `result` comes from this library and has not been freed.
+size_t clubface_array_count(const ClubfaceResult *result);
+
+// Returns the name of an array, counted from 0; null if there are not so many.
+//
+// # Safety
+// `result` comes from this library and has not been freed.
+const char *clubface_array_name(const ClubfaceResult *result, size_t array);
+
+// Returns the numbers of an array, and writes how many there are and of which kind; null if there is no such array.
+//
+// # Safety
+// `result` comes from this library and has not been freed; `length` and `kind` may be written, or are null.
+const void *clubface_array(const ClubfaceResult *result,
+                           size_t array,
+                           size_t *length,
+                           ClubfaceKind *kind);
+
+// Returns the size of an array along an axis, counted from 0; 0 if it has no such axis.
+//
+// # Safety
+// `result` comes from this library and has not been freed.
+size_t clubface_array_size(const ClubfaceResult *result, size_t array, size_t axis);
+
+// Ends a result; null is allowed.
+//
+// # Safety
+// `result` comes from this library and has not been freed.
+void clubface_free(ClubfaceResult *result);
+
+// Computes launches of `rows` shots by a model.
+//
+// `inputs` are the columns of the description, one after the other, `rows` numbers each; `outputs` takes as many columns
+// as the description has outputs. `parameters` are the model's, alike for all shots. `tolerance` is relative, of a step
+// of a contact; 0 is the fast setting. `threads`: 0 for one a core. Rows that cannot be computed are NaN, and named in
+// the text.
+//
+// # Safety
+// The arrays hold as many numbers as said; `model` ends with a null byte.
+ClubfaceResult *clubface_launches(const char *model,
+                                  const double *inputs,
+                                  const double *parameters,
+                                  size_t rows,
+                                  double tolerance,
+                                  size_t threads,
+                                  double *outputs);
+
+// Computes one launch and all its derivatives: in `jacobian` a row an output, by the inputs and then the parameters. It
+// is NaN by an input that is not differentiable. The rest as for [`clubface_launches`].
+//
+// # Safety
+// The arrays hold as many numbers as said; `model` ends with a null byte.
+ClubfaceResult *clubface_sensitivity(const char *model,
+                                     const double *inputs,
+                                     const double *parameters,
+                                     double tolerance,
+                                     double *outputs,
+                                     double *jacobian);
+
+// Computes chosen outputs of `rows` shots and their derivatives by chosen variables.
+//
+// `outputs` are `output_count` indices into the outputs, `variables` are `variable_count` indices into the inputs
+// followed by the parameters. `values` takes columns: for each output, its values and then its derivatives by each
+// variable. The rest as for [`clubface_launches`].
+//
+// # Safety
+// The arrays hold as many numbers as said; `model` ends with a null byte.
+ClubfaceResult *clubface_sensitivities(const char *model,
+                                       const double *inputs,
+                                       const double *parameters,
+                                       size_t rows,
+                                       const size_t *outputs,
+                                       size_t output_count,
+                                       const size_t *variables,
+                                       size_t variable_count,
+                                       double tolerance,
+                                       size_t threads,
+                                       double *values);
+
+// Computes the history of one shot by a contact model: arrays over the steps (`time`, `normal_force`, `force_y`,
+// `penetration`, `ball_spin`, ...), world axes, and its outputs as `launch`. The rest as for [`clubface_launches`].
+//
+// # Safety
+// The arrays hold as many numbers as said; `model` ends with a null byte.
+ClubfaceResult *clubface_history(const char *model,
+                                 const double *inputs,
+                                 const double *parameters,
+                                 double tolerance);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* CLUBFACE_H */
