@@ -17,6 +17,27 @@
 // Number of this interface; it grows with every change that a compiled caller would notice.
 #define CLUBFACE_ABI 1
 
+// Kind of the numbers of an array.
+enum ClubfaceKind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // `double`.
+  CLUBFACE_KIND_FLOAT64 = 0,
+  // `float`.
+  CLUBFACE_KIND_FLOAT32 = 1,
+  // `uint32_t`.
+  CLUBFACE_KIND_UINT32 = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum ClubfaceKind ClubfaceKind;
+#else
+typedef uint32_t ClubfaceKind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 // Columns that a caller lays out or takes.
 enum ClubfaceColumns
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -37,27 +58,6 @@ enum ClubfaceColumns
 typedef enum ClubfaceColumns ClubfaceColumns;
 #else
 typedef uint32_t ClubfaceColumns;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-// Kind of the numbers of an array.
-enum ClubfaceKind
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : uint32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-  // `double`.
-  CLUBFACE_KIND_FLOAT64 = 0,
-  // `float`.
-  CLUBFACE_KIND_FLOAT32 = 1,
-  // `uint32_t`.
-  CLUBFACE_KIND_UINT32 = 2,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum ClubfaceKind ClubfaceKind;
-#else
-typedef uint32_t ClubfaceKind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -149,14 +149,14 @@ ClubfaceResult *clubface_flight_sensitivity(const double *inputs,
 // `inputs` holds as many numbers as there are flight inputs.
 ClubfaceResult *clubface_trajectory(const double *inputs);
 
-// Returns the number of columns.
-size_t clubface_count(ClubfaceColumns columns);
+// Returns how many columns there are, of `CLUBFACE_COLUMNS_INPUTS` and so on.
+size_t clubface_count(uint32_t columns);
 
 // Returns the place of a column, counted from 0, by its name, such as "speed"; -1 if there is none of this name.
 //
 // # Safety
 // `name` is null or ends with a null byte.
-ptrdiff_t clubface_column(ClubfaceColumns columns,
+ptrdiff_t clubface_column(uint32_t columns,
                           const char *name);
 
 // Writes the default parameters of a model to `parameters`, unless it is null. Returns how many there are; -1 for a model

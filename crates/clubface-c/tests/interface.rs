@@ -194,11 +194,11 @@ fn derivatives_of_one_shot_and_of_a_batch_agree() {
 
 #[test]
 fn a_history_ends_in_the_launch() {
-    let (model, inputs) = (c("slip"), shot(2, 100));
-    let defaults = named("response").unwrap().info().defaults();
+    let (model, inputs) = (c("area"), shot(2, 100));
+    let defaults = named("area").unwrap().info().defaults();
     let answer = read(unsafe { clubface_history(model.as_ptr(), inputs.as_ptr(), defaults.as_ptr(), 1e-9) });
     let (history, launch) =
-        named("slip").unwrap().history(&inputs, &defaults, Accuracy::Tolerance(1e-9)).unwrap();
+        named("area").unwrap().history(&inputs, &defaults, Accuracy::Tolerance(1e-9)).unwrap();
     assert_same(&answer.array("launch").2, &launch);
     assert_eq!(answer.array("ball_velocity").1, [history.frames.len(), 3]);
     let forces: Vec<f64> = history.frames.iter().map(|frame| frame.normal_force).collect();
