@@ -161,6 +161,22 @@ def test_no_friction_makes_no_spin_and_leaves_the_velocity_along_the_plane():
     assert np.isnan(result.reversal_time)
 
 
+def test_friction_that_never_turns_has_no_reversal():
+    # Little friction on a steep face: the ball slides until it leaves, and the force along the face stays positive.
+    sliding, gripping = (fem.strike("7-iron", speed="90 mph", loft=loft, friction=0.2) for loft in ("60 deg", "24 deg"))
+    assert sliding.tangential_min == 0.0
+    assert np.isnan(sliding.reversal_time)
+    time, force = gripping.contact["time"], gripping.contact["tangential"]
+    assert 0.0 < gripping.reversal_time < gripping.last_touch
+    assert force[time < gripping.reversal_time].sum() > 0.0 > force[time > gripping.reversal_time].sum()
+
+
+def test_the_largest_spin_is_at_least_the_final_one():
+    # The rotation that fits the nodes of a flattened ball stays below the spin of its angular momentum to the end.
+    result = fem.strike("7-iron", speed="90 mph", loft="60 deg", friction=0.4)
+    assert result.motion["spin"][:, 2].max() < result.backspin <= result.spin_max
+
+
 def test_a_throw_along_the_normal_is_symmetric():
     result = fem.throw(coarse_throw().ball, speed="35 m/s", friction=0.3)
     assert abs(result.tangential_velocity) < 1e-9

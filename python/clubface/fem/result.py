@@ -9,6 +9,7 @@ the function of the nearest node inside, extrapolated.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -110,9 +111,11 @@ class Impact(Described):
         ``f``. The other figures are then those up to the end of the records.
     tangential_max, tangential_min, reversal_time
         Largest and smallest force along the face [N], positive where it makes backspin, and the time at which it turns
-        negative [s].
+        negative [s]; that time is NaN if it does not before the last touch.
     spin_max
-        Largest backspin during the impact [rad/s].
+        Largest backspin during the impact [rad/s]. On the way it is the rotation that fits the velocities of all nodes
+        best, as in ``motion``; the final one, ``backspin``, is the angular momentum over the moment of inertia of the
+        undeformed ball. The larger counts, so that it is never less than ``backspin``.
     contraction, contraction_time
         Greatest loss of the distance from mass centre to face, divided by the radius, and its time [s].
     f_prime, f
@@ -210,6 +213,10 @@ class Impact(Described):
         self._shots = shots
         self._ball_velocity, self._ball_spin = record.ball_velocity, record.ball_spin
         self._launch = record.launch
+        after = self.contact["time"] > self.reversal_time
+        if not (self.contact["tangential"][after] < 0.0).any():
+            self.reversal_time = math.nan
+        self.spin_max = float(np.fmax(self.spin_max, self.backspin))
 
     @property
     def equipment(self) -> tuple[Club, RigidBall] | None:
