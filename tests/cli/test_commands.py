@@ -49,7 +49,9 @@ def test_a_model_is_shown_with_units_bounds_published_values_sources_and_caveats
     (driver,) = [
         row
         for row in ran.rows("published_values")
-        if row["club"] == "driver" and row["parameter"] == "shear_modulus" and "impact" in row["set"]
+        if row["club"] == "driver"
+        and row["parameter"] == "shear_modulus"
+        and row["set"] == "three-dimensional-impact-models"
     ]
     assert driver["value"] == 5.58e7
     assert "1/100" in driver["caveat"]

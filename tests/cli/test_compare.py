@@ -193,7 +193,7 @@ def test_what_every_row_has_is_not_given_for_all(clubface_, write):
 def test_a_column_that_is_nearly_an_input_is_remarked_on(clubface_, write):
     file = str(write("speed_mph,lofft_deg\n100,12\n101,13\n"))
     message = clubface_("compare", "driver", "--deliveries", file, "--no-split").err
-    assert "the column 'lofft_deg' is not used; did you mean loft?" in message
+    assert "the column lofft_deg is not used; did you mean loft?" in message
 
 
 def test_the_speed_must_be_given(clubface_):

@@ -126,7 +126,7 @@ def test_a_file_of_deliveries_has_one_note_with_the_number(write, tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         report = clubface.predict(source, club="driver", output=tmp_path / "out.csv", chunk_rows=5)
-    (note,) = [each for each in report.notes if "outside" in each]
+    (note,) = [str(each) for each in report.notes if "outside" in str(each)]
     assert note == "outside the range of response: clubhead speed in 12 of 42 shots (22.37 to 145.4 mph)"
     assert len(table(tmp_path / "out.csv")) == 42
 
