@@ -7,7 +7,7 @@ import pytest
 
 from clubface.errors import ClubfaceError, FileError, MeshWarning
 from clubface.fem.heads import Group, MeshHead
-from fem_meshes import FACE, GROUPS, PARTS, coarse_walls, write_walls
+from fem_meshes import FACE, GROUPS, PARTS, Walls, coarse_walls, write_walls
 from fem_runs import coarse_head
 
 pytestmark = [pytest.mark.filterwarnings("ignore::clubface.errors.MeshWarning"), pytest.mark.usefixtures("new_process")]
@@ -71,6 +71,23 @@ def test_bulge_is_the_radius_from_heel_to_toe_and_roll_that_from_sole_to_crown(t
         read(tmp_path, walls._replace(nodes=nodes))
     with pytest.raises(ClubfaceError, match=r"roll is '190 mm'.* has 30\d mm"):
         read(tmp_path, walls._replace(nodes=nodes), bulge="190 mm", roll="190 mm")
+
+
+@pytest.mark.parametrize("count", [8, 9, 12, 16, 24])
+def test_triangles_of_any_size_have_the_radii_of_the_surface_that_their_corners_lie_on(tmp_path, count):
+    across, up = (
+        each.ravel() for each in np.meshgrid(np.linspace(-54, 54, count + 1), np.linspace(-29, 29, count + 1))
+    )
+    back = (across**2 + up**2) / 610.0
+    nodes = np.stack([-back, up, across], axis=1) @ turned(2, 11.5).T
+    first = [row * (count + 1) + column for row in range(count) for column in range(count)]
+    quads = [[each, each + 1, each + count + 2, each + count + 1] for each in first]
+    cap = Walls(nodes, {"face": quads})
+    for walls in (cap, cap.triangles()):
+        read(tmp_path, walls, GROUPS[:1])
+        # A degree at 20 mm is a curvature of 0.87/m: 305 mm is not 225 mm.
+        with pytest.raises(ClubfaceError, match=r"bulge is '225 mm'.* has 30[3-7] mm"):
+            read(tmp_path, walls, GROUPS[:1], bulge="225 mm")
 
 
 def test_a_mesh_of_a_left_handed_head_is_refused_where_names_of_parts_show_it(tmp_path):

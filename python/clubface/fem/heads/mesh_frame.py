@@ -56,7 +56,7 @@ class Face(NamedTuple):
     height: float
 
 
-def measured_face(nodes: NDArray[Any], quads: NDArray[Any]) -> Face:
+def measured_face(nodes: NDArray[Any], quads: NDArray[Any], drawn: NDArray[Any]) -> Face:
     """Return the face about the origin: the normal of its elements there, and a quadric through its nodes.
 
     Parameters
@@ -65,13 +65,17 @@ def measured_face(nodes: NDArray[Any], quads: NDArray[Any]) -> Face:
         Seen from the face centre [m].
     quads
         Elements of the face.
+    drawn
+        Which nodes are those of the file, shape (nodes,): what was added at the middle of edges and triangles lies
+        behind a curved face, and would change its radii.
     """
     corners = nodes[quads]
     area = area_vectors(nodes, quads)
     away = np.linalg.norm(corners.mean(axis=1), axis=1)
     normal = area[away <= max(REACHES[0], np.sort(away)[: min(4, len(away))].max())].sum(axis=0)
     normal /= max(float(np.linalg.norm(normal)), 1e-300)
-    places = nodes[np.unique(quads)]
+    used = np.unique(quads)
+    places = nodes[used[drawn[used]]]
     height = float(places[np.argmin(np.linalg.norm(places, axis=1))] @ normal)
     for reach in REACHES:
         fit = Face(normal, None, None, height)
@@ -104,6 +108,7 @@ def check_frame(
     nodes: NDArray[Any],
     quads: NDArray[Any],
     *,
+    drawn: NDArray[Any],
     file: str,
     loft: float,
     bulge: float,
@@ -121,6 +126,8 @@ def check_frame(
         Seen from the face centre of the file [m].
     quads
         Elements of the face.
+    drawn
+        Which nodes are those of the file, shape (nodes,).
     file
         Name of the mesh.
     loft, bulge, roll
@@ -139,7 +146,7 @@ def check_frame(
     InputError
         Loft, bulge, roll or face centre differ, or the axes are others; with both numbers.
     """
-    face = measured_face(nodes, quads)
+    face = measured_face(nodes, quads, drawn)
     expected = np.array([math.cos(loft), math.sin(loft), 0.0])
     _check_axes(face.normal, expected, file)
     _check_sides(nodes, parts, file)

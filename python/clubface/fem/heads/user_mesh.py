@@ -192,8 +192,8 @@ class MeshHead:
         }
         parts |= {name: np.array([place[:3]]) for name, place in masses.items()}
         check_frame(
-            nodes, quads, file=os.path.basename(os.fspath(self.file)), loft=self.loft, bulge=self.bulge, roll=self.roll,
-            wall=wall, centre=shown, parts=parts, notes=notes,
+            nodes, quads, drawn=shells.node_ids != 0, file=os.path.basename(os.fspath(self.file)), loft=self.loft,
+            bulge=self.bulge, roll=self.roll, wall=wall, centre=shown, parts=parts, notes=notes,
         )  # fmt: skip
         self._note_rest_of_face(nodes, shells, face, notes)
 
