@@ -34,10 +34,12 @@ def deliveries(count, club="driver", seed=0):
     }
 
 
-def recorded(count, model, *, club="driver", noise=0.0, seed=0, parameters=None, accuracy=None, delivery=None):
-    """Return shots; ``noise`` in units of that of a monitor."""
+def recorded(
+    count, model, *, club="driver", noise=0.0, seed=0, parameters=None, accuracy=None, delivery=None, head=None
+):
+    """Return shots; ``noise`` in units of that of a monitor, ``head`` a club in place of the one called ``club``."""
     delivery = deliveries(count, club, seed) if delivery is None else delivery
-    launch = impact(club, delivery, model=model, parameters=parameters, accuracy=accuracy)
+    launch = impact(head or club, delivery, model=model, parameters=parameters, accuracy=accuracy)
     rng = np.random.default_rng((seed, 1))
     names = tuple(QUANTITIES)
     scatter = dict(zip(names, noise * noise_of(names), strict=True))

@@ -12,6 +12,7 @@ import clubface
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.inference.identification.checks import contradicted
 from clubface.inference.identification.intervals import Profile
+from clubface.simulation.inputs import equipped
 from synthetic_shots import published, recorded, widths_in_standard_errors
 
 # What 1e-4 means where the true value is 0: of other published displacements, 0.5 mm, and Penner's slope, 0.0029 s/m.
@@ -40,6 +41,34 @@ def test_parameters_come_back_from_shots_of_the_same_model(model, club, cost, op
         true = published(model, club).values[name]
         assert result.parameters.values[name] == pytest.approx(true, rel=1e-4, abs=ZERO.get(name, 0.0))
     assert not any("no launch changes" in each.sentence for each in result.warnings)
+
+
+FACES = [
+    ("response", None),
+    ("response", dataclasses.replace(published("response"), includes_face=False).replace(friction=0.4)),
+    ("slip", None),
+    ("volumetric", dataclasses.replace(published("volumetric"), includes_face=False)),
+    ("slip", dataclasses.replace(published("slip"), characteristic_time=None)),
+]
+
+
+@pytest.mark.parametrize(("model", "parameters"), FACES)
+def test_a_fit_begins_with_the_shots_of_the_parameters_it_is_given(model, parameters):
+    """A face of 230 us counts, or is included, in the fit as in `impact`: at the true parameters nothing is left."""
+    club = dataclasses.replace(clubface.club("driver"), characteristic_time=230e-6)
+    shots = recorded(8, model, parameters=parameters, club="driver", head=club)
+    free = ["friction"] if model in ("response", "volumetric") else ["slip_y"]
+    result = clubface.identify(shots, club=club, model=model, parameters=parameters, free=free, **QUICK)
+    assert all(each.mae_before <= 1e-12 * each.mean for each in result.deviations.values())
+    true = equipped(model, club, None, parameters)[1].values[free[0]]
+    assert result.parameters.values[free[0]] == pytest.approx(true, rel=1e-6)
+    # Used again with this club, and with one whose face gives less, the set gives the shots of the original.
+    for head in (club, dataclasses.replace(club, characteristic_time=200e-6)):
+        if parameters is not None and parameters.characteristic_time is None and parameters.includes_face:
+            head = club  # It included the face of any club; now that of the club the shots were hit with.
+        shot = {"speed": 50.0, "loft": 0.2, "toe": 0.01, "model": model}
+        again = clubface.impact(head, **shot, parameters=result.parameters).ball_speed
+        assert again == pytest.approx(clubface.impact(head, **shot, parameters=parameters).ball_speed, rel=1e-6)
 
 
 def test_what_cannot_be_recovered_is_reported_and_the_rest_recovered():

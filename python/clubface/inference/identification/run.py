@@ -417,9 +417,11 @@ def identify(
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
     equipment, given = equipped(model, club, ball, parameters)
-    # What is found from shots includes the face they were hit with.
     head = equipment.club
-    fixed = replace(given, includes_face=True, characteristic_time=head.characteristic_time or None)
+    fixed = given
+    if given.includes_face and given.characteristic_time is None:
+        # It includes the face of any club: once fitted, that of the club the shots were hit with.
+        fixed = replace(given, characteristic_time=head.characteristic_time or None)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
             raise InputError(name, value, "a single number: one set of parameters is identified from all shots")
