@@ -73,11 +73,7 @@ pub unsafe extern "C" fn clubface_fem_ball(ball: *const c_char) -> *mut Clubface
             vec![mesh.elements.len(), 8],
             mesh.elements.iter().copied().flatten().collect(),
         );
-        computed.add_indices(
-            "piece",
-            vec![mesh.layer.len()],
-            mesh.layer.iter().map(|&piece| piece as u32).collect(),
-        );
+        computed.add_indices("piece", vec![mesh.layer.len()], mesh.layer.clone());
         Ok(computed)
     })
 }
@@ -96,7 +92,7 @@ pub unsafe extern "C" fn clubface_fem_head(head: *const c_char) -> *mut Clubface
         let weighed = head.mass_properties();
         let mut computed = Computed::from_json(&json!({
             "mass": weighed.mass, "centre": weighed.centre.array(),
-            "inertia": weighed.inertia.rows.map(|row| row.array()),
+            "inertia": weighed.inertia.rows.map(Vec3::array),
         }))?;
         let (nodes, (face, _)) = (head.nodes(), head.face());
         computed.add_numbers("nodes", vec![nodes.len(), 3], nodes.iter().flat_map(|p| p.array()).collect());
@@ -134,7 +130,7 @@ fn report(record: ImpactRecord) -> Result<Computed, Failure> {
         "contraction_time": summary.contraction_time, "f_prime": summary.f_prime, "f": summary.f,
         "energy_error": summary.energy_error, "launch": record.launch,
         "ball_velocity": record.ball.velocity.array(), "ball_spin": record.ball.spin.array(),
-        "axes": record.axes.map(|axis| axis.array()), "attitude": record.attitude.rows.map(|row| row.array()),
+        "axes": record.axes.map(Vec3::array), "attitude": record.attitude.rows.map(Vec3::array),
         "nodes": [record.nodes.0, record.nodes.1], "steps": record.steps, "step": record.step,
         "safety": record.safety, "wall": record.wall, "over_edge": record.over_edge,
         "stopped": record.stopped.as_ref().map(FemError::to_string),

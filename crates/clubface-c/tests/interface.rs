@@ -1,5 +1,7 @@
 //! The C interface against the core, its header, and a program in C.
 
+#![allow(clippy::unwrap_used)]
+
 use clubface::*;
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::Column;

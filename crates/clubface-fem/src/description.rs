@@ -204,7 +204,7 @@ pub enum FaceDescription {
         /// from the mesh.
         inputs: Vec<f64>,
         /// The mesh of the head, whose mass properties those of the inputs must be; a rigid head if left out.
-        mesh: Option<HeadDescription>,
+        mesh: Option<Box<HeadDescription>>,
     },
 }
 
@@ -283,7 +283,7 @@ impl CaseDescription {
         let FaceDescription::Head { inputs, mesh } = &self.face else {
             return Err(FemError::input("face", "a plane", "only shots of a head are differentiated"));
         };
-        let head = match mesh {
+        let head = match mesh.as_deref() {
             None => None,
             Some(HeadDescription::Shells(shells)) => Some(shells.build()?),
             Some(HeadDescription::Driver(driver)) => Some(driver.build().mesh()?.head),
