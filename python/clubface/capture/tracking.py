@@ -92,10 +92,13 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
     check_scale(shape, observed, path)
     poses = fit_poses(shape, observed)
     misfit = _misfit(poses)
+    as_recorded = observed.copy()
     usual = float(np.nanmedian(misfit))
-    if usual > WRONG_SHAPE:
+    wrong = usual > WRONG_SHAPE
+    if wrong and int((misfit < LEAST_MISFIT).sum()) < ENOUGH:
         raise FileError(path, None, _diagnosis(shape, observed, names, usual))
-    limit = max(TIMES_USUAL * usual, LEAST_MISFIT)
+    # Labels that were exchanged from some frame on: the frames before it show what fits.
+    limit = LEAST_MISFIT if wrong else max(TIMES_USUAL * usual, LEAST_MISFIT)
     exchanged: dict[tuple[str, ...], list[int]] = {}
     stray: dict[str, list[int]] = {}
     lost: list[int] = []
@@ -111,6 +114,8 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
         else:
             observed[frame] = np.nan
             lost.append(frame)
+    if wrong and len(lost) > 0.5 * np.isfinite(misfit).sum():
+        raise FileError(path, None, _diagnosis(shape, as_recorded, names, usual))
     shape = as_seen(shape, fit_poses(shape, observed))
     poses = fit_poses(shape, observed)
     return Track(shape, poses, visible(poses.residuals), exchanged, stray, lost)
@@ -149,8 +154,9 @@ def check_scale(shape: Array, observed: Array, path: str) -> None:
     if not 0.5 < ratio < 2.0:
         raise FileError(
             path, None,
-            f"the markers of the clubhead are {ratio:.3g} times as far apart as by the mapping: the unit of length"
-            " of the file or of the mapping is wrong (--units overrides that of the file)",
+            f"the markers of the clubhead are {np.format_float_positional(ratio, 3, fractional=False, trim='-')} times"
+            " as far apart as by the mapping or its calibration: a unit of length is wrong. --units sets that of all"
+            " files, the calibration included; if only one of them is wrong, export that file again in the right unit",
         )  # fmt: skip
 
 
@@ -215,8 +221,11 @@ def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float
         if np.median(_misfit(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]))) < LEAST_MISFIT:
             return f"{words}; their mirror image fits: the hand of the club is wrong, or an axis of the laboratory"
         orders = [_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
-        fitting = [_exchanged(order, names) for order in orders if order is not None]
-        if len(fitting) > len(frames) / 2:
+        exchanged = [None if order is None else _exchanged(order, names) for order in orders]
+        # Frames that fit as they are tell nothing of the others.
+        wrong = [each for each in exchanged if each != ()]
+        fitting = [each for each in wrong if each is not None]
+        if len(fitting) > len(wrong) / 2:
             markers = " and ".join(max(set(fitting), key=fitting.count))
             return f"{words}; they fit with {markers} exchanged: correct the mapping"
     return f"{words}; is this the right club, and were the markers moved since it was calibrated?"
