@@ -53,7 +53,7 @@ class Struck(NamedTuple):
 
     @property
     def takes_long(self) -> bool:
-        """Whether the model takes about a second a shot, so that points of the face are few."""
+        """Whether the model takes tenths of a second a shot, so that points of the face are few."""
         return self.model in MODULES
 
     def at(

@@ -24,7 +24,7 @@ MODEL = Model(
     title="Explicit finite elements",
     kind="finite elements",
     summary="A meshed ball against a rigid or a meshed head: deformation, vibration, sticking and slipping computed,"
-    " not assumed; takes a second a shot.",
+    " not assumed; takes tenths of a second a shot.",
     reference="W.-J. Roh and C.-W. Lee, Analysis of golf ball spin mechanism at impact by FEM",
     laws=("momentum", "angular_momentum", "energy", "friction_cone"),
     laws_without=None,
