@@ -17,7 +17,7 @@ from clubface.design.optimisation.landings import DEFAULT_SETTING, OBJECTIVES, L
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import from_text
 from clubface.design.strokes import Hole
-from clubface.errors import InputError
+from clubface.errors import ClubfaceError, InputError
 
 YARD, DEG = 0.9144, math.radians(1.0)
 HOLE = Hole(length="400 yd")
@@ -80,12 +80,55 @@ def test_of_equals_that_is_recommended_which_costs_least_elsewhere():
 def test_a_disagreement_of_objectives_is_one_note_with_the_numbers():
     one = advice([200.0, 203.0, 197.0], [3.0, 3.03, 2.97])
     (wishes,) = [each.data["wishes"] for each in advice_lead(one) if each.code == "advice-by-objective"]
-    assert ["3.00 yd" in each for each in wishes] == [True, False]
-    assert ["0.0300" in each for each in wishes] == [False, True]
+    assert ["better by 3.00 yd" in each for each in wishes] == [True, False]
+    assert ["better by 0.0300" in each for each in wishes] == [False, True]
     by_objective = advice_tables(one)[0]
     assert list(by_objective["best"].values) == ["b", "c"]
     assert list(by_objective["advice"].values) == ["change", "change"]
     assert "advice-by-objective" not in [each.code for each in advice_lead(advice([200.0, 203.0], [3.0, 2.97]))]
+
+
+def test_what_an_objective_alone_would_choose_is_one_answer_whatever_was_asked():
+    """Sentence and table have the best of each, and a report on strokes has the row of the report on carry."""
+    on_carry = advice([200.0, 207.0, 206.0], [3.0, 3.05, 3.0])
+    on_strokes = replace(
+        on_carry, purpose="strokes", objectives=on_carry.objectives[::-1], values=on_carry.values[:, ::-1],
+        sets=on_carry.sets[:, :, ::-1],
+    )  # fmt: skip
+    rows = []
+    for one in (on_carry, on_strokes):
+        table = advice_tables(one)[0]
+        of_table = {name: (best, gain, price) for name, best, gain, price in zip(
+            *(table[name].values for name in ("objective", "best", "gain", "price")), strict=True)}  # fmt: skip
+        rows.append(of_table)
+        (wishes,) = [each.data["wishes"] for each in advice_lead(one) if each.code == "advice-by-objective"]
+        for wish, judge in zip(wishes, one.objectives, strict=True):
+            assert of_table[judge.name][0] in (wish.split(", ")[1].split(" ")[0], "a"), wish
+    assert rows[0] == rows[1]
+    assert rows[0]["carry"][0] == "b"
+    assert rows[0]["carry"][1] == pytest.approx(7.0 * YARD)
+
+
+def test_what_costs_something_else_is_never_worth_a_change_without_its_price():
+    one = replace(advice([200.0, 150.0], [3.0, 2.9]), at_an_end=(1,))
+    (wishes,) = [each.data["wishes"] for each in advice_lead(one) if each.code == "advice-by-objective"]
+    assert "50.00 yd" in wishes[1]
+    assert "at an end" in wishes[1]
+    assert one.losses("strokes", 1) == pytest.approx({"carry": 50.0 * YARD})
+    assert "50.00 yd" in advice_tables(one)[0]["price"].values[1]
+    free = advice([200.0, 203.0], [3.0, 2.9])
+    assert free.losses("strokes", 1) == {}
+    assert list(advice_tables(free)[0]["price"].values) == ["", ""]
+
+
+def test_strokes_are_counted_on_the_assumed_hole_where_none_is_given():
+    """As a column and as the objective alike; an iron, for which no hole is assumed, needs one."""
+    words = {"golfer": "bogey-driver", "objective": "strokes", "shots": 64}
+    for text in (STUDY, FIT):
+        without = text.replace('[hole]\nlength = "400 yd"\n', "").format(**words)
+        assert from_text(without).advised[0].name == "strokes"
+        with pytest.raises(ClubfaceError, match="hole"):
+            from_text(without.replace('"driver"', '"7-iron"'))
 
 
 def test_the_standard_error_is_that_of_shots_that_pair():

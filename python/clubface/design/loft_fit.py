@@ -35,6 +35,8 @@ SPAN = units.parse("8 deg", "angle")
 """How much more and less loft than the present one is tried."""
 STEPS = 33
 """Lofts of the curve, half a degree apart."""
+NEAR = 1e-3
+"""Part of the range within which a loft stands at its end."""
 SHOTS = 4096
 STARTS = 3
 
@@ -72,9 +74,8 @@ class LoftFit(Described):
 
     def best(self, name: str) -> float:
         """Return the dynamic loft that is best by an objective [rad]."""
-        if name == self.objectives[0].name:
-            return self.loft("optimum")
-        return self.loft(name) if name in self.optimum.rivals else float("nan")
+        best = self.optimum.advice.best(name)
+        return self.loft(list(self.optimum.compared.values())[best]) if best else self.present
 
     def flat(self, name: str) -> tuple[float, float]:
         """Return the least and the greatest dynamic loft [rad] that cost less than what is worth a change.
@@ -105,7 +106,16 @@ class LoftFit(Described):
         study = self.optimum.study
         varies = any(each.spread.any() for each, _ in study.golfers)
         conditions = describe_conditions(study.setting, study.hole, self.optimum.fresh.shots if varies else 1)
-        return replace(self.optimum.advice, names=tuple(names), conditions=conditions)
+        ends = tuple(
+            place for place, club in enumerate(self.optimum.compared.values()) if place and self.is_at_an_end(club)
+        )
+        return replace(self.optimum.advice, names=tuple(names), conditions=conditions, at_an_end=ends)
+
+    def is_at_an_end(self, club: str) -> bool:
+        """Return whether a club of the optimisation has the least or the greatest loft that was tried."""
+        low, high = float(self.lofts[0]), float(self.lofts[-1])
+        loft = self.loft(club)
+        return min(loft - low, high - loft) < NEAR * (high - low)
 
     def _words(self, club: str) -> str:
         loft = self.loft(club)

@@ -60,11 +60,9 @@ def _flat(fitted: LoftFit) -> Iterator[Note]:
         "best-loft-flat", label=short_label(judge), best_loft=fitted.best(judge.name), low_loft=low, high_loft=high,
         worth=judge.show(fitted.advice.worth[judge.name]),
     )  # fmt: skip
-    ends = float(fitted.lofts[0]), float(fitted.lofts[-1])
-    near = 1e-3 * (ends[1] - ends[0])
-    if beyond := [
-        short_label(each) for each in fitted.objectives if min(abs(fitted.best(each.name) - end) for end in ends) < near
-    ]:
+    advice = fitted.advice
+    if beyond := [short_label(each) for each in fitted.objectives if advice.best(each.name) in advice.at_an_end]:
+        ends = float(fitted.lofts[0]), float(fitted.lofts[-1])
         yield note("best-loft-at-an-end", labels=beyond, low_loft=ends[0], high_loft=ends[1])
 
 

@@ -49,6 +49,8 @@ ASSUMED_HOLE = Hole(length=units.parse("400 yd", "length"))
 DRIVEN = np.radians(20.0)
 """Static loft of a wood below which the club is taken to be played from the tee of :data:`ASSUMED_HOLE`."""
 
+DRIVES = 14
+"""Drives of a round: the holes of a course of par 72 that are no par 3."""
 NEGLIGIBLE = 0.1
 """Part of what is worth a change below which a further alternative adds nothing to those there are."""
 
@@ -142,6 +144,8 @@ class Advice:
         In words: shots, model, hole.
     assumed_hole
         Whether the hole is the assumed one.
+    at_an_end
+        Which alternatives stand at an end of what was tried, where the best is no optimum.
     """
 
     purpose: str
@@ -154,6 +158,7 @@ class Advice:
     choices: tuple[int, ...] | None = None
     conditions: str = ""
     assumed_hole: bool = False
+    at_an_end: tuple[int, ...] = ()
 
     def place(self, name: str) -> int:
         """Return the index of an objective."""
@@ -193,8 +198,24 @@ class Advice:
         return {each.name: self.state(each.name, alternative) for each in self.objectives}
 
     def best(self, name: str) -> int:
-        """Return the alternative with the best value of an objective, whether or not that is worth a change."""
-        return int(np.argmax([self.gain(name, place) for place in range(len(self.names))]))
+        """Return the alternative with the best value of an objective, whether or not that is worth a change.
+
+        It is what the objective alone would choose, of those that may be recommended, and the same whatever was asked.
+        """
+        return max((0, *self._open_to(name)), key=lambda place: self.gain(name, place))
+
+    def losses(self, name: str, alternative: int) -> dict[str, float]:
+        """Return by how much an alternative is worse by the other objectives where that is worth a change [SI]."""
+        states = self.states(alternative)
+        return {
+            each.name: -self.gain(each.name, alternative)
+            for each in self.objectives
+            if each.name != name and states[each.name] == WORSE
+        }
+
+    def _open_to(self, name: str) -> Sequence[int]:
+        """Return which alternatives may be recommended for an objective."""
+        return range(1, len(self.names)) if self.choices is None or name != self.purpose else self.choices
 
     def recommended(self, name: str | None = None) -> int:
         """Return the alternative to play by an objective, the one asked for unless named; 0 for the present one.
@@ -203,8 +224,7 @@ class Advice:
         from the best, it is the one that is worse in the fewest other objectives, and of these the first.
         """
         name = name or self.purpose
-        open_to = range(1, len(self.names)) if self.choices is None or name != self.purpose else self.choices
-        better = [place for place in open_to if self.state(name, place) == BETTER]
+        better = [place for place in self._open_to(name) if self.state(name, place) == BETTER]
         if not better:
             return 0
         first = max(better, key=lambda place: self.gain(name, place))

@@ -7,7 +7,16 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from clubface.design.optimisation.advice import ALIKE, ASSUMED_HOLE, BETTER, CERTAIN, OPEN, WORSE, Advice
+from clubface.design.optimisation.advice import (
+    ALIKE,
+    ASSUMED_HOLE,
+    BETTER,
+    CERTAIN,
+    DRIVES,
+    OPEN,
+    WORSE,
+    Advice,
+)
 from clubface.design.optimisation.landings import Objective
 from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
@@ -35,9 +44,10 @@ def advice_lead(advice: Advice) -> Iterator[Note]:
     states = advice.states(chosen)
     yield note("advice-purpose", meaning=advice.objectives[0].meaning, conditions=advice.conditions)
     if chosen and (level := _level(advice, chosen)):
-        yield note("advice-as-good", best=advice.names[chosen], others=[advice.names[place] for place in level])
-    if worse := [each for each in advice.objectives if states[each.name] == WORSE]:
-        losses = [f"{short_label(each)} by {each.show(-advice.gain(each.name, chosen))}" for each in worse]
+        judge = advice.objectives[0]
+        others = [f"{advice.names[place]} (better by {judge.show(advice.gain(judge.name, place))})" for place in level]
+        yield note("advice-as-good", label=short_label(judge), others=others)
+    if losses := _losses(advice, advice.purpose, chosen):
         yield note("advice-costs", best=advice.names[chosen], losses=losses)
     elif chosen and all(state in (BETTER, ALIKE) for state in states.values()):
         yield note("advice-holds", best=advice.names[chosen], present=advice.names[0], labels=_labels(advice))
@@ -53,9 +63,10 @@ def _opening(advice: Advice) -> Note:
     common = {"present": advice.names[0], "golfer": advice.golfer, "label": short_label(judge)}
     if chosen:
         before, after = (judge.show(float(advice.values[place, 0])) for place in (0, chosen))
-        return note(
-            "advice-change", **common, best=advice.names[chosen], gain=gain, error=error, before=before, after=after,
-        )  # fmt: skip
+        data = {**common, "best": advice.names[chosen], "gain": gain, "error": error, "before": before, "after": after}
+        if judge.name != "strokes":
+            return note("advice-change", **data)
+        return note("advice-change-strokes", **data, drives=DRIVES, round=DRIVES * advice.gain(judge.name, chosen))
     if best and advice.state(judge.name, best) == OPEN:
         return note("advice-not-certain", **common, best=advice.names[best], gain=gain, error=error)
     others = range(1, len(advice.names))
@@ -83,8 +94,22 @@ def _wish(advice: Advice, judge: Objective) -> str:
     if not best:
         return f"{short_label(judge)}, {advice.names[0]}"
     gain = judge.show(advice.gain(judge.name, best))
-    enough = {BETTER: "worth a change", OPEN: "not certain"}.get(advice.state(judge.name, best), "not worth a change")
+    state = advice.state(judge.name, best)
+    enough = {BETTER: "worth a change", OPEN: "not certain"}.get(state, "not worth a change")
+    price = _losses(advice, judge.name, best)
+    if state == BETTER and price:
+        enough += f" only if nothing else counts: it costs {', '.join(price)}"
+    if best in advice.at_an_end:
+        enough += "; at an end of what was tried, and so no optimum"
     return f"{short_label(judge)}, {advice.names[best]} (better by {gain}, {enough})"
+
+
+def _losses(advice: Advice, name: str, alternative: int) -> list[str]:
+    """Return in words what an alternative costs by the other objectives."""
+    judges = {each.name: each for each in advice.objectives}
+    losses = advice.losses(name, alternative)
+    return [f"{judges[each].show(loss)} of {short_label(judges[each])}" if each != "strokes"
+            else f"{judges[each].show(loss)} strokes" for each, loss in losses.items()]  # fmt: skip
 
 
 def advice_notes(advice: Advice) -> Iterator[Note]:
@@ -113,22 +138,27 @@ def advice_tables(
 
 
 def _by_objective(advice: Advice) -> Table:
-    """Return for each objective which alternative is best by it, by how much, and whether that is worth a change."""
+    """Return for each objective which alternative is best by it, by how much, if that is worth a change, and its price.
+
+    They are those of the sentence on what each objective alone would choose.
+    """
     judges = advice.objectives
     kinds = [each.quantity for each in judges]
-    pairs = [(each.name, advice.recommended(each.name) or advice.best(each.name)) for each in judges]
+    pairs = [(each.name, advice.best(each.name)) for each in judges]
     words = [{BETTER: "change", OPEN: "not certain"}.get(advice.state(*pair), "keep") for pair in pairs]
+    prices = [", ".join(_losses(advice, *pair)) for pair in pairs]
     columns = (
         text("objective", [each.name for each in judges], printed=False),
         text("what counts", [each.label for each in kinds], in_files=False),
-        text("advice", words),
+        text("advice", words, label="alone"),
         Column("present", [float(each) for each in advice.values[0]], kinds),
         Column("gain", [advice.gain(*pair) for pair in pairs], kinds, "to gain", difference=True),
         Column("error", [advice.error(*pair) for pair in pairs], kinds, "±"),
         Column("worth", [advice.worth[each.name] for each in judges], kinds, "worth a change"),
         text("best", [advice.names[place] for _, place in pairs], label="with"),
+        text("price", prices, label="at the price of", printed=any(prices)),
     )
-    return Table("advice", columns, "What to do, by what counts")
+    return Table("advice", columns, "What each objective alone would choose")
 
 
 def _alternatives(advice: Advice, fields: Sequence[Column], shown: Sequence[int]) -> Table:

@@ -72,7 +72,7 @@ class Fitting:
     worth: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        objective(self.objective, self.hole)
+        self.judge(self.objective)
         object.__setattr__(self, "worth", worth_of(self.worth))
         count = len(self.clubs) * len(self.balls) * max(len(self.settings), 1)
         if not 1 <= count <= MOST_COMBINATIONS:

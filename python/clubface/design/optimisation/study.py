@@ -204,7 +204,7 @@ class DesignStudy:
         if not self.bounds and not self.distributed:
             raise InputError("variables", None, "at least one of " + ", ".join((*FREE, DISTRIBUTION)))
         for name in (*self.objectives, *(each for each in self.limits if each not in FREE)):
-            objective(name, self.hole)
+            self.objective(name)
         if self.moves_mass and self.head is None:
             problem = "give [head] with size, centre and discretionary_mass, since mass properties change"
             raise InputError("head", None, problem)

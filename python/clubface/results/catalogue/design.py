@@ -1,13 +1,17 @@
 """Sentences about comparisons, face maps, golfers, dispersions, best lofts and optimisations."""
 
 SENTENCES = {
-    "advice-as-good": "As good for this purpose: {others:;}.",
+    "advice-as-good": "As good for {label}, since the difference is not worth a change: {others:;}.",
     "advice-by-objective": "What each objective alone would choose: {wishes:;}.",
     "advice-change": (
         "Change from {present} to {best}. For {golfer}, {label} is {after} instead of {before}: better by {gain} "
         "± {error}."
     ),
-    "advice-costs": "The price of {best}: it is worse in {losses:and}.",
+    "advice-change-strokes": (
+        "Change from {present} to {best}. For {golfer}, the mean is {after} strokes instead of {before}: better by "
+        "{gain} ± {error}, which is {round:.2f} strokes over the {drives} drives of a round."
+    ),
+    "advice-costs": "The price of {best}: {losses:and}.",
     "advice-errors": (
         "After ± stands the standard error of a difference on the same shots; errors of the model are not in it."
     ),
