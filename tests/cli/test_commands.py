@@ -13,6 +13,7 @@ pytest.importorskip("typer")
 pytest.importorskip("rich")
 
 from clubface.cli.app import COMMANDS
+from clubface.design.rules import check_result
 from clubface.equipment.balls import ball_names
 
 
@@ -93,6 +94,17 @@ def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path)
     assert "moment of inertia, vertical axis g cm2 5950 5900 100 conforms within the tolerance" in lines
     assert "characteristic time of the face µs 230 239 18 conforms" in lines
     assert not any("volume" in line for line in lines)  # a club file knows none
+
+
+@pytest.mark.parametrize(
+    ("time", "code"), [("240 us", "club-conforms"), ("270 us", "club-does-not-conform"), ("0 s", "club-partly-judged")]
+)
+def test_the_last_line_of_a_check_sums_up_the_rules(clubface_, tmp_path, time, code):
+    file = tmp_path / "mine.toml"
+    assert clubface_("club", "new", "mine", "--set", f"characteristic_time={time}", "-o", str(file)).status == 0
+    [hint] = check_result(clubface.club(str(file)), str(file)).hints
+    assert hint.code == code
+    assert " ".join(clubface_("club", "check", str(file)).out.split()).endswith(" ".join(hint.sentence.split()))
 
 
 def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):

@@ -8,8 +8,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from clubface import fem
+from clubface import fem, units
 from clubface.fem import stress
+from clubface.fem.head_result import head_result
 from clubface.fem.heads.read import from_toml
 from clubface.fem.result import SurfaceRecovery
 from clubface.support.files import builtin_path
@@ -142,6 +143,45 @@ def test_the_picture_has_the_stress_of_both_sides_and_a_cross_at_the_largest():
     assert views[1].values.limits == (0.0, pytest.approx(peak.stress))
     assert np.ptp(views[1].marks[0].x) == pytest.approx(78e-3, rel=0.01)
     assert bars.marks[0].x == [peak.stress]
+
+
+def test_the_cross_of_shells_stands_at_the_place_that_the_table_gives():
+    head = coarse_head()
+    blow = stress.blow_stress(head, **BLOW)
+    (views, _) = stress.stress_picture(blow, head.loft).rows
+    peak = max(blow.parts, key=lambda part: part.stress)
+    crosses = [mark.x for view in views for mark in view.marks if mark.kind == "points"]
+    # Drawn with the toe to the right in every view that shows the place: the centre of an element, not its corner.
+    assert crosses
+    assert all(each == [peak.place[2]] for each in crosses)
+
+
+@pytest.mark.parametrize(
+    ("time", "code"),
+    [
+        (238e-6, "face-conforms"), (256e-6, "face-conforms-within-tolerance"), (258e-6, "face-does-not-conform")
+    ],
+)  # fmt: skip
+def test_a_measured_head_has_the_verdict_of_the_rules_and_the_line_for_other_models(time, code):
+    tests = {"restitution": 0.82, "characteristic_time": time}
+    notes = {each.code: each for each in head_result(coarse_head(), tests=tests).notes}
+    assert [each for each in notes if each.endswith(("conforms", "tolerance", "not-conform"))] == [code]
+    line = notes["face-line"].sentence.partition("head: ")[2]
+    assert units.parse(line.partition(" = ")[2].strip('"'), "time") == pytest.approx(time)
+    # Elsewhere on the face it is not what the file states.
+    aside = head_result(coarse_head(), tests=tests, inputs={"toe": "10 mm"})
+    assert "face-line" not in [each.code for each in aside.notes]
+
+
+def test_a_part_that_yields_has_the_speed_that_it_bears():
+    head = with_face(coarse_head(), yield_stress=900e6)
+    [weak] = [
+        each for each in head_result(head, blow=stress.blow_stress(head, **BLOW)).summary if each.code == "part-yields"
+    ]
+    borne = face_of(head, speed=weak.data["bearable_speed"])
+    # The stress of a face grows in proportion to the speed to 1%: 1433, 2152 and 2364 MPa at 30, 45 and 50 m/s on
+    # ``paper``.
+    assert borne.stress == pytest.approx(900e6, rel=0.05)
 
 
 def coarse_ball_file(folder):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -12,7 +12,7 @@ from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.listings import club_result
 from clubface.fem.heads.meshed import mesh_of
 from clubface.quantities import Quantity, Reading
-from clubface.results.notes import note
+from clubface.results.notes import Note, note
 from clubface.results.result import Result
 from clubface.results.table import Column, table, text
 from clubface.support.checks import Frozen
@@ -186,9 +186,18 @@ def check_result(checked: Club, file: str) -> Result:
         title="Rules of golf",
     )
     shown = club_result(checked)
-    return shown.replace(
-        tables=(*shown.tables, verdicts), notes=(*shown.notes, *notes), hints=(note("club-possible", file=file),)
-    )
+    return shown.replace(tables=(*shown.tables, verdicts), notes=(*shown.notes, *notes), hints=(_summary(known, file),))
+
+
+def _summary(verdicts: Sequence[RuleVerdict], file: str) -> Note:
+    """Return what the rules say of a club as a whole, where they say anything."""
+    broken = [each.rule.title for each in verdicts if each.conforms is False]
+    unknown = [each.rule.title for each in verdicts if each.conforms is None]
+    if broken:
+        return note("club-does-not-conform", file=file, broken=broken)
+    if unknown:
+        return note("club-partly-judged", file=file, unknown=unknown)
+    return note("club-conforms" if verdicts else "club-possible", file=file)
 
 
 def _quantity_of(rule: Rule) -> Quantity:

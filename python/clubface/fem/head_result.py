@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from clubface import units
+from clubface.equipment.clubs import TIME_LIMIT, TIME_TOLERANCE
 from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.stress import BlowStress, stress_picture
 from clubface.quantities import register_quantity
@@ -17,6 +19,12 @@ __all__ = ["head_result"]
 
 register_quantity("cg_above", "m", golf=("mm", 2), label="CG above face normal",
                   meaning="distance of the CG above the face normal through the face centre")  # fmt: skip
+register_quantity("forward", "m", golf=("mm", 1), label="forward", meaning="distance towards the target")
+STEEPEST = units.to_si(35.0, "deg")
+"""The rules test the face by pendulum up to this loft."""
+OVER_MESHES = {"mesh_restitution": 0.001, "mesh_characteristic_time": 6e-6}
+"""By how much the tests of one driver differ between meshes of triangles and quadrilaterals, as of the table in
+docs/finite-elements/heads.md."""
 SHOWN = ("mass", "cg_x", "cg_y", "cg_z", "cg_above", "ixx", "iyy", "izz")
 
 
@@ -64,7 +72,7 @@ def head_result(
         tables=(Table("head", (text("row", rows, label=""), *columns), title, "transposed"),
                 *(() if blow is None else _stress_tables(blow, inputs))),
         summary=tuple(_summary(head, measured, blow, inputs)),
-        notes=(*(blow.notes() if blow is not None else ()), *notes),
+        notes=(*_verdict(head, measured, inputs), *(blow.notes() if blow is not None else ()), *notes),
         provenance=Provenance({"head": head.name, "elements": str(head.elements), **inputs}),
         draw=None if blow is None else lambda: [stress_picture(blow, head.loft)],
     )  # fmt: skip
@@ -111,16 +119,33 @@ def _summary(
     known = [part for part in blow.parts if part.margin is not None]
     for part in known:
         if part.margin is not None and part.margin < 0.0:
-            yield note("part-yields", part=part.part, stress=part.stress, yield_stress=part.yield_stress, **named)
+            yield note(
+                "part-yields", part=part.part, stress=part.stress, yield_stress=part.yield_stress,
+                bearable_speed=blow.speed * (1.0 + part.margin), **named,
+            )  # fmt: skip
     weakest = min(known, key=lambda part: part.margin or 0.0, default=None)
     if weakest is not None and weakest.margin is not None and weakest.margin >= 0.0:
         yield note("no-part-yields", part=weakest.part, margin=weakest.margin, **named)
     if others := [part.part for part in blow.parts if part.margin is None]:
         yield note("no-yield-stress", parts=others)
     peak = max(blow.parts, key=lambda part: part.stress)
-    places = dict(zip(("target_position", "up_position", "toe_position"), peak.place, strict=True))
+    places = dict(zip(("forward", "high", "toe"), peak.place, strict=True))
     yield note("largest-stress", part=peak.part, stress=peak.stress, **places)
     if peak.spread is not None:
         counts = [str(elements) for elements, _ in peak.by_mesh[1:]]
         yield note("mesh-dependence", counts=counts, spread=peak.spread)
     yield note("strength-not-counted")
+
+
+def _verdict(head: MeshedHead, measured: Mapping[str, float], inputs: Mapping[str, str]) -> Iterator[Note]:
+    """Yield what the rules say of a characteristic time, and how the file of the head states it."""
+    if (time := measured.get("characteristic_time")) is None:
+        return
+    if head.club.loft <= STEEPEST:
+        most = TIME_LIMIT + TIME_TOLERANCE
+        verdict = "conforms" if time <= TIME_LIMIT else "conforms-within-tolerance"
+        yield note(f"face-{verdict if time <= most else 'does-not-conform'}", limit_characteristic_time=TIME_LIMIT,
+                   most_characteristic_time=most)  # fmt: skip
+    yield note("face-test-error", **OVER_MESHES)
+    if not {"toe", "high"} & inputs.keys() and not head.club.characteristic_time:
+        yield note("face-line", characteristic_time=time)

@@ -113,10 +113,21 @@ class SurfaceStress:
 
 @dataclass(frozen=True, eq=False)
 class BlowStress:
-    """What a blow does to a head: the largest stress of each of its ``parts``, and the stress of its ``surface``."""
+    """What a blow does to a head.
+
+    Attributes
+    ----------
+    parts
+        The largest stress of each part.
+    surface
+        The stress of the surface.
+    speed
+        Speed of the club [m/s].
+    """
 
     parts: tuple[PartStress, ...]
     surface: SurfaceStress
+    speed: float
 
     def notes(self) -> list[Note]:
         """Return what limits the stress."""
@@ -195,12 +206,13 @@ def blow_stress(
             raise KeyboardInterrupt
         if impact.stopped or impact.head_fields is None:
             raise RunError(impact.stopped or "the run kept no stress")
-        runs.append(_solid(each, impact) if isinstance(each, SolidHead) else _shells(each, impact))
+        stressed = _solid if isinstance(each, SolidHead) else _shells
+        runs.append(stressed(each, impact, units.parse(speed, "speed", name="speed")))
     parts = (
         replace(part, by_mesh=tuple((each.elements, run.parts[k].stress) for each, run in zip(made, runs, strict=True)))
         for k, part in enumerate(runs[0].parts)
     )
-    return BlowStress(tuple(parts), runs[0].surface)
+    return replace(runs[0], parts=tuple(parts))
 
 
 def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> list[MeshedHead]:
@@ -233,7 +245,7 @@ def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], t
     return PartStress(part, float(stress[frame, at]), float(times[frame]), (x, y, z), metal.yield_stress)
 
 
-def _solid(head: SolidHead, run: Impact) -> BlowStress:
+def _solid(head: SolidHead, run: Impact, speed: float) -> BlowStress:
     """Return the stress at the surface of hexahedra."""
     recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
     assert run.head_fields is not None
@@ -245,10 +257,10 @@ def _solid(head: SolidHead, run: Impact) -> BlowStress:
         time=float(run.frame_times[frame]), views=("face", "back"),
         bending=bool(recovery.extrapolated.mean() > 0.5),
     )  # fmt: skip
-    return BlowStress((part,), surface)
+    return BlowStress((part,), surface, speed)
 
 
-def _shells(head: MeshedHead, run: Impact) -> BlowStress:
+def _shells(head: MeshedHead, run: Impact, speed: float) -> BlowStress:
     """Return the stress of shells, on the side of each that has more."""
     assert isinstance(head, ShellHead)
     assert run.head_fields is not None
@@ -268,7 +280,7 @@ def _shells(head: MeshedHead, run: Impact) -> BlowStress:
         nodes=head.nodes, quads=head.quads, stress=sums / np.maximum(counts, 1.0), time=float(run.frame_times[frame]),
         views=("face", "crown", "sole"), bending=True,
     )  # fmt: skip
-    return BlowStress(tuple(parts), surface)
+    return BlowStress(tuple(parts), surface, speed)
 
 
 def _elastic(head: MeshedHead) -> MeshedHead:
@@ -307,18 +319,19 @@ def stress_picture(blow: BlowStress, loft: float) -> Picture:
     ahead, vertical, _ = np.eye(3)
     sides = {"face": (out, up), "back": (-out, up), "crown": (vertical, ahead), "sole": (-vertical, ahead)}
     peak = max(parts, key=lambda part: part.stress)
-    at = int(((surface.nodes - np.array(peak.place)) ** 2).sum(axis=1).argmin())
+    place = np.array(peak.place)
+    at = int(((surface.nodes[surface.quads].mean(axis=1) - place) ** 2).sum(axis=1).argmin())
     colours = axis("stress", unit="MPa", limits=(0.0, float(surface.stress.max())))
     toe = axis("to_the_toe", like="m", unit="mm")
     views: list[Panel | None] = []
     for name in surface.views:
         towards, height = sides[name]
-        quads = surface.quads[normals @ towards > FACING]
+        seen = normals @ towards > FACING
+        quads = surface.quads[seen]
         marks = [Mark("cells", surface.nodes[quads, 2], surface.nodes[quads] @ height,
                       values=surface.stress[quads].mean(axis=1))]  # fmt: skip
-        if at in quads:
-            x, y = surface.nodes[at, 2], surface.nodes[at] @ height
-            marks.append(Mark("points", [x], [y], symbol="x", size=7.0, style=-2))
+        if seen[at]:
+            marks.append(Mark("points", [place[2]], [place @ height], symbol="x", size=7.0, style=-2))
         label = axis("up_the_face" if height is up else "to_the_target", like="m", unit="mm")
         views.append(Panel(marks, toe, label, name, equal=True, values=colours, grid=False))
     bars = [
@@ -330,12 +343,11 @@ def stress_picture(blow: BlowStress, loft: float) -> Picture:
         if part.yield_stress is not None
     ]
     names = Axis(names=[part.part for part in parts], limits=(len(parts) - 0.4, -0.6))
-    largest = axis("stress", "largest stress; the black line is where the metal yields, red bars are beyond it",
-                   unit="MPa")  # fmt: skip
+    largest = axis("stress", "largest stress", unit="MPa")
     below = 0.9 + 0.32 * len(parts)
     return Picture(
         "stress",
         f"The stress of the surface {units.fixed(surface.time, 'us', 0)} after first touch, a cross where it is "
-        "largest; and the largest stress of every part and where its metal yields",
+        "largest; and the largest stress of every part. A black line is where its metal yields, orange bars go beyond",
         [views, [Panel(bars, largest, names)]], heights=[2.6, below], height=2.6 + below,
     )  # fmt: skip

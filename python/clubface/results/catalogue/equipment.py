@@ -5,7 +5,12 @@ SENTENCES = {
     "cg-behind-face": "The CG lies {cg_x} behind the face.",
     "cg-below-normal": "The CG lies {cg_y} below the normal through the face centre.",
     "cg-in-front-of-face": "The CG lies {cg_x} in front of the face.",
-    "club-possible": "{file}: a club that can exist",
+    "club-conforms": "{file}: a club that can exist and keeps the limits of the rules above",
+    "club-does-not-conform": "{file}: a club that can exist, but does not conform to the rules: {broken:;}",
+    "club-partly-judged": (
+        "{file}: a club that can exist; as far as it is known, it keeps the limits of the rules. Not known: {unknown:;}"
+    ),
+    "club-possible": "{file}: a club that can exist; none of the limits of the rules applies to it",
     "clubs-listed": (
         "MOI is the moment of inertia about the vertical axis; the normal is that through the face centre. A "
         "parametric club is plausible, not measured; clubface clubs NAME shows the source or the assumption of every "
