@@ -152,8 +152,10 @@ def test_what_other_models_refuse_is_refused():
 @pytest.mark.parametrize(
     ("law", "message"),
     [
-        (lambda touch, values: 1.0, r"at Touch\(depth=\d.*TypeError"),
-        (lambda touch, values: (1.0, math.nan, 0.0), "three finite forces"),
+        (lambda touch, values: 1.0, "returned one number, 1.0; a law must return three"),
+        (lambda touch, values: (1.0, 0.0), "returned 2 numbers"),
+        (lambda touch, values: None, "returned no numbers, None"),
+        (lambda touch, values: (1.0, math.nan, 0.0), r"nan as the friction up the face at Touch\(depth=\d"),
         (lambda touch, values: (values["stiffness"], 0.0, 0.0), "KeyError"),
         (lambda touch, values: (math.sqrt(-1.0), 0.0, 0.0), "ValueError"),
     ],
@@ -176,10 +178,21 @@ def test_a_law_that_fails_in_one_shot_leaves_the_others_alone(wrong):
         clubface.impact("driver", speed=speeds, model="mine")
 
 
-def test_a_contact_without_an_end_is_told():
-    registered(lambda touch, values: (0.0, 0.0, 0.0), friction=0.1)
-    with pytest.raises(ShotError, match="did not part within 10 ms"):
-        clubface.impact("driver", speed=45.0, model="mine")
+@pytest.mark.parametrize(
+    ("stiffness", "message"),
+    [
+        (0.0, "normal force is never above 0"),
+        (-1e6, "normal force is never above 0"),
+        (1e2, "did not part within 10 ms"),
+        (1e25, "too stiff"),  # ended in a ball of 3e8 m/s
+        (1e300, "too stiff"),  # overflows
+    ],
+)
+def test_a_law_that_makes_no_whole_contact_names_the_reason(stiffness, message):
+    registered(lambda touch, values: (stiffness * touch.depth, 0.0, 0.0), friction=0.1)
+    for computed in (clubface.impact, clubface.history):
+        with pytest.raises(ClubfaceError, match=message):
+            computed("driver", speed=45.0, model="mine")
 
 
 @pytest.mark.parametrize("name", ["area", "fem", "all", "two words", 3])

@@ -10,6 +10,7 @@ from __future__ import annotations
 import inspect
 import marshal
 import math
+import numbers
 import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -180,13 +181,10 @@ class OwnLaw:
             return "characteristic_time", "leave it out: a law of one's own describes ball and face together"
         names = (each.name for each in self.model.parameters)
         bodies = TwoBodies(named, self.law, dict(zip(names, values, strict=True)))
-        solution = bodies.run(accuracy or USUAL_TOLERANCE)
-        if solution is None:
-            return "model", (
-                f"{self.model.name}: club and ball did not part within {LONGEST * 1e3:.0f} ms or {MOST_EVALUATIONS}"
-                " evaluations of the law; check its stiffness, damping and how sharply its friction changes"
-            )
-        return bodies, solution
+        try:
+            return bodies, bodies.run(accuracy or USUAL_TOLERANCE)
+        except UnfinishedContactError as error:
+            return "model", f"{self.model.name}: {error}"
 
 
 def _outputs(bodies: Any, solution: Any) -> NDArray[Any]:
@@ -301,6 +299,7 @@ class TwoBodies:
 
     def __init__(self, given: Mapping[str, float], law: Law, values: Mapping[str, float]) -> None:
         self.law, self.values = law, values
+        self.has_pushed = False
         self.hand = given["hand"]
         self.ball_mass, self.ball_inertia = given["ball_mass"], given["ball_inertia"]
         self.radius, self.club_mass = given["ball_radius"], given["club_mass"]
@@ -369,12 +368,14 @@ class TwoBodies:
 
     def forces(self, touch: Touch) -> tuple[float, float, float]:
         """Return what the law says; a ball is never pulled, and what is no force is refused."""
+        if not all(map(math.isfinite, touch)):
+            raise UnfinishedContactError(TOO_STIFF)
         try:
-            pressed, up, toe = map(float, self.law(touch, self.values))
+            returned = self.law(touch, self.values)
         except Exception as error:
             raise RunError(f"the law of contact fails at {touch}: {type(error).__name__}: {error}") from error
-        if not math.isfinite(pressed + up + toe):
-            raise RunError(f"the law of contact must return three finite forces, not {pressed}, {up}, {toe} at {touch}")
+        pressed, up, toe = _three_forces(returned, touch)
+        self.has_pushed = self.has_pushed or pressed > 0.0
         return max(pressed, 0.0), up, toe
 
     def rate(self, _time: float, state: NDArray[Any]) -> NDArray[Any]:
@@ -404,12 +405,14 @@ class TwoBodies:
         return 0.5 * float(ball + club + state[CLUB_MOMENTUM] @ self.at(state).club_spin)
 
     def run(self, tolerance: float) -> Any:
-        """Integrate to separation with a relative tolerance a step; return the solution of scipy, None without an end.
+        """Integrate to separation with a relative tolerance a step; return the solution of scipy.
 
         Raises
         ------
         RunError
             The law fails, or returns something else than three finite forces.
+        UnfinishedContactError
+            Ball and club do not part, or the law changes too sharply for its energy to be kept.
         """
         from scipy.integrate import solve_ivp
 
@@ -428,7 +431,7 @@ class TwoBodies:
             nonlocal count
             count += 1
             if count > MOST_EVALUATIONS:
-                raise _EndlessError
+                raise UnfinishedContactError(TOO_STIFF)
             return self.rate(time, state)
 
         def parted(_time: float, state: NDArray[Any]) -> float:
@@ -436,18 +439,58 @@ class TwoBodies:
             return self.radius - self.nearest(place - self.lever)[0]
 
         parted.terminal, parted.direction = True, -1.0  # pyright: ignore[reportFunctionMemberAccess]
-        try:
-            result = solve_ivp(
-                rate, (0.0, LONGEST), self.start, method="DOP853", rtol=tolerance, atol=tolerance * scale,
-                first_step=1e-3 * crossing, max_step=0.1 * crossing, events=parted, dense_output=True,
-            )  # fmt: skip
-        except _EndlessError:
-            return None
-        return result if result.status == 1 else None
+        result = solve_ivp(
+            rate, (0.0, LONGEST), self.start, method="DOP853", rtol=tolerance, atol=tolerance * scale,
+            first_step=1e-3 * crossing, max_step=0.1 * crossing, events=parted, dense_output=True,
+        )  # fmt: skip
+        if result.status == 0:
+            raise UnfinishedContactError(STILL_TOUCHING if self.has_pushed else NEVER_PUSHES)
+        end = result.y[:, -1]
+        energy = self.kinetic_energy(self.start)
+        kept = abs(self.kinetic_energy(end) + float(end[WORK].sum()) - energy) < MOST_ENERGY_ERROR * energy
+        if result.status < 0 or not kept:
+            raise UnfinishedContactError(TOO_STIFF)
+        return result
 
 
-class _EndlessError(Exception):
-    """A law that changes so fast that its contact takes too many steps."""
+class UnfinishedContactError(Exception):
+    """A contact whose end was not computed; the message says why, and what to do."""
+
+
+NEVER_PUSHES = (
+    "its normal force is never above 0, so that nothing drives the ball away; a law must return a normal force above 0"
+    " while the ball is compressed"
+)
+STILL_TOUCHING = (
+    f"club and ball did not part within {LONGEST * 1e3:.0f} ms; check the stiffness and damping of the law (a drive"
+    " lasts half a millisecond)"
+)
+TOO_STIFF = (
+    "the law is too stiff or changes too sharply to be followed; check its stiffness (a driver's peak force is some"
+    " 12 kN), damping and how sharply its friction changes"
+)
+MOST_ENERGY_ERROR = 1e-2
+"""Part of the energy that a computed contact may gain or lose against the work of its forces."""
+FORCES = "a law must return three numbers: the normal force, and the friction up the face and towards the toe [N]"
+
+
+def _three_forces(returned: Any, touch: Touch) -> tuple[float, float, float]:
+    """Return what a law returned as three floats; refuse, each with its own sentence, what is not three forces."""
+    try:
+        forces = tuple(map(float, returned))
+    except (TypeError, ValueError):
+        what = "one number" if isinstance(returned, numbers.Real) else "no numbers"
+        raise RunError(f"the law of contact returned {what}, {returned!r}; {FORCES}") from None
+    if len(forces) != len(_FORCE_NAMES):
+        raise RunError(f"the law of contact returned {len(forces)} numbers, {returned!r}; {FORCES}")
+    for name, force in zip(_FORCE_NAMES, forces, strict=True):
+        if not math.isfinite(force):
+            raise RunError(f"the law of contact returned {force} as the {name} at {touch}; {FORCES}, all finite")
+    normal, up, toe = forces
+    return normal, up, toe
+
+
+_FORCE_NAMES = ("normal force", "friction up the face", "friction towards the toe")
 
 
 def _attitude(given: Mapping[str, float], hand: float) -> NDArray[Any]:
