@@ -81,6 +81,18 @@ def test_shares_and_damage_are_noted(study, tmp_path):
     assert study("run", path, "--json").notes("study-parts-mended") == [{"parts": 1, "shown": [2]}]
 
 
+def test_the_state_of_a_study_counts_the_missing_chunks_that_it_does_not_list(study, tmp_path):
+    path = squares(tmp_path, chunk=2)
+    study("run", path, "--shard", "1/2")
+    state = study("status", path, "--json")
+    values, listed = state.values, len(state.rows())
+    left = values["chunks"] - values["done"]
+    assert left > listed
+    assert state.notes("study-chunks-not-listed") == [{"chunks": left - listed, "left": left}]
+    study("run", path)
+    assert not study("status", path, "--json").notes("study-chunks-not-listed")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [

@@ -60,6 +60,9 @@ def status_result(state: Status) -> Result:
     chunks = [*(("missing", each) for each in state.missing), *(("damaged", each) for each in state.damaged)]
     listed = table("chunks", text("state", [each for each, _ in chunks]), text("chunk", [each for _, each in chunks]))
     notes = [note("study-store", store=state.store)]
+    left = state.chunks - state.done
+    if left > len(chunks):
+        notes.insert(0, note("study-chunks-not-listed", chunks=left - len(chunks), left=left))
     return Result("study-status", state.name, (listed,), values, notes=tuple(notes))
 
 

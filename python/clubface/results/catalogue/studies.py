@@ -1,6 +1,7 @@
 """Sentences about studies."""
 
 SENTENCES = {
+    "study-chunks-not-listed": "{left:n chunk} missing or damaged; {chunks} of them not listed",
     "study-complete": "the study is complete in {store}",
     "study-left": "{chunks:n chunk} of the whole study left to other runs; parts in {store}",
     "study-parts-mended": "{parts:n damaged part} computed again: {shown}",
