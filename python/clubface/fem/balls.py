@@ -296,7 +296,10 @@ def _of_rigid(given: RigidBall) -> Ball:
 
 
 def _no_pieces(name: object) -> InputError:
-    return InputError("ball", name, f"one that is described by its pieces, for fem: {', '.join(ball_names())}")
+    names = ", ".join(ball_names())
+    return InputError(
+        "ball", name, f"one that is described by its pieces, for fem: {names}; or leave fem out of the models"
+    )
 
 
 # The inertia here is that of the pieces; the other keys are of the other models.
