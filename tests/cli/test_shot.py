@@ -261,6 +261,32 @@ def test_files_of_deliveries_and_golfers_without_a_loft_say_so_too(clubface_, wr
         assert [each["data"] for each in ran.json["assumptions"]] == assumed
 
 
+def test_the_caveats_of_a_variant_of_a_published_set_stand_before_every_result(clubface_, write, tmp_path):
+    variant = "three-dimensional-impact-models/as-printed"
+    swing = ("--speed", "48 m/s", "--loft", "13 deg", "--model", "rings")
+    deliveries, target = str(write("speed_mph,loft_deg\n105,13\n", "a.csv")), str(tmp_path / "launches.csv")
+    report = tmp_path / "report.md"
+    for command in (
+        ("shot", "driver", *swing),
+        ("compare", "driver", "7-iron", "--no-split", *swing),
+        ("map", "driver", "--grid", "5x5", *swing),
+        ("sensitivity", "driver", "--by", "toe", *swing),
+        ("explain", "driver", *swing),
+        ("predict", deliveries, "--club", "driver", "-o", target, "--model", "rings"),
+    ):
+        notes = clubface_(*command, "--parameters", variant, "--json").json["assumptions"]
+        caveats = list(clubface.ParameterSet.builtin("rings", "driver", variant).caveats)
+        assert [(each["code"], each["data"]["caveats"]) for each in notes] == [("variant-caveats", caveats)], command
+        assert clubface_(*command, "--json").json["assumptions"] == [], command
+        if command[0] in ("shot", "compare"):
+            clubface_(*command, "--parameters", variant, "--report", str(report))
+            assert notes[0]["text"] in report.read_text()
+    swing = {"speed": 48.0, "loft": "13 deg"}
+    launch = clubface.impact("driver", **swing, model="rings", parameters=variant)
+    for shown in (repr(launch), repr(clubface.fly(launch)), launch.to_result()._repr_html_()):
+        assert launch.parameters.caveats[0] in " ".join(shown.split())
+
+
 def test_what_was_assumed_is_in_the_titles_of_pictures(clubface_):
     launch = clubface.impact("driver", speed="40 m/s", attack="2 deg")
     compared = clubface.compare({name: {"club": name, "delivery": {"speed": 40.0}} for name in ("driver", "3-wood")})

@@ -32,7 +32,7 @@ from clubface.shots.tables.writer import CsvForm, OutputFormat, RejectsForm, is_
 from clubface.simulation.flight import Air, check_conditions, conditions, fly
 from clubface.simulation.impact import Parameters, Tally, backend_of, impact
 from clubface.simulation.inputs import equipped, hand_value, thread_count, tolerance
-from clubface.simulation.launch import computed_with
+from clubface.simulation.launch import computed_with, variant_caveats
 from clubface.simulation.own_law import source_of
 from clubface.support.checks import check_count, without_warnings
 from clubface.support.files import input_file, recorded, same_file
@@ -321,7 +321,8 @@ class PredictReport(Described):
     hand
         The hand of the player, "right" or "left", where no column says it.
     assumptions
-        What was assumed of the deliveries: the static loft where no column has the dynamic loft.
+        What was assumed of the deliveries: the static loft where no column has the dynamic loft. Also the caveats of a
+        variant of a published set.
     """
 
     source: str
@@ -534,7 +535,7 @@ def predict(
         resumed=outcome.resumed,
         provenance=provenance,
         hand=SIDES[side],
-        assumptions=() if loft_given else (note("static-loft", clubs=[loft]),),
+        assumptions=(*(() if loft_given else (note("static-loft", clubs=[loft]),)), *variant_caveats(chosen)),
     )
 
 

@@ -177,15 +177,28 @@ class Launch(Batch):
 
 
 def assumptions_of(launches: Iterable[Launch]) -> tuple[Note, ...]:
-    """Return what was assumed of deliveries: the static loft of the club where no dynamic loft was given."""
+    """Return what a reader must know before the figures.
+
+    The static loft of the club where no dynamic loft was given, and the caveats of a variant of a published set, such
+    as the values as printed.
+    """
     lofts: dict[str, None] = {}
+    sets: dict[Note, None] = {}
     for each in launches:
+        sets.update(dict.fromkeys(variant_caveats(each.parameters)))
         if each.loft_assumed:
             values = np.ravel(each.input("loft"))
             low, high = float(values.min(initial=np.inf)), float(values.max(initial=-np.inf))
             loft = units.show(low, "deg", 4) if low >= high else units.show_range(low, high, "deg")
             lofts[f"{each.club.name} {loft}"] = None
-    return (note("static-loft", clubs=list(lofts)),) if lofts else ()
+    return (*((note("static-loft", clubs=list(lofts)),) if lofts else ()), *sets)
+
+
+def variant_caveats(parameters: ParameterSet) -> tuple[Note, ...]:
+    """Return the caveats of a variant of a published set in one note; nothing of other sets."""
+    if "/" not in parameters.name or not parameters.caveats:
+        return ()
+    return (note("variant-caveats", model=parameters.model, set=parameters.name, caveats=list(parameters.caveats)),)
 
 
 def computed_with(

@@ -85,4 +85,5 @@ SENTENCES = {
         "A strike towards the toe gives spin that curves the ball back, {sidespin:0} a mm: the blow turns the head "
         "open, and the face rolls the ball the other way like a gear."
     ),
+    "variant-caveats": "{model} by {set}: {caveats:;}.",
 }
