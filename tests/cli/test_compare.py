@@ -82,7 +82,7 @@ def test_labels_are_kept_in_tables_words_pictures_and_json(clubface_, heavier, t
     with (tmp_path / "all.csv").open() as file:
         assert {each["alternative"] for each in csv.DictReader(file)} == set(labels)
     report = (tmp_path / "report.md").read_text()
-    assert report.startswith("# before and after: the lesson compared")
+    assert report.startswith('# "before" compared with "after: the lesson"')
     compared = clubface.compare({each: {"club": "driver", "delivery": DRIVE} for each in labels})
     drawn = {mark.label for panel in compared.to_result().pictures()[0].panels() for mark in panel.marks}
     assert {f"{each}: push draw" for each in labels} <= drawn

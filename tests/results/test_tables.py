@@ -105,7 +105,7 @@ def test_a_sentence_says_quantities_in_the_units_people_read():
 def test_a_sentence_has_other_words_for_what_rounds_to_nothing():
     shape = {"azimuth": math.radians(-0.04), "curve": 0.4 * 0.9144, "shape": "straight shot"}
     assert (
-        "on the target line, curves not at all and lands 1 yd left" in note("shot-shape", side=-0.6, **shape).sentence
+        "on the target line, flies straight and lands 1 yd left" in note("shot-shape", side=-0.6, **shape).sentence
     )
     shape["azimuth"] = math.radians(-10.0)
     assert "starts 10.0 deg left, curves not" in note("shot-shape", side=-0.6, **shape).sentence

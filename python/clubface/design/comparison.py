@@ -151,12 +151,16 @@ class Compared(Described):
         if split:
             tables.append(self._contributions(split))
         return Result(
-            kind="comparison", title=f"{' and '.join(self.names)} compared", tables=tuple(tables),
+            kind="comparison", title=self._title(), tables=tuple(tables),
             assumptions=assumptions_of(self.launches.values()),
             summary=(*shapes, *self._summary()), notes=(*shapes, *self._notes()),
             provenance=provenance_of(self.launches.values(), flight_conditions(**self.conditions)),
             draw=lambda: [comparison_picture(self)],
         )  # fmt: skip
+
+    def _title(self) -> str:
+        first, *others = (f'"{name}"' for name in self.names)
+        return f"{first} compared with {', '.join(others)}"
 
     def _differences(self, name: str) -> NDArray[Any]:
         return self._levels[name] - self._levels[self.names[0]]

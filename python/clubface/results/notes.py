@@ -88,7 +88,8 @@ class _Sentence(Formatter):
 
     ``{carry}`` has the unit and digits of the quantity, ``{carry:0}`` other digits, ``{carry:m 1}`` another unit,
     ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster", and with
-    a third word that word alone where the value is zero to the digits shown; ``{shots:n shot}`` counts ("1 shot",
+    a third word that word alone where the value is zero to the digits shown; the value stands where a word has "#", as
+    in ``{curve:curves # right/curves # left/flies straight}``; ``{shots:n shot}`` counts ("1 shot",
     "3 shots"), ``{shots:?was/were}`` agrees with a count. A list is joined by commas, by ``{names:and}`` or
     ``{names:;}``; ``{names:3}`` counts those after the third, and ``{frames:ranges}`` says "3, 7-12". A mapping lists
     quantities with their labels ("launch angle 12.1 deg"), by ``{figures:changes}`` with signs and without zeros, by
@@ -134,7 +135,8 @@ def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
         size = format_value(abs(value), quantity, digits=None if words["digits"] is None else int(words["digits"]))
         if words["none"] is not None and _is_zero(size):
             return words["none"]
-        return f"{size} {words['more'] if value > 0.0 else words['less']}"
+        word = words["more"] if value > 0.0 else words["less"]
+        return word.replace("#", size) if "#" in word else f"{size} {word}"
     kind, _, digits = spec.rpartition(" ") if " " in spec or spec.isdigit() else (spec, "", "")
     places = int(digits) if digits else None
     if kind == "sides":

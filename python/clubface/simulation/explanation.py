@@ -7,6 +7,7 @@ exact derivatives of the launch.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -23,13 +24,14 @@ from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
-from clubface.simulation.flight import Flight, fly, trajectory
+from clubface.simulation.flight import SPIN, VELOCITY, Flight, fly, trajectory
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import Delivery, as_values
 from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
-from clubface.simulation.sensitivity import sensitivity
-from clubface.simulation.shot_result import flight_views, shape_note, shot_title
+from clubface.simulation.sensitivity import flight_derivatives, sensitivity
+from clubface.simulation.shot_result import flight_views, lie_note, shape_note, shot_title, subject
+from clubface.simulation.shot_shape import BIG_CURVE, STRAIGHT_CURVE, STRAIGHT_START
 from clubface.support.checks import without_warnings
 
 __all__ = ["Explanation", "WhatIf", "explain", "explanation_picture"]
@@ -40,6 +42,15 @@ INSIDE = 0.3
 """The same, at most, as a share of the width and the height of the face."""
 LEAST_STRIKE = 1e-3
 """Distance from the face centre above which the strike is explained [m]."""
+LEAST_TURN = math.radians(0.1)
+"""Angle between the face at the strike and at its centre above which bulge is named [rad]."""
+LEAST_OFFSET = 3e-3
+"""Distance of the sweet spot from the face centre above which it is named [m]."""
+WORTH = (
+    ("side", "face", math.radians(1.0)), ("side", "path", math.radians(1.0)), ("side", "toe", 10e-3),
+    ("carry", "loft", math.radians(1.0)), ("carry", "speed", 0.44704),
+)  # fmt: skip
+"""What a change of the delivery is worth: quantity of the flight, input, and the change that people think in [SI]."""
 
 
 class WhatIf(NamedTuple):
@@ -71,8 +82,11 @@ class Explanation(Described):
     strikes
         The same delivery struck elsewhere: "heel", "middle", "toe", "low", "high".
     slopes
-        By how much a degree of face, path, loft and attack turns the start: ("azimuth", "face"), ("azimuth", "path"),
-        ("launch", "loft") and ("launch", "attack").
+        Exact derivatives [SI]. Of the start by face, path, loft and attack: ("azimuth", "face"), ("azimuth", "path"),
+        ("launch", "loft") and ("launch", "attack"). Of where it lands, where it flies: ("side", "face"),
+        ("side", "path"), ("side", "toe"), ("carry", "loft") and ("carry", "speed").
+    sweet_spot
+        The fastest strike on the face.
     conditions
         Air, wind and ground.
     """
@@ -84,9 +98,10 @@ class Explanation(Described):
         what_ifs: Mapping[str, WhatIf],
         strikes: Mapping[str, WhatIf],
         slopes: Mapping[tuple[str, str], float],
+        sweet_spot: WhatIf,
         conditions: Mapping[str, Any],
     ) -> None:
-        self.launch, self.flight = launch, flight
+        self.launch, self.flight, self.sweet_spot = launch, flight, sweet_spot
         self.what_ifs, self.strikes, self.slopes = dict(what_ifs), dict(strikes), dict(slopes)
         self.conditions = dict(conditions)
 
@@ -104,7 +119,7 @@ class Explanation(Described):
             column("face_to_path", [self.face_to_path]),
             *(column(name, [launch.input(name)]) for name in ("attack", "loft", "toe", "high")),
         ]
-        title = f"{launch.club.name}, ball {launch.ball.name}, by {launch.model}, explained"
+        title = f"Why this shot flies as it does: {subject(launch)}, by {launch.model}"
         reasons = tuple(self.reasons())
         return Result(
             kind="explanation", title=title,
@@ -125,13 +140,20 @@ class Explanation(Described):
         launch, flight = self.launch, self.flight
         given = {name: float(launch.input(name)) for name in ("path", "face", "attack", "loft", "toe", "high")}
         yield shape_note("shot-shape", flight)
+        if (carry := float(flight.carry)) > 0.0:
+            yield note("explain-shape-limits", straight_curve=STRAIGHT_CURVE * carry, big_curve=BIG_CURVE * carry,
+                       straight_azimuth=STRAIGHT_START)  # fmt: skip
         yield note(
             "explain-start", face=given["face"], path=given["path"],
             face_share=self.slopes["azimuth", "face"], path_share=self.slopes["azimuth", "path"],
         )  # fmt: skip
         middle = self.what_ifs.get("struck in the middle")
         if middle is not None and abs(given["toe"]) >= LEAST_STRIKE:
-            yield note("explain-start-strike", toe=given["toe"], middle_azimuth=middle.launch.azimuth)
+            turn = face_there(launch) - given["face"]
+            code = "explain-start-strike" if abs(turn) < LEAST_TURN else "explain-start-bulge"
+            yield note(code, toe=given["toe"], middle_azimuth=middle.launch.azimuth, turned_face=turn)
+        if held := lie_note(launch):
+            yield held
         yield from self._curve_reasons(middle)
         yield note(
             "explain-launch", launch=launch.launch, loft=given["loft"], attack=given["attack"],
@@ -143,6 +165,25 @@ class Explanation(Described):
                 "explain-launch-strike", high=given["high"], middle_launch=middle.launch.launch,
                 middle_backspin=middle.launch.backspin,
             )  # fmt: skip
+        if middle is not None:
+            yield from self._speed_reasons(middle)
+        if ("side", "face") in self.slopes:
+            worth = {f"{name}_{what}": self.slopes[what, name] * change for what, name, change in WORTH}
+            yield note("explain-worth", **worth)
+
+    def _speed_reasons(self, middle: WhatIf) -> Iterator[Note]:
+        """Yield what ball speed and carry the strike gives, and where the face gives most."""
+        if max(abs(float(self.launch.input(name))) for name in ("toe", "high")) < LEAST_STRIKE:
+            return
+        yield note(
+            "explain-speed-strike", ball_speed=self.launch.ball_speed, carry=float(self.flight.carry),
+            middle_ball_speed=middle.launch.ball_speed, middle_carry=float(middle.flight.carry),
+        )  # fmt: skip
+        best = self.sweet_spot
+        if math.hypot(*best.changes.values()) > LEAST_OFFSET:
+            yield note(
+                "explain-sweet-spot", **best.changes, ball_speed=best.launch.ball_speed, carry=float(best.flight.carry)
+            )
 
     def _curve_reasons(self, middle: WhatIf | None) -> Iterator[Note]:
         """Yield why the ball curves, if it flies."""
@@ -209,10 +250,18 @@ def explain(
     launch = impact(club, given, **options)
     if launch.shape:
         raise InputError("delivery", Wording(f"a batch of shape {launch.shape}"), "a single shot")
-    slopes = sensitivity(
-        club, given, outputs=("azimuth", "launch"), variables=("face", "path", "loft", "attack"), **options
-    )
+    derivatives = sensitivity(
+        club, given, outputs=("azimuth", "launch", *VELOCITY, *SPIN),
+        variables=("face", "path", "loft", "attack", "toe", "speed"), **options,
+    )  # fmt: skip
     pairs = (("azimuth", "face"), ("azimuth", "path"), ("launch", "loft"), ("launch", "attack"))
+    slopes = {pair: derivatives.value(*pair) for pair in pairs}
+    flight = fly(launch, **conditions)
+    if flight.carry > 0.0:
+        flown = flight_derivatives(launch, **conditions)
+        for what, name, _ in WORTH:
+            chain = (flown.by(what, each) * derivatives.value(each, name) for each in (*VELOCITY, *SPIN))
+            slopes[what, name] = float(sum(chain))
 
     def shots(changed: Mapping[str, Mapping[str, float]]) -> dict[str, WhatIf]:
         result = {}
@@ -225,10 +274,38 @@ def explain(
             result[name] = WhatIf(changes, other, fly(other, **conditions))
         return result
 
-    return Explanation(
-        launch, fly(launch, **conditions), shots(_changes(launch)), shots(_strikes(launch)),
-        {pair: slopes.value(*pair) for pair in pairs}, conditions,
-    )  # fmt: skip
+    (best,) = shots({"": _sweet_spot(club, given, launch, options)}).values()
+    return Explanation(launch, flight, shots(_changes(launch)), shots(_strikes(launch)), slopes, best, conditions)
+
+
+def _sweet_spot(club: Any, given: Mapping[str, Any], launch: Launch, options: Mapping[str, Any]) -> dict[str, float]:
+    """Return toe and high [m] of the fastest strike, to half a millimetre: along the face, up it, and along it again.
+
+    The ball speed falls off from it like a paraboloid, so that few lines find it.
+    """
+    width, height = (float(launch.input(name)) for name in ("face_width", "face_height"))
+    half = {"toe": 0.5 * width or 2.0 * OFF_TOE, "high": 0.5 * height or 2.0 * OFF_HIGH}
+    best = {"toe": 0.0, "high": 0.0}
+    for name, other in (("high", "toe"), ("toe", "high"), ("high", "toe")):
+        reach = 0.99 * half[name] * math.sqrt(1.0 - min(best[other] / half[other], 1.0) ** 2)
+        count = max(int(2.0 * reach / 0.5e-3), 1)
+        line = np.linspace(-reach, reach, 2 * (count // 2) + 1)
+        with without_warnings(RangeWarning):
+            speeds = impact(club, {**given, **best, name: line}, on_error="nan", **options).ball_speed
+        if np.isfinite(speeds).any():
+            best[name] = float(line[np.nanargmax(speeds)])
+    return best
+
+
+def face_there(launch: Launch) -> float:
+    """Return the direction of the face where the ball is struck, at the height of its centre [rad].
+
+    Bulge turns it away from the face angle; right of the target is positive.
+    """
+    turn = math.asin(max(-1.0, min(1.0, float(launch.input("toe") / launch.input("bulge")))))
+    return float(launch.input("face")) + float(launch.input("hand")) * math.atan2(
+        math.tan(turn), math.cos(float(launch.input("loft")))
+    )
 
 
 def _changes(launch: Launch) -> dict[str, dict[str, float]]:
@@ -298,7 +375,9 @@ def explanation_picture(explanation: Explanation) -> Picture:
     for names, place in ((("low", "middle", "high"), 0), (("heel", "middle", "toe"), 1)):
         struck = {name: explanation.strikes[name] for name in names if name in explanation.strikes}
         paths = {name: trajectory(each.launch, **explanation.conditions).position for name, each in struck.items()}
-        styles = dict(zip(names, (_LESS, _MIDDLE, _MORE), strict=True))
+        styles: dict[str, str | int] = dict(zip(names, (_LESS, _MIDDLE, _MORE), strict=True))
+        if "struck in the middle" in explanation.what_ifs:  # else the middle is the shot
+            paths["as struck"], styles["as struck"] = path, _FLIGHT
         panels, heights = flight_views(paths, styles=styles, starts=False)
         words = "; ".join(
             _strike_words(name, each, place, first=number == 0) for number, (name, each) in enumerate(struck.items())
@@ -314,7 +393,9 @@ def explanation_picture(explanation: Explanation) -> Picture:
     )  # fmt: skip
 
 
-_LABELS: dict[str | int, str] = {_LESS: "struck low, on the heel", _MIDDLE: "in the middle", _MORE: "high, on the toe"}
+_LABELS: dict[str | int, str] = {
+    _FLIGHT: "as struck", _LESS: "struck low, on the heel", _MIDDLE: "in the middle", _MORE: "high, on the toe",
+}  # fmt: skip
 
 
 def _strike_words(name: str, struck: WhatIf, place: int, *, first: bool) -> str:
@@ -384,7 +465,7 @@ def _at_impact(launch: Launch) -> Panel:
         Mark("line", points[:, 0], points[:, 1], style=-2, size=2.5, dash=0),
     ]
     for word, angle, style, back, length in (
-        ("path", path, _PATH, 0.04, 0.06), ("face", face, _FACE, 0.0, 0.09),
+        ("path", path, _PATH, 0.04, 0.06), ("face", face_there(launch), _FACE, 0.0, 0.09),
         ("start", float(launch.azimuth), _START, 0.0, 0.12),
     ):  # fmt: skip
         way = np.array([np.sin(angle), np.cos(angle)])
@@ -445,8 +526,10 @@ def _face(explanation: Explanation) -> Panel:
     marks.append(Mark("points", [launch.input("toe")], [launch.input("high")], style=_FLIGHT, symbol="6", size=6.0,
                       label="strike"))  # fmt: skip
     across, up = (0.55 * each if each > 0.0 else 0.05 for each in (width, height))
+    left_handed = float(launch.input("hand")) < 0.0
     return Panel(
-        marks, axis("toe", "towards the toe", limits=(-across, across)), axis("high", "up the face", limits=(-up, up)),
+        marks, axis("toe", "towards the toe", limits=(-across, across), reversed=left_handed),
+        axis("high", "up the face", limits=(-up, up)),
         "where it was struck", equal=True,
     )  # fmt: skip
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -53,7 +54,7 @@ def shot_result(
     """
     first = next(iter(launches.values()))
     alone = len(launches) == 1
-    title = f"{first.club.name}, ball {first.ball.name}" + (f", by {first.model}" if alone else "")
+    title = subject(first) + (f", by {first.model}" if alone else "")
     shapes = {name: each.shot_shape() for name, each in flights.items()}
     columns = [
         text("model", list(launches), printed=not alone), *_columns(launches, flights, alone),
@@ -127,11 +128,30 @@ def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> lis
         shape_note("shot-shape", flights[first]) if alone
         else shape_note("shot-shape-by-model", flights[first], model=first)
     ]  # fmt: skip
+    if held := lie_note(launches[first]):
+        notes.append(held)
     if outside := [name for name in launches if flights[name].outside_fit]:
         notes.append(note("outside-aerodynamic-data", models=outside))
     if doubted := [name for name, each in launches.items() if each.parameters.caveats or each.parameters.value_caveats]:
         notes.append(note("caveats-listed", model=doubted[0] if len(doubted) == 1 else "NAME"))
     return notes
+
+
+def lie_note(launch: Launch) -> Note | None:
+    """Return what a lie does not do, since the face angle holds whatever the lie; None where the club is not tilted.
+
+    A club that is tilted toe up about the target line, and not delivered otherwise, turns its face to the heel's side.
+    """
+    lie, loft, hand = (float(launch.input(name)) for name in ("lie", "loft", "hand"))
+    if lie == 0.0:
+        return None
+    return note("lie-held", lie=lie, turned_face=-hand * math.atan(math.tan(loft) * math.sin(lie)))
+
+
+def subject(launch: Launch) -> str:
+    """Return club and ball in words; a left-handed club is called so."""
+    left = ", left-handed" if launch.input("hand") < 0.0 else ""
+    return f"{launch.club.name}{left}, ball {launch.ball.name}"
 
 
 def shot_title(launch: Launch) -> str:
@@ -141,7 +161,7 @@ def shot_title(launch: Launch) -> str:
         for name, value in launch.delivery.items()
         if value
     ]
-    if launch.club.hand < 0:
+    if launch.input("hand") < 0.0:
         parts.append("left-handed")
     return f"{launch.club.name}: {', '.join(each.replace(' ', chr(160)) for each in parts)}"
 

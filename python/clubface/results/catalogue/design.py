@@ -67,17 +67,18 @@ SENTENCES = {
         "difference worth a change; --worth sets another"
     ),
     "comparison-difference": (
-        "Compared with {first}, with {name} the ball leaves {ball_speed:faster/slower}, spins {backspin:more/less 0} "
+        '"{name}" against "{first}": the ball leaves {ball_speed:faster/slower}, spins {backspin:more/less 0} '
         "and carries {carry:farther/shorter}."
     ),
     "comparison-main-cause": "What changes the carry most is {change}: {carry:more/less}.",
     "comparison-not-split": "The difference of {name} from {first} cannot be split into contributions: {reason}",
     "comparison-same": "{name} is like {first} in everything that this shot depends on",
     "comparison-shape": (
-        "With {name} the ball starts {azimuth:right/left/on the target line}, curves {curve:right/left/not at all 0} "
-        "and lands {side:right/left/on the target line 0}: a {shape}."
+        '"{name}": the ball starts {azimuth:right/left/on the target line}, '
+        "{curve:curves # right/curves # left/flies straight 0} and lands {side:right/left/on the target line 0}: a "
+        "{shape}."
     ),
-    "comparison-too-low": "With {name} the ball does not leave the ground: it has neither carry nor curve.",
+    "comparison-too-low": '"{name}": the ball does not leave the ground: it has neither carry nor curve.',
     "dispersion-ball-speed": "Half of {shots:n shot} leave at {low_ball_speed:bare 0} to {high_ball_speed:0}.",
     "dispersion-carry": (
         "Half of them carry {low_carry:bare 0} to {high_carry:0}, and nine of ten at least {tenth_carry:0}."

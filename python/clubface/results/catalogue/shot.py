@@ -10,20 +10,21 @@ SENTENCES = {
     "caveats-listed": "Caveats: clubface models {model}",
     "coefficients-hidden": "{hidden:n coefficient} of {model} are left out; --by NAME and --json have them.",
     "explain-axis": (
-        "The spin axis is tilted {spin_axis:to the right/to the left/not at all}: the lift leans as much and pulls "
-        "the ball that way."
+        "{spin_axis:The spin axis is tilted # to the right: the lift leans as much and pulls the ball that way"
+        "/The spin axis is tilted # to the left: the lift leans as much and pulls the ball that way"
+        "/The spin axis is level: the lift pulls the ball to neither side}."
     ),
     "explain-curve-face": (
-        "The face was {open_face:open/closed/square} to the path. With the face square to it the ball would curve "
-        "{square_curve:right/left/not at all 0} instead of {curve:right/left/not at all 0}."
+        "The face was {open_face:open/closed/square} to the path. With the face square to it the ball would "
+        "{square_curve:curve # right/curve # left/fly straight 0} instead of {curve:# right/# left/straight 0}."
     ),
     "explain-curve-square": (
         "The face was square to the path, so that the curve ({curve:right/left/none 0}) comes from the strike and the "
         "head alone."
     ),
     "explain-curve-strike": (
-        "Struck in the middle of the face it would curve {middle_curve:right/left/not at all 0} instead of "
-        "{curve:right/left/not at all 0}: a head struck off its centre turns and gears the ball (gear effect)."
+        "Struck in the middle of the face it would {middle_curve:curve # right/curve # left/fly straight 0} instead of "
+        "{curve:# right/# left/straight 0}: a head struck off its centre turns and gears the ball (gear effect)."
     ),
     "explain-launch": (
         "It launches at {launch}, between the loft of {loft} and the attack angle of {attack}: a degree of loft raises "
@@ -38,9 +39,34 @@ SENTENCES = {
         "The face pointed {face:right/left/at the target} and the club moved {path:right/left/to the target}: a degree "
         "of face turns the start by {face_share:.2f} degrees, a degree of path by {path_share:.2f}."
     ),
+    "explain-shape-limits": (
+        "The names follow from start and curve: straight up to {straight_curve:0} of curve at this carry, a draw or "
+        "fade up to {big_curve:0}, a hook or slice beyond; a push or pull starts more than {straight_azimuth:deg 0} "
+        "off the line."
+    ),
+    "explain-speed-strike": (
+        "Struck there the ball leaves at {ball_speed} and carries {carry}; from the middle of the face, which is the "
+        "centre of its outline, it would leave at {middle_ball_speed} and carry {middle_carry}."
+    ),
+    "explain-start-bulge": (
+        "The strike was {toe:towards the toe/towards the heel}, where bulge turns the face {turned_face:right/left}; "
+        "from the middle of the face it would start {middle_azimuth:right/left/on the target line}. What bulge leaves "
+        "open comes from the head, which the off-centre blow turns."
+    ),
     "explain-start-strike": (
         "The strike was {toe:towards the toe/towards the heel}; from the middle of the face it would start "
-        "{middle_azimuth:right/left/on the target line}."
+        "{middle_azimuth:right/left/on the target line}. The off-centre blow turns the head while they touch."
+    ),
+    "explain-sweet-spot": (
+        "The sweet spot, where this swing gives the ball most speed, is not the centre: it lies {toe:towards the toe/"
+        "towards the heel/at its middle 0} and {high:above the centre/below the centre/at the height of the centre 0}. "
+        "There it would leave at {ball_speed} and carry {carry}."
+    ),
+    "explain-worth": (
+        "What changes are worth here: a degree of face moves the landing {face_side:# to its own side/# to the other "
+        "side}, a degree of path {path_side:# to its own side/# to the other side}, and a strike 10 mm nearer the toe "
+        "{toe_side:# to the right/# to the left}; a degree of loft carries it {loft_carry:farther/shorter}, 1 mph of "
+        "club speed {speed_carry:farther/shorter}. These are slopes at this shot, for small changes."
     ),
     "friction-lowers-spin": (
         "More friction lowers the spin here, by {backspin:0} for 0.1 more: this ball grips the face in any case, and "
@@ -55,6 +81,11 @@ SENTENCES = {
         "A higher strike lowers the spin, by {backspin:0} a mm, although it launches higher: the blow turns the head "
         "back, and the face rolls the ball forward like a gear."
     ),
+    "lie-held": (
+        "The lie of {lie} turns the head about the target line but not its face: the face angle is given and holds. A "
+        "club that is simply tilted so far points {turned_face:right/left} as well; add that to the face angle if you "
+        "mean it."
+    ),
     "outside-aerodynamic-data": "Spin leaves the aerodynamic data in flight: {models}.",
     "run-not-measured": (
         "no measured run of so low or slow a ball is published; the total is {soft_total:bare 0} to {firm_total:0} "
@@ -65,12 +96,14 @@ SENTENCES = {
     "shot-launch": "The ball leaves at {ball_speed}, {launch} upwards, and spins with {total_spin}.",
     "shot-of-first-model": "These are the figures of the model {model}; the table has those of the others.",
     "shot-shape": (
-        "The ball starts {azimuth:right/left/on the target line}, curves {curve:right/left/not at all 0} and lands "
-        "{side:right/left/on the target line 0}: a {shape}."
+        "The ball starts {azimuth:right/left/on the target line}, "
+        "{curve:curves # right/curves # left/flies straight 0} and lands {side:right/left/on the target line 0}: a "
+        "{shape}."
     ),
     "shot-shape-by-model": (
-        "By {model} the ball starts {azimuth:right/left/on the target line}, curves {curve:right/left/not at all 0} "
-        "and lands {side:right/left/on the target line 0}: a {shape}."
+        "By {model} the ball starts {azimuth:right/left/on the target line}, "
+        "{curve:curves # right/curves # left/flies straight 0} and lands {side:right/left/on the target line 0}: a "
+        "{shape}."
     ),
     "shot-too-low": "The ball does not leave the ground: it has neither carry nor curve.",
     "shot-too-low-by-model": "By {model} the ball does not leave the ground: it has neither carry nor curve.",
