@@ -86,9 +86,11 @@ export async function load(source, progress = () => true) {
 
   /** Refuses a model that is unknown, or that has another number of parameters. */
   function checkModel(name, parameters) {
-    const count = description.models.find((model) => model.name === name)?.parameters.length;
-    if (count !== undefined && count !== parameters.length)
-      throw new Error(`parameters: ${parameters.length} given; ${name} has ${count}`);
+    const model = description.models.find((each) => each.name === name);
+    const known = description.models.map((each) => each.name).join(", ");
+    if (!model) throw new Error(`model: '${name}' is unknown; there are ${known}`);
+    const count = model.parameters.length;
+    if (count !== parameters.length) throw new Error(`parameters: ${parameters.length} given; ${name} has ${count}`);
   }
 
   return {
