@@ -288,8 +288,8 @@ def club_of(name: str, hand: str | None = None, model: str | Iterable[str] | Non
     computed = [model] if isinstance(model, str) else [*(model or ())]
     if hasattr(result, "head") and not result.characteristic_time and computed != ["fem"]:
         print_note(
-            f"note: every model but fem takes the face of {result.name} as rigid; clubface fem head {name} --measure"
-            ' tells how it gives, and a line such as characteristic_time = "250 us" in the file says it'
+            f"note: every model but fem takes the face of {result.name} as rigid, or as that of its parameters;"
+            f" clubface fem head {name} --measure measures how it gives, and prints the line that states it in the file"
         )
     return result if hand is None else result.replace(hand=hand)
 

@@ -28,7 +28,7 @@ from clubface.shots.tables.reader import open_table
 from clubface.simulation.flight import Flight, fly, trajectory
 from clubface.simulation.impact import impact, warn_if_outside
 from clubface.simulation.inputs import as_values
-from clubface.simulation.launch import Launch, assumptions_of
+from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.simulation.sensitivity import FEW, OF_THE_BALL
 from clubface.simulation.shot_result import flight_views, shape_note
@@ -152,7 +152,7 @@ class Compared(Described):
             tables.append(self._contributions(split))
         return Result(
             kind="comparison", title=self._title(), tables=tuple(tables),
-            assumptions=assumptions_of(self.launches.values()),
+            assumptions=(*assumptions_of(self.launches.values()), *rigid_faces(self.launches)),
             summary=(*shapes, *self._summary()), notes=(*shapes, *self._notes()),
             provenance=provenance_of(self.launches.values(), flight_conditions(**self.conditions)),
             draw=lambda: [comparison_picture(self)],

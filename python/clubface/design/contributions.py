@@ -185,6 +185,15 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
         launch.model, columns, parameters, len(points), rows, variables, launch.accuracy, 1
     )
     if problems:
+        first, last = (each.value("characteristic_time") for each in (line.start, line.end))
+        if first != last and 0.0 in (first, last):
+            time = units.show(max(first, last), "us")
+            faces = (f"gives ({time})", "is taken as rigid")
+            of_first, of_last = faces if first else faces[::-1]
+            raise RunError(
+                f"the face of the first {of_first}, that of {launch.club.name} {of_last}; state the"
+                " characteristic_time of both in their files"
+            )
         raise RunError(f"{launch.model} has no launch between the two: {problems[0][2]}")
     table = result.reshape(len(rows), 1 + len(variables), len(points))
     by_names = np.zeros((len(rows), len(line.names), len(points)))

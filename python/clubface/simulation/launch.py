@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
+from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model
@@ -199,6 +200,18 @@ def variant_caveats(parameters: ParameterSet) -> tuple[Note, ...]:
     if "/" not in parameters.name or not parameters.caveats:
         return ()
     return (note("variant-caveats", model=parameters.model, set=parameters.name, caveats=list(parameters.caveats)),)
+
+
+def rigid_faces(launches: Mapping[str, Launch]) -> tuple[Note, ...]:
+    """Return which of some launches, by name, take their face as rigid where that of others gives."""
+    rigid = [name for name, each in launches.items() if not _gives(each)]
+    return (note("rigid-faces", names=rigid),) if 0 < len(rigid) < len(launches) else ()
+
+
+def _gives(launch: Launch) -> bool:
+    """Return whether the face gives: by its characteristic time or that of the parameters, or as a mesh that is hit."""
+    meshed = launch.model in MODULES and hasattr(launch.club, "head")
+    return meshed or bool(np.any(launch.input("characteristic_time")))
 
 
 def computed_with(

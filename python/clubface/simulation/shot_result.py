@@ -15,7 +15,7 @@ from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import Flight
-from clubface.simulation.launch import Launch, assumptions_of
+from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
 QUANTITIES = (
@@ -63,7 +63,7 @@ def shot_result(
     return Result(
         kind="shot", title=title,
         tables=(Table("shots", tuple(columns), layout="list" if alone else "rows", title=title),),
-        assumptions=assumptions_of(launches.values()),
+        assumptions=(*assumptions_of(launches.values()), *rigid_faces(launches)),
         summary=tuple(_summary(first, flights[first.model], alone)),
         notes=tuple(_notes(launches, flights)),
         provenance=provenance_of(launches.values(), flight_conditions(**(conditions or {}))),

@@ -47,8 +47,8 @@ SENTENCES = {
         'Nothing says how the face gives; characteristic_time = "250 us" in the file states what the pendulum measured.'
     ),
     "unmeasured-mesh": (
-        "Nothing says how the face gives: clubface fem head {file} --measure simulates it, and characteristic_time = "
-        '"250 us" in the file states what the pendulum measured.'
+        "Nothing says how the face gives: clubface fem head {file} --measure simulates it and prints the line with the "
+        "characteristic time that states it in the file."
     ),
     "value-caveat": "[{place}] {parameter}: {caveat}",
 }

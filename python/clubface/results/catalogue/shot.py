@@ -109,6 +109,10 @@ SENTENCES = {
     "shot-too-low-by-model": "By {model} the ball does not leave the ground: it has neither carry nor curve.",
     "shot-without-result": "shot {row} has no result: {reason}",
     "spin-outside-aerodynamic-data": "the spin leaves the range to which the aerodynamics were fitted",
+    "rigid-faces": (
+        "Taken with a rigid face, since nothing says how it gives: {names}; the face of the others gives, which adds "
+        "ball speed."
+    ),
     "static-loft": ("Assumed, since no dynamic loft is given: the static loft ({clubs}), which few golfers deliver."),
     "static-loft-at-held-loft": (
         "More static loft lowers the launch, by {launch} a degree, because the dynamic loft is held: the head is "
