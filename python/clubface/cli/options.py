@@ -90,7 +90,7 @@ _CLUB_DATA = {
     "path": ("2 deg", "Club path: to the right is positive."),
     "loft": ("12.8 deg", "Dynamic loft."),
     "face": ("1 deg", "Face angle: to the right is positive."),
-    "lie": ("1 deg", "Lie: toe up is positive."),
+    "lie": ("1 deg", "Lie: toe up is positive; the face angle holds whatever the lie."),
     "toe": ("8 mm", "Impact point: towards the toe is positive."),
     "high": ("-3 mm", "Impact point: towards the crown is positive."),
     "closure": ("2400 deg/s", "Rate at which the face closes."),
