@@ -49,7 +49,17 @@ def test_the_reference_case_on_finer_meshes_says_by_how_much_they_differ(clubfac
     assert spread["spin_over_meshes"] == pytest.approx(abs(fine["backspin_rpm"] / coarse["backspin_rpm"] - 1.0))
     assert spread["speed_over_meshes"] == pytest.approx(abs(fine["ball_speed_mps"] / coarse["ball_speed_mps"] - 1.0))
     (bounds,) = ran.notes("error-bounds")
-    assert 0.01 * bounds["energy_error_pct"] < bounds["spin_over_meshes"]
+    (cost,) = ran.notes("cost-of-run")
+    assert 0.01 * cost["energy_error_pct"] < bounds["spin_over_meshes"]
+
+
+def test_a_shot_by_finite_elements_says_what_bounds_its_error(clubface_, tmp_path):
+    report = tmp_path / "shot.html"
+    arguments = ("shot", "7-iron", "--speed", "80 mph", "--loft", "25 deg", "--model")
+    (bounds,) = clubface_(*arguments, "rings,fem", "--report", str(report), "--json").notes("error-bounds")
+    assert bounds["spin_over_meshes"] > bounds["speed_over_meshes"] > 0.0
+    assert f"{bounds['elements']} elements" in report.read_text()
+    assert clubface_(*arguments, "rings", "--json").notes("error-bounds") == []
 
 
 def test_paper_has_the_published_figures_and_draws(clubface_, paper_like, tmp_path):

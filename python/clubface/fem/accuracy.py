@@ -16,9 +16,10 @@ from clubface import units
 from clubface.fem.balls import Ball
 from clubface.fem.paper import other_solvers
 from clubface.fem.result import Impact
+from clubface.results.notes import Note, note
 from clubface.support.files import DATA
 
-__all__ = ["ErrorBounds", "error_bounds", "mesh_row", "meshes", "stored_meshes"]
+__all__ = ["ErrorBounds", "error_bounds", "error_note", "mesh_row", "meshes", "stored_meshes"]
 
 STORED = DATA / "fem_meshes.json"
 """The reference case on meshes up to three times as fine, as ``make fem-figures`` computes it."""
@@ -93,3 +94,8 @@ def error_bounds() -> ErrorBounds:
         largest("ball_speed_mps", list(speeds)), largest("backspin_rpm", others["backspin_rpm"]),
         int(finest["elements"]),
     )  # fmt: skip
+
+
+def error_note() -> Note:
+    """Return what bounds the error of a launch by finite elements."""
+    return note("error-bounds", **error_bounds()._asdict())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 
 from clubface.equipment.models import Model
 from clubface.errors import InputError
+from clubface.fem.accuracy import error_note
 from clubface.fem.balls import ball
 from clubface.fem.heads.meshed import mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.run import FRICTION, face_of, simulate, strike
 from clubface.fem.settings import Settings
+from clubface.results.notes import Note
 from clubface.simulation.impact import Balls, Problems, Request
 from clubface.simulation.results import outputs
 
@@ -75,6 +77,10 @@ class FiniteElements:
         made, _ = self.balls(launch.ball, None)
         friction = launch.parameters.values["friction"]
         return force_history(strike(launch.club, delivery, ball=made, friction=friction, settings=HOW))
+
+    def notes(self) -> Sequence[Note]:
+        """Return what bounds the error of every launch."""
+        return (error_note(),)
 
 
 BACKEND = FiniteElements()

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from clubface import units
-from clubface.fem.accuracy import error_bounds, mesh_row
+from clubface.fem.accuracy import error_note, mesh_row
 from clubface.fem.balls import Ball
 from clubface.fem.materials import laws
 from clubface.fem.paper import PUBLISHED, SPIN_FACTOR, other_solvers, spin_factor, table as paper_table
@@ -75,7 +75,7 @@ def impact_result(impact: Impact, name: str = "", description: str = "") -> Resu
         kind="impact", title=description or name or f"{impact.ball.name} on {head}", values=tuple(values),
         tables=(_history("contact", impact.contact), _history("motion", impact.motion),
                 _history("energy", impact.energy), materials_table(impact.ball)),
-        summary=tuple(_summary(impact, head, out | flown)), notes=(cost_note(impact), _error_note(impact)),
+        summary=tuple(_summary(impact, head, out | flown)), notes=(cost_note(impact), error_note()),
         assumptions=assumptions_of(launches),
         provenance=provenance_of(launches, inputs | (flight_conditions() if flown else {})) if launches
         else Provenance(inputs),
@@ -147,11 +147,6 @@ def _summary(impact: Impact, head: str, out: dict[str, float]) -> Iterator[Note]
     yield note("contact-of-impact", contact_time=impact.contact_time, peak_force=impact.peak_force)
     if "carry" in out:
         yield note("carry-in-still-air", carry=out["carry"])
-
-
-def _error_note(impact: Impact) -> Note:
-    """Return what bounds the error of a run."""
-    return note("error-bounds", energy_error=impact.energy_error, **error_bounds()._asdict())
 
 
 def _history(name: str, arrays: dict[str, Any]) -> Table:
@@ -229,7 +224,7 @@ def paper_result(runs: Mapping[str, Impact]) -> Result:
     return whole.replace(
         kind="paper", title=figures.title, tables=(figures, *whole.tables),
         values=tuple(replace(each, printed=False) for each in whole.values),
-        notes=(*(cost_note(run) for run in runs.values()), _error_note(first)), draw=whole.draw and draw,
+        notes=(*(cost_note(run) for run in runs.values()), error_note()), draw=whole.draw and draw,
     )  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.equipment.parameters import QUANTITIES, ParameterSet, ends_in_words
 from clubface.errors import InputError, RangeWarning
+from clubface.results.notes import Note
 from clubface.simulation import core
 from clubface.simulation.inputs import (
     Delivery,
@@ -99,6 +100,10 @@ class Backend(Protocol):
         """Return what :class:`clubface.History` holds, and the "launch"; asked of contact models alone."""
         ...
 
+    def notes(self) -> Sequence[Note]:
+        """Return what is noted of every launch of the model, such as what bounds its error."""
+        ...
+
 
 class ReducedCore:
     """The reduced models."""
@@ -120,6 +125,10 @@ class ReducedCore:
     def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
         """Compute one contact and keep every step."""
         return core.history(model, inputs, parameters, accuracy)
+
+    def notes(self) -> Sequence[Note]:
+        """Return no note: caveats of a model stand with its parameters."""
+        return ()
 
 
 REDUCED = ReducedCore()

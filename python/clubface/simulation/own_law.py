@@ -174,6 +174,10 @@ class OwnLaw:
             raise ValueError(*solved)
         return {**_history(*solved), "launch": _outputs(*solved)}
 
+    def notes(self) -> tuple[()]:
+        """Return no note."""
+        return ()
+
     def _solve(self, given: list[float], values: list[float], accuracy: float | None) -> Any:
         """Return both bodies and the solution, or the name of what is at fault and why."""
         named = dict(zip(inputs(), given, strict=True))

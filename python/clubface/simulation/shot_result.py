@@ -15,6 +15,7 @@ from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import Flight
+from clubface.simulation.impact import backend_of
 from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
@@ -132,6 +133,7 @@ def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> lis
         notes.append(held)
     if outside := [name for name in launches if flights[name].outside_fit]:
         notes.append(note("outside-aerodynamic-data", models=outside))
+    notes += (each for name in launches for each in backend_of(name).notes())
     if doubted := [name for name, each in launches.items() if each.parameters.caveats or each.parameters.value_caveats]:
         notes.append(note("caveats-listed", model=doubted[0] if len(doubted) == 1 else "NAME"))
     return notes

@@ -18,7 +18,7 @@ SENTENCES = {
     "error-bounds": (
         "Accuracy: on the reference case a mesh of {elements} elements changes ball speed by {speed_over_meshes:.1%} "
         "and spin by {spin_over_meshes:.1%}, and other programs differ by up to {speed_over_solvers:.1%} and "
-        "{spin_over_solvers:.1%} (clubface fem reference --meshes 3). The energy balance, off by {energy_error}, "
+        "{spin_over_solvers:.1%} (clubface fem reference --meshes 3). The energy balance "
         "checks the time steps alone. Errors of the material constants come on top."
     ),
     "face-conforms": "The face conforms: " + _LIMIT,
