@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.signal import butter, filtfilt
 
 import clubface
 from attached_notes import codes, noted
@@ -212,6 +213,43 @@ def test_a_ball_that_leaves_before_the_face_arrives_puts_the_mapping_in_doubt():
     (start,) = noted(read(early), "capture-ball-start")
     # Two frames of 1.39 ms early, and half a contact late: -2.78 + 0.22 ms.
     assert start["late_time"] == pytest.approx(-2.55e-3, abs=0.02e-3)
+
+
+FAST = Cameras(noise=2e-4, rate=720.0)
+
+
+def filtered(cut, seed):
+    """Read a swing at 720 Hz after a Butterworth filter of second order, run to and fro across the impact."""
+    recording = FAST.record(SWING, seed, path="swing.c3d")
+    if cut is not None:
+        recording = replace(recording, positions=filtfilt(*butter(2, cut / 360.0), recording.positions, axis=0))
+    return capture(recording, prepare(MAPPING, "driver"))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_recording_that_was_filtered_is_noted_and_a_raw_one_is_not(seed):
+    raw = filtered(None, seed)
+    assert not noted(raw, "capture-filtered")
+    smooth = filtered(100.0, seed)
+    assert len(noted(smooth, "capture-filtered")) == 1
+    # What the note warns of: the blow reaches back over 2 ms, and the head reads slower than it is.
+    assert smooth.delivery.speed < 0.97 * raw.delivery.speed
+    assert len(noted(filtered(150.0, seed), "capture-filtered")) == 1
+
+
+def test_a_ball_that_the_face_does_not_reach_after_filtering_names_the_filter():
+    with pytest.raises(FileError, match=r"the face does not pass the ball; .* filter that ran across the impact"):
+        filtered(30.0, 0)
+
+
+@pytest.mark.parametrize("times", [4.5, 6.0])
+def test_a_frame_rate_that_is_too_low_makes_the_contact_too_long_by_as_much(times):
+    recording = FAST.record(SWING, 5, path="swing.c3d")
+    slow = capture(replace(recording, rate=recording.rate / times), prepare(MAPPING, "driver"))
+    (late,) = noted(slow, "capture-ball-starts-late")
+    # The ball of the simulation starts after 0.22 ms, and the flight gives that to 0.03 ms.
+    assert late["late_time"] == pytest.approx(times * 0.22e-3, abs=times * 0.03e-3)
+    assert late["times"] == pytest.approx(times, rel=0.25)
 
 
 def test_an_impact_off_the_face_is_noted():

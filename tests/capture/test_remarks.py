@@ -108,7 +108,7 @@ def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
     [
         ({}, []), ({"late": -0.29e-3}, []), ({"late": 0.74e-3}, []),
         ({"late": -0.31e-3}, ["ball-start"]),
-        ({"late": 0.76e-3}, ["ball-start"]),
+        ({"late": 0.76e-3}, ["ball-starts-late"]),
         # Six degrees, 15% of the speed, and three standard deviations beside both.
         ({"higher": 5.9 * DEG}, []), ({"higher": 6.1 * DEG}, ["flight-contradicts"]),
         ({"aside": -5.9 * DEG}, []), ({"aside": -6.1 * DEG}, ["flight-contradicts"]),

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
+from scipy.signal import butter, filtfilt, freqz
 
 from clubface.capture.rotations import (
     degrees_of_freedom,
@@ -82,6 +83,28 @@ def test_the_noise_of_the_markers_is_estimated_from_what_is_left_over():
     assert freedom == 300 * 9 - 9
     # 2691 degrees of freedom: to 1.4%.
     assert noise == pytest.approx(3e-4, rel=0.05)
+
+
+def test_steps_of_white_noise_are_correlated_by_minus_a_half_and_those_of_filtered_noise_as_its_spectrum_has_it():
+    """The correlation of the steps is (2 r1 - 1 - r2) / (2 (1 - r1)) with that of the noise, from the filter's gain."""
+    frames, every = 1200, np.ones(1200, dtype=bool)
+    noise = 3e-4 * np.random.default_rng(7).normal(size=(frames, 5, 3))
+    exact, _, rotation = moving(frames)
+    drift = 2e-3 * np.sin(np.linspace(0.0, 9.0, frames))[:, None, None] * np.random.default_rng(8).normal(size=(5, 3))
+    for slow in (0.0, drift):
+        seen = exact + np.einsum("kij,kmj->kmi", rotation, noise + slow)
+        seen[::7, 1] = np.nan
+        correlation, count = track(SHAPE, seen, NAMES, "x").step_correlation(every)
+        # Four standard errors of independent numbers; the fitted pose ties 6 of 15.
+        assert correlation == pytest.approx(-0.5, abs=4.0 / np.sqrt(count * 9 / 15))
+    for cut in (0.2, 0.4):
+        b, a = butter(2, cut)
+        w, gain = freqz(b, a, 4096)
+        power = np.abs(gain) ** 4  # to and fro
+        r1, r2 = (float((power * np.cos(lag * w)).sum() / power.sum()) for lag in (1, 2))
+        seen = exact + np.einsum("kij,kmj->kmi", rotation, filtfilt(b, a, noise, axis=0))
+        correlation, count = track(SHAPE, seen, NAMES, "x").step_correlation(every)
+        assert correlation == pytest.approx((2 * r1 - 1 - r2) / (2 * (1 - r1)), abs=4.0 / np.sqrt(count * 9 / 15))
 
 
 def test_a_cluster_measured_by_hand_is_refined_by_the_recording():

@@ -93,7 +93,14 @@ def find_impact(
         )  # fmt: skip
     away = np.linalg.norm(gap(position, rotation, places[0].centre, club, radius)[1], axis=-1)
     nearest = int(np.nanargmin(away))
-    stays = "the ball stays" if places[0].departure is None else "the ball leaves"
+    stays = (
+        "the ball stays"
+        if places[0].departure is None
+        else (
+            "the ball leaves: a filter that ran across the impact does that (export raw trajectories), or a wrong"
+            " mapping, calibration or club"
+        )
+    )
     raise FileError(
         where, None,
         f"no impact: the face does not pass the ball; its centre comes no nearer than"

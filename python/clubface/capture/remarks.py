@@ -24,6 +24,12 @@ SLOWEST = 0.3
 """m/s; the shortest putt."""
 STARTS = (-0.3e-3, 0.75e-3)
 """Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
+MIDDLE_OF_CONTACT = 0.2e-3
+"""Seconds from first touch to the middle of a contact, when a ball that is hit seems to start."""
+SMOOTH = -0.35
+"""Correlation of successive steps of the residuals above which they are no white noise; that has -0.5."""
+SURE_CORRELATION = 4.0
+"""Standard errors of it by which it must exceed that of white noise as well."""
 DIRECTION_OFF = units.to_si(6.0, "deg")
 """Largest difference of launch and azimuth from the default model; published models: 1.2 degrees."""
 SPEED_OFF = 0.15
@@ -39,6 +45,8 @@ OPENING = units.to_si(500.0, "deg/s")
 MOVED = 2e-3
 """Metres; a marker that sits farther from its place on the head is named."""
 FEW_FREEDOMS = 30
+ROUNDED = 1e-6
+"""Metres; residuals below it are the rounding of a file in single precision, and no noise."""
 register_quantity(
     "marker_displacement", "m", golf=("mm", 1), meaning="how far a marker sits from its place on the head"
 )
@@ -87,8 +95,10 @@ def launch_notes(
     if seen is None:
         return
     late = seen.start - start
-    if not STARTS[0] < late < STARTS[1]:
+    if late <= STARTS[0]:
         yield note("capture-ball-start", late_time=late)
+    elif late >= STARTS[1]:
+        yield note("capture-ball-starts-late", late_time=late, times=late / MIDDLE_OF_CONTACT)
     from clubface.simulation.impact import impact
 
     try:
@@ -124,6 +134,15 @@ def track_notes(followed: Track, cluster: Registration, first_frame: int) -> Ite
     if moved.max() > MOVED:
         marker = cluster.names[int(moved.argmax())]
         yield note("capture-marker-moved", marker=marker, marker_displacement=float(moved.max()))
+
+
+def filter_notes(followed: Track, before: int) -> Iterator[Note]:
+    """Yield that the markers were low-pass filtered, as far as their residuals up to frame ``before`` show it."""
+    frames = np.arange(len(followed.known)) <= before
+    correlation, count = followed.step_correlation(frames)
+    noise, _ = followed.noise(frames)
+    if noise > ROUNDED and correlation > max(SMOOTH, -0.5 + SURE_CORRELATION / math.sqrt(max(count, 1))):
+        yield note("capture-filtered", correlation=correlation)
 
 
 def fit_notes(misfit: float, missing: int, freedom: int) -> Iterator[Note]:

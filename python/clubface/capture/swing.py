@@ -113,6 +113,7 @@ def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
     notes = [
         *remarks.implausible(values, deviations, head),
         *left_out,
+        *remarks.filter_notes(followed, before),
         *remarks.track_notes(followed, cluster, recording.first_frame),
         *remarks.delivery_notes(values, deviations, head, assumed=float(np.sqrt(cluster.covariance[5, 5]))),
         *remarks.launch_notes(values, head.replace(hand="right"), setup.ball, flown, touch),

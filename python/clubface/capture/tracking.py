@@ -63,6 +63,20 @@ class Track(NamedTuple):
         freedom = int(degrees_of_freedom(residuals).sum()) - 3 * int(visible(residuals).any(0).sum()) + 6
         return (float(np.sqrt(np.nansum(residuals**2) / freedom)) if freedom > 0 else float("nan")), freedom
 
+    def step_correlation(self, frames: NDArray[np.bool_]) -> tuple[float, int]:
+        """Return the correlation of successive steps of the residuals from frame to frame, and how many entered.
+
+        It is -0.5 for white noise, also if that is added to a slow drift, such as the distortion of a camera. A
+        low-pass filter takes the fast part of the noise away: 0.3 is left by a Butterworth filter of second order, run
+        to and fro, with a cut-off at 0.56 of half the frame rate, 0.7 at 0.28 and 0.9 at 0.14.
+        """
+        residuals = np.where(frames[:, None, None], self.poses.residuals, np.nan)
+        steps = np.diff(np.einsum("kij,kmi->kmj", self.poses.rotation, residuals), axis=0)
+        products, squares = steps[1:] * steps[:-1], 0.5 * (steps[1:] ** 2 + steps[:-1] ** 2)
+        count = int(np.isfinite(products).sum())
+        total = float(np.nansum(squares))
+        return (float(np.nansum(products)) / total if total > 0.0 else float("nan")), count
+
 
 def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Track:
     """Fit the cluster in every frame, and correct what can be corrected.

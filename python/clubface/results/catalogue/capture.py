@@ -15,6 +15,11 @@ SENTENCES = {
         "the ball starts {late_time:ms 2} after the face touches it, not the 0.2 ms of a real impact: a wrong club, "
         "mapping or calibration"
     ),
+    "capture-ball-starts-late": (
+        "the ball starts {late_time:ms 2} after the face touches it, {times:.1f} times the 0.2 ms of a real impact: "
+        "the file may state a frame rate that is too low, which makes all speeds too low by as much; else a wrong club, "
+        "mapping or calibration"
+    ),
     "capture-blow": "impact is taken from the blow: the head loses {lost:.0%} of its speed",
     "capture-blow-again": (
         "it loses speed in frame {again} as well as in frame {frame} of the recording: cut the recording to read that"
@@ -38,6 +43,12 @@ SENTENCES = {
     "capture-filled": (
         "{markers}: {frames:?frame/frames} {frames:ranges} not seen but filled by the capture program (a line or a "
         "spline): left out"
+    ),
+    "capture-filtered": (
+        "the markers move more smoothly than noise allows (correlation of successive steps of their residuals "
+        "{correlation:.2f}, -0.50 for white noise): the trajectories were filtered, or markers swing on their mounts. "
+        "A filter that ran across the impact slows the clubhead before it, beyond the stated uncertainty, and nothing "
+        "can undo that: export raw trajectories"
     ),
     "capture-flight-contradicts": (
         "the ball flies off with {seen}, where this delivery of {club} gives {expected}: a wrong club, mapping or "
@@ -85,7 +96,8 @@ SENTENCES = {
     ),
     "capture-path-misfit": (
         "the path departs from the estimator's by {misfit:.1f} times the variance expected: its uncertainty is too "
-        "small (a larger roughness, or the given marker noise, may be needed)"
+        "small (trajectories filtered across the impact do that: export them raw; else a larger roughness, or the "
+        "given marker noise, may be needed)"
     ),
     "capture-speed": "a clubhead of {speed}: the unit of length or the frame rate may be wrong",
     "capture-speed-uncertain": (
