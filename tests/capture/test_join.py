@@ -59,6 +59,23 @@ def test_shots_that_both_have_are_paired_and_the_others_named():
     assert turned["azimuth"] == pytest.approx(np.radians(1.0), abs=np.radians(0.2))
 
 
+def test_a_launch_quantity_that_the_monitor_lacks_is_that_of_the_cameras():
+    captured, measured = both()
+    del measured.launches["azimuth"]
+    measured.launches["launch"][:] = np.nan  # a column without a value
+    shots = join(captured, measured)
+    assert np.array_equal(shots.launches["azimuth"], captured.launches["azimuth"])
+    assert np.array_equal(shots.launches["launch"], captured.launches["launch"])
+    assert np.array_equal(shots.launches["ball_speed"], measured.launches["ball_speed"])
+    assert noted(shots, "launches-of-captured") == [{"quantities": ["launch", "azimuth"], "captured": "captured.csv"}]
+    # One that the monitor lacks for a single shot stays unknown: the lines to the target differ.
+    captured, measured = both()
+    measured.launches["azimuth"][3] = np.nan
+    shots = join(captured, measured)
+    assert np.flatnonzero(np.isnan(shots.launches["azimuth"])).tolist() == [3]
+    assert not noted(shots, "launches-of-captured")
+
+
 def test_joined_shots_identify_what_made_them():
     captured, measured = both(40)
     shots = join(captured.select(np.arange(1, 40)), measured.select(np.arange(39)))

@@ -329,6 +329,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
         The table whose deliveries are taken.
     measured
         The table whose launches and names of clubs are taken. Both tables are in the order in which the shots were hit.
+        What it measured of no launch, such as the azimuth, is taken from ``captured``, which a note says.
 
     Returns
     -------
@@ -360,12 +361,19 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
         raise InputError("measured", measured.source, f"of the same shots as {captured.source}; not one pair is alike")
     one, other = captured.select(pairs[:, 0]), measured.select(pairs[:, 1])
     left = [*_rejected(captured, pairs[:, 0], measured), *_rejected(measured, pairs[:, 1], captured)]
+    measured_by_other = {name for name, values in other.launches.items() if np.isfinite(values).any()}
+    carried = {
+        name: values
+        for name, values in one.launches.items()
+        if name not in measured_by_other and np.isfinite(values).any()
+    }
+    carried_note = [note("launches-of-captured", quantities=list(carried), captured=captured.source)] if carried else []
     return RecordedShots(
-        deliveries=one.deliveries, launches=other.launches, rows=one.rows,
+        deliveries=one.deliveries, launches={**other.launches, **carried}, rows=one.rows,
         clubs=one.clubs if other.clubs is None else other.clubs, hand=other.hand if one.hand is None else one.hand,
         source=f"{captured.source} and {measured.source}", format="joined",
         rejected=tuple(left),
-        notes=(*captured.notes, *measured.notes, summary, *_turned(one, other)),
+        notes=(*captured.notes, *measured.notes, summary, *carried_note, *_turned(one, other)),
         speed_at=captured.speed_at, face_at=captured.face_at,
     )  # fmt: skip
 

@@ -17,8 +17,8 @@ SENTENCES = {
     ),
     "capture-ball-starts-late": (
         "the ball starts {late_time:ms 2} after the face touches it, {times:.1f} times the 0.2 ms of a real impact: "
-        "the file may state a frame rate that is too low, which makes all speeds too low by as much; else a wrong club, "
-        "mapping or calibration"
+        "the file may state a frame rate that is too low, which makes all speeds too low by as much; else a wrong "
+        "club, mapping or calibration"
     ),
     "capture-blow": "impact is taken from the blow: the head loses {lost:.0%} of its speed",
     "capture-blow-again": (
@@ -104,6 +104,7 @@ SENTENCES = {
         "the speed is hardly known, {values}: too few frames before impact show the clubhead, or markers stray there; "
         "take out of [cluster] what strays, or cut the recording"
     ),
+    "launches-of-captured": "{quantities} of the launches as {captured} has it: the other table has none",
     "paired-by-order": "paired by their order alone: both tables have nothing in common to tell shots by",
     "paired-by-values": "paired in their order by {quantities}",
     "target-lines-differ": (
