@@ -10,6 +10,7 @@ import clubface
 from clubface import units
 from clubface.errors import FileError, InputError
 from clubface.inference import file as files
+from clubface.inference.run import CLUB_NOISE
 from clubface.shots.recorded import RecordedShots
 from command_line import assert_mistake
 
@@ -73,6 +74,19 @@ def test_a_shot_out_of_reach_says_so_and_the_others_are_inferred(tmp_path):
     assert "within reach of the prior" in rows[1]["remark"]
     assert rows[1]["loft_deg"] == ""
     assert rows[2]["loft_deg"] != ""
+
+
+def test_the_noise_of_club_data_is_that_with_which_the_deliveries_are_inferred(tmp_path):
+    shots = launches()
+    shots.deliveries.update({"attack": np.full(len(shots), 0.02), "speed": np.full(len(shots), 50.0)})
+    report = files.infer_shots(shots, tmp_path / "out.csv", delivery_noise={"attack": "0.1 deg"}, **OPTIONS)
+    assert set(report.used) == set(report.club_noise) == {"speed", "attack"}
+    assert report.club_noise["speed"] == CLUB_NOISE["speed"]
+    assert report.club_noise["attack"] == pytest.approx(np.radians(0.1))
+    # Far less than the prior leaves open, 2 degrees: the attack angle is known as well as it was measured.
+    assert float(rows_of(tmp_path / "out.csv")[0]["attack_std_deg"]) < 0.12
+    (used,) = [each for each in report.to_result().notes if each.code == "club-data-used"]
+    assert used.data["noise"] == ["speed 1.5 mph", "attack 0.1 deg"]
 
 
 def test_an_interrupted_file_is_resumed_to_the_same_bytes(tmp_path):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import os
 import pickle
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
@@ -17,8 +17,9 @@ from clubface import units
 from clubface.equipment.clubs import club
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, RangeWarning
-from clubface.inference.prior import UnreachableLaunchError, prior_of, unit_of
-from clubface.inference.run import Inference
+from clubface.inference.evaluation.noise import standard_deviations
+from clubface.inference.prior import UnreachableLaunchError, prior_of, shown, unit_of
+from clubface.inference.run import CLUB_NOISE, Inference
 from clubface.jobs.engine import Job, run
 from clubface.jobs.store import Store, unfinished_folder
 from clubface.jobs.workers import in_processes, in_sequence
@@ -58,6 +59,9 @@ class ShotRows:
             raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
         self.club = [name for name in OF_CLUB if np.isfinite(shots.deliveries.get(name, np.nan)).any()]
         """The quantities of the delivery that were measured."""
+        delivery_noise = {**CLUB_NOISE, **standard_deviations(options.get("delivery_noise"), OF_CLUB, "delivery_noise")}
+        self.club_noise = {name: float(delivery_noise[name]) for name in self.club}
+        """Their standard deviations [SI]."""
         head = club(options.pop("club"))
         self.options = {"samples": SAMPLES, **options, "club": head, "prior": prior_of(options.get("prior"), head)}
         """The options with which deliveries are inferred."""
@@ -136,6 +140,8 @@ class InferReport(Described):
         Number of rows with a delivery and a warning.
     used
         The quantities of the delivery that were measured and counted, too.
+    club_noise
+        Their standard deviations [SI].
     """
 
     output: str
@@ -144,10 +150,12 @@ class InferReport(Described):
     without: int
     warned: int
     used: tuple[str, ...]
+    club_noise: Mapping[str, float] = field(default_factory=dict)
 
     def to_result(self) -> Result:
         """Return the counts, and notes on what was used and remarked."""
-        notes = [note("club-data-used", names=list(self.used))] if self.used else []
+        noise = [f"{name} {shown(name, value, 3)}" for name, value in self.club_noise.items()]
+        notes = [note("club-data-used", names=list(self.used), noise=noise)] if self.used else []
         notes += [note("rows-with-remarks", rows=self.warned)] if self.warned else []
         counts = [text(name, [getattr(self, name)]) for name in ("shots", "resumed", "without", "warned")]
         return Result(
@@ -215,7 +223,9 @@ def infer_shots(
         store.remove()
     without = sum(row[-2] == "" for row in written)
     warned = sum(bool(row[-1]) for row in written) - without
-    return InferReport(str(target), len(written), len(store.resumed), without, warned, tuple(rows.club))
+    return InferReport(
+        str(target), len(written), len(store.resumed), without, warned, tuple(rows.club), rows.club_noise
+    )
 
 
 FEWEST_FOR_PROCESSES = 100

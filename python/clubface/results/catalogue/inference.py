@@ -1,7 +1,10 @@
 """Sentences about evaluations of models, identified parameters and inferred deliveries."""
 
 SENTENCES = {
-    "club-data-used": "Measured club data counted as well: {names}.",
+    "club-data-used": (
+        "Measured club data counted as well: {names}. Standard deviations of their measurement: {noise} "
+        "(--delivery-noise changes them)."
+    ),
     "contradicts-prior": (
         "What was measured contradicts the prior ({prior}), which by {model} expects {expected}; check units and club, "
         "or give a prior that suits the golfer."
