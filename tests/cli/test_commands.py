@@ -212,7 +212,7 @@ def test_every_table_of_averages_is_compared_and_summed_up(clubface_, tmp_path):
     several = clubface_("tour", "--averages", "pga-2019,lpga-2019", "--model", "standard,slip")
     # The hybrid of the PGA Tour, at 100 mph, and the three woods of the LPGA Tour.
     assert several.err == (
-        "clubface: note: outside the range of slip: clubhead speed in 4 of 22 shots (101 to 118 mph)\n"
+        "clubface: note: outside the range of slip: clubhead speed in 4 of 22 shots (valid: 101 to 118 mph)\n"
     )
     assert several.out.startswith("PGA Tour averages of 2019 and LPGA Tour averages of 2019, by standard")
     assert clubface_("tour", "--averages", "pga").status == 2

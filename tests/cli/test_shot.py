@@ -362,7 +362,7 @@ def test_outside_its_range_the_default_model_says_so_in_one_line(clubface_):
     )
     assert ran.err.count("\n") == 1
     assert ran.err.startswith(
-        f"clubface: note: outside the range of {DEFAULT_MODEL}: clubhead speed 146.4 mph (22.37 to"
+        f"clubface: note: outside the range of {DEFAULT_MODEL}: clubhead speed 146.4 mph (valid: 22.37 to"
     )
     assert "angle between path and face normal 73 deg (0 to 72 deg)" in ran.err
     assert len(ran.rows()) == 1
@@ -374,7 +374,7 @@ def test_published_sets_outside_theirs_and_a_model_without_gear_effect_share_one
     ran = clubface_("shot", "driver", "--speed", "90 mph", "--model", "all", "--toe", "5 mm")
     assert ran.err == (
         "clubface: note: outside the range of adjusted, slip, volumetric, rings, area: clubhead speed 90 mph"
-        " (101 to 118 mph); jorgensen has no gear effect off centre\n"
+        " (valid: 101 to 118 mph); jorgensen has no gear effect off centre\n"
     )
     assert clubface_("shot", "7-iron", "--speed", "60 mph", "--model", "adjusted").err == ""  # none is published
 

@@ -77,7 +77,7 @@ def test_the_angle_is_that_between_path_and_normal_whatever_they_are():
     there = launch.ball_speed > 0.0  # no miss
     expected = int((apart[there] > 72.0).sum())
     assert expected > 5
-    assert f"in {expected} of 500 shots (0 to 72 deg)" in remark(launch)
+    assert f"in {expected} of 500 shots (valid: 0 to 72 deg)" in remark(launch)
 
 
 def test_a_value_at_the_end_of_a_range_in_another_unit_is_inside():
@@ -86,7 +86,7 @@ def test_a_value_at_the_end_of_a_range_in_another_unit_is_inside():
 
 
 def test_python_warns_once_with_the_number_of_shots():
-    with pytest.warns(RangeWarning, match=r"clubhead speed in 3 of 5 shots \(22.37 to 145.4 mph\)"):
+    with pytest.warns(RangeWarning, match=r"clubhead speed in 3 of 5 shots \(valid: 22.37 to 145.4 mph\)"):
         clubface.impact("driver", speed=[5.0, 6.0, 7.0, 50.0, 51.0])
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -127,7 +127,7 @@ def test_a_file_of_deliveries_has_one_note_with_the_number(write, tmp_path):
         warnings.simplefilter("error")
         report = clubface.predict(source, club="driver", output=tmp_path / "out.csv", chunk_rows=5)
     (note,) = [str(each) for each in report.notes if "outside" in str(each)]
-    assert note == "outside the range of response: clubhead speed in 12 of 42 shots (22.37 to 145.4 mph)"
+    assert note == "outside the range of response: clubhead speed in 12 of 42 shots (valid: 22.37 to 145.4 mph)"
     assert len(table(tmp_path / "out.csv")) == 42
 
 
@@ -170,7 +170,7 @@ def test_an_inferred_delivery_is_told_by_its_mean_and_a_file_of_them_in_its_rema
     from clubface.shots.recorded import RecordedShots
 
     slow = Prior(name="slow", mean={"speed": 40.0, "loft": 0.25}, deviation={"speed": 2.0, "loft": 0.03})
-    with pytest.warns(RangeWarning, match=r"of slip: clubhead speed 8\d\.\d+ mph \(101 to 118 mph\)") as caught:
+    with pytest.warns(RangeWarning, match=r"of slip: clubhead speed 8\d\.\d+ mph \(valid: 101 to 118 mph\)") as caught:
         result = clubface.infer({"ball_speed": 56.0}, club="driver", model="slip", prior=slow, samples=20)
     assert len(caught) == 1
     assert result.outside in str(caught[0].message)
@@ -188,7 +188,7 @@ def test_what_compares_models_warns_once_in_all():
     with pytest.warns(RangeWarning) as caught:
         tour(["slip", "adjusted", DEFAULT_MODEL], table="lpga-2019")
     (message,) = [str(each.message) for each in caught]
-    assert message == "outside the range of slip, adjusted: clubhead speed in 3 of 10 shots (101 to 118 mph)"
+    assert message == "outside the range of slip, adjusted: clubhead speed in 3 of 10 shots (valid: 101 to 118 mph)"
     with pytest.warns(RangeWarning, match=r"of adjusted: clubhead speed in \d+ of \d+ shots") as caught:
         validate("adjusted", checks=["amateur-drives", "tour-driver"])
     assert len(caught) == 1

@@ -140,7 +140,7 @@ def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path, in_th
 
 def test_shots_outside_the_range_of_a_model_are_told(tmp_path, in_this_process):
     done = studies.run(shots(tmp_path, text=shots_of_speeds('["90 mph", "105 mph"]', 'model = "adjusted"')), workers=1)
-    assert done.remark == "outside the range of adjusted: clubhead speed in 1 of 2 shots (101 to 118 mph)"
+    assert done.remark == "outside the range of adjusted: clubhead speed in 1 of 2 shots (valid: 101 to 118 mph)"
 
 
 def test_finite_elements_are_swept_as_every_other_model(tmp_path):

@@ -228,7 +228,7 @@ class Tally:
         numbers = {(self._outside[each, name][1], self._shots[each]) for each in models}
         count, shots = numbers.pop() if len(numbers) == 1 else map(sum, zip(*numbers, strict=True))
         how = f"{units.show(value, unit, 4)} " if shots == 1 else f"in {count} of {shots} shots "
-        return f"{words} {how if counted else ''}({ends})"
+        return f"{words} {how if counted else ''}(valid: {ends})"
 
 
 def warn_if_outside(launches: Iterable[Launch]) -> None:
