@@ -364,7 +364,7 @@ def test_outside_its_range_the_default_model_says_so_in_one_line(clubface_):
     assert ran.err.startswith(
         f"clubface: note: outside the range of {DEFAULT_MODEL}: clubhead speed 146.4 mph (valid: 22.37 to"
     )
-    assert "angle between path and face normal 73 deg (0 to 72 deg)" in ran.err
+    assert "angle between path and face normal 73 deg (valid: 0 to 72 deg)" in ran.err
     assert len(ran.rows()) == 1
 
 
