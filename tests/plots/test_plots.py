@@ -81,10 +81,19 @@ def test_forces_are_in_kilonewtons_over_microseconds(histories):
     curve, history = lines(normal)[0], histories["volumetric"]
     assert max(curve.get_ydata()) == pytest.approx(history.normal_force.max() / 1e3, rel=1e-12)
     assert curve.get_xdata()[-1] == pytest.approx(history.time[-1] * 1e6, rel=1e-12)
-    assert lines(along_y)[0].get_ydata()[10] == pytest.approx(history.force_y[10] / 1e3, rel=1e-12)
+    # Friction down the face is drawn upwards: it makes backspin.
+    assert lines(along_y)[0].get_ydata()[10] == pytest.approx(-history.force_y[10] / 1e3, rel=1e-12)
+    assert history.force_y[10] < 0.0 < history.launch.backspin
     assert lines(along_z)[0].get_ydata()[10] == pytest.approx(history.force_z[10] / 1e3, rel=1e-12)
     assert "(kN)" in normal.get_ylabel()
     assert "(µs)" in normal.get_xlabel()
+
+
+def test_friction_to_the_side_is_drawn_where_there_is_some(histories):
+    noise = {name: {"time": each.time, "normal_force": each.normal_force, "force_y": each.force_y,
+                    "force_z": np.full(len(each.time), 5.0)} for name, each in histories.items()}  # fmt: skip
+    assert len(plots.force_histories(histories).axes) == 3
+    assert len(plots.force_histories(noise).axes) == 2
 
 
 def test_models_without_a_history_are_left_out_of_the_forces_and_named(flights, histories):

@@ -189,7 +189,7 @@ def shot_picture(
         What golfers call the shots, by model.
     """
     histories = histories or {}
-    forces = [_force_panel(name, label, histories) for name, label in _FORCES.items()] if histories else []
+    forces = _force_panels(histories)
     views, heights = flight_views(flights, shapes=shapes)
     rows: list[list[Panel | None]] = [*([[*forces]] if forces else []), *([each] for each in views)]
     without = [name for name in flights if name not in histories] if histories else []
@@ -203,19 +203,32 @@ def shot_picture(
 
 def force_picture(histories: Mapping[str, Any]) -> Picture:
     """Return the picture of the forces on the ball over time; ``histories`` as of :func:`shot_picture`."""
-    panels = [_force_panel(name, label, histories, named=True) for name, label in _FORCES.items()]
+    panels = _force_panels(histories, named=True)
     return Picture("forces", "The force on the ball over time", [panels], height=2.5, legend=True)
 
 
-_FORCES = {"normal_force": "normal force", "force_y": "friction along y'", "force_z": "friction along z'"}
-"""Columns of a history and their labels; y' points up the face, z' to the toe."""
+_FORCES = {
+    "normal_force": ("normal force", 1.0),
+    "force_y": ("friction down the face,\nmakes backspin", -1.0),
+    "force_z": ("friction to the toe", 1.0),
+}
+"""Columns of a history, which point up the face and to the toe, with their labels and the sign that is drawn."""
 _LEAST_FORCE = 20.0
-"""N over which an axis of friction extends at least to either side, so that noise does not fill a panel."""
+"""N below which friction to the side is noise, and over which an axis of friction extends at least to either side."""
 
 
-def _force_panel(name: str, label: str, histories: Mapping[str, Any], *, named: bool = False) -> Panel:
+def _force_panels(histories: Mapping[str, Any], *, named: bool = False) -> list[Panel]:
+    """Return the panels of the forces; one of friction to the side only where there is some."""
+    if not histories:
+        return []
+    sideways = max(float(np.abs(_values(each, "force_z")).max(initial=0.0)) for each in histories.values())
+    names = [name for name in _FORCES if name != "force_z" or sideways > _LEAST_FORCE]
+    return [_force_panel(name, *_FORCES[name], histories, named=named) for name in names]
+
+
+def _force_panel(name: str, label: str, sign: float, histories: Mapping[str, Any], *, named: bool) -> Panel:
     marks = [
-        Mark("line", _values(each, "time"), _values(each, name), style=model, label=model if named else "")
+        Mark("line", _values(each, "time"), sign * _values(each, name), style=model, label=model if named else "")
         for model, each in histories.items()
     ]
     highest = max((float(np.abs(mark.y).max(initial=0.0)) for mark in marks), default=0.0)
