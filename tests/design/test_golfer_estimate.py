@@ -56,6 +56,34 @@ def test_drift_does_not_count():
     assert result.golfer.correlation[place[0], place[1]] == pytest.approx(0.5, abs=0.2)
 
 
+def test_mishits_that_the_flight_shows_are_left_out():
+    """Four topped drives of 40: the golfer is bit for bit that of the other 36."""
+    every = strike_session(known(), 40, 5)
+    speed = np.full(40, 60.0) + np.linspace(-0.5, 0.5, 40)
+    speed[6::10] = 35.0
+    every.launches["ball_speed"] = speed
+    every.deliveries["high"][6::10] = -23e-3
+    result, clean = estimate_golfer(every), estimate_golfer(every.select(np.arange(40) % 10 != 6))
+    assert codes(result)["golfer-mishits-left-out"] == {"mishits": 4, "shots": 40}
+    assert "golfer-mishits-left-out" not in codes(clean)
+    np.testing.assert_array_equal(result.golfer.mean, clean.golfer.mean)
+    np.testing.assert_array_equal(result.golfer.covariance, clean.golfer.covariance)
+
+
+def test_a_missing_club_speed_names_the_column_that_may_be_it(tmp_path):
+    file = tmp_path / "shots.csv"
+    rows = "".join(f"Driver,{140 + place / 10},{95 + place / 10},{place / 10}\n" for place in range(20))
+    for heading, near in (("Clb Spd (mph)", "club_spd"), ("Club Spd (mph)", None)):
+        file.write_text(f"Club,Ball Spd (mph),{heading},Axis (deg)\n" + rows)
+        if near is None:
+            shots = ready_shots(str(file), club="driver")
+            assert shots.deliveries["speed"][0] == pytest.approx(95 * 0.44704)
+            assert {"ball_speed", "spin_axis"} <= set(shots.launches)
+        else:
+            with pytest.raises(InputError, match=r"Clb Spd \(mph\).*did you mean club_sp"):
+                estimate_golfer(str(file), club="driver")
+
+
 def test_mishits_are_found_and_do_not_widen_the_rest():
     result = estimate_golfer(strike_session(known(mishit_share=0.1, mishit_scale=3.0), 400, 2))
     assert result.golfer.mishit_share == pytest.approx(0.1, abs=0.05)

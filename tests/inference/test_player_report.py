@@ -8,6 +8,10 @@ import numpy as np
 import pytest
 
 import clubface
+from clubface.design.golfer_estimate import estimate_golfer
+from clubface.design.loft_fit import fit_loft
+from clubface.design.optimisation.advice import WORTH
+from clubface.design.player_loft import player_loft_notes
 from clubface.errors import InputError
 from clubface.inference import player_notes, player_report, player_statistics
 from clubface.inference.player_report import player_result, result_of_clubs, statistics_by_club
@@ -468,3 +472,32 @@ def test_how_many_shots_more_would_tell_twice_as_well(count):
     else:
         assert "player-more-shots" not in notes
         assert ("player-few-shots" in notes) == (count < 5)
+
+
+def test_the_loft_on_the_first_page_is_judged_as_best_loft_does():
+    """Gain and change of loft are those of fit_loft for the golfer of the shots; without it nothing is said of loft."""
+    given = shots(carry=230 * YD)
+    club = club_statistics(given, "Driver")
+    fitted = fit_loft(estimate_golfer(club.shots, club=club.club).golfer, club=club.club)
+    notes = data(player_loft_notes(club))
+    best = fitted.advice.recommended() or fitted.advice.best("carry")
+    judged = notes.get("player-loft-change") or notes.get("player-loft-keep") or notes["player-loft-best"]
+    assert ("player-loft-change" in notes) == bool(fitted.advice.recommended())
+    assert judged["gain_carry"] == pytest.approx(fitted.advice.gain("carry", best), abs=1e-9)
+    assert judged["gain_carry"] >= 0.0
+    assert judged["change_loft"] == pytest.approx(fitted.best("carry") - fitted.present, abs=1e-9)
+    assert judged["worth_carry"] == WORTH["carry"]
+    page = player_result(given)
+    assert "player-heads-not-judged" in page_codes(page)
+    assert not any("loft" in code for code in page_codes(page))
+    seen = page_codes(player_result(given, loft_notes=lambda club: [note("player-buy-nothing", club=club.name)]))
+    assert "player-buy-nothing" in seen
+
+
+def test_what_mishits_cost_is_the_difference_of_two_means():
+    """Nine carries of mean 9 / 10 of the even ladder's and one of 30 yd: mean without less mean with."""
+    given = with_topped_drive()
+    (practice,) = (each for each in player_result(given).parts if each.kind == "practice")
+    carries = given.launches["carry"]
+    expected = np.delete(carries, 4).mean() - carries.mean()
+    assert data(practice.notes)["player-practise-mishits"]["lost_carry"] == pytest.approx(expected, rel=1e-12)

@@ -169,6 +169,7 @@ def report(
 
     import numpy as np
 
+    from clubface.design.player_loft import player_loft_notes
     from clubface.inference.player_report import player_result
     from clubface.present.report import write_report
 
@@ -176,7 +177,7 @@ def report(
     shots = read_shots(files, texts, where=True)
     if club is not None:
         shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
-    result = player_result(shots)
+    result = player_result(shots, loft_notes=player_loft_notes)
     result = result.replace(provenance=result.provenance.with_files())
     print_note(f"wrote {write_report(result, target, command=typed_command())}")
 

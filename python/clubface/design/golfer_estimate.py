@@ -36,6 +36,7 @@ from clubface.errors import InputError, Wording
 from clubface.results.notes import Note, note
 from clubface.shots.formats import CG, FACE
 from clubface.shots.measured import ReadyShots, ready_shots
+from clubface.shots.mishits import find_mishits, is_mishit
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.arrays import Floats
@@ -276,7 +277,7 @@ def estimate_golfer(
     mismatch: str = "refuse",
     assume: Mapping[str, Any] | None = None,
 ) -> Estimate:
-    """Estimate a golfer from shots in the order in which they were hit.
+    """Estimate a golfer from shots in the order in which they were hit, without mishits that their flight shows.
 
     Parameters
     ----------
@@ -305,6 +306,10 @@ def estimate_golfer(
         )
     if shots.hand is not None and len(set(shots.hand)) > 1:
         raise InputError("hand", Wording("right and left"), "one hand: take the shots of one player")
+    mishits = find_mishits({**shots.deliveries, **shots.launches})
+    mishit = is_mishit(mishits, len(shots))
+    if mishits:
+        shots = shots.select(~mishit)
     names, values, same = _complete(shots)
     base = golfer_named(like if like is not None else _nearest(shots, names, values))
     base = base.for_hand(shots.club.hand if shots.hand is None else HANDS[str(shots.hand[0])])
@@ -338,7 +343,8 @@ def estimate_golfer(
         drift = values.std(axis=0, ddof=1) / total[[fitted.variables.index(each) for each in names]]
     else:
         drift = 1.0 / np.sqrt(_zigzag(before))
-    notes = tuple(_notes(shots, len(values), names, base, drift, same, order, shrinks))
+    left_out = [note("golfer-mishits-left-out", mishits=int(mishit.sum()), shots=len(mishit))] if mishits else []
+    notes = (*left_out, *_notes(shots, len(values), names, base, drift, same, order, shrinks))
     return Estimate(fitted, len(values), names, error, drift, shrinks, base.name, notes)
 
 
@@ -402,7 +408,9 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
 
 def _explains_missing_speed(remark: Note) -> bool:
     impossible = remark.code == "impossible-values" and "speed" in remark.data["example"]
-    return impossible or remark.code in ("faster-than-club", "speed-of-club-or-ball", "without-club-data")
+    return impossible or remark.code in (
+        "column-misspelled", "columns-not-read", "faster-than-club", "speed-of-club-or-ball", "without-club-data",
+    )  # fmt: skip
 
 
 def _together_often(names: tuple[str, ...], given: Mapping[str, Floats]) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ to the shots. A club is worth buying where a gap in the bag or the loft of the l
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -27,8 +27,6 @@ __all__ = ["page_parts"]
 
 MOST_FINDINGS = 3
 MOST_PRACTISED = 3
-NOTICED = to_si(3.0, "yd")
-"""Change of carry that a golfer notices at the least, for which a club is worth buying; assumed."""
 NARROW = to_si(7.0, "yd")
 """Gap below which two clubs do the work of one; assumed, half of what bags are built for."""
 WIDE = 1.5
@@ -50,7 +48,13 @@ class _Finding(NamedTuple):
     note: Note
 
 
-def page_parts(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> tuple[Result, ...]:
+LoftNotes = Callable[[ClubStatistics], Iterable[Note]]
+"""Returns what another loft of a club is worth."""
+
+
+def page_parts(
+    clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary], loft_notes: LoftNotes | None = None
+) -> tuple[Result, ...]:
     """Return the parts of the first page: findings, practice, clubs to buy, and how sure all of it is.
 
     Parameters
@@ -59,6 +63,8 @@ def page_parts(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> t
         The statistics of the clubs of one player.
     bag
         The same clubs with their gaps, the longest first.
+    loft_notes
+        Judges the loft of the driver; without it nothing is said of lofts.
     """
     findings = _findings(clubs, bag)
     heading = {1: "One finding", 2: "Two findings", MOST_FINDINGS: "Three findings"}.get(len(findings), "Findings")
@@ -67,7 +73,7 @@ def page_parts(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> t
     parts = [
         ("findings", heading, findings or [nothing]),
         ("practice", "Worth practising", list(_practice(clubs))),
-        ("purchases", "Worth buying", list(_purchases(clubs, bag))),
+        ("purchases", "Worth buying", list(_purchases(clubs, bag, loft_notes))),
         ("confidence", "How sure this is", list(_confidence(clubs))),
     ]
     return tuple(Result(kind, title, notes=tuple(notes)) for kind, title, notes in parts)
@@ -148,7 +154,7 @@ def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
         data = {"low_carry": carry.low, "high_carry": carry.high}
         yield _Finding(carry.spread, note("player-finding-carry-spread", club=club.name, **data))
         if club.mishits:
-            lost = carry.median - carry.mean
+            lost = carry.usual_mean - carry.mean
             yield _Finding(lost, note("player-finding-mishits", **_mishit_data(club), lost_carry=lost))
     for name in ("toe", "high"):
         strike = club.measured.get(name)
@@ -196,7 +202,7 @@ def _causes(club: ClubStatistics) -> Iterator[_Finding]:
         elif direction == "side" and not parts:
             yield from _start_cause(club, whole)
     if club.mishits and (carry := club.measured.get("carry")):
-        lost = carry.median - carry.mean
+        lost = carry.usual_mean - carry.mean
         yield _Finding(lost, note("player-practise-mishits", **_mishit_data(club), lost_carry=lost))
 
 
@@ -215,8 +221,10 @@ def _start_cause(club: ClubStatistics, side: Statistic) -> Iterator[_Finding]:
         yield _Finding(size, note("player-practise-start", club=club.name, **data))
 
 
-def _purchases(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> Iterator[Note]:
-    """Yield which clubs the bag asks for, and whether another loft of the longest club would be noticed."""
+def _purchases(
+    clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary], loft_notes: LoftNotes | None
+) -> Iterator[Note]:
+    """Yield which clubs the bag asks for, whether another loft of the driver is worth a change, and what is open."""
     any_club = False
     for longer, shorter, gap in _wide_gaps(bag):
         any_club = True
@@ -226,14 +234,11 @@ def _purchases(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> I
         any_club = True
         yield note("player-buy-one-of-two", longer=longer.club, shorter=shorter.club, gap_carry=gap)
     longest = next((each for each in clubs if any(one.name == "loft" for one in each.changes)), None)
-    if longest is not None and longest.club is not None and longest.club.name == "driver":
-        gain = next(each.carry for each in longest.changes if each.name == "loft")
-        if abs(gain) >= NOTICED:
-            yield note("player-buy-loft", club=longest.name, carry=gain)
-            return
-        yield note("player-buy-nothing-lofts", club=longest.name, carry=abs(gain), least_carry=NOTICED)
     if not any_club:
         yield note("player-buy-nothing")
+    if loft_notes and longest is not None and longest.club is not None and longest.club.name == "driver":
+        yield from loft_notes(longest)
+    yield note("player-heads-not-judged")
 
 
 def _confidence(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:

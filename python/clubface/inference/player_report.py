@@ -22,7 +22,7 @@ from clubface.inference.player_notes import (
     typical_notes,
     what_if_notes,
 )
-from clubface.inference.player_page import page_parts
+from clubface.inference.player_page import LoftNotes, page_parts
 from clubface.inference.player_statistics import (
     MOST_INFERRED,
     ClubStatistics,
@@ -84,11 +84,19 @@ class _Scale(NamedTuple):
     widest: float
 
 
-def player_result(shots: RecordedShots) -> Result:
+def player_result(shots: RecordedShots, *, loft_notes: LoftNotes | None = None) -> Result:
     """Return for a player, in plain language: what was measured, what it means, and how sure that is.
 
     It begins with a page on the bag, whose parts are findings, practice, clubs to buy and how sure that is; the clubs
     follow. Of several players, each is a part with a page of his own.
+
+    Parameters
+    ----------
+    shots
+        The shots.
+    loft_notes
+        Judges the loft of the driver for the first page, as :func:`clubface.design.player_loft.player_loft_notes`
+        does; without it the page says nothing of lofts.
 
     Raises
     ------
@@ -97,7 +105,7 @@ def player_result(shots: RecordedShots) -> Result:
     """
     if not len(shots):
         raise InputError("shots", shots.source, "at least one shot")
-    return result_of_clubs(statistics_by_club(shots), shots)
+    return result_of_clubs(statistics_by_club(shots), shots, loft_notes)
 
 
 def statistics_by_club(shots: RecordedShots) -> list[ClubStatistics]:
@@ -114,7 +122,7 @@ def _statistics(clubs: int, group: tuple[int, tuple[str, str, RecordedShots]]) -
     return replace(club_statistics(shots, name or CLUBLESS, clubs), player=player)
 
 
-def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result:
+def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_notes: LoftNotes | None = None) -> Result:
     """Return the report on shots, of which ``clubs`` holds the statistics club by club."""
     names = [f"{each.title} ({len(each.shots)})" for each in clubs]
     players = set() if shots.players is None else set(map(str, shots.players))
@@ -129,7 +137,8 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots) -> Result
         summary.append(note("player-pictures-of-some", drawn=len(drawn), clubs=len(clubs)))
     flown = with_computed_carry(shots)
     of_players = [
-        _player_parts(list(theirs), flown, drawn) for _, theirs in groupby(clubs, key=lambda each: each.player)
+        _player_parts(list(theirs), flown, drawn, loft_notes)
+        for _, theirs in groupby(clubs, key=lambda each: each.player)
     ]
     first, parts = Result("player", ""), ()
     if len(of_players) == 1:
@@ -166,13 +175,15 @@ def _drawn(clubs: Sequence[ClubStatistics]) -> set[int]:
     return drawn
 
 
-def _player_parts(clubs: Sequence[ClubStatistics], flown: RecordedShots, drawn: set[int]) -> Result:
+def _player_parts(
+    clubs: Sequence[ClubStatistics], flown: RecordedShots, drawn: set[int], loft_notes: LoftNotes | None
+) -> Result:
     """Return the page of one player and his clubs; ``flown`` are the shots of all players with their carries."""
     player = clubs[0].player
     theirs = flown if not player else flown.select(flown.players == player)
     bag = [replace(each, player="") for each in summarize_clubs(theirs)]
     scale = _common_scale(clubs)
-    page = page_parts(clubs, bag)
+    page = page_parts(clubs, bag, loft_notes)
     is_drawn = id(clubs[0]) in drawn and any("carry" in each.spreads for each in bag)
     return Result(
         "player",

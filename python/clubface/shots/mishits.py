@@ -69,6 +69,8 @@ class Statistic(NamedTuple):
         Number of shots in which it was measured, mishits among them.
     mean, deviation
         Mean and standard deviation of all of these.
+    usual_mean
+        Mean of those that are no mishits.
     """
 
     shots: int
@@ -79,6 +81,7 @@ class Statistic(NamedTuple):
     measured: int
     mean: float
     deviation: float
+    usual_mean: float
 
     @property
     def error(self) -> float:
@@ -136,7 +139,7 @@ def statistic(values: Floats, mishit: NDArray[np.bool_] | None = None) -> Statis
     low, high = np.quantile(usual, [1 / 6, 5 / 6])
     spread, deviation = (float(each.std(ddof=1)) if each.size > 1 else math.nan for each in (usual, every))
     return Statistic(int(usual.size), float(np.median(usual)), spread, float(low), float(high), int(every.size),
-                     float(every.mean()), deviation)  # fmt: skip
+                     float(every.mean()), deviation, float(usual.mean()))  # fmt: skip
 
 
 def difference_error(one: Statistic, other: Statistic) -> float:

@@ -35,7 +35,7 @@ from clubface.shots.recorded import MEASURED_AT, SIDES, RecordedShots, RejectedR
 from clubface.shots.signs import suspected_signs
 from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell
 from clubface.shots.tables.chunk import Reject
-from clubface.shots.tables.headings import check_units, heading, listed
+from clubface.shots.tables.headings import check_units, heading, listed, near_name, shot_words
 from clubface.shots.tables.parquet import ENDINGS as PARQUET, ParquetReader
 from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, RowSource, open_rows
 from clubface.simulation.results import inputs
@@ -430,6 +430,11 @@ def _notes(session: Session, layout: Format, measured: set[str], shots: int, of_
     if session.unused:
         yield note("brackets-without-unit", columns=[shortened(each, 40) for each in session.unused])
     yield from session.remarks
+    words = shot_words().names
+    lacking = {name for name, meant in words.items() if meant not in measured}
+    for each in session.unread:
+        if (near := near_name(heading(each).bare, lacking)) is not None:
+            yield note("column-misspelled", column=shortened(each, 80), near=near)
     if session.unread:
         yield note("columns-not-read", columns=[shortened(each, 40) for each in session.unread])
     for name, counts in session.counts.items():

@@ -47,7 +47,7 @@ def advice_lead(advice: Advice) -> Iterator[Note]:
         judge = advice.objectives[0]
         others = [f"{advice.names[place]} (better by {judge.show(advice.gain(judge.name, place))})" for place in level]
         yield note("advice-as-good", label=short_label(judge), others=others)
-    if losses := _losses(advice, advice.purpose, chosen):
+    if losses := losses_in_words(advice, advice.purpose, chosen):
         yield note("advice-costs", best=advice.names[chosen], losses=losses)
     elif chosen and all(state in (BETTER, ALIKE) for state in states.values()):
         yield note("advice-holds", best=advice.names[chosen], present=advice.names[0], labels=_labels(advice))
@@ -96,7 +96,7 @@ def _wish(advice: Advice, judge: Objective) -> str:
     gain = judge.show(advice.gain(judge.name, best))
     state = advice.state(judge.name, best)
     enough = {BETTER: "worth a change", OPEN: "not certain"}.get(state, "not worth a change")
-    price = _losses(advice, judge.name, best)
+    price = losses_in_words(advice, judge.name, best)
     if state == BETTER and price:
         enough += f" only if nothing else counts: it costs {', '.join(price)}"
     if best in advice.at_an_end:
@@ -104,7 +104,7 @@ def _wish(advice: Advice, judge: Objective) -> str:
     return f"{short_label(judge)}, {advice.names[best]} (better by {gain}, {enough})"
 
 
-def _losses(advice: Advice, name: str, alternative: int) -> list[str]:
+def losses_in_words(advice: Advice, name: str, alternative: int) -> list[str]:
     """Return in words what an alternative costs by the other objectives."""
     judges = {each.name: each for each in advice.objectives}
     losses = advice.losses(name, alternative)
@@ -117,6 +117,8 @@ def advice_notes(advice: Advice) -> Iterator[Note]:
     sizes = [f"{short_label(each)} {each.show(advice.worth[each.name])}" for each in advice.objectives]
     yield note("advice-worth", sizes=sizes)
     yield note("advice-errors" if advice.sets.std(axis=1).any() else "advice-single-delivery")
+    if advice.sets.std(axis=1).any():
+        yield note("advice-mishits")
     if advice.assumed_hole:
         yield note("advice-hole-assumed", hole=ASSUMED_HOLE.describe())
 
@@ -146,7 +148,7 @@ def _by_objective(advice: Advice) -> Table:
     kinds = [each.quantity for each in judges]
     pairs = [(each.name, advice.best(each.name)) for each in judges]
     words = [{BETTER: "change", OPEN: "not certain"}.get(advice.state(*pair), "keep") for pair in pairs]
-    prices = [", ".join(_losses(advice, *pair)) for pair in pairs]
+    prices = [", ".join(losses_in_words(advice, *pair)) for pair in pairs]
     columns = (
         text("objective", [each.name for each in judges], printed=False),
         text("what counts", [each.label for each in kinds], in_files=False),

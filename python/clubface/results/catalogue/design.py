@@ -122,9 +122,15 @@ SENTENCES = {
     "golfer-drifted": "the session drifted in {names}; the drift is not in the spreads",
     "golfer-error": "error of ± is how well that is known, as a standard error",
     "golfer-face-spread": "The face angle differs by {spread_face} from shot to shot.",
-    "golfer-few-for-mishits": "{shots:n shot} show nothing of mishits: they are taken as of {like}",
+    "golfer-few-for-mishits": (
+        "{shots:n shot} are too few to show how often the club is delivered far off: that is taken as of {like}"
+    ),
     "golfer-list": "± is the standard deviation from shot to shot; clubface golfer show NAME gives the sources",
     "golfer-mishits": "{percent:.3g} % of the shots are mishits, {scale:.3g} times as far off in everything",
+    "golfer-mishits-left-out": (
+        "{mishits:n shot} of {shots} {mishits:?is a mishit/are mishits}, by ball speed, carry, launch angle or start "
+        "direction far off the others, and not in the golfer: topped and other failed shots are in no fitting for him"
+    ),
     "golfer-monitor-errors": "the errors of the monitor are in the spreads",
     "golfer-not-measured": "not measured, and therefore as of {like}: {names}",
     "golfer-place-of-face-unknown": (
@@ -162,6 +168,10 @@ SENTENCES = {
         "The sweet spot of {club} lies {toe:towards the toe/towards the heel} and {high:above the centre/below the "
         "centre}, with a ball speed of {ball_speed}; the longest carry, {carry}, comes from "
         "{carry_toe:towards the toe/towards the heel} and {carry_high:above the centre/below the centre}."
+    ),
+    "advice-mishits": (
+        "The shots are those that golfers hit as usual: topped and other failed shots, which a player's report names "
+        "as mishits, are not in them, so that the means are better than those of a session."
     ),
     "fitting-at-an-end": ("The best is at an end of the range of {names:and}; a wider range may give a better one."),
     "fitting-not-shown": "{hidden} more are not shown; --output and --json have all.",

@@ -6,15 +6,7 @@ SENTENCES = {
         "Between {longer} and {shorter} lie {gap_carry:0}. If your bag has no club for it, one that carries "
         "{carry:0} would fill the gap."
     ),
-    "player-buy-loft": (
-        "Another {club} may pay: with 1 deg more dynamic loft yours would carry {carry:further/less far 0}, with 1 deg "
-        "less about as much the other way. Try both lofts before you buy."
-    ),
-    "player-buy-nothing": "Nothing in these shots asks for another club.",
-    "player-buy-nothing-lofts": (
-        "Another loft of {club} is not worth its price: 1 deg more or less changes its carry by {carry:1}, and nobody "
-        "notices less than {least_carry:0}."
-    ),
+    "player-buy-nothing": "The gaps of your bag ask for no other club.",
     "player-buy-one-of-two": (
         "{longer} and {shorter} carry nearly as far, {gap_carry:0} apart: one of them could make room for a club that "
         "you lack."
@@ -109,6 +101,27 @@ SENTENCES = {
     ),
     "player-finding-strike-high": "{club} meets the ball {high:high/low 0} on the face.",
     "player-finding-strike-toe": "{club} meets the ball {toe:towards the toe/towards the heel 0}.",
+    "player-heads-not-judged": (
+        "No other head, shaft or ball was tried, and total distance and strokes may ask for another club than carry "
+        "does. `clubface golfer estimate` makes a golfer of these shots; `clubface best-loft --golfer` compares lofts "
+        "for this golfer, and `clubface optimise` heads, balls and settings, by carry, total distance and strokes."
+    ),
+    "player-loft-change": (
+        "Judged by carry with this head, another loft of {club} is worth a try: with "
+        "{change_loft:more/less 1} it would carry {gain_carry:1} farther."
+    ),
+    "player-loft-keep": (
+        "Judged by carry with this head, another loft of {club} is not worth its price: the "
+        "best, {change_loft:more/less 1}, would carry {gain_carry:1} farther, less than the {worth_carry:0} that are "
+        "worth a change."
+    ),
+    "player-loft-other": (
+        "By {label} alone, {change_loft:more/less 1} would be better by {gain}, without a price in what else counts."
+    ),
+    "player-loft-other-costs": (
+        "By {label} alone, {change_loft:more/less 1} would be better by {gain}, at the price of {losses:and}."
+    ),
+    "player-loft-best": ("Judged by carry with this head, the loft of {club} is the best for your shots."),
     "player-inconsistent-rows": (
         "The figures in these lines of the file are inconsistent, so that one of them may be wrong: {rows}."
     ),

@@ -41,6 +41,7 @@ __all__ = [
     "listed",
     "missing_units",
     "narrow",
+    "near_name",
     "plain",
     "plain_name",
     "require_speed",
@@ -348,7 +349,7 @@ def layout(
         quantity = words.names.get(name)
         if quantity is None:
             passed.append(heading)
-            near = None if plain_name(name) in POINTS else _near(name, words.names)
+            near = None if plain_name(name) in POINTS else near_name(name, words.names)
             if near is not None:
                 notes.append(note("column-misspelled", column=shortened(heading, 80), near=near))
             continue
@@ -450,8 +451,8 @@ def plain_name(name: str) -> str:
     return plain(name).replace(" ", "_").strip("_")
 
 
-def _near(name: str, known: Collection[str]) -> str | None:
-    """Return the known name that ``name``, with or without a unit at its end, is most likely a misspelling of."""
+def near_name(name: str, known: Collection[str]) -> str | None:
+    """Return the known name that ``name``, with or without a unit at its end, most likely misspells; None for none."""
     from difflib import get_close_matches
 
     for each in (name, name.rpartition(" ")[0]):
