@@ -64,6 +64,7 @@ from clubface.cli.app import run
         (["predict", "none.csv", "--club", "driver"], ["none.csv"]),
         (["predict", "none.csv"], ["--club"]),
         (["sensitivity", "driver", "--speed", "50 m/s", "--output", "spin"], ["output", "backspin"]),
+        (["sensitivity", "driver", "--speed", "50 m/s", "--output", "carry"], ["carry", "explain", "compare"]),
         (["sensitivity", "driver", "--speed", "50 m/s", "--by", "hight"], ["did you mean high"]),
         (["sensitivity", "driver", "--speed", "50 m/s", "--model", "all"], ["model"]),
         (["flight", "--ball-speed", "60 m/s"], ["--launch"]),

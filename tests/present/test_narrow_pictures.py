@@ -73,3 +73,12 @@ def test_a_report_has_one_picture_for_screen_and_paper_and_one_for_telephones():
     page = as_html([block])
     assert page.count("image/svg+xml") == 3  # both pictures, and the file to save
     assert re.search(r'<source media="screen and \(max-width:\d+px\)" srcset="data:image/svg', page)
+
+
+@pytest.mark.filterwarnings("error")
+def test_flat_panels_to_scale_keep_room_for_their_titles_and_labels():
+    """A straight drive from above is a hundredth as high as long; its title and label do not shrink with it."""
+    flat = [Panel([LINE], axis("carry"), axis("side", limits=(-0.05, 0.05)), "to scale", equal=True)]
+    rows = [flat, flat]
+    figure = draw_narrow(Picture("flat", "Flat", rows, heights=[0.64, 0.77], height=3.3, legend=True, title=TITLE))
+    assert all(each.height > 0.0 and each.width > 0.5 * figure.bbox.width for each in boxes(figure))

@@ -92,3 +92,15 @@ def test_the_sentence_has_start_curve_landing_and_name():
     numbers = ("1.2 deg left", "23 yd right", "18 yd right", "slice")
     places = [made.sentence.index(each) for each in numbers]
     assert places == sorted(places)
+
+
+def test_the_start_line_of_a_slice_lies_within_the_picture():
+    from clubface.simulation.shot_result import flight_views
+
+    launch = clubface.impact("driver", speed="90 mph", loft="14 deg", path="-8 deg", face="-4 deg", toe="-10 mm")
+    _, above = flight_views({"slice": clubface.trajectory(launch).position})[0]
+    line = next(each for each in above.marks if each.label == "start line")
+    low, high = above.y.limits
+    assert low < min(line.y)
+    assert max(line.y) < high
+    assert max(line.x) < above.x.limits[1]

@@ -7,6 +7,7 @@ from typing import Any
 import typer
 
 from clubface.cli import options, show
+from clubface.errors import InputError
 
 app = typer.Typer(add_completion=False)
 
@@ -25,8 +26,16 @@ def sensitivity(club: options.ClubArgument, **texts: Any) -> None:
     head = options.club_of(club, texts["hand"], texts["model"])
     chosen = options.one_set(head, texts)
 
+    from clubface.simulation.flight import Flight
+    from clubface.simulation.results import outputs
     from clubface.simulation.sensitivity import MAIN, sensitivity as differentiate
 
+    for each in options.names(texts["output"]) or ():
+        if each in Flight.quantities() and each not in outputs():
+            raise InputError(
+                "--output", each, "a quantity of the launch; clubface explain says what a degree, 10 mm of strike and "
+                "1 mph are worth in carry and side, and clubface compare splits differences of flights",
+            )  # fmt: skip
     result = differentiate(
         head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
         outputs=options.names(texts["output"]) or (None if output.as_json else MAIN),

@@ -27,6 +27,8 @@ ROW_HEIGHT = 2.4
 """Inches of a row of panels unless a picture says its height."""
 NARROW = 3.9
 """Inches of a picture in the window of a telephone."""
+AROUND = 0.7
+"""Inches above and below the axes of a panel, for its title, numbers and label, which do not shrink with it."""
 LONGEST_NAMES = 60
 """Letters of all names below a panel, beyond which they are turned; two thirds of it in a narrow picture."""
 LETTERS = {"title": 16.0, "footnote": 20.0}
@@ -69,7 +71,8 @@ def _stacked(picture: Picture) -> Picture:
             if first is not None and first.y.names and panel.y.names is None and (picture.share_y or not panel.y.ticks):
                 panel = replace(panel, y=first.y)  # beside the first its names served this panel too
             panels.append(panel)
-            heights.append(height * min(1.0, NARROW / width) if panel.equal else height)
+            around = min(AROUND, height)
+            heights.append(around + (height - around) * min(1.0, NARROW / width) if panel.equal else height)
     stack = [[each] for each in panels]
     return replace(picture, rows=stack, heights=heights, widths=None, height=sum(heights), share_x=False, share_y=False)
 

@@ -264,12 +264,15 @@ def flight_views(
     """
     paths = {name: np.asarray(each, dtype=float) for name, each in flights.items()}
     labels = {name: f"{name}: {shape}" if (shape := (shapes or {}).get(name)) else name for name in paths}
+    begun = starts and len(paths) <= _MOST_STARTS
+    start_lines = [_start_line(path) for path in paths.values() if len(path) > 1] if begun else []
     positions = np.concatenate(list(paths.values()))
+    across_all = np.concatenate([positions[:, 2], *(each.y for each in start_lines)])
     length = 1.03 * max(float(positions[:, 0].max()), 1.0)
     back = min(1.03 * float(positions[:, 0].min()), 0.0)
-    least, margin = _LEAST_SIDE * length, 0.06 * float(np.ptp(positions[:, 2]))
-    right = max(float(positions[:, 2].max()) + margin, least)
-    left = min(float(positions[:, 2].min()) - margin, -least)
+    least, margin = _LEAST_SIDE * length, 0.06 * float(np.ptp(across_all))
+    right = max(float(across_all.max()) + margin, least)
+    left = min(float(across_all.min()) - margin, -least)
     highest = max(1.06 * float(positions[:, 1].max()), _LEAST_HEIGHT * length)
     along = axis("carry", "distance along the target line", limits=(back, length))
     panels, heights = [], []
@@ -283,8 +286,7 @@ def flight_views(
         ]
         if place == 2:
             marks.insert(0, Mark("rule", y=0.0, style=-1))
-            if starts and len(paths) <= _MOST_STARTS:
-                marks += [_start_line(path) for path in paths.values() if len(path) > 1]
+            marks += start_lines
         low, high = across.limits
         panels.append(Panel(marks, along, across, title=title, equal=True))
         heights.append(_WIDTH * min(((high or 0.0) - (low or 0.0)) / (length - back), _TALLEST))
