@@ -120,6 +120,10 @@ def test_a_new_club_may_differ_from_the_one_it_starts_from(clubface_):
     assert result == driver.replace(name="mine", description="", cg_x="38 mm", iyy="5200 g cm2", cor=0.82, sources={})
     assert "the MOI the rules limit" in text
     text = clubface_("club", "new", "heavy", "--like", "driver", "--set", "inertia=-10 %, loft=11 deg").out
+    described = clubface.Club.from_text(text).description
+    assert described != clubface.club("driver").description  # of another head; it says what was changed
+    assert "driver" in described
+    assert "11 deg" in described
     result = clubface.Club.from_text(text)
     assert result.ixy == pytest.approx(0.9 * driver.ixy, rel=1e-5)
     assert result.iyy == pytest.approx(0.9 * driver.iyy, rel=1e-5)
