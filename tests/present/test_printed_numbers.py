@@ -21,6 +21,7 @@ from clubface.present.document import (
     as_markdown,
 )
 from clubface.present.report import provenance_blocks, report_blocks
+from clubface.present.terminal import WIDEST, lay_out
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.shot_result import shot_result
 
@@ -171,3 +172,13 @@ def test_only_what_is_missing_is_an_empty_cell():
     assert list(csv.reader(io.StringIO(Data("any", tuple("wxyz"), rows).as_csv()))) == [
         ["w", "x", "y", "z"], ["a", "0.0", "0", ""], ["", "", "-1.5", "b"]
     ]  # fmt: skip
+
+
+def test_a_long_cell_of_words_is_wrapped_in_a_file_too():
+    formula = " + ".join(f"{place} speed" for place in range(100))
+    lines = lay_out(["function", "formula"], [["lever", formula], ["peak", "1"]], texts={1})
+    assert max(map(len, lines)) <= WIDEST + len("function") + 2
+    assert " ".join(" ".join(lines).split()).count("speed") == 100
+    # A row of a file stays in one line where its cells are short, however many there are.
+    wide = lay_out([f"column {place}" for place in range(40)], [["a short cell"] * 40], texts=set(range(40)))
+    assert len(wide) == 3

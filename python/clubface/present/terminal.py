@@ -233,8 +233,12 @@ def _wrap_words(
 ) -> tuple[list[str], list[list[str]]]:
     """Wrap the columns of words, the widest first, until a table fits; none gets narrower than ``NARROWEST``."""
     rows = [list(heads), *(list(row) for row in body)]
-    if width is None:
-        return rows[0], rows[1:]
+    if width is None:  # a file or pipe takes whole rows, but no cell longer than a line of text
+        wrapped = [
+            [textwrap.fill(cell, WIDEST) if place in left and len(cell) > WIDEST else cell
+             for place, cell in enumerate(row)] for row in rows
+        ]  # fmt: skip
+        return wrapped[0], wrapped[1:]
     sizes = [max(len(line) for cell in column for line in cell.split("\n")) for column in zip(*rows, strict=True)]
     while (over := sum(sizes) + len(sizes) - 1 - width) > 0:
         widest = max(left, key=lambda place: sizes[place])
