@@ -152,7 +152,7 @@ def design(
     asked = read(study)
     output.check_not_read(shown.target)
     how = {name: texts[name] for name in ("resume", "workers")}
-    with progress_bar("designs") as progress:
+    with progress_bar("designs", kept=shown.target) as progress:
         result = improve(asked, output=shown.target, **how, progress=progress)
     shown.show(result.to_result(), write_table=False)
 

@@ -42,10 +42,10 @@ def optimise(
     output.check_not_read(shown.target)
     if isinstance(asked, Fitting):
         output.check_target("--output", shown.target, (".csv",))
-        with progress_bar("combinations") as progress:
+        with progress_bar("combinations", kept=shown.target) as progress:
             result = fit(asked, **files, progress=progress).to_result()
     else:
         output.check_target("--output", shown.target, (".toml",))
-        with progress_bar(lambda done, whole, step: step) as progress:
+        with progress_bar(lambda done, whole, step: step, kept=shown.target) as progress:
             result = find_optimum(asked, **files, progress=progress).to_result()
     shown.show(result, write_table=False)

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from clubface.cli.failures import print_note
@@ -113,14 +114,37 @@ Update = Callable[..., object]
 """Takes what is done, the whole of it, and what else the text next to the bar says."""
 
 
+SECONDS_BETWEEN_LINES = 60.0
+"""How often a long run writes a line where no bar can be shown."""
+
+
 @contextmanager
-def progress_bar(text: str | Callable[..., str]) -> Iterator[Update | None]:
+def progress_bar(text: str | Callable[..., str], *, kept: str | None = None) -> Iterator[Update | None]:
     """Show a bar on the error stream where that is a terminal.
 
-    The ``text`` next to it is made of what the bar is given; a word names what is counted.
+    The ``text`` next to it is made of what the bar is given; a word names what is counted. ``kept`` is the file next to
+    which a long run keeps what is finished: where there is no terminal, a line says so once work has begun, and another
+    follows every minute.
     """
+
+    def words_of(done: float, whole: float, *more: Any) -> str:
+        return f"{done} of {whole} {text}" if isinstance(text, str) else text(done, whole, *more)
+
     if not sys.stderr.isatty():
-        yield None
+        last: float | None = None
+
+        def write_line(done: float, whole: float, *more: Any) -> None:
+            nonlocal last
+            now = monotonic()
+            if last is None:
+                print_note(f"working; what is finished is kept next to {kept}: if interrupted, give the command again")
+            elif now - last >= SECONDS_BETWEEN_LINES:
+                print_note(f"{words_of(done, whole, *more)} ({done / (whole or 1):.0%})")
+            else:
+                return
+            last = now
+
+        yield None if kept is None else write_line
         return
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
@@ -130,8 +154,7 @@ def progress_bar(text: str | Callable[..., str]) -> Iterator[Update | None]:
         task = bar.add_task("starting", total=1.0)
 
         def update(done: float, whole: float, *more: Any) -> None:
-            words = f"{done} of {whole} {text}" if isinstance(text, str) else text(done, whole, *more)
-            bar.update(task, completed=done / (whole or 1), description=words)
+            bar.update(task, completed=done / (whole or 1), description=words_of(done, whole, *more))
 
         yield update
 
