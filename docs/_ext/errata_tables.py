@@ -12,6 +12,7 @@ import clubface
 from clubface import units
 from clubface.equipment.balls import published_ball
 from clubface.inference.evaluation import contradictions, published
+from clubface.inference.evaluation.published_accuracy import wrong_percentages
 from clubface.shots.measured import QUANTITIES
 from clubface.support.arrays import Floats
 from clubface.validation import benchmark_data
@@ -39,6 +40,17 @@ class Contradictions(CoreTable):
             figures = (f"{apart:.{digits}f} {unit}", f"{allowed:.{digits}f} {unit}", f"{apart / allowed:.2f}")
             rows.append([each.club, each.quantity.replace("_", " "), f"`{pair[0]}` above `{pair[1]}`", *figures])
         return markdown_table(["club", "quantity", "models", "apart", "allowed", "ratio"], rows)
+
+
+class WrongPercentages(CoreTable):
+    """``{wrong-percentages}``: printed percentages that do not follow from the printed errors and means."""
+
+    def table(self) -> list[str]:
+        """One row a percentage."""
+        rows = [
+            [each.club, f"`{each.model}`", words] for each in published().values() for words in wrong_percentages(each)
+        ]
+        return markdown_table(["club", "model", "percentage"], rows)
 
 
 class LayerSpinTable(CoreTable):
@@ -138,6 +150,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("driver-cg-readings", DriverCgReadings)
     app.add_directive("contradictions", Contradictions)
     app.add_directive("layer-spins", LayerSpinTable)
+    app.add_directive("wrong-percentages", WrongPercentages)
     for name in READINGS:
         app.add_directive(f"{name}-readings", Readings)
     return {"parallel_read_safe": True}
