@@ -18,6 +18,9 @@ from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import from_text
 from clubface.design.strokes import Hole
 from clubface.errors import ClubfaceError, InputError
+from clubface.present.document import Bullets, Paragraph
+from clubface.present.report import report_blocks
+from clubface.results.result import Result
 
 YARD, DEG = 0.9144, math.radians(1.0)
 HOLE = Hole(length="400 yd")
@@ -119,6 +122,15 @@ def test_what_costs_something_else_is_never_worth_a_change_without_its_price():
     free = advice([200.0, 203.0], [3.0, 2.9])
     assert free.losses("strokes", 1) == {}
     assert list(advice_tables(free)[0]["price"].values) == ["", ""]
+
+
+def test_a_report_has_the_advice_as_one_sentence_and_a_list():
+    lead = tuple(advice_lead(advice([200.0, 203.0, 197.0], [3.0, 3.03, 2.97])))
+    blocks = list(report_blocks(Result("advice", "Advice", lead=lead)))
+    paragraphs = [each.texts for each in blocks if isinstance(each, Paragraph)]
+    lists = [list(each.texts) for each in blocks if isinstance(each, Bullets)]
+    assert (lead[0].sentence,) in paragraphs
+    assert [each.sentence for each in lead[1:]] in lists
 
 
 def test_strokes_are_counted_on_the_assumed_hole_where_none_is_given():

@@ -101,7 +101,7 @@ class LoftFit(Described):
     @cached_property
     def advice(self) -> Advice:
         """The present loft, and those that are best by each objective."""
-        names = [f"{units.fixed(self.present, 'deg', 1)} of dynamic loft as it is"]
+        names = [f"present {units.fixed(self.present, 'deg', 1)} of dynamic loft"]
         names += [self._words(club) for club in list(self.optimum.compared.values())[1:]]
         study = self.optimum.study
         varies = any(each.spread.any() for each, _ in study.golfers)

@@ -76,8 +76,15 @@ def _appendices(result: Result) -> Iterator[Result]:
 def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) -> Iterator[Block]:
     """Yield the pieces of a result and of its parts, whose headings are of the next level."""
     yield Heading(level, result.title)
-    for sentences in filter(None, (result.assumptions, result.lead, result.summary)):
-        yield Paragraph(tuple(each.sentence for each in sentences))
+    if result.assumptions:
+        yield Paragraph(tuple(each.sentence for each in result.assumptions))
+    if result.lead:  # what to do, then a list of what bears on it
+        first, *others = (each.sentence for each in result.lead)
+        yield Paragraph((first,))
+        if others:
+            yield Bullets(others)
+    if result.summary:
+        yield Paragraph(tuple(each.sentence for each in result.summary))
     yield from picture_blocks(result, units)
     if level == 1 and (result.tables or result.values or result.notes):
         yield Heading(2, "All figures")

@@ -45,7 +45,9 @@ def advice_lead(advice: Advice) -> Iterator[Note]:
     yield note("advice-purpose", meaning=advice.objectives[0].meaning, conditions=advice.conditions)
     if chosen and (level := _level(advice, chosen)):
         judge = advice.objectives[0]
-        others = [f"{advice.names[place]} (better by {judge.show(advice.gain(judge.name, place))})" for place in level]
+        others = [
+            f"{advice.names[place]} (better by {_amount(judge, advice.gain(judge.name, place))})" for place in level
+        ]
         yield note("advice-as-good", label=short_label(judge), others=others)
     if losses := losses_in_words(advice, advice.purpose, chosen):
         yield note("advice-costs", best=advice.names[chosen], losses=losses)
@@ -92,8 +94,8 @@ def _level(advice: Advice, chosen: int) -> list[int]:
 def _wish(advice: Advice, judge: Objective) -> str:
     best = advice.best(judge.name)
     if not best:
-        return f"{short_label(judge)}, {advice.names[0]}"
-    gain = judge.show(advice.gain(judge.name, best))
+        return f"{short_label(judge)}, the {advice.names[0]}"
+    gain = _amount(judge, advice.gain(judge.name, best))
     state = advice.state(judge.name, best)
     enough = {BETTER: "worth a change", OPEN: "not certain"}.get(state, "not worth a change")
     price = losses_in_words(advice, judge.name, best)
@@ -108,8 +110,15 @@ def losses_in_words(advice: Advice, name: str, alternative: int) -> list[str]:
     """Return in words what an alternative costs by the other objectives."""
     judges = {each.name: each for each in advice.objectives}
     losses = advice.losses(name, alternative)
-    return [f"{judges[each].show(loss)} of {short_label(judges[each])}" if each != "strokes"
-            else f"{judges[each].show(loss)} strokes" for each, loss in losses.items()]  # fmt: skip
+    return [
+        _amount(judges[each], loss) + (f" of {short_label(judges[each])}" if each != "strokes" else "")
+        for each, loss in losses.items()
+    ]
+
+
+def _amount(judge: Objective, value: float) -> str:
+    """Return a value with its unit in a sentence: "0.0220 strokes"."""
+    return judge.show(value) + (" strokes" if judge.name == "strokes" else "")
 
 
 def advice_notes(advice: Advice) -> Iterator[Note]:
@@ -190,7 +199,7 @@ def _differences(advice: Advice, shown: Sequence[int]) -> Table:
         ]
     columns.append(text("verdict", [_verdict(advice, row) for row in every], in_files=False))
     rows = [row - 1 for row in shown if row]
-    return Table("differences", tuple(columns), f"Differences from {advice.names[0]}", shown_rows=rows)
+    return Table("differences", tuple(columns), f"Differences from the {advice.names[0]}", shown_rows=rows)
 
 
 def _verdict(advice: Advice, alternative: int) -> str:
@@ -220,5 +229,5 @@ def gains_panel(advice: Advice, rows: int) -> Panel:
     names = ["\n".join(textwrap.wrap(advice.names[place], _LETTERS)) for place in places]
     return Panel(
         marks, Axis(WORTHS), axis(names=names, reversed=True, limits=(len(places) - 0.4, -0.6)),
-        f"Gain on {advice.names[0]}; within the grey it is not worth a change", legend=True,
+        f"Gain on the {advice.names[0]}; within the grey it is not worth a change", legend=True,
     )  # fmt: skip

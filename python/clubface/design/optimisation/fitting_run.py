@@ -146,7 +146,7 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
         if not adds_nothing(each, fitting.worth[each.name], tuned[place].values[column], known):
             chosen.setdefault(words, tuned[place])
     ball = f" with the ball {tried[0].ball}" if with_ball else ""
-    names = [f"{fitting.clubs[0].name}{ball} as it is", *chosen]
+    names = [f"present {fitting.clubs[0].name}{ball}", *chosen]
     advice = _advice(fitting, names, [present, *chosen.values()])
     return Fitted(ranked, fitting, advice, _effects(fitting, tried), len(chosen) - combinations)
 

@@ -177,7 +177,7 @@ class Optimum(Described):
     def compared(self) -> dict[str, str]:
         """The clubs of the advice, as :attr:`fresh` names them, by what they are in words; the start comes first."""
         study = self.study
-        clubs = {f"{study.club.name} as it is": "start", self._words("optimum"): "optimum"}
+        clubs = {f"present {study.club.name}": "start", self._words("optimum"): "optimum"}
         for name in self.rivals:
             known = [self.fresh.value(club, name) for club in clubs.values()]
             if not adds_nothing(study.objective(name), study.worth[name], self.fresh.value(name, name), known):

@@ -4,11 +4,11 @@ SENTENCES = {
     "advice-as-good": "As good for {label}, since the difference is not worth a change: {others:;}.",
     "advice-by-objective": "What each objective alone would choose: {wishes:;}.",
     "advice-change": (
-        "Change from {present} to {best}. For {golfer}, {label} is {after} instead of {before}: better by {gain} "
+        "Change from the {present} to {best}. For {golfer}, {label} is {after} instead of {before}: better by {gain} "
         "± {error}."
     ),
     "advice-change-strokes": (
-        "Change from {present} to {best}. For {golfer}, the mean is {after} strokes instead of {before}: better by "
+        "Change from the {present} to {best}. For {golfer}, the mean is {after} strokes instead of {before}: better by "
         "{gain} ± {error}, which is {round:.2f} strokes over the {drives} drives of a round."
     ),
     "advice-costs": "The price of {best}: {losses:and}.",
@@ -17,19 +17,19 @@ SENTENCES = {
     ),
     "advice-hole-assumed": "Strokes are counted on a hole that is assumed: {hole}. A table [hole] gives another.",
     "advice-holds": (
-        "This holds whatever counts, {labels:and}: {best} is better than {present} or does not differ from it."
+        "This holds whatever counts, {labels:and}: {best} is better than the {present} or does not differ from it."
     ),
     "advice-keep": (
-        "Keep {present}. For {golfer}, no alternative improves {label} by {worth}, the smallest difference worth a "
+        "Keep the {present}. For {golfer}, no alternative improves {label} by {worth}, the smallest difference worth a "
         "change; the most to gain is {most}."
     ),
     "advice-keep-all": (
-        "Keep {present}. For {golfer}, none of {alternatives:n alternative} makes a difference worth a change, "
+        "Keep the {present}. For {golfer}, none of {alternatives:n alternative} makes a difference worth a change, "
         "whatever counts: {labels:or}."
     ),
     "advice-not-certain": (
-        "Keep {present} for now. For {golfer}, {best} may improve {label} by {gain} ± {error}, which is not clearly "
-        "worth a change; more shots would show it."
+        "Keep the {present} for now. For {golfer}, {best} may improve {label} by {gain} ± {error}, which is not "
+        "clearly worth a change; more shots would show it."
     ),
     "advice-purpose": "What counts is the {meaning}. Judged on {conditions}.",
     "advice-single-delivery": "This is for one delivery; how a golfer's shots spread is not in it.",
