@@ -350,3 +350,24 @@ def test_rows_of_a_file_are_deliveries(write):
         with pytest.raises(FileError, match=words):
             read_deliveries(write(text), 24)
     assert set(FLOWN) < set(QUANTITIES)
+
+
+def _lesson(**after):
+    swing = {"speed": "95 mph", "loft": "14 deg", "path": "-3 deg", "face": "2 deg"}
+    fields = {"before": {"club": "driver", "delivery": swing}, "after": {"club": "driver", "delivery": swing | after}}
+    return clubface.compare(fields).to_result()
+
+
+def test_of_swings_that_differ_most_to_the_side_the_side_is_split_in_words_and_drawn_to_one_scale():
+    lesson = _lesson(path="1 deg", face="0 deg")
+    codes = [each.code for each in lesson.summary]
+    assert "comparison-main-cause-side" in codes
+    bars = {each.x.quantity.name: each.x.limits for each in lesson.pictures()[0].panels() if each.x.label == "change"}
+    assert next(iter(bars)) == "side"
+    assert bars["side"] == bars["carry"] != bars["ball_speed"]  # both are yards
+
+
+def test_one_change_alone_is_the_difference_and_has_no_bars():
+    lesson = _lesson(face="0 deg")
+    assert not [each for each in lesson.summary if each.code.startswith("comparison-main-cause")]
+    assert len(lesson.pictures()[0].panels()) == 2  # the flights

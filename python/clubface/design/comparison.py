@@ -204,14 +204,16 @@ class Compared(Described):
 
     def _summary(self) -> Iterator[Note]:
         for name in self.names[1:]:
-            changes = {key: self.difference(name, key) for key in ("ball_speed", "backspin", "carry")}
+            changes = {key: self.difference(name, key) for key in ("ball_speed", "backspin", "carry", "side")}
             yield note("comparison-difference", first=self.names[0], name=name, **changes)
-            if (made := self.contributions.get(name)) is not None and made.changes:
-                carries = made.si[:, QUANTITIES.index("carry")]
-                most = int(np.argmax(np.abs(carries)))
-                change = made.changes[most].name.replace("_", " ")
-                if carries[most]:
-                    yield note("comparison-main-cause", change=change, carry=float(carries[most]))
+            if (made := self.contributions.get(name)) is not None and len(made.changes) > 1:
+                key = "side" if abs(changes["side"]) > abs(changes["carry"]) else "carry"
+                parts = made.si[:, QUANTITIES.index(key)]
+                most = int(np.argmax(np.abs(parts)))
+                code = "comparison-main-cause" if key == "carry" else "comparison-main-cause-side"
+                if parts[most]:
+                    change = made.changes[most].name.replace("_", " ")
+                    yield note(code, change=change, **{key: float(parts[most])})
 
     def _notes(self) -> Iterator[Note]:
         for name, made in self.contributions.items():
@@ -279,7 +281,7 @@ def _quantity_columns(
     ]  # fmt: skip
 
 
-_DRAWN = ("ball_speed", "backspin", "carry", "side")
+_DRAWN = ("side", "carry", "ball_speed", "backspin")
 """Quantities whose differences are drawn."""
 _MOST_BARS = 9
 """Contributions that are drawn one by one, the largest; the others are one bar."""
@@ -292,7 +294,7 @@ def comparison_picture(compared: Compared) -> Picture:
     views, heights = flight_views(paths, shapes=shapes, styles={name: place for place, name in enumerate(paths)})
     rows: list[list[Panel | None]] = [[each] for each in views]
     for name, made in compared.contributions.items():
-        if made.changes:
+        if len(made.changes) > 1:  # a single one is the difference, which the flights show
             rows.append(_contribution_panels(compared, name, made))
             heights.append(0.9 + 0.19 * (min(len(made.changes), _MOST_BARS + 1) + 2))
     return Picture(
@@ -315,10 +317,17 @@ def _contribution_panels(compared: Compared, name: str, made: Contributions) -> 
     labels += ["remainder", "difference"]
     table = np.array([*bars, made.remainder[places], compared._differences(name)[places]])
     panels: list[Panel | None] = []
+    ends = {}  # of the quantities of each unit, so that the same length is the same yard
     for place, key in enumerate(_DRAWN):
+        low, high = ends.get(quantity(key).golf.unit, (0.0, 0.0))
+        ends[quantity(key).golf.unit] = (min(low, table[:, place].min()), max(high, table[:, place].max()))
+    for place, key in enumerate(_DRAWN):
+        low, high = ends[quantity(key).golf.unit]
+        margin = 0.05 * (high - low) or None
+        limits = (None, None) if margin is None else (float(low) - margin, float(high) + margin)
         y = axis(label=name, names=labels, reversed=True) if not panels else axis(reversed=True, ticks=False)
         marks = [Mark("bars", table[:, place], np.arange(len(table)), style=-1), Mark("rule", x=0.0, style=-2)]
-        panels.append(Panel(marks, axis(key, "change"), y, quantity(key).label))
+        panels.append(Panel(marks, axis(key, "change", limits=limits), y, quantity(key).label))
     return panels
 
 

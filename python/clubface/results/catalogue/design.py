@@ -68,9 +68,10 @@ SENTENCES = {
     ),
     "comparison-difference": (
         '"{name}" against "{first}": the ball leaves {ball_speed:faster/slower}, spins {backspin:more/less 0} '
-        "and carries {carry:farther/shorter}."
+        "and carries {carry:farther/shorter}; it lands {side:# further right/# further left/no further to a side}."
     ),
     "comparison-main-cause": "What changes the carry most is {change}: {carry:more/less}.",
+    "comparison-main-cause-side": "What moves the landing to the side most is {change}: {side:right/left}.",
     "comparison-not-split": "The difference of {name} from {first} cannot be split into contributions: {reason}",
     "comparison-same": "{name} is like {first} in everything that this shot depends on",
     "comparison-shape": (
