@@ -520,3 +520,18 @@ def test_the_command_sums_up_and_shows_the_figures_of_a_check_that_is_named(club
     assert [each["check"] for each in result["checks"]["rows"]] == ["plates", "toe-hits"]
     # A bound has no upper end, and JSON no infinity.
     assert None in [each["published_most"] for each in result["figures"]["rows"]]
+
+
+def test_what_a_model_misses_is_named_the_worst_first():
+    result = validate("response", checks=["contact-time", "tour-irons"])
+    spin = next(each for each in result.summary("response", "tour-irons") if each.quantity == "spin")
+    (missed,) = [each.data["missed"] for each in result.to_result().notes if each.code == "validation-misses"]
+    assert not spin.met
+    # Ball speeds of these irons and the contact time are within their tolerances.
+    assert [each.split(" (")[0] for each in missed] == ["tour-irons spin"]
+    assert f"({100.0 * spin.bias:.1f} %)" in missed[0]
+
+
+def test_a_quantity_that_a_model_does_not_compute_counts_no_figures():
+    table = validate(["response", "standard"], checks=["contact-time"]).to_result().table("summary")
+    assert list(table["figures"].values) == [1, None]

@@ -202,9 +202,32 @@ def validation_result(validation: Validation, *, detailed: bool = True) -> Resul
     return Result(
         kind="validation", title=f"Published figures, ball {validation.ball}",
         tables=(figure_table(validation, printed=detailed), summary_table(validation), check_table(validation)),
-        notes=(*reasons, *verdicts),
+        notes=(*reasons, *verdicts, *_misses(validation)),
         draw=lambda: [validation_picture(validation)],
     )  # fmt: skip
+
+
+MOST_MISSES = 3
+"""Quantities outside their tolerance that are named next to the verdict of a model."""
+
+
+def _misses(validation: Validation) -> Iterator[Note]:
+    """Yield the measured quantities of each model whose mean errors are the most tolerances large."""
+    for model in validation.models:
+        missed = [
+            (each, check.name)
+            for check in validation.checks
+            if check.measured
+            for each in validation.summary(model, check.name)
+            if each.known and not each.met
+        ]
+        missed.sort(key=lambda pair: -pair[0].scaled)
+        named = [
+            f"{check} {each.quantity} ({format_value(each.bias, reading(each.unit))})"
+            for each, check in missed[:MOST_MISSES]
+        ]
+        if named:
+            yield note("validation-misses", model=model, missed=named)
 
 
 def check_notes(check: Check) -> list[Note]:
@@ -276,7 +299,7 @@ def summary_table(validation: Validation) -> Table:
             text("inside", [each.inside if each.intervals else None for each in each_summary]),
             text("intervals", [each.intervals or None for each in each_summary], label="of intervals"),
             text("within", [each.within if each.known else None for each in each_summary]),
-            text("figures", [each.figures for each in each_summary], label="of figures"),
+            text("figures", [each.figures if each.known else None for each in each_summary], label="of figures"),
             Column("median_magnitude", [each.median for each in each_summary], quantities, label="median |error|"),
             Column("mean_magnitude", [each.mean for each in each_summary], quantities, label="mean |error|"),
             *(

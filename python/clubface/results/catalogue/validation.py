@@ -55,6 +55,7 @@ SENTENCES = {
         "Impact at the face centre, path and face square. Carries of the models are flights of their own launches; "
         "'flight only' is the flight from the published launch."
     ),
+    "validation-misses": "{model}: furthest outside the tolerance, with the mean error: {missed:and}.",
     "validation-verdict": (
         "{model}: in {met} of {quantities} measured quantities the mean error is within the tolerance, in {every} "
         "every error is."
