@@ -69,6 +69,15 @@ def test_the_usual_tolerance_gives_the_launch_to_1e_5():
     assert usual._values == pytest.approx(fine._values, rel=1e-5)
 
 
+def test_by_default_a_law_and_the_same_law_in_the_core_agree_to_2e_5_as_the_page_says():
+    registered()
+    shot = {"speed": "108 mph", "loft": "13 deg"}
+    mine = clubface.impact("driver", **shot, model="mine")
+    core = clubface.impact("driver", **shot, model="area", parameters=built_in())
+    apart = max(abs(getattr(mine, name) / getattr(core, name) - 1.0) for name in ("ball_speed", "launch", "backspin"))
+    assert 1e-6 < apart < 2e-5  # neither is exact: seven figures take an accuracy
+
+
 def test_energy_and_momentum_are_kept():
     registered()
     course = clubface.history("driver", **SHOT, model="mine", accuracy=1e-10)
