@@ -23,7 +23,7 @@ from clubface.design.optimisation.fitting import (
 )
 from clubface.design.optimisation.optimum_result import landings_panel, study_provenance
 from clubface.results.notes import Note, note
-from clubface.results.pictures import Panel, Picture
+from clubface.results.pictures import Picture
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
 
@@ -45,7 +45,7 @@ def fitting_result(fitted: Fitted) -> Result:
         kind="fitting", title=fitting.title, tables=tuple(tables),
         lead=(*advice_lead(advice), *_parts(fitted)), notes=(*_notes(fitting, fitted), *advice_notes(advice)),
         provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
-        draw=lambda: [fitting_picture(fitted)],
+        draw=lambda: _pictures(fitted),
     )  # fmt: skip
 
 
@@ -120,16 +120,27 @@ def _is_at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
 
 
 def fitting_picture(fitted: Fitted) -> Picture:
-    """Return what each alternative gains on the present club, and where shots land with it and with the best one."""
-    fitting, advice = fitted.fitting, fitted.advice
-    best = landings(fitting, fitted[0])
-    clubs = {"present": present_landings(fitting), f"best for {short_label(advice.objectives[0])}": best}
-    panels: list[Panel | None] = [landings_panel({name: np.concatenate(each, axis=1) for name, each in clubs.items()})]
+    """Return what each alternative gains on the present club; the landings with it where there is no other."""
+    advice = fitted.advice
     if len(advice.names) == 1:
-        return Picture("fitting", "Landings with the present club", [panels], height=3.2)
+        return fitting_landings_picture(fitted)
     rows = min(len(advice.names) - 1, BARS)
-    heights = [1.3 + 0.5 * rows, 3.2]
-    return Picture(
-        "fitting", "What each alternative gains on the present club, and the landings with it and with the best one",
-        [[gains_panel(advice, BARS)], panels], heights=heights, height=sum(heights),
-    )  # fmt: skip
+    caption = "What each alternative gains on the present club"
+    return Picture("fitting", caption, [[gains_panel(advice, BARS)]], height=1.3 + 0.5 * rows)
+
+
+def fitting_landings_picture(fitted: Fitted) -> Picture:
+    """Return where shots land with the present club and with the best one."""
+    fitting, advice = fitted.fitting, fitted.advice
+    clubs = {
+        "present": present_landings(fitting),
+        f"best for {short_label(advice.objectives[0])}": landings(fitting, fitted[0]),
+    }
+    panel = landings_panel({name: np.concatenate(each, axis=1) for name, each in clubs.items()})
+    return Picture("fitting-landings", "Landings with the present club and with the best one", [[panel]], height=3.2)
+
+
+def _pictures(fitted: Fitted) -> list[Picture]:
+    """Return the pictures of a fitting: two, so that a printed page takes the first beneath the advice."""
+    landed = [fitting_landings_picture(fitted)]
+    return landed if len(fitted.advice.names) == 1 else [fitting_picture(fitted), *landed]
