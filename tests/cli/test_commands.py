@@ -107,6 +107,13 @@ def test_the_last_line_of_a_check_sums_up_the_rules(clubface_, tmp_path, time, c
     assert " ".join(clubface_("club", "check", str(file)).out.split()).endswith(" ".join(hint.sentence.split()))
 
 
+def test_a_face_stated_by_its_restitution_is_noted_with_what_comes_nearer(tmp_path):
+    driver = clubface.club("driver")
+    assert "time-of-cor" not in [each.code for each in check_result(driver, "mine.toml").notes]
+    notes = {each.code: each for each in check_result(driver.replace(cor=0.82), "mine.toml").notes}
+    assert notes["time-of-cor"].data["restitution"] == 0.82
+
+
 def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):
     assert clubface.Club.from_text(clubface_("club", "new").out).name == "my-club"
     like = clubface.Club.from_text(clubface_("club", "new", "lob", "--like", "9-iron").out)

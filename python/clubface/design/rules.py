@@ -173,6 +173,8 @@ def check_result(checked: Club, file: str) -> Result:
     notes = []
     if any(each.words == UNMEASURED for each in known):
         notes.append(note("unmeasured-face" if mesh_of(checked) is None else "unmeasured-mesh", file=file))
+    if checked.cor is not None:
+        notes.append(note("time-of-cor", restitution=checked.cor))
     if mesh_of(checked) is not None and len(known) > 1:
         notes.append(note("mesh-dimensions"))
     kinds = [_quantity_of(each.rule) for each in known]

@@ -43,6 +43,11 @@ SENTENCES = {
         "The published models were identified with a ball of 42.60 mm, a little below the 42.67 mm of the rules."
     ),
     "source-of-values": "[{place}] {source}",
+    "time-of-cor": (
+        "The characteristic time is that which goes with a restitution of {restitution}. Times and restitutions "
+        "that are simulated on one head differ in this by up to 0.007; where you have both, give the time, which came "
+        "nearer to the mesh of the one head compared."
+    ),
     "unmeasured-face": (
         'Nothing says how the face gives; characteristic_time = "250 us" in the file states what the pendulum measured.'
     ),
