@@ -206,8 +206,10 @@ def blow_stress(
             raise KeyboardInterrupt
         if impact.stopped or impact.head_fields is None:
             raise RunError(impact.stopped or "the run kept no stress")
-        stressed = _solid if isinstance(each, SolidHead) else _shells
-        runs.append(stressed(each, impact, units.parse(speed, "speed", name="speed")))
+        club_speed = units.parse(speed, "speed", name="speed")
+        runs.append(
+            _solid(each, impact, club_speed) if isinstance(each, SolidHead) else _shells(each, impact, club_speed)
+        )
     parts = (
         replace(part, by_mesh=tuple((each.elements, run.parts[k].stress) for each, run in zip(made, runs, strict=True)))
         for k, part in enumerate(runs[0].parts)
