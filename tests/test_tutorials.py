@@ -148,7 +148,7 @@ UNCHECKED = {
     "docs/finite-elements/how-it-works.md": 17,
     "docs/finite-elements/results.md": 8,
     "docs/finite-elements/strike-height.md": 14,
-    "docs/finite-elements/verification.md": 42,
+    "docs/finite-elements/verification.md": 40,
     "docs/finite-elements.md": 2,
     "docs/flight.md": 48,
     "docs/identification.md": 57,
