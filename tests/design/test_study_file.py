@@ -48,7 +48,6 @@ def test_values_are_read_with_their_units():
         ('golfer = "bogey-driver"\n', "", "golfer"),
         ('"strokes"', '"distance"', "objective 'distance'"),
         ('"strokes"', '["carry", "side_spread", "ellipse"]', "objective is"),
-        ('[hole]\nlength = "400 yd"\n', "", "hole"),
         ('["8 deg", "14 deg"]', '"10 deg"', "least and greatest"),
         ('["8 deg", "14 deg"]', '["14 deg", "8 deg"]', "least and greatest"),
         ('["8 deg", "14 deg"]', '["8 mm", "14 mm"]', "loft"),
