@@ -418,6 +418,24 @@ def test_tables_and_fingerprints_stand_in_one_closed_section(tmp_path):
     assert text.count('<div class="page">') == 1  # before the only club
 
 
+def test_lofts_are_judged_for_the_players_of_a_lesson_but_not_for_those_of_a_season(monkeypatch):
+    """A judgement of a loft takes seconds, so that many players go without, and a note says so."""
+    monkeypatch.setattr(player_report, "MOST_LOFTS", 2)
+    judged = []
+
+    def judge(club):
+        judged.append(club.player)
+        yield note("player-loft-best", club=club.name)
+
+    for players in (["Ann", "Bob"], ["Ann", "Bob", "Cid"]):
+        judged.clear()
+        names = np.array(players * (24 // len(players)), dtype=object)
+        result = player_result(dataclasses.replace(shots(24), players=names), loft_notes=judge)
+        many = len(players) > 2
+        assert judged == ([] if many else players)
+        assert ("player-lofts-not-judged" in [each.code for each in result.summary]) == many
+
+
 def test_a_report_on_very_many_players_notes_what_it_leaves_out(monkeypatch):
     """A picture takes a fifth of a second, and so do the deliveries of twenty shots."""
     monkeypatch.setattr(player_report, "MOST_PICTURES", 5)

@@ -53,6 +53,8 @@ FIRST = ("speed", "attack", "path", "loft", "face", "toe", "high", "ball_speed",
 CLUBLESS = "a club without a name"
 MOST_PICTURES = 40
 """Pictures of clubs and bags that are drawn; each takes a fifth of a second and 150 kB."""
+MOST_LOFTS = 8
+"""Players of a report whose drivers' lofts are judged; each takes some seconds."""
 MOST_ROWS = 10
 """Shots of a club that a report shows; its data have all."""
 FEWEST_FOR_PROCESSES = 200
@@ -132,6 +134,9 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_note
         summary = [note("player-report-by", player=next(iter(players)), **data)]
     else:
         summary = [note("player-report-of", **data)]
+    if loft_notes is not None and len(players) > MOST_LOFTS:
+        loft_notes = None
+        summary.append(note("player-lofts-not-judged", players=len(players)))
     drawn = _drawn(clubs)
     if len(drawn) < len(clubs):
         summary.append(note("player-pictures-of-some", drawn=len(drawn), clubs=len(clubs)))

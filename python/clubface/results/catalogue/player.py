@@ -121,6 +121,10 @@ SENTENCES = {
     "player-loft-other-costs": (
         "By {label} alone, {change_loft:more/less 1} would be better by {gain}, at the price of {losses:and}."
     ),
+    "player-lofts-not-judged": (
+        "With {players:n player} in the file the lofts of their drivers are not judged: give the shots of one player, "
+        "or use `clubface best-loft --golfer`."
+    ),
     "player-loft-best": ("Judged by carry with this head, the loft of {club} is the best for your shots."),
     "player-inconsistent-rows": (
         "The figures in these lines of the file are inconsistent, so that one of them may be wrong: {rows}."
