@@ -86,7 +86,12 @@ def test_start_face_and_path_are_those_measured():
     notes = data(player_notes.line_notes(club_statistics(given, "Driver")))
     start = notes["player-start-and-curve"]
     assert start["azimuth"] == np.median(given.launches["azimuth"])
-    assert start["spin_axis"] == np.median(given.launches["spin_axis"])
+    flight = clubface.fly(given.launches)
+    assert start["curve"] == pytest.approx(np.median(flight.curve), rel=1e-12)
+    assert start["shape"] == "push slice"  # as the face is open, and more so to the path
+    assert club_statistics(dataclasses.replace(given, hand=["left"] * 12), "Driver").shot_shape == "pull hook"
+    axis = data(player_notes.line_notes(club_statistics(shots(drop=("total_spin",)), "Driver")))
+    assert axis["player-start-and-spin-axis"]["spin_axis"] == np.median(given.launches["spin_axis"])
     measured = notes["player-face-and-path"]
     assert (measured["face"], measured["path"]) == tuple(np.median(given.deliveries[name]) for name in ("face", "path"))
     # The face is open to the path by five degrees, whose medians are known to a tenth.
@@ -198,7 +203,7 @@ def test_what_is_not_known_is_noted():
 def test_shots_whose_figures_are_inconsistent_are_named():
     given = shots()
     given.deliveries["attack"][4] = 15 * DEG
-    assert data(player_notes.doubt_notes(club_statistics(given, "Driver")))["player-inconsistent-rows"]["rows"] == ["6"]
+    assert data(player_notes.doubt_notes(club_statistics(given, "Driver")))["player-inconsistent-rows"]["rows"] == [6]
     assert "player-inconsistent-rows" not in data(player_notes.doubt_notes(club_statistics(shots(), "Driver")))
 
 

@@ -24,8 +24,6 @@ LEAST_ANGLE = to_si(0.3, "deg")
 """Angle below which nothing is said of a difference."""
 LEARNED = to_si(4.0, "mm")
 """Standard deviation of an estimated strike, below which it says something: half of that of golfers of any skill."""
-MOST_ROWS = 10
-"""Rows of inconsistent shots that are named."""
 
 
 def typical_notes(club: ClubStatistics) -> Iterator[Note]:
@@ -58,14 +56,19 @@ def mishit_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def line_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield where the ball starts and how it bends, with face and path."""
+    """Yield where the ball starts and how far it curves, with face and path.
+
+    Without a carry and side there is no curve, and the tilt of the spin axis says to which side the ball bends.
+    """
     start, axis = club.measured.get("azimuth"), club.measured.get("spin_axis")
     if start is None:
         return
-    if axis is None:
-        yield note("player-start", azimuth=start.median)
+    if shape := club.shot_shape:
+        yield note("player-start-and-curve", azimuth=start.median, curve=club.measured["curve"].median, shape=shape)
+    elif axis is not None:
+        yield note("player-start-and-spin-axis", azimuth=start.median, spin_axis=axis.median)
     else:
-        yield note("player-start-and-curve", azimuth=start.median, spin_axis=axis.median)
+        yield note("player-start", azimuth=start.median)
     angles, margins = {}, {}
     for name in ("face", "path"):
         if name in club.measured:
@@ -131,9 +134,7 @@ def doubt_notes(club: ClubStatistics) -> Iterator[Note]:
         if inferred.shots + inferred.refused < min(count, club.measured["launch"].measured) - int(club.mishit.sum()):
             yield note("player-delivery-of-some", shots=inferred.shots)
         if inferred.remarked:
-            rows = [str(row) for row in inferred.remarked[:MOST_ROWS]]
-            more = len(inferred.remarked) - MOST_ROWS
-            yield note("player-inconsistent-rows", rows=[*rows, f"and {more} more"] if more > 0 else rows)
+            yield note("player-inconsistent-rows", rows=list(inferred.remarked))
         if inferred.refused:
             yield note("player-impossible-shots", shots=inferred.refused)
     elif club.club is None:

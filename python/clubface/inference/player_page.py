@@ -27,18 +27,24 @@ __all__ = ["page_parts"]
 
 MOST_FINDINGS = 3
 MOST_PRACTISED = 3
+"""As many as a golfer keeps in mind; assumed."""
 NARROW = to_si(7.0, "yd")
-"""Gap below which two clubs do the work of one; assumed, half of what bags are built for."""
+"""Gap below which two clubs do the work of one. Of the tour averages of 2019 and 2023 only a hybrid, or a wood in its
+place, is so near to the next club (3 to 5 yd); all others lie at least 8 yd apart."""
 WIDE = 1.5
-"""Times the usual gap of the bag from which a gap is wide; assumed."""
+"""Times the usual gap of the bag from which a gap is wide. From the root of two on a club in the middle makes two gaps
+that are, as ratios, nearer to the usual one; rounded up."""
 LEAST_SIDE = to_si(5.0, "yd")
-"""Distance from the line that is worth a word; assumed."""
+"""Distance from the line that is worth a word. It adds 0.6 to 1.2 yd to the root mean square of the side of the shipped
+golfers, about what :data:`clubface.design.optimisation.advice.WORTH` has as worth a change."""
 LEAST_STRIKE = to_si(5.0, "mm")
-"""Distance of the strike from the middle that is worth a word; assumed."""
+"""Distance of the strike from the middle that is worth a word: the step of the what-if, and more than the 3 mm to which
+a monitor sees one strike. A drive at 94 mph loses up to 2 yd of carry by it, as much as is worth a change."""
 LEAST_SHARE = 0.4
-"""Share of the spread from which a part of the swing is named as its cause; assumed."""
+"""Share of the spread from which a part of the swing is named as its cause. Without the part the side of the shipped
+golfers would spread by 8%, 0.8 to 1.8 yd, less, about as much as is worth a change."""
 FEWEST_GAPS = 2
-"""Gaps of a bag that give a usual one."""
+"""Gaps of a bag that give a usual one: of a single gap nothing can be said to be wide or narrow."""
 
 
 class _Finding(NamedTuple):

@@ -22,9 +22,10 @@ from clubface.shots.mishits import Mishit, Statistic, find_mishits, is_mishit, s
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.reference_points import refer
 from clubface.simulation.flight import fly
-from clubface.simulation.inputs import OF_CLUB
+from clubface.simulation.inputs import OF_CLUB, hand_value
 from clubface.simulation.launch import Launch
 from clubface.simulation.sensitivity import sensitivity
+from clubface.simulation.shot_shape import curve, shot_shape
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
@@ -94,7 +95,7 @@ class ClubStatistics:
     shots
         Its shots.
     measured
-        Figures by quantity, of launch, flight and delivery.
+        Figures by quantity, of launch, flight and delivery; with start direction, carry and side also of the curve.
     mishits
         Its shots that are far off, each with the reason.
     computed
@@ -133,16 +134,26 @@ class ClubStatistics:
         """Which of its shots are mishits."""
         return is_mishit(self.mishits, len(self.shots))
 
+    @property
+    def shot_shape(self) -> str:
+        """The name of the typical shot, such as "pull hook"; "" where start direction, carry or side are missing."""
+        if "curve" not in self.measured:
+            return ""
+        typical = (self.measured[name].median for name in ("azimuth", "curve", "carry"))
+        return shot_shape(*typical, hand=hand_value(_hand(self.shots)))
+
 
 def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStatistics:
     """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
     kind = club_kind(name)
-    hand = "left" if shots.hand is not None and set(shots.hand) == {"left"} else "right"
+    hand = _hand(shots)
     head = _head(kind, hand) if kind in TOUR_CLUBS else None
     if head is not None:
         shots = refer(shots, head)
     flown = with_computed_carry(shots)
     columns = {**flown.deliveries, **flown.launches}
+    if {"azimuth", "carry", "side"} <= columns.keys():
+        columns["curve"] = curve(columns["azimuth"], columns["carry"], columns["side"])
     mishits = find_mishits(columns)
     mask = is_mishit(mishits, len(shots))
     measured = {each: result for each, values in columns.items() if (result := statistic(values, mask)) is not None}
@@ -165,6 +176,11 @@ def with_computed_carry(shots: RecordedShots) -> RecordedShots:
     if "carry" in shots.launches or not all(each in shots.launches for each in LAUNCHED):
         return shots
     return replace(shots, launches=shots.launches | _flown({each: shots.launches[each] for each in LAUNCHED}))
+
+
+def _hand(shots: RecordedShots) -> str:
+    """Return the hand of the player; right where it is not known."""
+    return "left" if shots.hand is not None and set(shots.hand) == {"left"} else "right"
 
 
 @cache

@@ -127,7 +127,7 @@ SENTENCES = {
     ),
     "player-loft-best": ("Judged by carry with this head, the loft of {club} is the best for your shots."),
     "player-inconsistent-rows": (
-        "The figures in these lines of the file are inconsistent, so that one of them may be wrong: {rows}."
+        "The figures in these lines of the file are inconsistent, so that one of them may be wrong: {rows:10}."
     ),
     "player-impossible-shots": (
         "{shots:n shot}, as measured, cannot come from this club, and {shots:?is/are} left out of all estimates."
@@ -190,6 +190,10 @@ SENTENCES = {
     ),
     "player-start": "Your ball starts {azimuth:to the right/to the left/straight 1}.",
     "player-start-and-curve": (
+        "Your ball starts {azimuth:to the right/to the left/straight 1} and "
+        "{curve:curves # to the right/curves # to the left/flies straight 0}: a {shape}."
+    ),
+    "player-start-and-spin-axis": (
         "Your ball starts {azimuth:to the right/to the left/straight 1} and bends to the side to which its spin axis "
         "is tilted: {spin_axis:to the right/to the left/to neither 0}."
     ),
