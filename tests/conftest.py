@@ -6,6 +6,7 @@ import os
 import signal
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 # Before NumPy is loaded, as the command line does: on a busy machine OpenBLAS's threads wait for each other over
 # matrices of a few rows, and motion capture takes ten times as long.
@@ -14,6 +15,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # A test run started in the background inherits an ignored interrupt, and passes that on to the commands it starts: then
 # Ctrl-C would reach nobody. The handler of an interactive run is what the tests of interruption mean.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# An example takes as long as the machine is busy, and the first one loads the core: time is no property of the code.
+settings.register_profile("clubface", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("clubface")
 
 
 @pytest.fixture

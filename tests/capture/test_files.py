@@ -138,7 +138,7 @@ def test_damaged_files_are_refused_or_read_but_never_end_the_process(file, tmp_p
     assert sum(line.startswith("FileError") for line in lines) > 60
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.binary(max_size=2000))
 def test_any_bytes_are_refused_or_understood(tmp_path_factory, content):
     path = tmp_path_factory.mktemp("bytes") / "any.c3d"

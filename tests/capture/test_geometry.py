@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 import clubface
 from clubface.capture.rotations import about, angles, delivered, exponential, face_axes, left_jacobian, logarithm, skew
@@ -13,7 +13,6 @@ from clubface.equipment.face import face_point, nearest
 ANGLE = st.floats(-0.6, 0.6)
 
 
-@settings(deadline=None)
 @given(st.tuples(*[st.floats(-1.8, 1.8)] * 3))
 def test_the_logarithm_undoes_the_exponential(vector):
     # 1.8 sqrt(3) < pi. Rounding of the matrix, 1e-16, reaches the vector over the sine, 0.02 at worst.
@@ -35,7 +34,6 @@ def test_the_left_jacobian_gives_the_angular_velocity_of_a_rotation_vector(size)
     assert left_jacobian(vector) @ rate == pytest.approx(turned, abs=1e-9)
 
 
-@settings(deadline=None)
 @given(loft=st.floats(0.02, 0.9), face=ANGLE, lie=ANGLE, static=st.floats(0.0, 1.2))
 def test_loft_face_and_lie_are_read_back_from_the_attitude(loft, face, lie, static):
     assert np.array(angles(delivered(loft, face, lie, static), static)) == pytest.approx([loft, face, lie], abs=1e-13)
@@ -66,7 +64,6 @@ def test_attitude_and_face_are_those_of_the_core(hand):
     assert velocity / np.linalg.norm(velocity) == pytest.approx(rotation @ normal, abs=1e-6)
 
 
-@settings(deadline=None)
 @given(
     toe=st.floats(-0.05, 0.05), high=st.floats(-0.025, 0.025), out=st.floats(-0.02, 0.05),
     bulge=st.sampled_from([0.25, 0.305, math.inf]), roll=st.sampled_from([0.2, 0.305, math.inf]),

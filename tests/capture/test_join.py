@@ -97,7 +97,7 @@ def test_joined_shots_identify_what_made_them():
         assert abs(result.parameters.values[name] - truth) < 1.5 * (high - low)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 6), st.integers(1, 6))
 def test_the_alignment_costs_no_more_than_any_other(seed, rows, columns):
     rng = np.random.default_rng(seed)

@@ -30,7 +30,7 @@ def moving(frames=80, noise=0.0, seed=1):
     return seen + noise * random.normal(size=seen.shape), position, rotation
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     st.tuples(*[st.floats(-1.7, 1.7)] * 3), st.tuples(*[st.floats(-5, 5)] * 3), st.integers(3, 5), st.integers(0, 99)
 )

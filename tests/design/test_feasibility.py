@@ -38,7 +38,7 @@ points = st.lists(
 
 
 @given(points)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_point_masses_in_the_volume_on_a_shell_are_a_head(bodies):
     parts, masses = np.array(bodies)[:, :3], np.array(bodies)[:, 3]
     for volume in (ELLIPSOID, BOX):
@@ -51,7 +51,7 @@ def test_point_masses_in_the_volume_on_a_shell_are_a_head(bodies):
 
 
 @given(points)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 def test_moments_and_mass_properties_are_the_same_thing(bodies):
     parts, masses = np.array(bodies)[:, :3], np.array(bodies)[:, 3]
     pseudo = moments(in_ellipsoid(ELLIPSOID, parts), masses)

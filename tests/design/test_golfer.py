@@ -30,7 +30,7 @@ def small(**changes):
     )
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.integers(1, 300), st.integers(0, 5000), st.integers(0, 2**40), st.booleans())
 def test_chunks_joined_are_bit_for_bit_the_shots_made_at_once(count, start, seed, mishits):
     player = small(mishit_share=0.1, mishit_scale=2.0) if mishits else small()

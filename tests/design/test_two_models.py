@@ -97,7 +97,7 @@ def test_a_start_that_fails_is_told():
         search(walls(), lambda places: [dict.fromkeys(("mass", "strength"), math.nan)], np.array([0.5, 0.5]), LIGHTEST)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     powers=st.tuples(st.floats(0.3, 2.5), st.floats(0.3, 2.5)),
     start=st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0)),

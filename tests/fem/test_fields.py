@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from clubface.fem import files
 from clubface.fem.result import ElementFields, turned
@@ -38,7 +38,6 @@ def test_invariants_of_known_states():
 numbers = st.floats(-1e3, 1e3)
 
 
-@settings(deadline=None)
 @given(tensor=st.tuples(*[numbers] * 6), angles=st.tuples(*[st.floats(-3.0, 3.0)] * 3))
 def test_tensors_turn(tensor, angles):
     from scipy.spatial.transform import Rotation

@@ -7,7 +7,7 @@ from clubface.jobs import Job, Store, run
 from clubface.jobs.workers import in_sequence
 from job_parts import square
 
-once = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=30)
+once = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=30)
 
 
 class Interrupted:

@@ -28,7 +28,7 @@ def fill(path, places, rows, **options):
     return run_table(Job("rows", places, rows, **options), path, {"case": 1}, COLUMNS, workers=1)
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=12)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=12)
 @given(st.lists(st.tuples(st.permutations(PLACES), st.integers(0, 6), st.integers(0, 4)), max_size=5))
 def test_interrupted_runs_over_any_of_the_places_end_with_each_row_computed_once(tmp_path_factory, runs):
     path, computed = tmp_path_factory.mktemp("table") / "rows.csv", []

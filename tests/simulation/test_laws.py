@@ -37,8 +37,8 @@ deliveries = st.fixed_dictionaries(
 )
 clubs = st.sampled_from(["driver", "7-iron", "hybrid"])
 
-quick = settings(max_examples=40, deadline=None)
-slow = settings(max_examples=12, deadline=None)
+quick = settings(max_examples=40)
+slow = settings(max_examples=12)
 
 
 def obeys(model, law):

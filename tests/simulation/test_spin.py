@@ -38,7 +38,7 @@ def completed(**values):
 
 
 @pytest.mark.parametrize("names", SUFFICIENT, ids="-".join)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(ball=balls)
 def test_every_sufficient_part_of_a_spin_gives_the_whole(names, ball):
     whole = vector(*ball)
@@ -51,7 +51,7 @@ def test_every_sufficient_part_of_a_spin_gives_the_whole(names, ball):
 
 
 @pytest.mark.parametrize("names", INSUFFICIENT, ids="-".join)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(ball=balls)
 def test_what_does_not_follow_is_not_made_up(names, ball):
     whole = vector(*ball)
@@ -61,7 +61,7 @@ def test_what_does_not_follow_is_not_made_up(names, ball):
     assert bool(result.notes) == ("total_spin" in names)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(ball=balls)
 def test_spins_as_monitors_round_them_do_not_contradict_each_other(ball):
     whole = vector(*ball)
@@ -71,7 +71,7 @@ def test_spins_as_monitors_round_them_do_not_contradict_each_other(ball):
         assert not result.contradictions
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(ball=balls, name=st.sampled_from(["backspin", "sidespin", "total_spin"]), off=st.sampled_from([1.4, 0.6, -1.0]))
 def test_one_of_four_that_the_others_contradict_is_said_and_left_out(ball, name, off):
     whole = {each: value / UNITS[each] for each, value in vector(*ball).items()}

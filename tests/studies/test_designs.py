@@ -32,7 +32,7 @@ def test_evenly_spaced_values_begin_and_end_where_the_file_says():
     np.testing.assert_allclose(np.diff(result), to_si(1.0, "mph"), rtol=1e-12)  # rounding of values of 50 m/s
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(
     st.decimals(-200, 200, places=2), st.decimals("0.01", 7, places=2), st.integers(1, 400), st.sampled_from((1, -1)),
     st.sampled_from(["mph", "m/s", "km/h"]), st.booleans(),
@@ -144,7 +144,7 @@ def test_a_grid_of_a_billion_tasks_is_made_where_it_is_asked_for():
     assert [result[name].tolist() for name in "abc"] == [[123.0, 123.0], [456.0, 456.0], [789.0, 790.0]]
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(size=st.integers(1, 70), method=st.sampled_from(["sobol", "latin-hypercube"]))
 def test_samples_are_the_same_in_chunks_of_any_size(size, method):
     pytest.importorskip("scipy")

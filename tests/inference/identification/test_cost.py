@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 
 from clubface.errors import InputError, UnknownNameError
 from clubface.inference.identification.simulator import HUBER, NOISE, cost_of, noise_of
@@ -89,7 +89,6 @@ def test_a_launch_that_cannot_be_computed_costs_infinitely_much():
         assert cost_of(kind, MEASURED, NAMES).value(simulated) == np.inf
 
 
-@settings(deadline=None)
 @given(st.integers(1, 7), st.integers(0, 2**32 - 1))
 def test_a_population_costs_what_its_members_cost_alone(count, seed):
     rng = np.random.default_rng(seed)

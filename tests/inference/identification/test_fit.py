@@ -118,7 +118,7 @@ def test_the_gradient_of_a_cost_is_that_of_differences(cost):
         assert gradient[place] == pytest.approx(difference / 2e-7, rel=1e-6, abs=1e-7 * np.abs(gradient).max())
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(st.integers(0, 2**32 - 1))
 def test_a_refinement_ends_no_worse_than_a_bounded_quasi_newton_method(seed):
     """The mean absolute error has kinks; L-BFGS-B with its exact (sub)gradient stops at them."""
@@ -137,7 +137,7 @@ def test_a_refinement_ends_no_worse_than_a_bounded_quasi_newton_method(seed):
     assert ours.cost <= theirs.fun * (1.0 + 1e-9)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 60), st.integers(1, 7), st.sampled_from(["plain", "twins", "blind"]))
 def test_least_absolute_deviations_are_those_of_a_linear_program(seed, count, free, kind):
     """The sum of t with -t <= deviations + rows step <= t, by another program."""
