@@ -80,6 +80,16 @@ def test_of_equals_that_is_recommended_which_costs_least_elsewhere():
     assert "advice-costs" in [each.code for each in advice_lead(replace(one, choices=(1,)))]
 
 
+def test_a_greater_gain_that_is_not_certain_gives_way_to_one_that_is():
+    """7 yd that may be chance and 3 yd that are none: sentence and table both choose the 3 yd."""
+    one = advice([200.0, 207.0, 203.0])
+    one.sets[1, :, 0] += 32.0 * YARD * np.where(np.arange(16) % 2, 1.0, -1.0)
+    assert [one.state("carry", place) for place in (1, 2)] == [OPEN, BETTER]
+    assert one.recommended() == one.best("carry") == 2
+    by_objective = advice_tables(one)[0]
+    assert (by_objective["advice"].values[0], by_objective["best"].values[0]) == ("change", "c")
+
+
 def test_a_disagreement_of_objectives_is_one_note_with_the_numbers():
     one = advice([200.0, 203.0, 197.0], [3.0, 3.03, 2.97])
     (wishes,) = [each.data["wishes"] for each in advice_lead(one) if each.code == "advice-by-objective"]

@@ -9,7 +9,7 @@ import clubface
 from clubface import club, fly, impact
 from clubface.design.golfer import golfer
 from clubface.design.optimisation import fitting_run
-from clubface.design.optimisation.fitting import landings
+from clubface.design.optimisation.fitting import describe, landings
 from clubface.design.optimisation.fitting_run import fit
 from clubface.design.optimisation.study import from_text
 from clubface.errors import FileError, InputError
@@ -81,6 +81,26 @@ def test_a_setting_and_what_is_free_add_up():
     )
     (result,) = fit(from_text(text))
     assert math.radians(1.5) - 1e-9 <= result.changes["loft"] <= math.radians(2.0) + 1e-9
+
+
+def test_the_picture_shows_the_club_that_the_advice_opens_with():
+    result = fit(
+        from_text(BEGIN + '[fit]\nclubs = ["driver"]\nballs = ["modern", "distance"]\nloft = ["-4 deg", "6 deg"]\n')
+    )
+    advice = result.advice
+    place = advice.recommended() or advice.best("carry")
+    assert place > 0
+    assert result.leading.value == pytest.approx(advice.values[place, 0], rel=1e-12)
+    assert advice.names[place] == describe(result.leading)
+
+
+def test_what_is_free_stands_at_an_end_whatever_the_setting_adds():
+    """The best loft is 0.9 degrees more: within 3 to 9 degrees of a setting of -5, beyond 0.5 without one."""
+    for line, limits, ended in (("-5 deg", (3, 9), False), ("0 deg", (-1, 0.5), True)):
+        text = f'[fit]\nclubs = ["driver"]\nloft = ["{limits[0]} deg", "{limits[1]} deg"]\n'
+        result = fit(from_text(BEGIN + text + f'[[fit.setting]]\nname = "a"\nloft = "{line}"\n'))
+        codes = [each.code for each in result.to_result().notes]
+        assert ("fitting-at-an-end" in codes) == ended, result.leading
 
 
 @pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])

@@ -16,7 +16,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.golfer import Golfer, club_of, golfer as golfer_of
-from clubface.design.optimisation.advice import Advice, describe_conditions
+from clubface.design.optimisation.advice import Advice, describe_conditions, is_at_an_end
 from clubface.design.optimisation.landings import Objective, Setting
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.run import REPEATS, judged, optimise
@@ -35,8 +35,6 @@ SPAN = units.parse("8 deg", "angle")
 """How much more and less loft than the present one is tried."""
 STEPS = 33
 """Lofts of the curve, half a degree apart."""
-NEAR = 1e-3
-"""Part of the range within which a loft stands at its end."""
 SHOTS = 4096
 STARTS = 3
 
@@ -113,9 +111,7 @@ class LoftFit(Described):
 
     def is_at_an_end(self, club: str) -> bool:
         """Return whether a club of the optimisation has the least or the greatest loft that was tried."""
-        low, high = float(self.lofts[0]), float(self.lofts[-1])
-        loft = self.loft(club)
-        return min(loft - low, high - loft) < NEAR * (high - low)
+        return is_at_an_end(self.loft(club), (float(self.lofts[0]), float(self.lofts[-1])))
 
     def _words(self, club: str) -> str:
         loft = self.loft(club)

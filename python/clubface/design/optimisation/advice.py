@@ -53,6 +53,8 @@ DRIVES = 14
 """Drives of a round: the holes of a course of par 72 that are no par 3."""
 NEGLIGIBLE = 0.1
 """Part of what is worth a change below which a further alternative adds nothing to those there are."""
+END = 1e-3
+"""Part of the range of what is tried within which a value stands at its end."""
 
 BETTER, WORSE, ALIKE, OPEN = "better", "worse", "alike", "not certain"
 
@@ -198,11 +200,14 @@ class Advice:
         return {each.name: self.state(each.name, alternative) for each in self.objectives}
 
     def best(self, name: str) -> int:
-        """Return the alternative with the best value of an objective, whether or not that is worth a change.
+        """Return the alternative that an objective alone would choose.
 
-        It is what the objective alone would choose, of those that may be recommended, and the same whatever was asked.
+        It is the best of those that are better than the present one by a difference worth a change; where there is
+        none, the one with the best value, which may be the present one.
         """
-        return max((0, *self._open_to(name)), key=lambda place: self.gain(name, place))
+        open_to = self._open_to(name)
+        better = [place for place in open_to if self.state(name, place) == BETTER]
+        return max(better or (0, *open_to), key=lambda place: self.gain(name, place))
 
     def losses(self, name: str, alternative: int) -> dict[str, float]:
         """Return by how much an alternative is worse by the other objectives where that is worth a change [SI]."""
@@ -224,12 +229,18 @@ class Advice:
         from the best, it is the one that is worse in the fewest other objectives, and of these the first.
         """
         name = name or self.purpose
-        better = [place for place in self._open_to(name) if self.state(name, place) == BETTER]
-        if not better:
+        best = self.best(name)
+        if self.state(name, best) != BETTER:
             return 0
-        first = max(better, key=lambda place: self.gain(name, place))
-        level = [place for place in better if self.state(name, place, first) not in (BETTER, WORSE)]
+        level = [place for place in self.as_good(name, best) if place in self._open_to(name)]
         return min(level, key=lambda place: list(self.states(place).values()).count(WORSE))
+
+    def as_good(self, name: str, alternative: int) -> list[int]:
+        """Return all that are better than the present one and do not differ from an alternative, itself among them."""
+        return [
+            place for place in range(1, len(self.names))
+            if self.state(name, place) == BETTER and self.state(name, place, alternative) not in (BETTER, WORSE)
+        ]  # fmt: skip
 
     def ranks(self, places: Sequence[int], name: str | None = None) -> dict[int, int]:
         """Return the rank of alternatives by an objective, 1 for the best; those that do not differ share one.
@@ -250,6 +261,12 @@ class Advice:
 def adds_nothing(judge: Objective, worth: float, value: float, others: Sequence[float]) -> bool:
     """Return whether one of other alternatives is as good by an objective [SI] as a further one, or nearly."""
     return any(judge.sign * (other - value) < NEGLIGIBLE * worth for other in others)
+
+
+def is_at_an_end(value: float, limits: tuple[float, float]) -> bool:
+    """Return whether a value is the least or the greatest that was tried, so that the best may lie beyond it."""
+    low, high = limits
+    return min(value - low, high - value) < END * (high - low)
 
 
 def describe_conditions(setting: Setting, hole: Hole | None, shots: int) -> str:

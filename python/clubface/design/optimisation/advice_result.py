@@ -43,7 +43,8 @@ def advice_lead(advice: Advice) -> Iterator[Note]:
     chosen = advice.recommended()
     states = advice.states(chosen)
     yield note("advice-purpose", meaning=advice.objectives[0].meaning, conditions=advice.conditions)
-    if chosen and (level := _level(advice, chosen)):
+    level = [place for place in advice.as_good(advice.purpose, chosen) if place != chosen]
+    if chosen and level:
         judge = advice.objectives[0]
         others = [
             f"{advice.names[place]} (better by {_amount(judge, advice.gain(judge.name, place))})" for place in level
@@ -80,15 +81,6 @@ def _opening(advice: Advice) -> Note:
 
 def _labels(advice: Advice) -> list[str]:
     return [short_label(each) for each in advice.objectives]
-
-
-def _level(advice: Advice, chosen: int) -> list[int]:
-    """Return the other alternatives that are better than the present one and do not differ from the chosen one."""
-    return [
-        place for place in range(1, len(advice.names))
-        if place != chosen and advice.state(advice.purpose, place) == BETTER
-        and advice.state(advice.purpose, place, chosen) not in (BETTER, WORSE)
-    ]  # fmt: skip
 
 
 def _wish(advice: Advice, judge: Objective) -> str:

@@ -231,6 +231,8 @@ class Fitted(list[Combination], Described):
         The present club, all combinations, and those that are best by other objectives.
     effects
         How much clubs, balls and settings matter, by objective.
+    alternatives
+        The clubs of the advice after the present one, in its order.
     others
         How many of the last alternatives of the advice were set for other objectives.
     """
@@ -241,10 +243,18 @@ class Fitted(list[Combination], Described):
         fitting: Fitting,
         advice: Advice,
         effects: tuple[Effect, ...],
+        alternatives: tuple[Combination, ...],
         others: int,
     ) -> None:
         super().__init__(combinations)
-        self.fitting, self.advice, self.effects, self.others = fitting, advice, effects, others
+        self.fitting, self.advice, self.effects = fitting, advice, effects
+        self.alternatives, self.others = alternatives, others
+
+    @property
+    def leading(self) -> Combination | None:
+        """The club that the advice opens with: to change to, or to consider where none is; None for the present one."""
+        place = self.advice.recommended() or self.advice.best(self.advice.purpose)
+        return self.alternatives[place - 1] if place else None
 
     def to_result(self) -> Result:
         """Return the combinations and the advice as a result."""

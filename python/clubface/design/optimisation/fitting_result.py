@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from clubface.design.optimisation.advice import is_at_an_end
 from clubface.design.optimisation.advice_result import (
     advice_lead,
     advice_notes,
@@ -43,7 +44,7 @@ def fitting_result(fitted: Fitted) -> Result:
         tables.append(_effects_table(fitted))
     return Result(
         kind="fitting", title=fitting.title, tables=tuple(tables),
-        lead=(*advice_lead(advice), *_parts(fitted)), notes=(*_notes(fitting, fitted), *advice_notes(advice)),
+        lead=(*advice_lead(advice), *_parts(fitted)), notes=(*_notes(fitted), *advice_notes(advice)),
         provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
         draw=lambda: _pictures(fitted),
     )  # fmt: skip
@@ -98,25 +99,19 @@ def _parts(fitted: Fitted) -> Iterator[Note]:
         yield note("fitting-parts-matter", effects=effects)
 
 
-def _notes(fitting: Fitting, combinations: Sequence[Combination]) -> Iterator[Note]:
+def _notes(fitted: Fitted) -> Iterator[Note]:
+    fitting, leading = fitted.fitting, fitted.leading
     yield note(
-        "fitting-shots",
-        combinations=len(combinations),
-        shots=fitting.shots,
-        golfers=len(fitting.golfers),
+        "fitting-shots", combinations=len(fitted), shots=fitting.shots, golfers=len(fitting.golfers),
         club=fitting.clubs[0].name,
-    )
-    if ends := [
-        name for name, limits in fitting.bounds.items() if _is_at_an_end(combinations[0].changes.get(name), limits)
-    ]:
-        yield note("fitting-at-an-end", names=ends)
-    if len(combinations) > SHOWN:
-        yield note("fitting-not-shown", hidden=len(combinations) - SHOWN)
-
-
-def _is_at_an_end(value: float | None, limits: tuple[float, float]) -> bool:
-    low, high = limits
-    return value is not None and min(value - low, high - value) < 1e-3 * (high - low)
+    )  # fmt: skip
+    if leading is not None:
+        by_setting = fitting.settings.get(leading.setting, {})
+        free = {name: leading.changes[name] - by_setting.get(name, 0.0) for name in fitting.bounds}
+        if ends := [name for name, limits in fitting.bounds.items() if is_at_an_end(free[name], limits)]:
+            yield note("fitting-at-an-end", names=ends)
+    if len(fitted) > SHOWN:
+        yield note("fitting-not-shown", hidden=len(fitted) - SHOWN)
 
 
 def fitting_picture(fitted: Fitted) -> Picture:
@@ -130,14 +125,14 @@ def fitting_picture(fitted: Fitted) -> Picture:
 
 
 def fitting_landings_picture(fitted: Fitted) -> Picture:
-    """Return where shots land with the present club and with the best one."""
-    fitting, advice = fitted.fitting, fitted.advice
-    clubs = {
-        "present": present_landings(fitting),
-        f"best for {short_label(advice.objectives[0])}": landings(fitting, fitted[0]),
-    }
+    """Return where shots land with the present club and with the one that the advice opens with."""
+    fitting, leading = fitted.fitting, fitted.leading
+    clubs, caption = {"present": present_landings(fitting)}, "Landings with the present club, which is the best one"
+    if leading is not None:
+        clubs[f"best for {short_label(fitted.advice.objectives[0])}"] = landings(fitting, leading)
+        caption = "Landings with the present club and with the best one"
     panel = landings_panel({name: np.concatenate(each, axis=1) for name, each in clubs.items()})
-    return Picture("fitting-landings", "Landings with the present club and with the best one", [[panel]], height=3.2)
+    return Picture("fitting-landings", caption, [[panel]], height=3.2)
 
 
 def _pictures(fitted: Fitted) -> list[Picture]:

@@ -135,20 +135,21 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
         for place in order
     ]
     with_ball = len(fitting.balls) > 1
-    chosen = {describe(each, with_ball=with_ball): own[each.place] for each in ranked if each.place != same}
+    chosen = {describe(each, with_ball=with_ball): (each, own[each.place]) for each in ranked if each.place != same}
     combinations = len(chosen)
     for each in fitting.advised[1:]:
         tuned = [one.judged.get(each.name, own[place]) for place, one in enumerate(tried)]
         column = [one.name for one in fitting.judges].index(each.name)
         place = min(count, key=lambda place: each.sign * tuned[place].values[column])
-        words = describe(_combination(fitting, tried[place].ball, place, tuned[place]), with_ball=with_ball)
-        known = [each.values[column] for each in (present, *chosen.values())]
+        combination = _combination(fitting, tried[place].ball, place, tuned[place])
+        known = [judged.values[column] for judged in (present, *(judged for _, judged in chosen.values()))]
         if not adds_nothing(each, fitting.worth[each.name], tuned[place].values[column], known):
-            chosen.setdefault(words, tuned[place])
+            chosen.setdefault(describe(combination, with_ball=with_ball), (combination, tuned[place]))
     ball = f" with the ball {tried[0].ball}" if with_ball else ""
     names = [f"present {fitting.clubs[0].name}{ball}", *chosen]
-    advice = _advice(fitting, names, [present, *chosen.values()])
-    return Fitted(ranked, fitting, advice, _effects(fitting, tried), len(chosen) - combinations)
+    advice = _advice(fitting, names, [present, *(judged for _, judged in chosen.values())])
+    alternatives = tuple(combination for combination, _ in chosen.values())
+    return Fitted(ranked, fitting, advice, _effects(fitting, tried), alternatives, len(chosen) - combinations)
 
 
 def _combination(fitting: Fitting, ball: str, place: int, judged: _Judged) -> Combination:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from clubface import units
+from clubface.design.optimisation.advice import is_at_an_end
 from clubface.design.shells.study import QUANTITIES, design_quantity
 from clubface.fem.heads import driver
 from clubface.results.notes import Note, note
@@ -159,17 +160,13 @@ def _summary(improved: Improved) -> Iterator[Note]:
 def _notes(improved: Improved) -> Iterator[Note]:
     designs = sum(len(each.result.steps) for each in improved.searches)
     yield note("shells-effort", designs=designs, runs=improved.runs, reason=improved.chosen.result.ended)
-    if ends := [design_quantity(name).label for name in improved.study.bounds if _is_at_an_end(improved, name)]:
+    if ends := [
+        design_quantity(name).label for name, limits in improved.study.bounds.items()
+        if is_at_an_end(improved.best_value(name), limits)
+    ]:  # fmt: skip
         yield note("shells-at-an-end", names=ends)
     if improved.study.hardest is not None:
         yield note("shells-stress")
-
-
-def _is_at_an_end(improved: Improved, name: str) -> bool:
-    """Return whether the best head has the least or the greatest value of a variable."""
-    low, high = improved.study.bounds[name]
-    value = improved.best_value(name)
-    return min(value - low, high - value) < 1e-3 * (high - low)
 
 
 def search_picture(improved: Improved) -> Picture:
