@@ -9,7 +9,6 @@ the function of the nearest node inside, extrapolated.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -213,10 +212,6 @@ class Impact(Described):
         self._shots = shots
         self._ball_velocity, self._ball_spin = record.ball_velocity, record.ball_spin
         self._launch = record.launch
-        after = self.contact["time"] > self.reversal_time
-        if not (self.contact["tangential"][after] < 0.0).any():
-            self.reversal_time = math.nan
-        self.spin_max = float(np.fmax(self.spin_max, self.backspin))
 
     @property
     def equipment(self) -> tuple[Club, RigidBall] | None:

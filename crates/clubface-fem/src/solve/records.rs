@@ -158,7 +158,7 @@ impl Records {
         }
         let Some(i) = at else { return f64::NAN };
         let records = &self.contact[i..];
-        let crossing = records.windows(2).find(|p| p[0].tangential > 0.0 && p[1].tangential <= 0.0);
+        let crossing = records.windows(2).find(|p| p[0].tangential >= 0.0 && p[1].tangential < 0.0);
         crossing.map_or(f64::NAN, |p| {
             let fraction = p[0].tangential / (p[0].tangential - p[1].tangential);
             p[0].time + fraction * (p[1].time - p[0].time)
