@@ -8,7 +8,6 @@ import math
 import pytest
 from hypothesis import given, strategies as st
 
-import clubface.simulation.shot_shape  # noqa: F401, registers the curve
 from clubface import units
 from clubface.errors import UnknownNameError
 from clubface.present.files import csv_text, json_text, write_table

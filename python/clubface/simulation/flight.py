@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError, Wording
+from clubface.quantities import quantity
 from clubface.results.notes import Note
 from clubface.simulation import core
 from clubface.simulation.inputs import check_on_error, common_shape, hand_value, thread_count
@@ -40,7 +41,7 @@ from clubface.simulation.results import (
     index_of,
     translate_core_error,
 )
-from clubface.simulation.shot_shape import CURVE, curve, shot_shape
+from clubface.simulation.shot_shape import curve, shot_shape
 from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
@@ -493,7 +494,8 @@ def fly(
 
 @cache
 def _quantities() -> Mapping[str, Variable]:
-    return Frozen({**flight_outputs(), "curve": Variable("curve", CURVE.unit, f"{CURVE.meaning}: {CURVE.sign}")})
+    known = quantity("curve")
+    return Frozen({**flight_outputs(), "curve": Variable("curve", known.unit, f"{known.meaning}: {known.sign}")})
 
 
 def _sorted_problems(

@@ -19,8 +19,6 @@ from typing import Any
 
 import numpy as np
 
-from clubface.quantities import register_quantity
-
 __all__ = ["BIG_CURVE", "STRAIGHT_CURVE", "STRAIGHT_START", "curve", "shot_shape"]
 
 STRAIGHT_START = math.radians(3.0)
@@ -29,12 +27,6 @@ STRAIGHT_CURVE = 0.02
 """Largest curve, as a share of the carry, that is neither draw nor fade: that of 3 degrees of spin axis."""
 BIG_CURVE = 0.085
 """Largest curve, as a share of the carry, that is no hook or slice: that of 12 degrees of spin axis."""
-
-CURVE = register_quantity(
-    "curve", "m", golf=("yd", 1), metric=("m", 1), label="curve", symbol="z_k",
-    meaning="distance of the landing from the line on which the ball starts, across that line",
-    sign="right is positive", sides=("left", "right"),
-)  # fmt: skip
 
 
 def curve(azimuth: Any, carry: Any, side: Any) -> Any:

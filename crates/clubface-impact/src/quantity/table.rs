@@ -238,6 +238,9 @@ pub const QUANTITIES: &[Quantity] = &[
     entry("total_side", "z_t", LENGTH, "total side", "distance of the place of rest from the target line")
         .in_yards().sign("right is positive").sides("left", "right")
         .synonyms(&["side_total", "total_offline", "total_deviation", "total_deviation_distance"]),
+    entry("curve", "z_k", LENGTH, "curve",
+        "distance of the landing from the line on which the ball starts, across that line")
+        .in_yards().sign("right is positive").sides("left", "right"),
     entry("outside_fit", "", DIMENSIONLESS, "outside the fit",
         "1 if the spin parameter left 0.02-1, the range of the aerodynamic fit, else 0").digits(0),
     // Histories of contacts and flights.
