@@ -23,11 +23,15 @@ pub enum ClubfaceColumns {
 
 /// Names of the columns of a number of [`ClubfaceColumns`]; none for a number that is not one of them.
 fn names(columns: u32) -> Vec<&'static str> {
+    const INPUT: u32 = ClubfaceColumns::Inputs as u32;
+    const OUTPUT: u32 = ClubfaceColumns::Outputs as u32;
+    const FLIGHT_INPUT: u32 = ClubfaceColumns::FlightInputs as u32;
+    const FLIGHT_OUTPUT: u32 = ClubfaceColumns::FlightOutputs as u32;
     match columns {
-        0 => INPUTS.iter().map(|input| input.quantity.name).collect(),
-        1 => OUTPUTS.iter().map(|quantity| quantity.name).collect(),
-        2 => flight::INPUTS.iter().map(|input| input.quantity.name).collect(),
-        3 => flight::OUTPUTS.iter().map(|quantity| quantity.name).collect(),
+        INPUT => INPUTS.iter().map(|input| input.quantity.name).collect(),
+        OUTPUT => OUTPUTS.iter().map(|quantity| quantity.name).collect(),
+        FLIGHT_INPUT => flight::INPUTS.iter().map(|input| input.quantity.name).collect(),
+        FLIGHT_OUTPUT => flight::OUTPUTS.iter().map(|quantity| quantity.name).collect(),
         _ => Vec::new(),
     }
 }

@@ -61,13 +61,9 @@ pub(crate) fn run_rows(
     let columns: Vec<&mut [f64]> = outputs.chunks_exact_mut(rows).collect();
     #[cfg(feature = "threads")]
     if rows > chunk && threads != 1 {
-        use clubface_impact::parallel::in_parallel;
-        let shared = || in_parallel(chunk, 0..rows, columns, &work);
-        if threads == 0 {
-            return Ok(shared());
-        }
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        return Ok(pool.map_err(|e| Failure::input("threads", e.to_string()))?.install(shared));
+        use clubface_impact::parallel::{in_parallel, thread_pool};
+        let pool = thread_pool(threads).map_err(|e| Failure::input("threads", e.to_string()))?;
+        return Ok(pool.install(|| in_parallel(chunk, 0..rows, columns, &work)));
     }
     Ok(work(0..rows, columns))
 }

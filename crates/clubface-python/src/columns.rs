@@ -1,15 +1,13 @@
 //! Columns from Python, and long work in pieces between which Python may interrupt.
 
-use crate::pool::shared_pool;
 use clubface_impact::columns::{Column, Reject};
-use clubface_impact::parallel::in_parallel;
+use clubface_impact::parallel::{in_parallel, thread_pool};
 use clubface_impact::series::Series;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::Range;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// A number, or one number a row.
@@ -39,15 +37,6 @@ pub fn columns<'a>(values: &'a [Values<'_>]) -> PyResult<Vec<Column<'a>>> {
 /// An error of the core as `ValueError(name, message)`.
 pub fn value_error(error: &clubface_impact::ImpactError) -> PyErr {
     PyValueError::new_err((error.input, error.message.clone()))
-}
-
-/// A pool of `threads` threads, or the shared one for 0.
-fn thread_pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
-    let built = match threads {
-        0 => shared_pool(),
-        _ => rayon::ThreadPoolBuilder::new().num_threads(threads).build().map(Arc::new),
-    };
-    built.map_err(|e| PyValueError::new_err(format!("threads: {e}")))
 }
 
 /// Longest time without a look at signals.
@@ -80,7 +69,10 @@ pub fn run_in_pieces<'py>(
         let all =
             writer.as_slice_mut().map_err(|_| PyValueError::new_err("output array is not contiguous"))?;
         // Few rows: a thread hand-over would cost more than the GIL held for them.
-        let pool = if rows <= chunk { None } else { Some(thread_pool(threads)?) };
+        let pool = (rows > chunk)
+            .then(|| thread_pool(threads))
+            .transpose()
+            .map_err(|e| PyValueError::new_err(format!("threads: {e}")))?;
         let workers = pool.as_ref().map_or(1, |pool| pool.current_num_threads());
         let mut columns: Vec<&mut [f64]> = all.chunks_mut(rows.max(1)).collect();
         let mut start = 0;

@@ -5,7 +5,6 @@ mod describe;
 mod fem;
 mod flight;
 mod impact;
-mod pool;
 
 use pyo3::prelude::*;
 

@@ -30,9 +30,7 @@ impl Track {
         self.velocity.push(velocity.array());
         self.spin.push(spin.array());
     }
-}
 
-impl Track {
     /// Every quantity of the points.
     #[must_use]
     pub fn series(&self) -> [Series; 4] {
