@@ -293,6 +293,13 @@ def test_gaps_of_few_shots_are_no_finding():
     assert not any("gap" in code or "buy-one" in code for code in page_codes(player_result(given)))
 
 
+def test_the_margin_of_a_carry_counts_the_shots_of_its_own_club():
+    """A single drive has no margin; that of the irons rests on the eight irons."""
+    given = bag(("Driver", 250, 0), ("7 Iron", 160, 0)).select(np.r_[0, 8:16])
+    (confidence,) = (each for each in player_result(given).parts if each.kind == "confidence")
+    assert data(confidence.notes)["player-carry-margin"]["shots"] == 8
+
+
 def test_what_is_worth_practising_is_the_measured_part_that_spreads_the_shots_most():
     """The face is what makes drives go left and right: its spread times the derivative is that of the side."""
     given = with_topped_drive(12)

@@ -17,11 +17,12 @@ __all__ = ["change_note", "doubt_notes", "line_notes", "mishit_notes", "strike_n
 TYPICAL = ("speed", "ball_speed", "launch", "total_spin")
 """Quantities of the typical shot, before carry and side."""
 CLUB_DATA = ("speed", "attack", "path", "face", "toe", "high")
-"""Club data of which a report says that they were not measured."""
+"""Club data that a report names where they were not measured."""
 FEW, ENOUGH = 5, 10
-"""Shots below which a median says little, and from which the range of two in three is given."""
+"""Shots below which a median says little (of four its 95% interval is two standard deviations either way), and from
+which the range of two in three is given."""
 LEAST_ANGLE = to_si(0.3, "deg")
-"""Angle below which nothing is said of a difference."""
+"""Smallest angle between face and path, or effect of the closing, that is mentioned [rad]; assumed."""
 LEARNED = to_si(4.0, "mm")
 """Standard deviation of an estimated strike, below which it says something: half of that of golfers of any skill."""
 
@@ -144,7 +145,7 @@ def doubt_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def not_measured(clubs: Iterable[ClubStatistics]) -> list[str]:
-    """Return what was measured of none of the clubs, in words."""
+    """Return the labels of the club data that were measured of none of the clubs."""
     known = {name for each in clubs for name in each.measured}
     return [quantity(name).label for name in CLUB_DATA if name not in known]
 

@@ -70,7 +70,7 @@ def page_parts(
     bag
         The same clubs with their gaps, the longest first.
     loft_notes
-        Judges the loft of the driver; without it nothing is said of lofts.
+        Judges the loft of the driver; without it, lofts are not judged.
     """
     findings = _findings(clubs, bag)
     heading = {1: "One finding", 2: "Two findings", MOST_FINDINGS: "Three findings"}.get(len(findings), "Findings")
@@ -86,64 +86,71 @@ def page_parts(
 
 
 def _findings(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> list[Note]:
-    """Return what matters most, in yards, at most three notes of different kinds."""
+    """Return the findings that matter most, at most three of different kinds."""
     best: dict[str, _Finding] = {}
     for each in (*_gap_findings(bag), *(one for club in clubs for one in _club_findings(club))):
         if each.note.code not in best or each.weight > best[each.note.code].weight:
             best[each.note.code] = each
-    if len(clubs) < 2:  # what scatters most for its length is known of several alone
+    if len(clubs) < 2:  # only one of several clubs can scatter most for its length
         best.pop("player-finding-side-spread", None)
     ranked = sorted(best.values(), key=lambda each: -each.weight)
     return [each.note for each in ranked[:MOST_FINDINGS]]
 
 
 def _gap_findings(bag: Sequence[ClubSummary]) -> Iterator[_Finding]:
-    for longer, shorter, gap in _wide_gaps(bag):
-        usual = _usual_gap(bag)
-        yield _Finding(
-            gap - usual,
-            note("player-finding-gap-wide", longer=longer.club, shorter=shorter.club, gap_carry=gap, usual_carry=usual),
-        )
-    for longer, shorter, gap in _narrow_gaps(bag):
-        carry, less = (each.spreads["carry"].median for each in (longer, shorter))
-        yield _Finding(
-            _usual_gap(bag) - gap,
-            note("player-finding-gap-overlap", longer=longer.club, shorter=shorter.club, carry=carry,
-                 shorter_carry=less, gap_carry=gap),
-        )  # fmt: skip
+    for each in _gaps(bag):
+        clubs: dict[str, Any] = {"longer": each.longer.club, "shorter": each.shorter.club, "gap_carry": each.gap}
+        if each.is_wide:
+            yield _Finding(each.gap - each.usual, note("player-finding-gap-wide", **clubs, usual_carry=each.usual))
+        elif each.is_narrow:
+            carry, less = (club.spreads["carry"].median for club in (each.longer, each.shorter))
+            overlap = note("player-finding-gap-overlap", **clubs, carry=carry, shorter_carry=less)
+            yield _Finding(each.usual - each.gap, overlap)
 
 
-def _gaps(bag: Sequence[ClubSummary]) -> Iterator[tuple[ClubSummary, ClubSummary, float, float]]:
-    """Yield neighbours in carry, of shots enough, with the gap between them and half of its 95% interval [m]."""
-    for longer, shorter in pairwise(bag):
-        if longer.gap is not None and min(each.spreads["carry"].shots for each in (longer, shorter)) >= FEW:
-            yield longer, shorter, longer.gap.length, 2.0 * longer.gap.error
+class _Gap(NamedTuple):
+    """The gap between two clubs that are neighbours in carry [m].
+
+    Attributes
+    ----------
+    gap, margin
+        Difference of their median carries, and half of its 95% interval.
+    usual
+        Median of the gaps of the bag.
+    """
+
+    longer: ClubSummary
+    shorter: ClubSummary
+    gap: float
+    margin: float
+    usual: float
+
+    @property
+    def is_wide(self) -> bool:
+        """Whether it is surely wider than usual in the bag."""
+        return self.gap - self.margin > WIDE * self.usual
+
+    @property
+    def is_narrow(self) -> bool:
+        """Whether it is narrow, and surely narrower than a usual one."""
+        return self.gap < NARROW and self.gap + self.margin < self.usual
 
 
-def _usual_gap(bag: Sequence[ClubSummary]) -> float:
-    return float(np.median([gap for _, _, gap, _ in _gaps(bag)]))
-
-
-def _wide_gaps(bag: Sequence[ClubSummary]) -> Iterator[tuple[ClubSummary, ClubSummary, float]]:
-    """Yield the gaps that are surely wider than usual in the bag."""
-    gaps = list(_gaps(bag))
-    if len(gaps) >= FEWEST_GAPS:
-        usual = _usual_gap(bag)
-        yield from ((longer, shorter, gap) for longer, shorter, gap, margin in gaps if gap - margin > WIDE * usual)
-
-
-def _narrow_gaps(bag: Sequence[ClubSummary]) -> Iterator[tuple[ClubSummary, ClubSummary, float]]:
-    """Yield the gaps that are narrow, and surely narrower than a usual one."""
-    gaps = list(_gaps(bag))
-    if len(gaps) >= FEWEST_GAPS:
-        usual = _usual_gap(bag)
-        yield from (
-            (longer, shorter, gap) for longer, shorter, gap, margin in gaps if gap < NARROW and gap + margin < usual
-        )
+def _gaps(bag: Sequence[ClubSummary]) -> list[_Gap]:
+    """Return the gaps between clubs with enough shots; none of a bag with too few of them for a usual one."""
+    gaps = [
+        (longer, shorter, longer.gap.length, 2.0 * longer.gap.error)
+        for longer, shorter in pairwise(bag)
+        if longer.gap is not None and min(each.spreads["carry"].shots for each in (longer, shorter)) >= FEW
+    ]
+    if len(gaps) < FEWEST_GAPS:
+        return []
+    usual = float(np.median([gap for _, _, gap, _ in gaps]))
+    return [_Gap(*each, usual) for each in gaps]
 
 
 def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
-    """Yield what may be worth a word of a club; shots too few for a median say nothing."""
+    """Yield what stands out about one club; too few shots for a median give no finding."""
     carry, side = (club.measured.get(name) for name in ("carry", "side"))
     if side is not None and side.shots >= FEW:
         margin = side.margin
@@ -153,7 +160,7 @@ def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
             yield _Finding(abs(side.median), remark)
         if carry is not None:
             data = {"low_side": side.low, "high_side": side.high}
-            # Of clubs of different length: the angle, over the length of a carry of 200 yards.
+            # To compare clubs of different lengths: the angle, times a carry of 200 yards.
             weight = side.spread / carry.median * to_si(200.0, "yd")
             yield _Finding(weight, note("player-finding-side-spread", club=club.name, **data))
     if carry is not None and carry.shots >= FEW:
@@ -179,7 +186,7 @@ def _practice(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
         if all(one.code != each.note.code for one in notes):
             notes.append(each.note)
     yield from notes[:MOST_PRACTISED]
-    if not any("quantity" in each.data for each in notes) and not _has_club_data(clubs):
+    if not _has_club_data(clubs):
         yield note("player-practise-unknown")
     elif not notes:
         yield note("player-practise-nothing")
@@ -231,17 +238,17 @@ def _purchases(
     clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary], loft_notes: LoftNotes | None
 ) -> Iterator[Note]:
     """Yield which clubs the bag asks for, whether another loft of the driver is worth a change, and what is open."""
-    any_club = False
-    for longer, shorter, gap in _wide_gaps(bag):
-        any_club = True
-        middle = 0.5 * (longer.spreads["carry"].median + shorter.spreads["carry"].median)
-        yield note("player-buy-gap", longer=longer.club, shorter=shorter.club, gap_carry=gap, carry=middle)
-    for longer, shorter, gap in _narrow_gaps(bag):
-        any_club = True
-        yield note("player-buy-one-of-two", longer=longer.club, shorter=shorter.club, gap_carry=gap)
-    longest = next((each for each in clubs if any(one.name == "loft" for one in each.changes)), None)
-    if not any_club:
+    wide, narrow = ([each for each in _gaps(bag) if getattr(each, name)] for name in ("is_wide", "is_narrow"))
+    for each in wide:
+        middle = 0.5 * (each.longer.spreads["carry"].median + each.shorter.spreads["carry"].median)
+        names = {"longer": each.longer.club, "shorter": each.shorter.club}
+        yield note("player-buy-gap", **names, gap_carry=each.gap, carry=middle)
+    for each in narrow:
+        names = {"longer": each.longer.club, "shorter": each.shorter.club}
+        yield note("player-buy-one-of-two", **names, gap_carry=each.gap)
+    if not wide and not narrow:
         yield note("player-buy-nothing")
+    longest = next((each for each in clubs if any(one.name == "loft" for one in each.changes)), None)
     if loft_notes and longest is not None and longest.club is not None and longest.club.name == "driver":
         yield from loft_notes(longest)
     yield note("player-heads-not-judged")
@@ -250,9 +257,10 @@ def _purchases(
 def _confidence(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
     """Yield how sure the page is: margins of the carries, shots that are few, and what was computed or left out."""
     carries = [each.measured["carry"] for each in clubs if "carry" in each.measured]
-    margins = [each.margin for each in carries if each.shots > 1]
-    if len(margins) == 1:
-        yield note("player-carry-margin", shots=carries[0].shots, margin_carry=margins[0])
+    repeated = [each for each in carries if each.shots > 1]
+    margins = [each.margin for each in repeated]
+    if len(repeated) == 1:
+        yield note("player-carry-margin", shots=repeated[0].shots, margin_carry=margins[0])
     elif margins:
         yield note("player-carry-margins", least_carry=min(margins), most_carry=max(margins))
     if any(each.computed for each in clubs):
@@ -267,4 +275,4 @@ def _confidence(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
     if absent := not_measured(clubs):
         yield note("player-not-measured", quantities=absent)
     if any(each.changes for each in clubs):
-        yield note("player-model-standard", club="club")
+        yield note("player-model-standard")

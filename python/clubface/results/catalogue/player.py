@@ -140,7 +140,7 @@ SENTENCES = {
     ),
     "player-model-standard": (
         "What a change would do, and what was not measured of the club, come from a model of impact with a standard "
-        "{club} and average golfers, not from your own club: trust the direction and the rough size, not the last "
+        "club and average golfers, not from your own club: trust the direction and the rough size, not the last "
         "digit."
     ),
     "player-more-shots": "With {more} more shots we would know the medians about twice as well.",
