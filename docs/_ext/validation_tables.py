@@ -58,7 +58,7 @@ class Checks(CoreTable):
                 row = [name, first.quantity, check.certainty, tolerance_text(first)]
                 for name in names:
                     each = result.summary(name, check.name)[place]
-                    mean = mean_text(each)
+                    mean = mean_text(each).replace(" ", "\N{NO-BREAK SPACE}")
                     inside = f" · {each.inside}/{each.intervals}" if each.intervals else ""
                     row.append(f"**{mean}**{inside}" if each.met else f"{mean}{inside}" if mean else "—")
                 rows.append(row)
