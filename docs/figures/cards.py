@@ -17,6 +17,7 @@ from clubface.capture import read_c3d, synthetic
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.fem.section_picture import Section
 from clubface.present.style import COLOURS
+from clubface.units import from_si, to_si
 from clubface.validation import benchmark_data
 
 SIZE = (2.5, 1.5)
@@ -41,7 +42,7 @@ def shot(axes: plt.Axes) -> None:
         "pitching-wedge": ("83 mph", "40 deg"),
     }
     for (club, (speed, loft)), colour in zip(strikes.items(), (BLUE, RED, GREEN), strict=True):
-        path = clubface.trajectory(clubface.impact(club, speed=speed, loft=loft)).position / 0.9144
+        path = from_si(clubface.trajectory(clubface.impact(club, speed=speed, loft=loft)).position, "yd")
         axes.plot(path[:, 0], path[:, 1], color=colour, label=club.replace("-", " "))
     axes.set(xlabel="carry (yd)", ylabel="height (yd)", xlim=(0, None), ylim=(0, 62))
     axes.legend(fontsize=7, ncols=3, handlelength=1, columnspacing=0.8, loc="upper center", borderpad=0)
@@ -52,7 +53,7 @@ def launch_monitor(axes: plt.Axes) -> None:
     shots = benchmark_data.load("driver")
     launches = clubface.impact(shots.head, shots.measured.deliveries, model="slip", ball="published")
     computed = launches.get("backspin", "rpm")
-    measured = shots.measured.launches["backspin"] * 60 / (2 * np.pi)
+    measured = from_si(shots.measured.launches["backspin"], "rpm")
     axes.plot([1500, 5000], [1500, 5000], color="0.6", linewidth=1)
     axes.plot(computed, measured, ".", color=BLUE, markersize=2.5, alpha=0.6)
     axes.set(xlabel="computed spin (rpm)", ylabel="measured", xlim=(1500, 5000), ylim=(1500, 5000))
@@ -115,7 +116,7 @@ def faster_face(axes: plt.Axes) -> None:
 def spread(axes: plt.Axes) -> None:
     """Draw the landings of a golfer of handicap 10."""
     shots = clubface.dispersion(clubface.golfer("handicap-10-driver"), count=1024)
-    carry, side = shots.points.T / 0.9144
+    carry, side = from_si(shots.points.T, "yd")
     axes.plot(side, carry, ".", color=BLUE, markersize=2, alpha=0.5)
     axes.set(xlabel="right of the target (yd)", ylabel="carry (yd)")
 
@@ -125,7 +126,8 @@ def study(axes: plt.Axes) -> None:
     rng = np.random.default_rng(1)
     lofts = np.linspace(8.0, 18.0, 21)[:, None] + np.zeros(400)
     speeds, attacks = rng.normal(100.0, 4.0, lofts.shape), rng.normal(0.0, 2.0, lofts.shape)
-    balls = clubface.impact("driver", speed=0.44704 * speeds, attack=np.radians(attacks), loft=np.radians(lofts))
+    delivery = {"speed": to_si(speeds, "mph"), "attack": np.radians(attacks), "loft": np.radians(lofts)}
+    balls = clubface.impact("driver", delivery)
     carry = clubface.fly(balls).get("carry", "yd")
     low, middle, high = np.quantile(carry, (0.05, 0.5, 0.95), axis=1)
     axes.fill_between(lofts[:, 0], low, high, color=BLUE, alpha=0.2, linewidth=0)

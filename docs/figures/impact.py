@@ -15,6 +15,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from clubface import fem
 from clubface.fem.result import Impact
 from clubface.fem.section_picture import Section
+from clubface.units import from_si
 
 SETTINGS = {"font.family": "DejaVu Sans", "font.size": 9}
 BALL, FORCE, SPIN = "YlOrRd", "#0072B2", "#D55E00"
@@ -46,7 +47,7 @@ def draw_force(force: plt.Axes, impact: Impact) -> None:
     force.set(xlabel="time (µs)", xlim=(0, impact.last_touch * 1e6), ylim=(0, None))
     force.set_ylabel("force on the ball (kN)", color=FORCE)
     spin = force.twinx()
-    spin.plot(impact.motion["time"] * 1e6, impact.motion["spin"][:, 2] * 60 / (2 * np.pi), color=SPIN)
+    spin.plot(impact.motion["time"] * 1e6, from_si(impact.motion["spin"][:, 2], "rpm"), color=SPIN)
     spin.set_ylim(0, None)
     spin.set_ylabel("backspin (rpm)", color=SPIN)
     for axes in (force, spin):
@@ -74,10 +75,10 @@ def main() -> None:
     target = draw_page(impact, "impact.png", (10, 4.3), 5)
     draw_page(impact, "impact-narrow.png", (4.2, 3.6), 3)
     figures = {
-        "mph": impact.launch.ball_speed / 0.44704,
+        "mph": impact.launch.get("ball_speed", "mph"),
         "kN": impact.peak_force / 1e3,
-        "rpm": impact.backspin * 60 / (2 * np.pi),
-        "rpm at most": impact.spin_max * 60 / (2 * np.pi),
+        "rpm": from_si(impact.backspin, "rpm"),
+        "rpm at most": from_si(impact.spin_max, "rpm"),
         "% of the radius": 100 * impact.contraction,
         "s": impact.wall,
     }
