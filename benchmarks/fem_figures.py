@@ -6,7 +6,6 @@ pages with that file. The reference case on meshes goes to the package, which qu
 
 import json
 import math
-import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -22,8 +21,9 @@ from clubface.fem.heads.read import from_toml
 from clubface.fem.result import Impact
 from clubface.support.files import builtin_path
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "studies"))
+sys.path.extend(str(Path(__file__).parent.parent / folder) for folder in ("studies", "docs"))
 import ball_fit
+from run import commit
 
 RPM = 60.0 / math.tau
 END = fem.Settings(until_separation=True)
@@ -288,7 +288,7 @@ def heads() -> None:
 
 
 def distance() -> None:
-    """The ball `distance` beside `modern`, by shots of the robot tests."""
+    """Compare the balls `distance` and `modern` by shots of the robot tests."""
     for club in ("driver", "7-iron", "pitching-wedge"):
         for name, friction in (("modern", None), ("distance", None), ("distance", fem.ball("modern").friction)):
             parameters = None if friction is None else {"friction": friction}
@@ -310,12 +310,6 @@ SECTIONS = {
     "heads": heads,
     "meshes": meshes,
 }
-
-
-def commit() -> str:
-    """Return the commit of the code, marked where files differ from it."""
-    command = ["git", "describe", "--always", "--dirty", "--exclude=*"]
-    return subprocess.run(command, capture_output=True, text=True, check=True, cwd=STORED.parent).stdout.strip()
 
 
 def compute(section: str) -> dict[str, dict[str, float]]:

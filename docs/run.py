@@ -54,7 +54,7 @@ ROOT = Path(__file__).parent.parent
 FIGURES = ROOT / "docs" / "figures"
 BLOCK = re.compile(
     r"^```(?P<language>python|shell)\n(?P<code>.*?)^```\n(?:\n```text\n(?P<shown>.*?)^```\n)?"
-    r"|^<!-- figures(?P<study> study)?(?: (?P<commit>[0-9a-f]+))?\n(?P<figures>.*?)^-->$",
+    r"|^<!-- figures(?P<study> study)?(?: (?P<commit>[0-9a-f]+(?:-dirty)?))?\n(?P<figures>.*?)^-->$",
     re.DOTALL | re.MULTILINE,
 )
 PICTURE = re.compile(r"figures/([\w-]+\.(?:svg|png))")
@@ -365,9 +365,13 @@ def update(page: Path, folder: Path, *, study: bool = False) -> None:
 
 
 def commit() -> str:
-    """Return the commit of the sources."""
-    command = ["git", "rev-parse", "--short=8", "HEAD"]
-    return subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    """Return the commit of the sources, marked ``-dirty`` where the code that computes differs from it."""
+
+    def git(*words: str) -> str:
+        return subprocess.run(["git", *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+
+    code = git("status", "--porcelain", "--untracked-files=no", "--", "crates", "python", "studies", "examples")
+    return git("rev-parse", "--short=8", "HEAD") + ("-dirty" if code else "")
 
 
 def stamp(results: Path) -> None:
