@@ -8,7 +8,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 NARROW = "-narrow"
-"""What the name of the picture for a telephone ends in, beside that of the page."""
+"""Ending of the name of a picture for telephones, after the name of the wide one."""
 
 
 def wrap(app: Sphinx, tree: nodes.document) -> None:
