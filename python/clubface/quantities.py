@@ -168,10 +168,11 @@ def format_number(value: float | None, digits: int = 1, *, signed: bool = False)
 
 
 def format_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
-    """Write an SI value with its unit as people read it: "166.4 mph"."""
+    """Write an SI value with its unit as people read it: "166.4 mph", "3.7%"."""
     unit = quantity.golf.unit if unit is None else unit
     digits = quantity.digits(unit) if digits is None else digits
-    return f"{format_number(float(units.from_si(value, unit)), digits)}{'' if unit == '1' else f' {unit}'}"
+    number = format_number(float(units.from_si(value, unit)), digits)
+    return number + {"1": "", "%": "%"}.get(unit, f" {unit}")
 
 
 def unit_text(unit: str) -> str:

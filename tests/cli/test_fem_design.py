@@ -66,7 +66,7 @@ def test_a_document_has_everything(clubface_, files):
     document = clubface_("fem", "design", str(files / "study.toml"), "--json", "--report", str(report)).json
     best = {each["quantity"]: each for each in document["tables"]["best"]["rows"]}["ball_speed"]
     text = report.read_text()
-    assert "25 degC, 1013.2 hPa, 50 % humidity" in text  # the air of the carries
+    assert "25 degC, 1013.2 hPa, 50% humidity" in text  # the air of the carries
     after, before = (f"{best[which] / 0.44704:.2f}" for which in ("best", "start"))
     assert f"The mean ball speed of the best head is {after} mph instead of {before} mph." in text
     assert "Designs that finite elements judged" in text

@@ -124,13 +124,14 @@ class _Sentence(Formatter):
         quantity = _quantity_of(name)
         if quantity is None or format_spec[:1] in (".", "+", ","):
             return format(given, format_spec) if format_spec else f"{given:g}"
-        return _quantity_text(float(given), quantity, format_spec)
+        return quantity_text(float(given), quantity, format_spec)
 
 
 _SENTENCE = _Sentence()
 
 
-def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
+def quantity_text(value: float, quantity: Quantity, spec: str = "") -> str:
+    """Return an SI value in words; ``spec`` is its format in a sentence, such as "0", "sides 0" or "faster/slower"."""
     if words := _WORDS.fullmatch(spec):
         size = format_value(abs(value), quantity, digits=None if words["digits"] is None else int(words["digits"]))
         if words["none"] is not None and _is_zero(size):
@@ -143,7 +144,7 @@ def _quantity_text(value: float, quantity: Quantity, spec: str) -> str:
         size = format_value(abs(value), quantity, digits=places)
         return size if _is_zero(size) else f"{size} {(quantity.sides or ('below', 'above'))[value > 0.0]}"
     if kind == "bare":
-        return format_value(value, quantity, digits=places).split(" ")[0]
+        return _number_of(format_value(value, quantity, digits=places))
     return format_value(value, quantity, kind or None, places)
 
 
@@ -156,8 +157,8 @@ def entry_text(name: str, value: Any) -> str:
     known = quantity_named(name)
     if not isinstance(value, (list, tuple)):
         return f"{known.label} {format_value(value, known)}"
-    numbers = [format_value(each, known).split(" ")[0] for each in value]
-    return f"{known.label} {' ± '.join(numbers)} {known.golf.unit}".removesuffix(" 1")
+    *firsts, last = (format_value(each, known) for each in value)
+    return f"{known.label} {' ± '.join([*map(_number_of, firsts), last])}"
 
 
 def _quantity_of(name: str) -> Quantity | None:
@@ -168,7 +169,12 @@ def _quantity_of(name: str) -> Quantity | None:
 
 
 def _is_zero(text: str) -> bool:
-    return not text.split(" ")[0].strip("-0.")
+    return not _number_of(text).strip("-0.")
+
+
+def _number_of(text: str) -> str:
+    """Return the number of a value that is written with its unit."""
+    return text.split(" ")[0].removesuffix("%")
 
 
 def _listed(values: Mapping[str, Any], spec: str) -> str:

@@ -19,8 +19,8 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError, RangeWarning, ShotError, Wording
-from clubface.quantities import format_value, quantity
-from clubface.results.notes import Note, note
+from clubface.quantities import quantity
+from clubface.results.notes import Note, note, quantity_text
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
@@ -401,19 +401,14 @@ _LABELS: dict[str | int, str] = {
 def _strike_words(name: str, struck: WhatIf, place: int, *, first: bool) -> str:
     launch, flight = struck.launch, struck.flight
     if place == 0:
-        spin, carry = _words("backspin", launch.backspin), _words("carry", flight.carry, 0)
+        spin, carry = _words("backspin", launch.backspin), _words("carry", flight.carry, "0")
         return f"{name}: {'launch ' * first}{_words('launch', launch.launch)}, {spin}, {'carry ' * first}{carry}"
-    start, bend = _sided("azimuth", launch.azimuth), _sided("curve", flight.curve, 0)
+    start, bend = _words("azimuth", launch.azimuth, "sides"), _words("curve", flight.curve, "sides 0")
     return f"{name}: {'starts ' * first}{start}, {'curves ' * first}{bend}"
 
 
-def _words(name: str, value: float, digits: int | None = None) -> str:
-    return format_value(float(value), quantity(name), digits=digits)
-
-
-def _sided(name: str, value: float, digits: int | None = None) -> str:
-    words = format_value(abs(float(value)), quantity(name), digits=digits)
-    return f"{words} {'right' if value > 0.0 else 'left'}" if any(each in words for each in "123456789") else words
+def _words(name: str, value: float, spec: str = "") -> str:
+    return quantity_text(float(value), quantity(name), spec)
 
 
 def _with_directions(panel: Panel, height: float, explanation: Explanation, path: Any) -> tuple[Panel, float]:
@@ -421,15 +416,21 @@ def _with_directions(panel: Panel, height: float, explanation: Explanation, path
     launch, flight = explanation.launch, explanation.flight
     marks = [each for each in panel.marks if each.kind == "rule"]
     marks.append(
-        Mark("line", path[:, 0], path[:, 2], style=_FLIGHT, label=f"flight, lands {_sided('side', flight.side, 0)}")
+        Mark(
+            "line",
+            path[:, 0],
+            path[:, 2],
+            style=_FLIGHT,
+            label=f"flight, lands {_words('side', flight.side, 'sides 0')}",
+        )
     )
     start, landing = float(launch.azimuth), path[-1, [0, 2]]
     way = np.array([np.cos(start), np.sin(start)])
     foot = way * float(way @ landing)
     rays = {
-        f"path {_sided('path', launch.input('path'))}": (float(launch.input("path")), 0.45, _PATH),
-        f"face {_sided('face', launch.input('face'))}": (float(launch.input("face")), 0.6, _FACE),
-        f"start {_sided('azimuth', start)}": (start, 1.0, _START),
+        f"path {_words('path', launch.input('path'), 'sides')}": (float(launch.input("path")), 0.45, _PATH),
+        f"face {_words('face', launch.input('face'), 'sides')}": (float(launch.input("face")), 0.6, _FACE),
+        f"start {_words('azimuth', start, 'sides')}": (start, 1.0, _START),
     }
     ends = []
     for label, (angle, share, style) in rays.items():
@@ -438,7 +439,7 @@ def _with_directions(panel: Panel, height: float, explanation: Explanation, path
         ends.append(1.06 * float(end[1]))
     marks.append(
         Mark("line", [foot[0], landing[0]], [foot[1], landing[1]], style=_CURVE, size=2.0, dash=0,
-             label=f"curve {_sided('curve', flight.curve, 0)}")
+             label=f"curve {_words('curve', flight.curve, 'sides 0')}")
     )  # fmt: skip
     low, high = (each or 0.0 for each in panel.y.limits)
     limits = (min(low, *ends), max(high, *ends))
@@ -499,7 +500,7 @@ def _tilted_ball(launch: Launch) -> Panel:
             "text",
             [0.0],
             [-1.35],
-            texts=[f"axis {_sided('spin_axis', tilt)}, {_words('total_spin', launch.total_spin)}"],
+            texts=[f"axis {_words('spin_axis', tilt, 'sides')}, {_words('total_spin', launch.total_spin)}"],
             style=-2,
         ),
     ]

@@ -58,7 +58,7 @@ def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> 
     values = {name: each.default for name, each in flight_inputs().items()} | conditions(air, wind, ground)
     altitude = air_of(air).altitude
     state = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
-    state.append(f"{100.0 * values['humidity']:g} % humidity")
+    state.append(f"{100.0 * values['humidity']:g}% humidity")
     if altitude is not None:
         state.append(f"the pressure being that at an altitude of {show(altitude, 'm')}")
     turf = (

@@ -127,7 +127,7 @@ SENTENCES = {
         "{shots:n shot} are too few to show how often the club is delivered far off: that is taken as of {like}"
     ),
     "golfer-list": "± is the standard deviation from shot to shot; clubface golfer show NAME gives the sources",
-    "golfer-mishits": "{percent:.3g} % of the shots are mishits, {scale:.3g} times as far off in everything",
+    "golfer-mishits": "{percent:.3g}% of the shots are mishits, {scale:.3g} times as far off in everything",
     "golfer-mishits-left-out": (
         "{mishits:n shot} of {shots} {mishits:?is a mishit/are mishits}, by ball speed, carry, launch angle or start "
         "direction far off the others, and not in the golfer: topped and other failed shots are in no fitting for him"
