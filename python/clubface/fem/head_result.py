@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from clubface import units
-from clubface.equipment.clubs import TIME_LIMIT, TIME_TOLERANCE
+from clubface.equipment.rules import RuleVerdict, rules, rules_of
 from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.stress import BlowStress, stress_picture
 from clubface.quantities import register_quantity
@@ -20,8 +19,6 @@ __all__ = ["head_result"]
 register_quantity("cg_above", "m", golf=("mm", 2), label="CG above face normal",
                   meaning="distance of the CG above the face normal through the face centre")  # fmt: skip
 register_quantity("forward", "m", golf=("mm", 1), label="forward", meaning="distance towards the target")
-STEEPEST = units.to_si(35.0, "deg")
-"""The rules test the face by pendulum up to this loft."""
 OVER_MESHES = {"mesh_restitution": 0.001, "mesh_characteristic_time": 6e-6}
 """By how much the tests of one driver differ between meshes of triangles and quadrilaterals, as of the table in
 docs/finite-elements/heads.md."""
@@ -110,7 +107,7 @@ def _summary(
 ) -> Iterator[Note]:
     yield note("head-mass", mass=head.club.mass, iyy=head.club.iyy)
     if head.club.kind == "wood":
-        yield note("inertia-limit")
+        yield note("inertia-limit", limit_iyy=rules()["moment_of_inertia"].most)
     if measured:
         yield note("face-gives", **measured)
     if blow is None:
@@ -138,14 +135,13 @@ def _summary(
 
 
 def _verdict(head: MeshedHead, measured: Mapping[str, float], inputs: Mapping[str, str]) -> Iterator[Note]:
-    """Yield what the rules say of a characteristic time, and how the file of the head states it."""
+    """Yield the verdict of the rules on a simulated characteristic time, and the line that states it in a file."""
     if (time := measured.get("characteristic_time")) is None:
         return
-    if head.club.loft <= STEEPEST:
-        most = TIME_LIMIT + TIME_TOLERANCE
-        verdict = "conforms" if time <= TIME_LIMIT else "conforms-within-tolerance"
-        yield note(f"face-{verdict if time <= most else 'does-not-conform'}", limit_characteristic_time=TIME_LIMIT,
-                   most_characteristic_time=most)  # fmt: skip
+    limit = rules()["characteristic_time"]
+    if limit in rules_of(head.club):
+        verdict = RuleVerdict(limit, time).words.replace(" the ", " ").replace(" ", "-")
+        yield note(f"face-{verdict}", limit_characteristic_time=limit.most, most_characteristic_time=limit.limit)
     yield note("face-test-error", **OVER_MESHES)
     if not {"toe", "high"} & inputs.keys() and not head.club.characteristic_time:
         yield note("face-line", characteristic_time=time)

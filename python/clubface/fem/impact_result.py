@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from clubface import units
+from clubface.equipment.balls import BALL_DIAMETER_LIMIT, BALL_MASS_LIMIT
 from clubface.fem.accuracy import error_note, mesh_row
 from clubface.fem.balls import Ball
 from clubface.fem.materials import laws
@@ -263,19 +264,15 @@ def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact]
     return result.replace(kind="reference", title=title, values=(), tables=tuple(tables), notes=notes)
 
 
-RULES = {"mass": 0.04593, "diameter": 0.04267}
-"""Most a ball may weigh [kg], least it may measure [m]: The Equipment Rules."""
-
-
 def ball_result(ball: Ball) -> Result:
     """Return a meshed ball compared with what was asked for and the rules."""
     meshed = ball.properties()
     diameter, solid = 2.0 * meshed["radius"], 0.4 * meshed["mass"] * meshed["radius"] ** 2
-    conforms = meshed["mass"] <= RULES["mass"] and diameter >= RULES["diameter"]
+    conforms = meshed["mass"] <= BALL_MASS_LIMIT and diameter >= BALL_DIAMETER_LIMIT
     columns = (
         text("row", ["meshed", "asked for", "rule"], label=""),
-        column("mass", [meshed["mass"], ball.mass, RULES["mass"]], digits=2, label="mass (rule: at most)"),
-        column("diameter", [diameter, ball.diameter, RULES["diameter"]], "m", unit="mm", digits=2,
+        column("mass", [meshed["mass"], ball.mass, BALL_MASS_LIMIT], digits=2, label="mass (rule: at most)"),
+        column("diameter", [diameter, ball.diameter, BALL_DIAMETER_LIMIT], "m", unit="mm", digits=2,
                label="diameter (rule: at least)"),
         column("inertia", [meshed["inertia"], None, None], "kg m2", digits=2),
         column("inertia_ratio", [meshed["inertia"] / solid, None, None], "1", digits=4,

@@ -37,7 +37,7 @@ SENTENCES = {
         "up to {mesh_restitution} and {mesh_characteristic_time:us 0}, and the mass of the pendulum is assumed."
     ),
     "head-mass": "The head weighs {mass}, with a moment of inertia about the vertical of {iyy}.",
-    "inertia-limit": "The rules of golf allow a driver 5900 g cm2.",
+    "inertia-limit": "The rules of golf allow a driver {limit_iyy:0}.",
     "largest-stress": (
         "The largest stress, {stress:0}, is that of the {part}. From the face centre it lies "
         "{high:above/below/at the same height 1}, {toe:towards the toe/towards the heel/neither to toe nor heel 1} and "

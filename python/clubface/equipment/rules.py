@@ -1,0 +1,122 @@
+"""The rules of golf for a clubhead: the published limits, and the verdict on a value."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cache
+from typing import NamedTuple
+
+from clubface import published_data, units
+from clubface.equipment.clubs import Club, club as club_of
+from clubface.support.checks import Frozen
+
+STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
+"""The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
+
+NOT_KNOWN = "not known"
+"""What is said of a value that is not given."""
+
+
+class Rule(NamedTuple):
+    """One limit of the rules.
+
+    Attributes
+    ----------
+    name
+        What is limited: ``moment_of_inertia``, ``characteristic_time``, ``volume``, ``heel_to_toe`` or
+        ``sole_to_crown``.
+    title
+        The limit in words.
+    most
+        The limit [SI].
+    tolerance
+        What a measurement may exceed it by [SI].
+    unit
+        The unit it was printed in.
+    source
+        Who published it, when and where.
+    """
+
+    name: str
+    title: str
+    most: float
+    tolerance: float
+    unit: str
+    source: str
+
+    @property
+    def limit(self) -> float:
+        """The limit with its tolerance [SI]."""
+        return self.most + self.tolerance
+
+
+class RuleVerdict(NamedTuple):
+    """What a club has of a limit.
+
+    Attributes
+    ----------
+    rule
+        The limit.
+    value
+        Of the club [SI], or NaN where it is not known.
+    unknown
+        What is said of a value that is not known.
+    """
+
+    rule: Rule
+    value: float
+    unknown: str = NOT_KNOWN
+
+    @property
+    def conforms(self) -> bool | None:
+        """Whether it is within the limit and its tolerance, but for rounding; None where the value is not known."""
+        return None if math.isnan(self.value) else self.value <= self.rule.limit * (1.0 + 1e-9)
+
+    @property
+    def words(self) -> str:
+        """The verdict: "conforms", "conforms within the tolerance", "does not conform", or why it is not known."""
+        if self.conforms is None:
+            return self.unknown
+        if not self.conforms:
+            return "does not conform"
+        return "conforms" if self.value <= self.rule.most else "conforms within the tolerance"
+
+
+_PLACES = {
+    "moment_of_inertia": ("head-inertia-limit", "inertia_most", "tolerance"),
+    "characteristic_time": ("spring-effect-limit", "characteristic_time_most", "tolerance"),
+    "volume": ("head-volume-limit", "volume_most", "tolerance"),
+    "heel_to_toe": ("head-dimension-limits", "heel_to_toe_most", None),
+    "sole_to_crown": ("head-dimension-limits", "sole_to_crown_most", None),
+}
+"""Table, column and column of the tolerance of each limit among the published measurements."""
+
+_TITLES = {
+    "moment_of_inertia": "moment of inertia, vertical axis",
+    "characteristic_time": "characteristic time of the face",
+    "volume": "volume of the head",
+    "heel_to_toe": "distance from heel to toe",
+    "sole_to_crown": "distance from sole to crown",
+}
+
+
+@cache
+def rules() -> Mapping[str, Rule]:
+    """Return the limits by name."""
+    result = {}
+    for name, (source, column, tolerance) in _PLACES.items():
+        published = published_data.table(source)
+        margin = 0.0 if tolerance is None else float(published[tolerance][0])
+        result[name] = Rule(
+            name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source
+        )
+    return Frozen(result)
+
+
+def rules_of(club: str | Club) -> tuple[Rule, ...]:
+    """Return the limits that hold for a club: size and inertia are limited for woods, and the face up to 35 degrees."""
+    head = club_of(club)
+    wood = ("moment_of_inertia", "volume", "heel_to_toe", "sole_to_crown") if head.kind != "iron" else ()
+    face = ("characteristic_time",) if head.loft <= STEEPEST_PENDULUM_LOFT else ()
+    return tuple(rules()[name] for name in (*wood, *face))
