@@ -188,7 +188,7 @@ def blow_stress(
         raise InputError("meshes", meshes, f"1 to {len(FINER)}")
     made = _meshes(head, meshes)
     total = DURATION * len(made)
-    runs: list[BlowStress] = []
+    runs: list[tuple[list[PartStress], SurfaceStress]] = []
     for each in made:
         before = DURATION * len(runs)
 
@@ -206,15 +206,13 @@ def blow_stress(
             raise KeyboardInterrupt
         if impact.stopped or impact.head_fields is None:
             raise RunError(impact.stopped or "the run kept no stress")
-        club_speed = units.parse(speed, "speed", name="speed")
-        runs.append(
-            _solid(each, impact, club_speed) if isinstance(each, SolidHead) else _shells(each, impact, club_speed)
-        )
+        runs.append(_solid(each, impact) if isinstance(each, SolidHead) else _shells(each, impact))
+    first, surface = runs[0]
     parts = (
-        replace(part, by_mesh=tuple((each.elements, run.parts[k].stress) for each, run in zip(made, runs, strict=True)))
-        for k, part in enumerate(runs[0].parts)
+        replace(part, by_mesh=tuple((each.elements, run[k].stress) for each, (run, _) in zip(made, runs, strict=True)))
+        for k, part in enumerate(first)
     )
-    return replace(runs[0], parts=tuple(parts))
+    return BlowStress(tuple(parts), surface, units.parse(speed, "speed", name="speed"))
 
 
 def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> list[MeshedHead]:
@@ -247,8 +245,8 @@ def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], t
     return PartStress(part, float(stress[frame, at]), float(times[frame]), (x, y, z), metal.yield_stress)
 
 
-def _solid(head: SolidHead, run: Impact, speed: float) -> BlowStress:
-    """Return the stress at the surface of hexahedra."""
+def _solid(head: SolidHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
+    """Return the stress at the surface of hexahedra: the largest of the part, and that of the surface."""
     recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
     assert run.head_fields is not None
     stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in run.head_fields.stress])
@@ -259,11 +257,11 @@ def _solid(head: SolidHead, run: Impact, speed: float) -> BlowStress:
         time=float(run.frame_times[frame]), views=("face", "back"),
         bending=bool(recovery.extrapolated.mean() > 0.5),
     )  # fmt: skip
-    return BlowStress((part,), surface, speed)
+    return [part], surface
 
 
-def _shells(head: MeshedHead, run: Impact, speed: float) -> BlowStress:
-    """Return the stress of shells, on the side of each that has more."""
+def _shells(head: MeshedHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
+    """Return the stress of shells, on the side of each that has more: the largest of each part, and of the surface."""
     assert isinstance(head, ShellHead)
     assert run.head_fields is not None
     stress = run.head_fields.von_mises.max(axis=2)
@@ -282,7 +280,7 @@ def _shells(head: MeshedHead, run: Impact, speed: float) -> BlowStress:
         nodes=head.nodes, quads=head.quads, stress=sums / np.maximum(counts, 1.0), time=float(run.frame_times[frame]),
         views=("face", "crown", "sole"), bending=True,
     )  # fmt: skip
-    return BlowStress(tuple(parts), surface, speed)
+    return parts, surface
 
 
 def _elastic(head: MeshedHead) -> MeshedHead:
