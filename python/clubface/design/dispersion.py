@@ -15,7 +15,7 @@ from typing import Any, BinaryIO, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.golfer import Golfer, club_of, golfer as golfer_named
+from clubface.design.golfer import Golfer, golfer as golfer_named, own_club
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
@@ -500,7 +500,7 @@ def dispersion(
     """
     count, seed = check_count("count", count, 1, MOST), check_count("seed", seed, 0, MOST_SEED)
     player = golfer_named(golfer)
-    club_used = club_named(club_of(player)).replace(hand=player.hand) if club is None else club_named(club)
+    club_used = own_club(player) if club is None else club_named(club)
     player = player.for_hand(club_used.hand)
     if hole is not None and not isinstance(hole, Hole):
         raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')

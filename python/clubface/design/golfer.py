@@ -39,7 +39,7 @@ from typing import Any, Self
 import numpy as np
 
 from clubface import units
-from clubface.equipment.clubs import CLUB_NAMES
+from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
 from clubface.schema.document import Document, quoted
@@ -527,6 +527,11 @@ def club_of(player: Golfer) -> str:
     raise InputError(
         "club", None, f"give the file of {player.club!r}, with which the deliveries of {player.name} were made"
     )
+
+
+def own_club(player: Golfer) -> Club:
+    """Return the club of a golfer, of his hand."""
+    return club_named(club_of(player)).replace(hand=player.hand)
 
 
 def golfer(name: str | os.PathLike[str] | Golfer) -> Golfer:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from clubface import units
-from clubface.design.golfer import Golfer, club_of, golfer as golfer_of
+from clubface.design.golfer import Golfer, golfer as golfer_of, own_club
 from clubface.design.optimisation.advice import Advice, describe_conditions, is_at_an_end
 from clubface.design.optimisation.landings import Objective, Setting
 from clubface.design.optimisation.result import Optimum
@@ -170,9 +170,7 @@ def fit_loft(
         The golfer's shots cannot be computed, or an objective, a model or a condition is unknown.
     """
     player = golfer_of(golfer)
-    head = club_named(club_of(player) if club is None else club)
-    if club is None:
-        head = head.replace(hand=player.hand)
+    head = own_club(player) if club is None else club_named(club)
     reduced_model(model, "one with derivatives")
     check_conditions(air=air, wind=wind, ground=ground)
     own_ball = None if ball is None else ball_named(ball)

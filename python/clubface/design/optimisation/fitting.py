@@ -89,21 +89,28 @@ class Fitting:
         except InputError as error:
             raise InputError("fit.setting", setting, f"changes with which {head.name} is a head: {error}") from None
 
+    @property
+    def counted_hole(self) -> Hole | None:
+        """The hole on which strokes are counted: the one given, the assumed one for a wood, None for an iron."""
+        return hole_for(self.clubs[0], self.hole)
+
     def judge(self, name: str) -> Objective:
         """Return an objective by its name."""
-        return objective(name, hole_for(self.clubs[0], self.hole))
+        return objective(name, self.counted_hole)
 
     @property
     def judges(self) -> tuple[Objective, ...]:
-        """All objectives that can be computed, those of the advice first: strokes on the assumed hole if need be."""
-        hole = hole_for(self.clubs[0], self.hole)
-        first = advised(self.objective, hole)
-        return (*first, *(each for each in objectives(hole) if each.name not in [one.name for one in first]))
+        """All objectives that can be computed, those of the advice first."""
+        first = self.advised
+        return (
+            *first,
+            *(each for each in objectives(self.counted_hole) if each.name not in [one.name for one in first]),
+        )
 
     @property
     def advised(self) -> tuple[Objective, ...]:
         """The objectives that the advice compares, the one asked for first."""
-        return advised(self.objective, hole_for(self.clubs[0], self.hole))
+        return advised(self.objective, self.counted_hole)
 
     def set(self, head: Club, setting: str) -> dict[str, float]:
         """Return the fields of a head that a setting changes, and its lie [SI]."""

@@ -15,7 +15,6 @@ from clubface.design.optimisation.advice import (
     adds_nothing,
     describe_conditions,
     describe_golfers,
-    hole_for,
     judge_sets,
 )
 from clubface.design.optimisation.fitting import (
@@ -178,7 +177,7 @@ def _advice(fitting: Fitting, names: list[str], judged: list[_Judged]) -> Advice
         names=tuple(names), values=np.array([each.values for each in judged])[:, columns],
         sets=np.array([each.sets for each in judged]), worth=fitting.worth,
         conditions=describe_conditions(fitting.setting, fitting.hole, fitting.shots),
-        assumed_hole=fitting.hole is None and hole_for(fitting.clubs[0], None) is not None,
+        assumed_hole=fitting.hole is None and fitting.counted_hole is not None,
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design import feasibility
-from clubface.design.optimisation.advice import Advice, adds_nothing, describe_conditions, describe_golfers, hole_for
+from clubface.design.optimisation.advice import Advice, adds_nothing, describe_conditions, describe_golfers
 from clubface.design.optimisation.landings import FREE, own_value
 from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy, field_quantity, shown_quantity
 from clubface.design.optimisation.variables import PointMass, placement
@@ -197,7 +197,7 @@ class Optimum(Described):
             names=tuple(self.compared), values=self.fresh.values[np.ix_(rows, columns)],
             sets=self.fresh.sets[:, rows][:, :, columns].swapaxes(0, 1), worth=study.worth, choices=(1,),
             conditions=describe_conditions(study.setting, study.hole, self.fresh.shots),
-            assumed_hole=study.hole is None and hole_for(study.club, None) is not None,
+            assumed_hole=study.hole is None and study.counted_hole is not None,
         )  # fmt: skip
 
     def fields(self, club: str) -> Mapping[str, float]:

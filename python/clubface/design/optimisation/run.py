@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.design.feasibility import of_club, refuse_impossible
+from clubface.design.optimisation.advice import judge_sets
 from clubface.design.optimisation.landings import Landings
 from clubface.design.optimisation.limits import ShotLimit
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
@@ -61,7 +62,7 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
         ends.append((problem, solution.point))
     points = [_point(problem, point, study) for problem, point in ends]
     first, last = (each.values[other.name] for each in points)
-    found_points, before = [points[0]], ends[0][1]
+    kept_points, before = [points[0]], ends[0][1]
     levels = np.linspace(first, last, study.points)[1:-1]
     for place, level in enumerate(levels):
         kept = ShotLimit(
@@ -76,8 +77,8 @@ def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Sol
         solution = best(tried)
         if solution is not None:
             before = solution.point
-            found_points.append(_point(problem, before, study))
-    return tuple(_not_dominated([*found_points, points[1]], one.sign, other.sign, study.objectives))
+            kept_points.append(_point(problem, before, study))
+    return tuple(_not_dominated([*kept_points, points[1]], one.sign, other.sign, study.objectives))
 
 
 def front_solutions(study: DesignStudy) -> int:
@@ -284,10 +285,9 @@ class _Run:
 
 
 def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:
-    """Return every objective of a study for a club, the mean over golfers."""
-    landed = [(each.of(club), weight) for each, weight in golfers]
-    total = sum(weight for _, weight in golfers)
-    return [sum(weight * each.judge(one)[0] for one, weight in landed) / total for each in study.known()]
+    """Return every objective of a study [SI] for a club, the weighted mean over golfers."""
+    landed = [(each, weight, each.of(club)) for each, weight in golfers]
+    return judge_sets(study.known(), landed, 1)[0].tolist()
 
 
 def _levels(shots: int) -> list[int]:

@@ -230,18 +230,23 @@ class DesignStudy:
         envelope = self.head.envelope(self.club) if self.head is not None and self.moves_mass else None
         return Variables(base=self.club, bounds=self.bounds, envelope=envelope, distributed=self.distributed)
 
+    @property
+    def counted_hole(self) -> Hole | None:
+        """The hole on which strokes are counted: the one given, the assumed one for a wood, None for an iron."""
+        return hole_for(self.club, self.hole)
+
     def objective(self, name: str) -> Objective:
-        """Return an objective of the study by its name; strokes are counted on the assumed hole if need be."""
-        return objective(name, hole_for(self.club, self.hole))
+        """Return an objective of the study by its name."""
+        return objective(name, self.counted_hole)
 
     def known(self) -> tuple[Objective, ...]:
         """Return all objectives that the study can compute."""
-        return objectives(hole_for(self.club, self.hole))
+        return objectives(self.counted_hole)
 
     @property
     def advised(self) -> tuple[Objective, ...]:
         """The objectives that the advice compares, the first one asked for first."""
-        return advised(self.objectives[0], hole_for(self.club, self.hole))
+        return advised(self.objectives[0], self.counted_hole)
 
     def landings(self, shots: int, *, seed: int) -> list[tuple[Landings, float]]:
         """Return the shots of the golfers, and how much each golfer counts."""
