@@ -59,6 +59,15 @@ def test_a_tiny_spread_does_not_fill_a_summary_with_digits(study, tmp_path):
     assert [len(each.replace(".", "")) for each in row[2:3]] == [6]
 
 
+def test_a_range_gives_the_unit_of_its_quantity_if_there_is_one(study, tmp_path):
+    path = tmp_path / "ratios.toml"
+    path.write_text('[impact]\nclub = "driver"\noutputs = ["smash", "carry"]\n[sweep]\nspeed = ["40 m/s", "50 m/s"]\n')
+    study("run", path)
+    _, smash, carry = (each["text"] for each in study("summary", path, "--json").json["summary"])
+    assert re.fullmatch(r"Smash\D* ranges from 1\.\d+ to 1\.\d+\.", smash)
+    assert re.fullmatch(r"Carry\D* ranges from \d+\.\d+ to \d+\.\d+ yd\.", carry)
+
+
 def test_classes_of_an_input_are_told_no_finer_than_they_are_wide(study, tmp_path):
     """Ten classes of 85 to 120 mph are 3.5 mph wide: their ends are told to a tenth."""
     path = tmp_path / "many.toml"

@@ -329,7 +329,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
         The table whose deliveries are taken.
     measured
         The table whose launches and names of clubs are taken. Both tables are in the order in which the shots were hit.
-        What it measured of no launch, such as the azimuth, is taken from ``captured``, which a note says.
+        Quantities of the launch that it never measured, such as the azimuth, are taken from ``captured``, with a note.
 
     Returns
     -------
@@ -433,7 +433,7 @@ def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedSh
 
 
 def _turned(one: RecordedShots, other: RecordedShots) -> list[Note]:
-    """Return by how much the two lines to the target differ, where both saw the ball's direction."""
+    """Return a note on the angle between the two target lines, where both saw the ball's direction."""
     if not ("azimuth" in one.launches and "azimuth" in other.launches):
         return []
     difference = other.launches["azimuth"] - one.launches["azimuth"]

@@ -28,11 +28,11 @@ FARTHEST = 3.5
 LEAST = {"ball_speed": 0.1, "carry": 0.15, "launch": to_si(6.0, "deg"), "azimuth": to_si(10.0, "deg")}
 """By how much a mishit falls short of the median, as a part of it, or how far its angle is off [rad]; assumed."""
 SHORT = ("ball_speed", "carry")
-"""Quantities of which only too little is a mishit."""
+"""Quantities that make a mishit only by being too small."""
 FEWEST = 5
-"""Shots of a club from which a mishit is one; of fewer, none is known to be."""
+"""Fewest shots of a club among which mishits are looked for."""
 MOST = 1 / 3
-"""Part of the shots above which they are of two kinds, as full and half swings are, and none is a mishit."""
+"""Largest share of mishits: with more, the shots are of two kinds, such as full and half swings, and none is one."""
 
 
 class Mishit(NamedTuple):
@@ -98,7 +98,7 @@ class Statistic(NamedTuple):
 
 
 def find_mishits(values: Mapping[str, Floats]) -> list[Mishit]:
-    """Return why which shots of one club are mishits, shot by shot; ``values`` hold their quantities [SI] by name."""
+    """Return what makes shots of one club mishits, shot by shot; ``values`` are the quantities [SI] by name."""
     reasons = []
     for name, least in LEAST.items():
         measured = values.get(name, np.empty(0))

@@ -193,10 +193,9 @@ def _ranges(summary: Summary) -> list[Note]:
         if math.isfinite(least):
             values = {key: [float(getattr(summary.overall, key)[place])] for key in STATISTICS}
             column = Column(name, [least, most], each, digits=_digits(values, 0, each))
-            notes.append(
-                note("study-range", quantity=each.label.capitalize(), least_text=column.shown(0),
-                     most_text=column.shown(1), unit=each.golf.unit.replace("1", ""))
-            )  # fmt: skip
+            most_text = _with_unit(column.shown(1), each)
+            label = each.label.capitalize()
+            notes.append(note("study-range", quantity=label, least_text=column.shown(0), most_text=most_text))
     return notes
 
 
@@ -210,7 +209,11 @@ def level_text(along: Along, level: int) -> str:
     digits = max(1 - math.floor(math.log10(width)), 0) if width > 1e-6 else -6
     column = Column(along.name, _ends(value), swept, digits=digits)
     words = f"{column.shown(0)} to {column.shown(1)}" if isinstance(value, tuple) else column.shown(0)
-    return words if swept.golf.unit == "1" or words == FLAT else f"{words} {swept.golf.unit}"
+    return words if words == FLAT else _with_unit(words, swept)
+
+
+def _with_unit(number: str, quantity: Quantity) -> str:
+    return number if quantity.golf.unit == "1" else f"{number} {quantity.golf.unit}"
 
 
 def _ends(level: Any) -> tuple[float, float]:
