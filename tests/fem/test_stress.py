@@ -4,13 +4,14 @@ import hashlib
 import re
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from clubface import fem, units
 from clubface.fem import stress
-from clubface.fem.head_result import head_result
+from clubface.fem.head_result import OVER_MESHES, head_result
 from clubface.fem.heads.read import from_toml
 from clubface.fem.result import SurfaceRecovery
 from clubface.support.files import builtin_path
@@ -224,3 +225,12 @@ def test_the_command_shows_stress_and_yield(clubface_, tmp_path):
     assert "yields at" in shown
     assert "300" in shown
     assert "--blow is 'fast'" in clubface_("fem", "head", str(file), "--blow", "fast").err
+
+
+def test_the_stated_error_of_the_face_tests_is_that_of_the_table_of_meshes():
+    page = (Path(__file__).parents[2] / "docs/finite-elements/heads.md").read_text()
+    rows = re.findall(r"^\| \d+ (?:triangles|quadrilaterals)\b.*\| (0\.\d+) \| (\d+) \|$", page, re.MULTILINE)
+    assert len(rows) == 3
+    restitution, microseconds = (np.ptp(np.array(each, dtype=float)) for each in zip(*rows, strict=True))
+    expected = {"mesh_restitution": restitution, "mesh_characteristic_time": microseconds * 1e-6}
+    assert expected == pytest.approx(OVER_MESHES)

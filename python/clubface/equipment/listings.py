@@ -101,7 +101,7 @@ FEATURES = {
 }
 """What the response functions depend on, by the name that their terms have in parameters."""
 _FIRST = "_middle"
-"""How the name of the constant term of a function ends."""
+"""Ending of the name of the constant term of a function."""
 _POWERS = {"2": "²", "3": "³"}
 
 

@@ -28,16 +28,16 @@ DEFAULT = 3
 
 
 class ErrorBounds(NamedTuple):
-    """By how much results of the reference case differ from those of the default mesh, as fractions.
+    """Differences from the reference case on the default mesh, as fractions.
 
     Attributes
     ----------
     speed_over_meshes, spin_over_meshes
-        Of ball speed and backspin, from the default mesh to the finest one.
+        Changes of ball speed and backspin from the default mesh to the finest one.
     speed_over_solvers, spin_over_solvers
-        To that of the independent solvers which differs most.
+        Their largest differences from an independent solver.
     elements
-        Of the finest mesh.
+        Number of elements of the finest mesh.
     """
 
     speed_over_meshes: float
@@ -48,9 +48,9 @@ class ErrorBounds(NamedTuple):
 
 
 def meshes(ball: Ball, thirds: Sequence[int]) -> list[Ball]:
-    """Return a ball on meshes with so many thirds of the elements of its own along every edge.
+    """Return a ball on meshes with ``thirds`` / 3 times as many elements along every edge.
 
-    The number of elements is rounded: an even one along the cube, and at least one layer a piece.
+    The number of elements is rounded: an even one along the cube, and at least one layer in each piece.
     """
     made = []
     for each in thirds:
@@ -79,7 +79,7 @@ def stored_meshes() -> dict[str, Any]:
 
 @cache
 def error_bounds() -> ErrorBounds:
-    """Return by how much a finer mesh and other solvers change the reference case."""
+    """Return the differences of the finest mesh and of other solvers from the reference case."""
     rows = stored_meshes()["rows"]
     own = next(each for each in rows if each["thirds"] == DEFAULT)
     finest = max(rows, key=lambda each: each["elements"])
@@ -97,5 +97,5 @@ def error_bounds() -> ErrorBounds:
 
 
 def error_note() -> Note:
-    """Return what bounds the error of a launch by finite elements."""
+    """Return the note on what bounds the error of a launch by finite elements."""
     return note("error-bounds", **error_bounds()._asdict())

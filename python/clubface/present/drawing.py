@@ -69,7 +69,7 @@ def _stacked(picture: Picture) -> Picture:
                 height = sum(inches[line : _end_of_tall(picture.rows, line, place)])
             first = row[0]
             if first is not None and first.y.names and panel.y.names is None and (picture.share_y or not panel.y.ticks):
-                panel = replace(panel, y=first.y)  # beside the first its names served this panel too
+                panel = replace(panel, y=first.y)  # side by side, the names of the first panel served this one too
             panels.append(panel)
             around = min(AROUND, height)
             heights.append(around + (height - around) * min(1.0, NARROW / width) if panel.equal else height)

@@ -19,7 +19,7 @@ from clubface.present.document import (
     Listing,
     PageBreak,
     Paragraph,
-    TextTable as TextTable,
+    TextTable,
     file_name,
     write_document,
 )
@@ -52,7 +52,7 @@ def write_report(
 def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, command: str = "") -> Iterator[Block]:
     """Yield the pieces of the report on a result.
 
-    Where parts of it belong into the appendix, everything that it was computed from stands there too.
+    If some of its parts belong in the appendix, its provenance stands there too.
     """
     yield from _result_blocks(result, units, 1)
     origin = [*provenance_blocks(result.provenance), *_repeat_blocks(result.provenance, command)]
@@ -65,7 +65,7 @@ def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, com
 
 
 def _appendices(result: Result) -> Iterator[Result]:
-    """Yield the parts of a result, and their parts, that belong into the appendix."""
+    """Yield the parts of a result, and their parts, that belong in the appendix."""
     for each in result.parts:
         if each.placement == "appendix":
             yield each

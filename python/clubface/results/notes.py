@@ -21,7 +21,7 @@ _PLACES = {
     "in_shots": "{} (in {{in_shots}} of {{of_shots:n shot}})",
     "in_files": "{{in_files}}: {}",
 }
-"""How a sentence says where it is true, by the data that do."""
+"""How a sentence is extended by data on where it is true."""
 _WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?:/(?P<none>[^/]+?))?(?: (?P<digits>\d+))?")
 
 
@@ -34,7 +34,7 @@ class Note(NamedTuple):
         Names its sentence in the catalogue: "outside-aerodynamic-data".
     data
         What the sentence says: texts, whole numbers, lists, SI values under names that end in a quantity, and
-        mappings from names to any of these. Any note may say besides where it is true: in which files alone
+        mappings from names to any of these. Any note may also say where it is true: in which files
         (``in_files``), at which line or row (``at_line``, ``at_row``), in how many shots (``in_shots``) of how many
         (``of_shots``).
     """

@@ -37,9 +37,9 @@ from clubface.support.checks import without_warnings
 __all__ = ["Explanation", "WhatIf", "explain", "explanation_picture"]
 
 OFF_TOE, OFF_HIGH = 15e-3, 8e-3
-"""How far from the face centre the strikes lie that are shown for comparison [m]."""
+"""Distances from the face centre of the strikes that are shown for comparison [m]."""
 INSIDE = 0.3
-"""The same, at most, as a share of the width and the height of the face."""
+"""Largest such distance, as a share of the width or the height of the face."""
 LEAST_STRIKE = 1e-3
 """Distance from the face centre above which the strike is explained [m]."""
 LEAST_TURN = math.radians(0.1)
@@ -50,18 +50,18 @@ WORTH = (
     ("side", "face", math.radians(1.0)), ("side", "path", math.radians(1.0)), ("side", "toe", 10e-3),
     ("carry", "loft", math.radians(1.0)), ("carry", "speed", 0.44704),
 )  # fmt: skip
-"""What a change of the delivery is worth: quantity of the flight, input, and the change that people think in [SI]."""
+"""Slopes that a note gives: quantity of the flight, input, and the change of the input for which it is given [SI]."""
 
 
 class WhatIf(NamedTuple):
-    """A shot whose delivery differs in one thing from that which is explained.
+    """The explained shot with one thing changed in its delivery.
 
     Attributes
     ----------
     changes
         The values that differ [SI], by name.
     launch, flight
-        What came of it.
+        The shot with these values.
     """
 
     changes: Mapping[str, float]
@@ -172,7 +172,7 @@ class Explanation(Described):
             yield note("explain-worth", **worth)
 
     def _speed_reasons(self, middle: WhatIf) -> Iterator[Note]:
-        """Yield what ball speed and carry the strike gives, and where the face gives most."""
+        """Yield the notes on the ball speed and carry that the strike gives, and on the sweet spot."""
         if max(abs(float(self.launch.input(name))) for name in ("toe", "high")) < LEAST_STRIKE:
             return
         yield note(
@@ -234,7 +234,7 @@ def explain(
     Returns
     -------
     Explanation
-        What-ifs, strikes elsewhere, and the reasons as notes.
+        The shot, its what-ifs, the same delivery struck elsewhere, and the derivatives that the reasons quote.
 
     Raises
     ------
@@ -353,9 +353,9 @@ def _value(shot: WhatIf, name: str) -> float:
 
 
 _FLIGHT, _PATH, _FACE, _START, _CURVE = 0, 1, 2, 3, -2
-"""Styles of what is drawn."""
+"""Styles of the lines: numbers of colours, a grey if negative."""
 _TALLEST = 3.8
-"""Inches that a view from above takes at most."""
+"""Largest height of a view from above [inches]."""
 _MIDDLE, _LESS, _MORE = 4, 5, 6
 """Styles of strikes in the middle, and towards heel or sole and toe or crown."""
 

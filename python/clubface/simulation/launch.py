@@ -178,7 +178,7 @@ class Launch(Batch):
 
 
 def assumptions_of(launches: Iterable[Launch]) -> tuple[Note, ...]:
-    """Return what a reader must know before the figures.
+    """Return the assumptions that stand before the figures.
 
     The static loft of the club where no dynamic loft was given, and the caveats of a variant of a published set, such
     as the values as printed.
@@ -203,7 +203,7 @@ def variant_caveats(parameters: ParameterSet) -> tuple[Note, ...]:
 
 
 def rigid_faces(launches: Mapping[str, Launch]) -> tuple[Note, ...]:
-    """Return which of some launches, by name, take their face as rigid where that of others gives."""
+    """Return the note that names the launches with a rigid face, if the face of others gives."""
     rigid = [name for name, each in launches.items() if not _gives(each)]
     return (note("rigid-faces", names=rigid),) if 0 < len(rigid) < len(launches) else ()
 

@@ -1,7 +1,7 @@
 """How a ball leaves a plate and a free head by a model: restitution along the normal and the face, lever of friction.
 
-These three say what a launch is made of (Roh and Lee; Cross), whatever the equations of a model are. The heads are
-struck through their CG and cannot turn, so that nothing of a club is in the figures.
+These three quantities determine a launch (Roh and Lee; Cross), whatever the equations of a model are. The heads are
+struck through their CG and cannot turn, so that the figures do not depend on a club.
 """
 
 from __future__ import annotations
@@ -29,9 +29,11 @@ register_quantity("friction_lever", label="lever of friction",
                   meaning="angular momentum over that which the change along the face has at one radius")  # fmt: skip
 
 SPEED = 40.0
-"""Of the heads at which angles are compared [m/s]."""
+"""Speed of the heads for which angles are compared [m/s]."""
 SPEEDS = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)
+"""Speeds of the heads over which the normal restitution is shown [m/s]."""
 ANGLES = tuple(math.radians(angle) for angle in (10, 20, 30, 40, 50, 60, 70))
+"""Angles between the path of the ball, as the face sees it, and the face normal [rad]."""
 MASSES = {"plate": 5.0, "head of 200 g": 0.2}
 """Mass by kind of head [kg]: a plate, as heavy as the heads to which `response` was fitted, and a driver."""
 RIGID = 1e3
@@ -39,7 +41,7 @@ RIGID = 1e3
 
 
 class Rebound(NamedTuple):
-    """How a ball leaves a head that cannot turn.
+    """Three dimensionless figures of how a ball leaves a head that cannot turn.
 
     Attributes
     ----------
@@ -64,11 +66,11 @@ def rebound(model: str, *, speed: float, incidence: float, mass: float) -> Rebou
     model
         A model that computes launches in closed form or by contact laws, with its own parameters and ball.
     speed, incidence
-        Of the head [m/s], and between its path and the face normal [rad].
+        Speed of the head [m/s], and the angle between its path and the face normal [rad].
     mass
-        Of the head [kg], which moves freely and cannot turn.
+        Mass of the head [kg], which moves freely and cannot turn.
     """
-    with without_warnings():  # that nobody swings such a head
+    with without_warnings():  # such a head is implausible
         head = Club(
             name="plate", kind="iron", mass=mass, cg_x=0.0, cg_y=0.0, cg_z=0.0, ixx=RIGID, iyy=RIGID, izz=RIGID,
             ixy=0.0, ixz=0.0, iyz=0.0, loft=incidence, bulge=math.inf, roll=math.inf, face_width=0.5, face_height=0.5,
@@ -77,7 +79,7 @@ def rebound(model: str, *, speed: float, incidence: float, mass: float) -> Rebou
         launch = impact(head, speed=speed, loft=incidence, model=model)
     speed_after, up, spin = (float(value) for value in (launch.ball_speed, launch.launch, launch.backspin))
     ball = launch.ball
-    # Relative to the head, whose momentum is what the ball has not.
+    # Velocities relative to the head, which has lost the momentum that the ball gained.
     share = 1.0 + ball.mass / mass
     along_normal = share * speed_after * math.cos(incidence - up) - speed * math.cos(incidence)
     before = speed * math.sin(incidence)

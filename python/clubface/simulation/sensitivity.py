@@ -61,7 +61,8 @@ _SURPRISES = {
     "attack-at-held-loft": ("attack", math.radians(1.0), "backspin", "backspin"),
     "static-loft-at-held-loft": ("static_loft", math.radians(1.0), "launch", "launch"),
 }
-"""Notes on derivatives that are negative where many expect them positive: variable, step, output, name of the data."""
+"""Notes on derivatives that are negative although many expect a positive one: variable, its step [SI], output, and the
+name of the change of the output in the data."""
 
 
 class Sensitivity:
@@ -178,7 +179,7 @@ class Sensitivity:
         )  # fmt: skip
 
     def _sign_notes(self, printed: Sequence[str]) -> list[Note]:
-        """Return why signs are as they are that many do not expect; of many shots, where all have the sign."""
+        """Return the notes that explain unexpected signs; for several shots, those of signs that all have."""
         notes = []
         for code, (variable, step, output, data) in _SURPRISES.items():
             if variable in printed and output in self.outputs:

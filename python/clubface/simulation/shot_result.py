@@ -27,7 +27,7 @@ QUANTITIES = (
 ONE_MODEL_ONLY = ("total_spin", "total", "apex", "landing_angle")
 """What the table of several models leaves out, so that it fits a terminal."""
 _LEAST_SIDE, _LEAST_HEIGHT = 0.06, 0.08
-"""What a view from above shows to either side at least, and one from the side upwards, over its length."""
+"""Least extent of a view, over its length: to either side from above, and upwards from the side."""
 _TALLEST = 0.5
 """Height over width at which a view of the flight is cut."""
 _WIDTH = 6.4
@@ -88,11 +88,11 @@ _TOO_LOW = {
     "shot-shape-by-model": "shot-too-low-by-model",
     "comparison-shape": "comparison-too-low",
 }
-"""What is said in place of a sentence about the shape of a shot where the ball does not fly."""
+"""Codes of the sentences that replace those about the shape of a shot if the ball does not fly."""
 
 
 def shape_note(code: str, flight: Flight, hand: Any = None, **data: Any) -> Note:
-    """Return what one shot does in words: start, curve, landing, and what golfers call that.
+    """Return the note on the shape of a shot: start, curve, landing, and what golfers call that.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def shape_note(code: str, flight: Flight, hand: Any = None, **data: Any) -> Note
     hand
         As for :meth:`clubface.Flight.shot_shape`.
     data
-        What else the sentence says.
+        Further data of the sentence.
     """
     if not (shape := flight.shot_shape(hand)):
         return note(_TOO_LOW[code], **data)
@@ -140,7 +140,7 @@ def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> lis
 
 
 def lie_note(launch: Launch) -> Note | None:
-    """Return what a lie does not do, since the face angle holds whatever the lie; None where the club is not tilted.
+    """Return the note that the lie does not turn the face; None if the club is not tilted.
 
     A club that is tilted toe up about the target line, and not delivered otherwise, turns its face to the heel's side.
     """

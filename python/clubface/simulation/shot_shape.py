@@ -3,7 +3,7 @@
 The *curve* is the distance of the landing from the line on which the ball starts. It is measured across that line, so
 that a shot which is turned to the left or right as a whole curves as much as before; wind is part of it. The names
 follow from start and curve alone: a push or pull starts off the target line, a draw or fade curves, a hook or slice
-curves much. Where the ball lands is stated beside the name as a number.
+curves much. Where the ball lands is stated as a number next to the name.
 
 The limits are those of Open Golf Coach 0.3 (https://docs.rs/crate/opengolfcoach/0.3.0, shot_classifier.rs), a public
 library that names the shots of simulators: a push or pull starts more than 3 degrees off the target line; a shot curves

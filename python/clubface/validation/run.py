@@ -208,7 +208,7 @@ def validation_result(validation: Validation, *, detailed: bool = True) -> Resul
 
 
 MOST_MISSES = 3
-"""Quantities outside their tolerance that are named next to the verdict of a model."""
+"""Largest number of quantities outside their tolerance that are named next to the verdict of a model."""
 
 
 def _misses(validation: Validation) -> Iterator[Note]:

@@ -25,7 +25,7 @@ SENTENCES = {
         "it loses speed in frame {again} as well as in frame {frame} of the recording: cut the recording to read that"
     ),
     "capture-contradicts-ball": (
-        "the clubhead loses speed {surprise:.1f} standard deviations from where ball, club and markers are said to be: "
+        "the clubhead loses speed {surprise:.1f} standard deviations from where ball, club and markers should be: "
         "check their positions, or give them a larger accuracy"
     ),
     "capture-ends-after-impact": (

@@ -144,7 +144,7 @@ SENTENCES = {
         "digit."
     ),
     "player-more-shots": "With {more} more shots we would know the medians about twice as well.",
-    "player-no-carry": "The file has neither carry nor the whole launch, so that nothing is said of distances.",
+    "player-no-carry": "The file has neither carry nor the whole launch, so that the report gives no distances.",
     "player-no-model": (
         "We have no model of {club}, so that the report gives face, path and strike only as measured, and no what-if."
     ),
@@ -221,6 +221,6 @@ SENTENCES = {
         "Sideways, two of three shots lie between {low_toe:towards the toe/towards the heel/the middle 0} and "
         "{high_toe:towards the toe/towards the heel/the middle 0}."
     ),
-    "player-too-few-shots": "Hit at least {least} shots with a club: of fewer, nothing can be said.",
+    "player-too-few-shots": "Hit at least {least} shots with a club: fewer allow no conclusion.",
     "player-typical-shot": "Your typical shot, the median of {shots:n shot}: {figures:and}.",
 }
