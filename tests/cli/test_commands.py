@@ -97,11 +97,17 @@ def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path)
 
 
 @pytest.mark.parametrize(
-    ("time", "code"), [("240 us", "club-conforms"), ("270 us", "club-does-not-conform"), ("0 s", "club-partly-judged")]
+    ("club", "value", "code"),
+    [
+        ("driver", "characteristic_time=240 us", "club-conforms"),
+        ("driver", "characteristic_time=270 us", "club-does-not-conform"),
+        ("driver", "characteristic_time=0 s", "club-partly-judged"),
+        ("7-iron", "loft=50 deg", "club-possible"),
+    ],
 )
-def test_the_last_line_of_a_check_sums_up_the_rules(clubface_, tmp_path, time, code):
+def test_the_last_line_of_a_check_sums_up_the_rules(clubface_, tmp_path, club, value, code):
     file = tmp_path / "mine.toml"
-    assert clubface_("club", "new", "mine", "--set", f"characteristic_time={time}", "-o", str(file)).status == 0
+    assert clubface_("club", "new", "mine", "--like", club, "--set", value, "-o", str(file)).status == 0
     [hint] = check_result(clubface.club(str(file)), str(file)).hints
     assert hint.code == code
     assert " ".join(clubface_("club", "check", str(file)).out.split()).endswith(" ".join(hint.sentence.split()))

@@ -151,10 +151,12 @@ def test_the_cross_of_shells_stands_at_the_place_that_the_table_gives():
     blow = stress.blow_stress(head, **BLOW)
     (views, _) = stress.stress_picture(blow, head.loft).rows
     peak = max(blow.parts, key=lambda part: part.stress)
-    crosses = [mark.x for view in views for mark in view.marks if mark.kind == "points"]
-    # Drawn with the toe to the right in every view that shows the place: the centre of an element, not its corner.
+    x, y, z = peak.place
+    # Up the face, or to the target where one looks at crown and sole: the centre of an element, not its corner.
+    heights = {"face": np.cos(head.loft) * y - np.sin(head.loft) * x, "crown": x, "sole": x}
+    crosses = {view.title: (*mark.x, *mark.y) for view in views for mark in view.marks if mark.kind == "points"}
     assert crosses
-    assert all(each == [peak.place[2]] for each in crosses)
+    assert crosses == {title: pytest.approx((z, heights[title])) for title in crosses}
 
 
 @pytest.mark.parametrize(
@@ -169,9 +171,13 @@ def test_a_measured_head_has_the_verdict_of_the_rules_and_the_line_for_other_mod
     assert [each for each in notes if each.endswith(("conforms", "tolerance", "not-conform"))] == [code]
     line = notes["face-line"].sentence.partition("head: ")[2]
     assert units.parse(line.partition(" = ")[2].strip('"'), "time") == pytest.approx(time)
-    # Elsewhere on the face it is not what the file states.
-    aside = head_result(coarse_head(), tests=tests, inputs={"toe": "10 mm"})
-    assert "face-line" not in [each.code for each in aside.notes]
+    # Elsewhere on the face it is not what the file states; and the rule holds up to a loft of 35 degrees.
+    for place in ("toe", "high"):
+        elsewhere = head_result(coarse_head(), tests=tests, inputs={place: "10 mm"})
+        assert "face-line" not in [each.code for each in elsewhere.notes]
+    for loft, judged in ((34.9, True), (35.1, False)):
+        lofted = replace(coarse_head(), loft=np.radians(loft))
+        assert (code in [each.code for each in head_result(lofted, tests=tests).notes]) == judged
 
 
 def test_a_part_that_yields_has_the_speed_that_it_bears():

@@ -1,8 +1,10 @@
-"""Which faces are rigid where others give: said of shots side by side."""
+"""A comparison of shots names those whose face is rigid where that of others gives."""
 
 import clubface
 from clubface.design.comparison import compare
 from clubface.simulation.launch import rigid_faces
+from clubface.simulation.shot_result import shot_result
+from fem_runs import coarse, coarse_head
 
 SHOT = {"speed": "45 m/s", "loft": "12 deg"}
 
@@ -22,7 +24,15 @@ def test_a_rigid_face_is_named_where_another_gives():
     assert names({"own": none, "other": none}) == []
     # Parameters fitted to drives include the face of their driver.
     rings = clubface.impact(rigid(), SHOT, model="rings")
-    assert names({"response": none, "rings": rings}) == ["response"]
+    launches = {"response": none, "rings": rings}
+    assert names(launches) == ["response"]
+    shown = shot_result(launches, {name: clubface.fly(each) for name, each in launches.items()})
+    assert [each.data["names"] for each in shown.assumptions if each.code == "rigid-faces"] == [["response"]]
+
+
+def test_the_face_of_a_mesh_gives():
+    mesh = clubface.impact(coarse_head().as_club(), SHOT, model="fem", ball=coarse("modern"))
+    assert names({"fem": mesh, "own": clubface.impact(rigid(), SHOT)}) == ["own"]
 
 
 def test_a_comparison_with_a_rigid_face_says_so_and_why_it_is_not_split():
