@@ -6,8 +6,8 @@ import warnings
 import pytest
 
 import clubface
+from clubface.equipment.balls import BALL_DIAMETER_LIMIT, BALL_MASS_LIMIT
 from clubface.errors import RuleWarning
-from clubface.fem.impact_result import RULES
 
 OUNCE, INCH = 28.349523125e-3, 25.4e-3
 pytestmark = pytest.mark.usefixtures("new_process")
@@ -38,6 +38,6 @@ def test_a_club_is_warned_of_from_beyond_the_limit_on(name, most, beyond, words)
 
 def test_the_limits_of_a_ball_are_those_in_ounces_and_inches():
     """1.620 ounces avoirdupois and 1.680 inches, which the rules also give as 45.93 g and 42.67 mm."""
-    assert RULES == {"mass": 0.04593, "diameter": 0.04267}
-    assert RULES["mass"] == pytest.approx(1.620 * OUNCE, abs=0.5e-5)
-    assert RULES["diameter"] == pytest.approx(1.680 * INCH, abs=0.5e-5)
+    limits = {"mass": BALL_MASS_LIMIT, "diameter": BALL_DIAMETER_LIMIT}
+    assert limits == {"mass": 0.04593, "diameter": 0.04267}
+    assert limits == pytest.approx({"mass": 1.620 * OUNCE, "diameter": 1.680 * INCH}, abs=0.5e-5)

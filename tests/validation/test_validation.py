@@ -529,7 +529,7 @@ def test_what_a_model_misses_is_named_the_worst_first():
     assert not spin.met
     # Ball speeds of these irons and the contact time are within their tolerances.
     assert [each.split(" (")[0] for each in missed] == ["tour-irons spin"]
-    assert f"({100.0 * spin.bias:.1f} %)" in missed[0]
+    assert f"({100.0 * spin.bias:.1f}%)" in missed[0]
 
 
 def test_a_quantity_that_a_model_does_not_compute_counts_no_figures():
