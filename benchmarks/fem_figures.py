@@ -141,12 +141,20 @@ def the_paper() -> None:
     for name, run in variations.items():
         print_figures(name, **paper.table(run), f_of_spin=paper.spin_factor(run), energies=run.energy_error)
     print_figures("top within 2%", **flat_top(impact, 0.02))
+    print_figures("section in the 400 us after take-off", **section_after(impact, 400e-6))
     for moment, figures in patches(impact).items():
         print_figures(f"patch, {moment}", **figures)
     head = fem.head("paper")
     print_figures(
         "its head", restitution=head_tests.restitution(head), ct_us=head_tests.characteristic_time(head) * 1e6
     )
+
+
+def section_after(impact: Impact, lasting: float) -> dict[str, float]:
+    """Return the spin of Roh and Lee's section of nodes while the ball vibrates so long [s] after take-off."""
+    times, spin = paper.section_spin(impact)
+    after = spin[(times > impact.last_touch) & (times < impact.last_touch + lasting)] * RPM
+    return {"least_rpm": after.min(), "most_rpm": after.max(), "mean_rpm": after.mean()}
 
 
 def the_sweep() -> None:

@@ -4,11 +4,12 @@ Normal impacts (`ball_fit.py`) say nothing of the shear of a ball, and an elasti
 the cover has a Maxwell branch too, which takes away from what the ball gives back of the shear it stores. Published
 spins at one launch differ by more than their noise from source to source, so each source has an unknown error of its
 own. It prints figures next to targets, the posterior of Laplace's approximation, and how the spin of an iron
-moves without one of the sources.
+moves without one of the sources, and keeps them in ball_shear_fit.json.
 """
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -44,6 +45,12 @@ SLIP_DEVIATION = 0.09
 """The mean absolute error of `slip` in their backspin, as a share."""
 WIDTH = units.parse("1.5 deg", "angle")
 """Half of the difference of the two lofts between which the one with the measured launch is interpolated."""
+
+
+UNITS = {"contact time": "us", "peak force": "kN"}
+"""In which figures are printed that have a unit."""
+KEPT = Path(__file__).with_suffix(".json")
+"""What the page of the ball quotes."""
 
 
 def relaxing_ball(values: Any) -> fem.Ball:
@@ -131,56 +138,92 @@ class Fit:
 
 
 def main() -> None:
-    """Fit, and print."""
+    """Fit, print, and keep what is printed."""
     problem = Fit()
     start = np.log([middle for middle, _ in FREE.values()])
     fit = least_squares(problem.residuals, start, diff_step=0.02, max_nfev=5)
     normal, oblique, shares, errors = problem.figures(fit.x)
-    for each, value in zip(problem.normal, normal, strict=True):
-        unit = {"contact time": "us", "peak force": "kN"}.get(each["quantity"], "1")
-        print_target(f"{each['quantity']}, {each['against']}, {each['speed']:.1f} m/s", each, value, units.size(unit))
-    for each, value in zip(problem.oblique, oblique, strict=True):
-        print_target(f"tangential restitution, {each['speed']}, {each['angle']}", each, value)
-    for each, value in zip(problem.shares, shares, strict=True):
-        print_target(f"share of launch angle, {each['club']}", each, value)
+    print_targets(kept_targets(problem, normal, oblique, shares))
     covariance = np.linalg.inv(fit.jac.T @ fit.jac)
-    print_spins(problem, errors, fit.jac, covariance)
+    spins = kept_spins(problem, errors, fit.jac, covariance)
+    for each in spins:
+        what = f"spin at measured launch, {each['club']}, {each['group']}"
+        print(f"{what:70}{each['error_percent']:+7.1f}% +- {each['deviation_percent']:4.1f}%")
     deviations = np.sqrt(np.diag(covariance))
     print(f"\nsum of squares {2.0 * fit.cost:.1f}")
+    constants = {}
     for name, value, deviation in zip(FREE, np.exp(fit.x), deviations, strict=True):
         low, high = value * np.exp([-1.96 * deviation, 1.96 * deviation])
+        constants[name] = {"value": digits(value), "low": digits(low), "high": digits(high)}
         print(f"{name:36} {value:8.3f}   95%: {low:.3g} to {high:.3g}")
     print("correlations\n", np.round(covariance / np.outer(deviations, deviations), 2))
-    print_without_groups(problem, fit)
+    without = moves_without_groups(problem, fit)
+    print(f"\nspin of the {problem.shots[0].target['club']}")
+    for group, percent in without.items():
+        print(f"without {group:40} {percent:+6.1f}%")
+    kept = {
+        "targets": kept_targets(problem, normal, oblique, shares),
+        "spins": spins,
+        "constants": constants,
+        "without_percent": without,
+    }
+    KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
 
 
-def print_target(name: str, target: Mapping[str, Any], value: float, unit: float = 1.0) -> None:
-    """Print a target with its deviation, and what the ball gives."""
-    print(f"{name:52}{target['value'] / unit:9.3f} +- {target['deviation'] / unit:7.3f}{value / unit:10.3f}")
+def digits(value: float) -> float:
+    """Return a figure with the digits that are kept."""
+    return float(f"{value:.5g}")
 
 
-def print_spins(problem: Fit, errors: Any, jac: Any, covariance: Any) -> None:
-    """Print computed less measured spin at each measured launch, and the posterior deviation of the computed one."""
+def kept_targets(problem: Fit, normal: Any, oblique: Any, shares: Any) -> list[dict[str, Any]]:
+    """Return what impacts and start angles were fitted to, and what the ball gives, SI."""
+    names = [f"{each['quantity']}, {each['against']}, {each['speed']:.1f} m/s" for each in problem.normal]
+    names += [f"tangential restitution, {each['speed']}, {each['angle']}" for each in problem.oblique]
+    names += [f"share of launch angle, {each['club']}" for each in problem.shares]
+    targets, values = [*problem.normal, *problem.oblique, *problem.shares], [*normal, *oblique, *shares]
+    return [
+        {"of": name, "target": each["value"], "deviation": each["deviation"], "fit": digits(value)}
+        for name, each, value in zip(names, targets, values, strict=True)
+    ]
+
+
+def print_targets(targets: list[dict[str, Any]]) -> None:
+    """Print every target with its deviation, and what the ball gives."""
+    for each in targets:
+        unit = units.size(next((unit for what, unit in UNITS.items() if each["of"].startswith(what)), "1"))
+        target, deviation, value = (each[key] / unit for key in ("target", "deviation", "fit"))
+        print(f"{each['of']:52}{target:9.3f} +- {deviation:7.3f}{value:10.3f}")
+
+
+def kept_spins(problem: Fit, errors: Any, jac: Any, covariance: Any) -> list[dict[str, Any]]:
+    """Return computed less measured spin at each measured launch, and the posterior deviation of the computed one."""
     slopes = np.linalg.solve(problem.whiten, jac[spin_rows(problem)])
     deviations = 100.0 * np.sqrt(np.einsum("ij,jk,ik->i", slopes, covariance, slopes))
     clubs = [*(each.target["club"] for each in problem.shots), "7-iron"]
-    for group, name, value, deviation in zip(problem.groups, clubs, errors, deviations, strict=True):
-        what = f"spin at measured launch, {name}, {group}"
-        print(f"{what:70}{100.0 * math.expm1(value):+7.1f}% +- {deviation:4.1f}%")
+    return [
+        {
+            "group": group,
+            "club": name,
+            "error_percent": digits(100.0 * math.expm1(value)),
+            "deviation_percent": digits(deviation),
+        }
+        for group, name, value, deviation in zip(problem.groups, clubs, errors, deviations, strict=True)
+    ]
 
 
-def print_without_groups(problem: Fit, fit: Any) -> None:
-    """Print how the spin of the first shot moves without each group, to first order."""
+def moves_without_groups(problem: Fit, fit: Any) -> dict[str, float]:
+    """Return by how many per cent the spin of the first shot moves without each group, to first order."""
     rows = spin_rows(problem)
     slopes, errors = (np.linalg.solve(problem.whiten, each[rows]) for each in (fit.jac, fit.fun))
     other_slopes, others = np.delete(fit.jac, rows, axis=0), np.delete(fit.fun, rows)
-    print(f"\nspin of the {problem.shots[0].target['club']}")
+    moves = {}
     for group in dict.fromkeys(problem.groups):
         kept = [place for place, each in enumerate(problem.groups) if each != group]
         whiten = np.linalg.inv(np.linalg.cholesky(problem.covariance[np.ix_(kept, kept)]))
         jac = np.vstack([other_slopes, whiten @ slopes[kept]])
         step = -np.linalg.lstsq(jac, np.concatenate([others, whiten @ errors[kept]]), rcond=None)[0]
-        print(f"without {group:40} {100.0 * float(slopes[0] @ step):+6.1f}%")
+        moves[group] = digits(100.0 * float(slopes[0] @ step))
+    return moves
 
 
 def spin_rows(problem: Fit) -> Any:

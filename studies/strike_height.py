@@ -1,17 +1,21 @@
 """What a strike a groove lower changes in the spin of an iron, cause by cause: `make strike-height`.
 
 Printed are the change of spin by model, and by finite elements with one thing changed at a time: head, shaft, friction,
-ball, loft, speed. It stands at one delivery, and at one launch, where the loft is solved. Files of shots with measured
-strike heights give the slope at one launch from measurements: `python studies/strike_height.py shots.csv`.
+ball, loft, speed. It stands at one delivery, and at one launch, where the loft is solved. A file of shots with measured
+strike heights gives the slope at one launch from measurements: `python studies/strike_height.py shots.csv`, with
+`--club "7 Iron"`, `--unit angle=deg` or `--mapping square-strikes.toml` where the file needs them. What is printed is
+kept in strike_height.json.
 """
 
 from __future__ import annotations
 
+import argparse
+import json
 import math
-import sys
 import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,6 +36,14 @@ FIXED = IRON.replace(ixx=0.5, iyy=0.5, izz=0.57, ixy=0.0, ixz=0.0, iyz=0.0)
 MODELS = ("standard", "volumetric", "rings", "response")
 CONTACT_TIME = 480e-6
 """How long an iron touches the ball [s]."""
+KEPT = Path(__file__).with_suffix(".json")
+FIGURES: dict[str, dict[str, float]] = {}
+"""The figures of the table that is being computed, by line."""
+
+
+def keep(line: str, **figures: float) -> None:
+    """Keep the figures of a line."""
+    FIGURES[line] = {name: float(f"{value:.5g}") for name, value in figures.items()}
 
 
 class Strike(NamedTuple):
@@ -43,17 +55,20 @@ class Strike(NamedTuple):
     pitch: float
 
 
-def compute(head: Club, shot: Mapping[str, Any], model: str = "fem", **options: Any) -> Strike:
+def compute(head: Club | fem.MeshedHead, shot: Mapping[str, Any], model: str = "fem", **options: Any) -> Strike:
     """Compute one shot with the finite elements or another model."""
     if model == "fem":
         launch: Any = fem.strike(head, shot, settings=END, **options).launch
     else:
+        assert isinstance(head, Club)
         launch = impact(head, model=model, **shot)
     spin, up, speed = launch.get("backspin", "rpm"), launch.get("launch", "deg"), launch.get("ball_speed", "mph")
     return Strike(float(spin), float(up), float(speed), float(launch.club_spin_z))
 
 
-def lower(head: Club, shot: Mapping[str, Any] = SHOT, by: float = GROOVE, **options: Any) -> tuple[Strike, float]:
+def lower(
+    head: Club | fem.MeshedHead, shot: Mapping[str, Any] = SHOT, by: float = GROOVE, **options: Any
+) -> tuple[Strike, float]:
     """Return what changes in a lower strike, and the change of spin at the launch of the higher one."""
     below = {**shot, "high": -by}
     more_loft = {**below, "loft": units.parse(shot["loft"], "angle") + STEP}
@@ -63,9 +78,10 @@ def lower(head: Club, shot: Mapping[str, Any] = SHOT, by: float = GROOVE, **opti
     return change, change.spin - slope * change.launch
 
 
-def print_change(name: str, head: Club, shot: Mapping[str, Any] = SHOT, **options: Any) -> None:
+def print_change(name: str, head: Club | fem.MeshedHead, shot: Mapping[str, Any] = SHOT, **options: Any) -> None:
     """Print one line of a table."""
     change, at_launch = lower(head, shot, **options)
+    keep(name.strip(), **change._asdict(), at_launch=at_launch)
     print(
         f"{name:52}{change.spin:+7.0f}{at_launch:+10.0f}{change.launch:+9.2f}{change.speed:+8.1f}{change.pitch:+8.0f}"
     )
@@ -112,7 +128,7 @@ def print_models() -> None:
     flat = with_mass_centre(depth=0.0)
     for model in (*MODELS, "fem"):
         print_change(model, IRON, model=model)
-        print_change("  mass centre in the plane of the face", flat, model=model)
+        print_change(f"  {model}, mass centre in the plane of the face", flat, model=model)
 
 
 def print_causes() -> None:
@@ -132,6 +148,13 @@ def print_causes() -> None:
         print_change(f"{name} {other}", IRON, {**SHOT, name: other})
 
 
+def print_meshed() -> None:
+    """Print the change by the meshed 7-iron, and by a rigid head of its mass and inertia, which other code computes."""
+    head = fem.head("7-iron")
+    print_change("meshed 7-iron", head)
+    print_change("rigid head with its mass and inertia", head.club)
+
+
 def print_turning() -> None:
     """Print what a face that turns at a steady rate does to the spin, and what its mean loft alone would do."""
     loft, rate = units.parse(SHOT["loft"], "angle"), 100.0
@@ -142,7 +165,9 @@ def print_turning() -> None:
             [compute(centred, {**SHOT, name: value}, model).spin for value in values]
             for name, values in (("pitch_rate", (-rate, rate)), ("loft", (loft - turned, loft + turned)))
         )
-        print(f"{model:52}{(turning[1] - turning[0]) / 2.0:+7.0f}{(lofts[1] - lofts[0]) / 2.0:+10.0f}")
+        change, mean_loft = (turning[1] - turning[0]) / 2.0, (lofts[1] - lofts[0]) / 2.0
+        keep(model, spin=change, mean_loft=mean_loft)
+        print(f"{model:52}{change:+7.0f}{mean_loft:+10.0f}")
 
 
 def print_gear_effect() -> None:
@@ -160,11 +185,13 @@ def print_gear_effect() -> None:
         mobility = (1.0 + ball.mass * ball.radius**2 / ball.inertia) / ball.mass + 1.0 / IRON.mass + depth**2 / IRON.izz
         rolling = -depth * pitch / mobility * ball.radius / ball.inertia
         difference = lower(IRON, model=model)[0].spin - lower(with_mass_centre(depth=0.0), model=model)[0].spin
+        keep(model, rolling=units.from_si(rolling, "rpm"), computed=difference)
         name = f"{model}: rolling ball {units.from_si(rolling, 'rpm'):+.0f}, computed"
         print(f"{name:52}{difference:+7.0f}")
     for restitution in (0.0, 0.3, 0.6):
         phase = math.acos(-restitution)
         share = 1.0 - math.pi**2 / 2.0 * (1.0 - restitution) / (math.pi**2 - phase**2)
+        keep(f"spring with tangential restitution {restitution}", share=share)
         print(f"{f'spring with tangential restitution {restitution}: share':52}{share:7.2f}")
 
 
@@ -173,12 +200,17 @@ def print_driver() -> None:
     driver = club("driver").replace(characteristic_time=0.0)
     shot = {"speed": "100 mph", "attack": "0 deg", "loft": "14 deg"}
     for model in ("standard", "response", "fem"):
-        print(f"{model:52}{-lower(driver, shot, by=5e-3, model=model)[1] / 5.0:+17.0f}")
+        slope = -lower(driver, shot, by=5e-3, model=model)[1] / 5.0
+        keep(model, rpm_a_mm=slope)
+        print(f"{model:52}{slope:+17.0f}")
 
 
 def print_shaft() -> None:
     """Print what the shaft changes of a centred strike."""
-    free, held = compute(IRON, SHOT), compute(on_a_shaft(), SHOT)
+    shaft = on_a_shaft()
+    free, held = compute(IRON, SHOT), compute(shaft, SHOT)
+    keep("free", **free._asdict())
+    keep("on a shaft", **held._asdict(), grams=1e3 * (shaft.mass - IRON.mass), pitch_inertia=shaft.izz / IRON.izz)
     print(f"{'free: ball speed, pitch':52}{free.speed:35.1f}{free.pitch:+8.0f}")
     print(f"{'on a shaft':52}{held.speed:35.1f}{held.pitch:+8.0f}")
 
@@ -189,19 +221,21 @@ def print_pair() -> None:
     shot = {"speed": "85 mph", "attack": "-3 deg", "loft": "29 deg"}
     solid, toe = ({**shot, "toe": toe, "high": high} for toe, high in (("-3 mm", 0.0), ("17 mm", -GROOVE)))
     for model in ("standard", "response", "fem"):
-        one, other = compute(head, solid, model), compute(head, toe, model)
-        print(
-            f"{model:52}{other.spin - one.spin:+7.0f}{other.launch - one.launch:+19.2f}{other.speed - one.speed:+8.1f}"
-        )
+        change = Strike(*(b - a for a, b in zip(compute(head, solid, model), compute(head, toe, model), strict=True)))
+        keep(model, **change._asdict())
+        print(f"{model:52}{change.spin:+7.0f}{change.launch:+19.2f}{change.speed:+8.1f}")
 
 
-def print_measured(path: str) -> None:
+def print_measured(path: Path, club_name: str | None, **reading: Any) -> None:
     """Print the spin of shots in a file by strike height at one launch, with 95% of a bootstrap.
 
     The spin is fitted, robustly, on launch less attack angle, attack angle, club speed, strike height and the strike
-    towards the toe with its square, for each club.
+    towards the toe with its square.
     """
-    shots = launch_monitor.read(path)
+    shots = launch_monitor.read(path, **reading)
+    if club_name is not None:
+        assert shots.clubs is not None
+        shots = shots.select(shots.clubs == club_name)
     speed, attack, toe, high = (np.asarray(shots.deliveries[name]) for name in ("speed", "attack", "toe", "high"))
     launch, spin = (np.asarray(shots.launches[name]) for name in ("launch", "total_spin"))
     ball_speed = np.asarray(shots.launches["ball_speed"])
@@ -212,6 +246,7 @@ def print_measured(path: str) -> None:
     draws = (rng.integers(len(spin), size=len(spin)) for _ in range(400))
     low, high_end = np.percentile([robust(rows[each], spin[each])[0] for each in draws], [2.5, 97.5]) * 1e-3
     slope = robust(rows, spin)[0] * 1e-3
+    keep(f"{path.stem}, {club_name or 'all'}", shots=len(spin), rpm_a_mm=slope, low=low, high=high_end)
     print(f"{path}: {len(spin)} shots, {slope:+.0f} rpm a mm higher (95%: {low:+.0f} to {high_end:+.0f})")
 
 
@@ -230,6 +265,7 @@ def robust(rows: Any, values: Any) -> Any:
 TABLES: dict[str, Callable[[], None]] = {
     "by model": print_models,
     "finite elements": print_causes,
+    "a head that deforms": print_meshed,
     "face turning 100 rad/s, and its mean loft alone": print_turning,
     "gear effect in closed form": print_gear_effect,
     "centred strike with and without a shaft": print_shaft,
@@ -239,17 +275,30 @@ TABLES: dict[str, Callable[[], None]] = {
 
 
 def main() -> None:
-    """Print the tables, or the slope of each file given."""
-    if files := sys.argv[1:]:
-        for path in files:
-            print_measured(path)
-        return
+    """Print the tables, or the slope of the files given, and keep what is printed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("shots", nargs="*", type=Path, help="files with measured strike heights")
+    parser.add_argument("--club", help="its shots alone")
+    parser.add_argument("--mapping", type=Path, help="what the columns of the files mean")
+    parser.add_argument("--unit", action="append", default=[], help="of columns that name none: angle=deg")
+    given = parser.parse_args()
     warnings.simplefilter("ignore")
-    print(f"{'7-iron at 82 mph, 3.6 mm lower':52}   spin at launch   launch   speed   pitch")
-    print(f"{'':52}    rpm       rpm      deg     mph   rad/s")
-    for name, table in TABLES.items():
-        print(f"\n{name}")
-        table()
+    kept = json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.is_file() else {}
+    if given.shots:
+        FIGURES.update(kept.get("measured", {}))
+        for path in given.shots:
+            print_measured(path, given.club, mapping=given.mapping, units=dict(each.split("=") for each in given.unit))
+        kept["measured"] = dict(FIGURES)
+    else:
+        kept["groove_mm"] = units.from_si(GROOVE, "mm")
+        print(f"{'7-iron at 82 mph, 3.6 mm lower':52}   spin at launch   launch   speed   pitch")
+        print(f"{'':52}    rpm       rpm      deg     mph   rad/s")
+        for name, table in TABLES.items():
+            print(f"\n{name}", flush=True)
+            FIGURES.clear()
+            table()
+            kept[name] = dict(FIGURES)
+    KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
