@@ -105,11 +105,11 @@ ball-fit: dev ## fit the core of the ball modern-2026 to published plate tests a
 
 ball-shear-fit: dev ## fit the ball modern to plates, start angles and spins at measured launch, with intervals; minutes
 	$(PYTHON) studies/ball_shear_fit.py
-	$(PYTHON) docs/run.py --stamp studies/ball_shear_fit.json
+	$(PYTHON) docs/run.py --stamp docs/finite-elements/ball-fit.json
 
 strike-height: dev ## what a low strike changes in the spin of an iron, cause by cause: the table of its page; two minutes
 	$(PYTHON) studies/strike_height.py | tee docs/finite-elements/strike-height.txt
-	$(PYTHON) docs/run.py --stamp studies/strike_height.json
+	$(PYTHON) docs/run.py --stamp docs/finite-elements/strike-height.json
 
 BALL ?= modern
 response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour

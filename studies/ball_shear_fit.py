@@ -4,7 +4,7 @@ Normal impacts (`ball_fit.py`) say nothing of the shear of a ball, and an elasti
 the cover has a Maxwell branch too, which takes away from what the ball gives back of the shear it stores. Published
 spins at one launch differ by more than their noise from source to source, so each source has an unknown error of its
 own. It prints figures next to targets, the posterior of Laplace's approximation, and how the spin of an iron
-moves without one of the sources, and keeps them in ball_shear_fit.json.
+moves without one of the sources, and keeps them in docs/finite-elements/ball-fit.json.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ WIDTH = units.parse("1.5 deg", "angle")
 
 UNITS = {"contact time": "us", "peak force": "kN"}
 """In which figures are printed that have a unit."""
-KEPT = Path(__file__).with_suffix(".json")
+KEPT = Path(__file__).parents[1] / "docs" / "finite-elements" / "ball-fit.json"
 """What the page of the ball quotes."""
 
 

@@ -4,7 +4,7 @@ Printed are the change of spin by model, and by finite elements with one thing c
 ball, loft, speed. It stands at one delivery, and at one launch, where the loft is solved. A file of shots with measured
 strike heights gives the slope at one launch from measurements: `python studies/strike_height.py shots.csv`, with
 `--club "7 Iron"`, `--unit angle=deg` or `--mapping square-strikes.toml` where the file needs them. What is printed is
-kept in strike_height.json.
+kept in docs/finite-elements/strike-height.json.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ FIXED = IRON.replace(ixx=0.5, iyy=0.5, izz=0.57, ixy=0.0, ixz=0.0, iyz=0.0)
 MODELS = ("standard", "volumetric", "rings", "response")
 CONTACT_TIME = 480e-6
 """How long an iron touches the ball [s]."""
-KEPT = Path(__file__).with_suffix(".json")
+KEPT = Path(__file__).parents[1] / "docs" / "finite-elements" / "strike-height.json"
 FIGURES: dict[str, dict[str, float]] = {}
 """The figures of the table that is being computed, by line."""
 
