@@ -150,7 +150,6 @@ UNCHECKED = {
     "docs/finite-elements/strike-height.md": 14,
     "docs/finite-elements/verification.md": 40,
     "docs/finite-elements.md": 2,
-    "docs/flight.md": 48,
     "docs/identification.md": 57,
     "docs/inference.md": 5,
     "docs/launch-monitors.md": 51,
