@@ -57,7 +57,7 @@ def test_the_curve_of_a_mirrored_shot_is_the_opposite_and_has_the_same_name():
 def test_the_limits_of_the_curve_are_the_limits_of_the_spin_axis(club):
     """Open Golf Coach: a draw or fade from 3 degrees of spin axis on, a hook or slice from 12 on.
 
-    A degree of axis makes from 0.7 to 0.9% of curve over the carry, so that a limit is met within a third.
+    A degree of axis makes from 0.6 to 1.0% of curve over the carry, so that a limit is met within a third.
     """
     axis = np.array([3.0, 12.0]) * DEG
     flight = clubface.fly({**LAUNCHES[club], "spin_axis": axis})

@@ -8,8 +8,8 @@ curves much. Where the ball lands is stated as a number next to the name.
 The limits are those of Open Golf Coach 0.3 (https://docs.rs/crate/opengolfcoach/0.3.0, shot_classifier.rs), a public
 library that names the shots of simulators: a push or pull starts more than 3 degrees off the target line; a shot curves
 from 3 degrees of spin axis on, and much from 12 degrees on. Measured and computed flights have no spin axis that stands
-for wind and carry as well, so that the limits of the axis are taken as the curve they make: a degree of axis moves the
-ball sideways by 0.7 to 0.9% of the carry, from a driver to a wedge (a test checks it with the flight of this package).
+for wind and carry as well, so that the limits of the axis are taken as the curve they make, 0.7% of the carry for a
+degree of axis: it is 0.6 to 1.0% for the clubs of the tours with the flight of this package.
 """
 
 from __future__ import annotations
