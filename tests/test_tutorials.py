@@ -148,7 +148,6 @@ UNCHECKED = {
     "docs/finite-elements.md": 2,
     "docs/identification.md": 57,
     "docs/inference.md": 5,
-    "docs/launch-monitors.md": 51,
     "docs/models/adjusted.md": 2,
     "docs/models/response.md": 57,
     "docs/models/rings.md": 4,
