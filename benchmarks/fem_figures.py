@@ -7,22 +7,32 @@ pages with that file. The reference case on meshes goes to the package, which qu
 import json
 import math
 import sys
+import warnings
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+from unittest import mock
 
 import numpy as np
+from numpy.typing import NDArray
 
 import clubface
 from clubface import fem
 from clubface.equipment.clubs import Club
-from clubface.fem import accuracy, head_tests, paper, reduced, sweep
+from clubface.errors import MeshWarning, RangeWarning
+from clubface.fem import accuracy, head_tests, paper, reduced, stress, sweep
 from clubface.fem.case import case
+from clubface.fem.heads import Group, MeshHead
 from clubface.fem.heads.read import from_toml
-from clubface.fem.result import Impact
+from clubface.fem.materials import Material, Maxwell
+from clubface.fem.pictures import contacts
+from clubface.fem.result import Impact, displaced_centre
 from clubface.support.files import builtin_path
 
-sys.path.extend(str(Path(__file__).parent.parent / folder) for folder in ("studies", "docs"))
+sys.path.extend(str(Path(__file__).parent.parent / folder) for folder in ("studies", "docs", "docs/figures"))
 import ball_fit
+import contact_laws
 from run import commit
 
 RPM = 60.0 / math.tau
@@ -295,6 +305,180 @@ def heads() -> None:
         )
 
 
+def finer_strikers() -> None:
+    """Characteristic time by the striker, and by one with a mesh twice as fine."""
+    (finer,) = accuracy.meshes(head_tests.striker(), (6,))
+    for name in ("paper", "7-iron"):
+        head = fem.head(name)
+        usual = head_tests.characteristic_time(head)
+        with mock.patch.object(head_tests, "striker", return_value=finer):
+            print_figures(name, ct_us=usual * 1e6, finer_us=head_tests.characteristic_time(head) * 1e6)
+
+
+FACE, WALL = 3.2e-3, 1.2e-3
+"""Thickness [m] of the face of the driver of :func:`own_meshes`, and of its other walls."""
+OWN_MESHES = {
+    "quadrilaterals": ((36, 12, 25), 0),
+    "a few triangles": ((36, 12, 25), 4),
+    "finer quadrilaterals": ((72, 24, 25), 0),
+    "triangles": ((36, 12, 25), None),
+}
+"""Elements along the edges, and how many of the quadrilaterals are cut into two triangles; None for all."""
+
+
+def own_meshes() -> None:
+    """Face tests of one driver as a mesh of quadrilaterals, of triangles, and of both."""
+    design = from_toml(builtin_path("head", "paper", "fem_heads"))
+    assert isinstance(design, fem.DriverHead)
+    walls = {**dict.fromkeys(design.thickness, WALL), "face_centre": FACE, "face_edge": FACE}
+    for what, (along, cut) in OWN_MESHES.items():
+        made = replace(design, thickness=walls, elements=along).mesh()
+        parts = [part.name for part in made.parts for _ in range(part.elements)]
+        count = len(parts) if cut is None else cut
+        divided = set(
+            np.linspace(0, len(parts) - 1, count + 2 if cut else count).astype(int)[1 if cut else 0 :][:count]
+        )
+        elements = []
+        for number, (name, quad) in enumerate(zip(parts, made.quads, strict=True)):
+            elements += [(name, each) for each in ([quad[:3], quad[[0, 2, 3]]] if number in divided else [quad])]
+        with TemporaryDirectory() as folder:
+            file = Path(folder) / "head.inp"
+            file.write_text(abaqus(made.nodes, elements))
+            groups = tuple(
+                Group(name=part.name, thickness=FACE if part.face else WALL, face=part.face) for part in made.parts
+            )
+            face = {key: design.shape[key] for key in ("loft", "bulge", "roll")}
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", MeshWarning)
+                head = MeshHead(name=what, file=file, unit="m", groups=groups, **face).mesh()
+        print_figures(
+            what,
+            triangles=sum(len(each) == 3 for _, each in elements),
+            quadrilaterals=sum(len(each) == 4 for _, each in elements),
+            elements=head.elements,
+            mass_g=head.club.mass * 1e3,
+            restitution=head_tests.restitution(head),
+            ct_us=head_tests.characteristic_time(head) * 1e6,
+        )
+
+
+def abaqus(nodes: NDArray[Any], elements: list[tuple[str, NDArray[Any]]]) -> str:
+    """Return a mesh of named triangles and quadrilaterals as an Abaqus deck."""
+    lines = ["*NODE", *(f"{number}, {x:.9g}, {y:.9g}, {z:.9g}" for number, (x, y, z) in enumerate(nodes, 1))]
+    for number, (name, corners) in enumerate(elements, 1):
+        lines.append(f"*ELEMENT, TYPE=S{len(corners)}, ELSET={name}")
+        lines.append(", ".join(map(str, (number, *(corner + 1 for corner in corners)))))
+    return "\n".join(lines) + "\n"
+
+
+MESHES_OF_IRON = ((32, 20, 2), (48, 30, 3), (64, 40, 4))
+
+
+def stresses() -> None:
+    """Stresses of a face under a hard blow, on the meshes of the page."""
+    iron = from_toml(builtin_path("head", "7-iron", "fem_heads"))
+    assert isinstance(iron, fem.IronHead)
+    centres: list[float] = []
+
+    def keep(run: Impact) -> Impact:
+        assert run.head_fields is not None
+        centres.append(float(run.head_fields.von_mises.max()) * 1e-6)
+        return run
+
+    strike = stress.strike
+    with mock.patch.object(stress, "strike", lambda *given, **more: keep(strike(*given, **more))):
+        for elements in MESHES_OF_IRON:
+            (part,) = stress.peak_stress(replace(iron, elements=elements), speed="95 mph")
+            print_figures(" × ".join(map(str, elements)), centre_mpa=centres[-1], surface_mpa=part.stress * 1e-6)
+    (part,) = stress.peak_stress("7-iron", speed="95 mph", meshes=3)
+    print_figures("7-iron, three meshes", spread=part.spread or 0.0)
+    parts = {part.part: part for part in stress.peak_stress("paper", speed="50 m/s")}
+    print_figures("paper at 50 m/s", face_mpa=parts["face"].stress * 1e-6)
+
+
+EARLIER = {
+    "core": Material(
+        law="mooney-rivlin",
+        constants={"c10": 6.75e6, "c01": 0.5e6},
+        poisson=0.49,
+        maxwell=[Maxwell(modulus=0.597, time=58.5e-6)],
+    ),
+    "cover": Material.linear(237e6, 0.43, density=950.0, maxwell=[Maxwell(modulus=2.55, time=3.2e-6)]),
+}
+"""The materials of an earlier ball `modern`, which OpenRadioss was given."""
+RADIOSS = {
+    "Roh and Lee": (50.16, 10.13, 1948, 6840, 264),
+    "rigid head": (48.85, 9.73, 1899, 6804, 220),
+    "yielding face": (65.33, 10.19, 3121, 9113, 264),
+    "7-iron": (49.42, 19.87, 7609, 7582, 212),
+    "plane, earlier modern": (35.82, 25.45, 8709, 11761, 212),
+    "plane, reference": (32.60, 10.26, 1252, 8757, 280),
+}
+"""What OpenRadioss found: speed [m/s], launch angle [deg], backspin [rpm], peak force [N] and its time [us]."""
+RADIOSS_REVERSAL = {"Roh and Lee": 305, "yielding face": 284}
+"""When the force along the face reverses [us], by OpenRadioss."""
+RADIOSS_AZIMUTH = {"7-iron": 0.27}
+"""Azimuth [deg] by OpenRadioss."""
+
+
+def earlier_iron() -> fem.MeshedHead:
+    """Return the 7-iron with its hosel where it was in the deck that OpenRadioss was given."""
+    design = from_toml(builtin_path("head", "7-iron", "fem_heads"))
+    assert isinstance(design, fem.IronHead)
+    return fem.head(replace(design, masses={"hosel": (-4e-3, 8e-3, -39e-3, design.masses["hosel"][3])}))
+
+
+def openradioss() -> None:
+    """The cases that were run in OpenRadioss too."""
+    modern = fem.ball("modern")
+    earlier = replace(
+        modern,
+        pieces=tuple(replace(piece, material=EARLIER[piece.name]) for piece in modern.pieces),
+    )
+    head = fem.head("paper")
+    assert isinstance(head, fem.ShellHead)
+    yielding = replace(
+        head,
+        parts=tuple(
+            replace(part, metal=replace(part.metal, yield_stress=500e6)) if part.face else part for part in head.parts
+        ),
+    )
+    fast = case("paper").replace(speed=50.0)
+    iron = {"speed": 40.0, "attack": "-4 deg", "loft": "28 deg", "toe": "5 mm"}
+    runs = {
+        "Roh and Lee": case("paper").run(),
+        "rigid head": case("paper-rigid").replace(club=assumed_head()).run(),
+        "yielding face": fast.replace(club=yielding).run(),
+        "7-iron": fem.strike(earlier_iron(), iron, ball=earlier, friction=0.4, settings=END),
+        "plane, earlier modern": fem.throw(earlier, speed=50.0, angle="30 deg", friction=0.3, settings=END),
+        "plane, reference": fem.reference(settings=END),
+    }
+    for name, run in runs.items():
+        if name.startswith("plane"):
+            row = accuracy.mesh_row(run)
+            launch = {key: row[key] for key in ("ball_speed_mps", "angle_deg", "backspin_rpm")}
+        else:
+            outcome = run.outcome()
+            launch = {
+                "ball_speed_mps": outcome["ball_speed"],
+                "angle_deg": math.degrees(outcome["launch"]),
+                "backspin_rpm": outcome["backspin"] * RPM,
+                "azimuth_deg": math.degrees(outcome["azimuth"]),
+            }
+        others = dict(zip(("speed", "angle", "spin", "peak", "at"), RADIOSS[name], strict=True))
+        more = {"reversal": RADIOSS_REVERSAL, "azimuth": RADIOSS_AZIMUTH}
+        others |= {key: values[name] for key, values in more.items() if name in values}
+        print_figures(
+            name,
+            **launch,
+            peak_n=run.peak_force,
+            at_us=run.peak_force_time * 1e6,
+            reversal_us=run.reversal_time * 1e6,
+            **{f"radioss_{key}": value for key, value in others.items()},
+        )
+    print_figures("elastic face", ball_speed_mps=fast.run().outcome()["ball_speed"])
+
+
 def distance() -> None:
     """Compare the balls `distance` and `modern` by shots of the robot tests."""
     for club in ("driver", "7-iron", "pitching-wedge"):
@@ -304,6 +488,75 @@ def distance() -> None:
             figures = {key: float(launch.get(key, unit)) for key, unit in
                        (("ball_speed", "mph"), ("launch", "deg"), ("backspin", "rpm"))}  # fmt: skip
             print_figures(f"{club}, {name}" + ("" if friction is None else ", friction of modern"), **figures)
+
+
+def contact_models() -> None:
+    """Roh and Lee's case by finite elements and by the contact models, with the signs of friction that drives up."""
+    impact = case("paper").run()
+    contact = impact.contact
+    courses = {"fem": (contact["time"], contact["normal"], contact["tangential"], impact.contact_time)}
+    shorter = {"fem": impact.contraction}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RangeWarning)
+        for name, over in contacts(impact).items():
+            courses[name] = (over.time, over.normal_force, -np.asarray(over.force_y), over.time[-1])
+            shorter[name] = float(np.max(over.penetration)) / (0.5 * impact.ball.diameter)
+    for name, (time, normal, along, last) in courses.items():
+        reversal = time[np.flatnonzero((along[1:] < 0.0) & (along[:-1] >= 0.0))]
+        print_figures(
+            name,
+            contact_us=last * 1e6,
+            peak=normal.max(),
+            forward=along.max(),
+            back=along.min(),
+            forward_us=time[along.argmax()] * 1e6,
+            reversal_us=reversal[0] * 1e6 if len(reversal) else math.nan,
+            shorter=shorter[name],
+        )
+
+
+def area_figures(impact: Impact, term: reduced.AreaTerm) -> dict[str, float]:
+    """Return the figures of the area term of one impact, with the greatest area over that of the law."""
+    deepest = int(term.sinking.argmax())
+    law = math.pi * 0.5 * impact.ball.diameter * term.sinking[deepest]
+    return {
+        "friction": impact.friction,
+        "sliding": term.sliding,
+        "eta": term.damping,
+        "explained": term.explained,
+        "free_mu": term.free_friction,
+        "free_eta": term.free_damping,
+        "free_explained": term.free_explained,
+        "area": term.area[deepest] / law,
+    }
+
+
+def area_terms() -> None:
+    """Arakawa's area term of impacts without one, and how far the mass centre of the ball `reference` moves."""
+    for name, (impact, term) in contact_laws.area_terms().items():
+        print_figures(name, **area_figures(impact, term))
+    for friction in contact_laws.FRICTIONS:
+        for angle in contact_laws.ANGLES:
+            impact = fem.throw("reference", speed=35.0, angle=math.radians(angle), friction=friction, settings=END)
+            moved = {f"moved_{key}_mm": value * 1e3 for key, value in displaced_centre(impact)._asdict().items()}
+            figures = area_figures(impact, reduced.area_term(impact))
+            print_figures(f"reference, {friction:g}, {angle:g}°", **figures, **moved)
+    (fine,) = accuracy.meshes(fem.ball("reference"), (6,))
+    impact = fem.reference(ball=fine, settings=END)
+    print_figures("reference, 76032 elements", **area_figures(impact, reduced.area_term(impact)))
+
+
+def displaced_centres() -> None:
+    """The displaced mass centre [mm] by club, loft and speed."""
+    for name, curve in contact_laws.displacements().items():
+        for speed, displacement in curve.items():
+            print_figures(
+                f"{name}, {speed:g} m/s", **{key: value * 1e3 for key, value in displacement._asdict().items()}
+            )
+    for club in contact_laws.MEAN:
+        speed, displacement = contact_laws.published(club)
+        figures = {key: value * 1e3 for key, value in displacement._asdict().items()}
+        print_figures(f"{club}, published", speed=speed, **figures)
 
 
 SECTIONS = {
@@ -317,6 +570,13 @@ SECTIONS = {
     "distance": distance,
     "heads": heads,
     "meshes": meshes,
+    "finer strikers": finer_strikers,
+    "own meshes": own_meshes,
+    "stresses": stresses,
+    "OpenRadioss": openradioss,
+    "contact models": contact_models,
+    "area terms": area_terms,
+    "displaced centres": displaced_centres,
 }
 
 

@@ -1,4 +1,4 @@
-"""Laws of simple models held against finite elements; writes area-term.svg and displaced-centre.svg, prints tables."""
+"""Laws of simple models held against finite elements; writes area-term.svg and displaced-centre.svg."""
 
 import math
 from pathlib import Path
@@ -17,10 +17,9 @@ from clubface.present.style import COLOURS, DASHES, MARKERS, WIDTH, legend_above
 
 BALL, FRICTION = "paper", 0.3
 END = fem.Settings(until_separation=True)
+FRICTIONS = (0.1, 0.2, 0.35)
 ANGLES = (11.5, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0)
 SPEEDS = tuple(float(speed) for speed in range(25, 56, 5))
-HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
-"""Those of the publication, by club."""
 SWINGS = (("driver", 8.0, 25.0, 55.0), ("driver", 12.0, 25.0, 55.0), ("7-iron", 22.0, 25.0, 45.0),
           ("7-iron", 28.0, 25.0, 45.0))  # fmt: skip
 """Club, loft [deg], least and largest speed [m/s]."""
@@ -35,11 +34,6 @@ def throw(speed: float, angle: float, friction: float) -> Impact:
     return fem.throw(BALL, speed=speed, angle=math.radians(angle), friction=friction, settings=END)
 
 
-def row(*cells: object) -> None:
-    """Print a row of a table."""
-    print("|", " | ".join(f"{cell:.3g}" if isinstance(cell, float) else str(cell) for cell in cells), "|", flush=True)
-
-
 @styled
 def area_figure(term: AreaTerm, friction: float, radius: float, thrown: dict[float, list[AreaTerm]]) -> Figure:
     """Draw one contact through the law, its area, and the eta of throws over angle and friction."""
@@ -47,20 +41,20 @@ def area_figure(term: AreaTerm, friction: float, radius: float, thrown: dict[flo
     force, area, eta = figure.subplots(1, 3)
     time = units.from_si(term.time, "us")
     force.plot(time, term.tangential, color=COLOURS[0], label="finite elements")
-    force.plot(time, friction * term.normal, color="0.5", linestyle=DASHES[2], label="$\\mu F_N$")
+    force.plot(time, friction * term.normal, color="0.5", linestyle=DASHES[2], label="friction times normal force")
     law = term.free_friction * (term.normal + term.free_damping * term.rate)
     force.plot(time, law, color=COLOURS[1], linestyle=DASHES[1], label="the law, fitted")
     force.axhline(0.0, color="0.5", linewidth=0.6, zorder=1)
     force.set_ylim(top=1.75 * float(np.max(friction * term.normal)))
     area.plot(time, term.area * 1e6, color=COLOURS[0], label="finite elements")
-    area.plot(time, math.pi * radius * term.sinking * 1e6, color=COLOURS[1], linestyle=DASHES[1], label="$\\pi R d$")
+    area.plot(time, math.pi * radius * term.sinking * 1e6, color=COLOURS[1], linestyle=DASHES[1], label="π R d")
     area.set_ylim(bottom=0.0, top=1.35e6 * float(np.max(term.area)))
     for index, (mu, terms) in enumerate(thrown.items()):
         style = {"color": COLOURS[index], "linestyle": DASHES[index], "marker": MARKERS[index]}
         eta.plot(ANGLES, [term.free_damping for term in terms], label=f"friction {mu:g}", **style)
     force.set_title("force along the face (N)", loc="left")
     area.set_title("contact area (mm²)", loc="left")
-    eta.set_title("fitted $\\eta$ (N s/m²)", loc="left")
+    eta.set_title("fitted η (N s/m²)", loc="left")
     for panel in (force, area):
         panel.set_xlabel("time (µs)")
     eta.set_xlabel("angle from the normal (deg)")
@@ -70,25 +64,19 @@ def area_figure(term: AreaTerm, friction: float, radius: float, thrown: dict[flo
     return figure
 
 
+def area_terms() -> dict[str, tuple[Impact, AreaTerm]]:
+    """Return Arakawa's law held against the case of Roh and Lee and against throws at a plane, by what is struck."""
+    runs = {"Roh and Lee": case("paper").run()}
+    runs |= {f"{mu:g}, {angle:g}°": throw(35.0, angle, mu) for mu in FRICTIONS for angle in ANGLES}
+    runs |= {f"{FRICTION:g}, 11.5°, {speed:g} m/s": throw(speed, 11.5, FRICTION) for speed in (20.0, 50.0)}
+    return {name: (impact, area_term(impact)) for name, impact in runs.items()}
+
+
 def the_area() -> Figure:
-    """Hold Arakawa's law against the case of Roh and Lee and against throws at a plane."""
-    row("case", "sliding", "eta, sliding", "explained", "mu, free", "eta, free", "explained", "A / (pi R d)")
-
-    def print_term(name: str, impact: Impact) -> AreaTerm:
-        term, radius = area_term(impact), 0.5 * impact.ball.diameter
-        deepest = int(term.sinking.argmax())
-        row(name, *term[:6], float(term.area[deepest] / (math.pi * radius * term.sinking[deepest])))
-        return term
-
-    struck = case("paper").run()
-    drawn = print_term("Roh and Lee", struck)
-    thrown = {
-        mu: [print_term(f"{mu:g}, {angle:g} deg", throw(35.0, angle, mu)) for angle in ANGLES]
-        for mu in (0.1, 0.2, 0.35)
-    }
-    for speed in (20.0, 50.0):
-        print_term(f"{FRICTION:g}, 11.5 deg, {speed:g} m/s", throw(speed, 11.5, FRICTION))
-    print_term("reference case", fem.reference(settings=END))
+    """Draw what :func:`area_terms` returns."""
+    terms = area_terms()
+    struck, drawn = terms["Roh and Lee"]
+    thrown = {mu: [terms[f"{mu:g}, {angle:g}°"][1] for angle in ANGLES] for mu in FRICTIONS}
     return area_figure(drawn, struck.friction, 0.5 * struck.ball.diameter, thrown)
 
 
@@ -103,17 +91,17 @@ def published(club: str) -> tuple[float, Displacement]:
 
 
 @styled
-def displacement_figure(curves: dict[str, tuple[list[float], list[Displacement]]]) -> Figure:
+def displacement_figure(curves: dict[str, dict[float, Displacement]]) -> Figure:
     """Draw the displacement over speed, by club and loft, and the published ones."""
     figure = Figure(figsize=(WIDTH, 2.9), layout="constrained")
     panels: list[Axes] = list(figure.subplots(1, 3))
     shown = (("normal", "along the normal (mm)"), ("up", "up the face (mm)"), ("moment", "both in one (mm)"))
     for panel, (key, label) in zip(panels, shown, strict=True):
-        for index, (name, (speeds, displacements)) in enumerate(curves.items()):
-            values = [units.from_si(getattr(each, key), "mm") for each in displacements]
+        for index, (name, curve) in enumerate(curves.items()):
+            values = [units.from_si(getattr(each, key), "mm") for each in curve.values()]
             colour = COLOURS[index // 2] if index < 4 else "0.6"
             style = {"color": colour, "linestyle": DASHES[index % 2], "marker": MARKERS[index], "markersize": 3.0}
-            panel.plot(speeds, values, label=name, **style)
+            panel.plot(list(curve), values, label=name, **style)
         for index, club in enumerate(MEAN):
             speed, displacement = published(club)
             mark = {"color": COLOURS[index], "marker": "x", "linestyle": "none", "markersize": 6.0}
@@ -125,36 +113,28 @@ def displacement_figure(curves: dict[str, tuple[list[float], list[Displacement]]
     return figure
 
 
-def the_displacement() -> Figure:
-    """Compute the displaced mass centre over speed and loft."""
-    row("case", "speed", "normal", "up", "toe", "moment, all mm")
-    curves: dict[str, tuple[list[float], list[Displacement]]] = {}
-
-    def add(name: str, speed: float, displacement: Displacement) -> None:
-        speeds, values = curves.setdefault(name, ([], []))
-        speeds.append(speed)
-        values.append(displacement)
-        row(name, speed, *(float(units.from_si(each, "mm")) for each in displacement))
-
+def displacements() -> dict[str, dict[float, Displacement]]:
+    """Return the displaced mass centre by club and loft and by speed [m/s]."""
+    curves: dict[str, dict[float, Displacement]] = {}
     for club, loft, least, largest in SWINGS:
-        for speed in SPEEDS:
-            if least <= speed <= largest:
-                delivery = {"speed": speed, "loft": math.radians(loft)}
-                rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
-                impact = fem.strike(rigid, delivery, ball=BALL, friction=FRICTION, settings=END)
-                add(f"{club}, {loft:g}°", speed, displaced_centre(impact))
-    for speed in SPEEDS:
-        add("plane, 12°", speed, displaced_centre(throw(speed, 12.0, FRICTION)))
-    for club in MEAN:
-        speed, displacement = published(club)
-        row(f"{club}, published", speed, *(float(units.from_si(each, "mm")) for each in displacement))
-    return displacement_figure(curves)
+        rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
+        curves[f"{club}, {loft:g}°"] = {
+            speed: displaced_centre(
+                fem.strike(
+                    rigid, {"speed": speed, "loft": math.radians(loft)}, ball=BALL, friction=FRICTION, settings=END
+                )
+            )
+            for speed in SPEEDS
+            if least <= speed <= largest
+        }
+    curves["plane, 12°"] = {speed: displaced_centre(throw(speed, 12.0, FRICTION)) for speed in SPEEDS}
+    return curves
 
 
 def main() -> None:
     """Compute and draw both."""
     folder = Path(__file__).parent
-    for name, draw in (("area-term", the_area), ("displaced-centre", the_displacement)):
+    for name, draw in (("area-term", the_area), ("displaced-centre", lambda: displacement_figure(displacements()))):
         print("wrote", plots.save(draw(), folder / f"{name}.svg"))
 
 
