@@ -1,0 +1,36 @@
+"""Formulas of the pages become MathML that means what the LaTeX means."""
+
+import importlib.util
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).parent.parent / "docs" / "_ext" / "mathml.py"
+
+
+@pytest.fixture
+def extension():
+    pytest.importorskip("sphinx")
+    spec = importlib.util.spec_from_file_location("mathml", SOURCE)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def markup(extension, formula):
+    from docutils import nodes
+
+    return "".join(extension.mathml(nodes.math("", formula)).split())
+
+
+def test_a_fraction_of_two_digits_is_no_twelve_over_what_follows(extension):
+    assert "<mn>1</mn><mn>2</mn></mfrac><mi>ρ</mi>" in markup(extension, r"\tfrac12 \rho")
+
+
+def test_a_bold_letter_is_one_letter_and_takes_nothing_with_it(extension):
+    assert "<mfrac><mi>𝛚</mi><mi>ω</mi></mfrac><mi>x</mi>" in markup(extension, r"\frac{\boldsymbol\omega}{\omega} x")
+
+
+def test_a_fraction_without_denominator_is_refused(extension):
+    # docutils makes a row of all that follows \boldsymbol, so that the fraction has one part.
+    assert markup(extension, r"\frac{\boldsymbol x}{y}").startswith("<code>")
