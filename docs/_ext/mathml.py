@@ -21,9 +21,9 @@ CHILDREN = {"mfrac": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2, "mroot": 
 
 
 def plain(formula: str) -> str:
-    """Return a formula without what the translator of docutils takes for something else.
+    r"""Return a formula without what the translator of docutils takes for something else.
 
-    It reads ``\\tfrac12 x`` as 12 over x, and ``\\boldsymbol\\omega`` makes a row of all that follows.
+    It reads ``\tfrac12 x`` as 12 over x, and ``\boldsymbol\omega`` makes a row of all that follows.
     """
     formula = re.sub(r"(\\[dt]?frac)(\d)(\d)", r"\1{\2}{\3}", formula)
     return re.sub(
