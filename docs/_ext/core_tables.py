@@ -47,6 +47,9 @@ def result_table(table: Table) -> list[str]:
 class CoreTable(SphinxDirective):
     """A directive whose content is a Markdown table."""
 
+    stacked: ClassVar = False
+    """Whether each row is a block on a telephone, as suits a table of descriptions."""
+
     def table(self) -> list[str]:
         """Lines of the table."""
         raise NotImplementedError
@@ -54,7 +57,8 @@ class CoreTable(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """Parse the table as if it stood in the page."""
         holder = nodes.container()
-        self.state.nested_parse(StringList(self.table(), source="core"), self.content_offset, holder)
+        lines = ["{.stacked}", *self.table()] if self.stacked else self.table()
+        self.state.nested_parse(StringList(lines, source="core"), self.content_offset, holder)
         return holder.children
 
 
@@ -104,6 +108,7 @@ class ModelParameters(CoreTable):
 class KeyTable(CoreTable):
     """``{key-table} club``: the keys of a kind of file; with a second name those of one table in it, to a depth."""
 
+    stacked = True
     required_arguments = 1
     optional_arguments = 1
     option_spec: ClassVar = {"depth": int}
@@ -124,6 +129,7 @@ class KeyTable(CoreTable):
 class Quantities(CoreTable):
     """``{quantities} inputs``: the core's columns; also ``outputs``, ``flight_inputs``, ``flight_outputs``."""
 
+    stacked = True
     required_arguments = 1
 
     def table(self) -> list[str]:

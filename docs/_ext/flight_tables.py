@@ -28,6 +28,12 @@ def flown(name: str, **conditions: str) -> Flight:
     return clubface.fly(launch, **conditions)
 
 
+def signed(value: float) -> str:
+    """Return a difference with its sign, but for one that rounds to 0.0."""
+    text = f"{value:+.1f}"
+    return text[1:] if float(text) == 0 else text
+
+
 def deviation(flight: Flight, name: str, quantity: str) -> np.ndarray | None:
     """Return what was computed less what is published, or None where it is not published."""
     table = published_data.table(name).columns
@@ -47,10 +53,9 @@ class FlightSets(CoreTable):
             flight, cells = flown(name), []
             for quantity in QUANTITIES:
                 missed = deviation(flight, name, quantity)
-                cells += ["", ""] if missed is None else [f"{missed.mean():+.1f}", f"{np.sqrt((missed**2).mean()):.1f}"]
+                cells.append("" if missed is None else f"{signed(missed.mean())} ({np.sqrt((missed**2).mean()):.1f})")
             rows.append([words, *cells])
-        heads = ["carry, yd", "rms", "height, yd", "rms", "descent, °", "rms"]
-        return markdown_table(["launches", *heads], rows)
+        return markdown_table(["launches", "carry, yd", "height, yd", "descent, °"], rows)
 
 
 class FlightClubs(CoreTable):
@@ -68,9 +73,9 @@ class FlightClubs(CoreTable):
             for quantity, unit in QUANTITIES.items():
                 missed = deviation(flight, name, quantity)
                 assert missed is not None
-                cells += [f"{table.get(quantity, unit)[index]:.0f}", f"{missed[index]:+.1f}"]
+                cells.append(f"{table.get(quantity, unit)[index]:.0f} ({signed(missed[index])})")
             rows.append([club.replace("-", " "), *cells])
-        return markdown_table(["club", "carry, yd", "here", "height, yd", "here", "descent, °", "here"], rows)
+        return markdown_table(["club", "carry, yd", "height, yd", "descent, °"], rows)
 
 
 class Runs(CoreTable):
@@ -100,7 +105,7 @@ class Runs(CoreTable):
             if published is None:
                 published = f"{np.mean((table.get('total', 'yd') - table.get('carry', 'yd'))[chosen]):.1f}"
             rows.append([words, published, *cells])
-        return markdown_table(["run, yd", "published", "soft fairway", "fairway", "firm fairway"], rows)
+        return markdown_table(["run, yd", "published", "soft", "fairway", "firm"], rows)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

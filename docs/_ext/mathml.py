@@ -38,7 +38,8 @@ def mathml(node: nodes.math | nodes.math_block) -> str:
     block = isinstance(node, nodes.math_block)
     try:
         markup = tex2mathml(plain(node.astext()), as_block=block)
-        for element in ElementTree.fromstring(markup).iter():
+        # Of entities only those of XML are known to its parser.
+        for element in ElementTree.fromstring(re.sub(r"&(?!lt;|gt;|amp;|#)\w+;", " ", markup)).iter():
             name = element.tag.rpartition("}")[2]
             if len(element) != CHILDREN.get(name, len(element)):
                 raise MathError(f"<{name}> of {len(element)} parts")

@@ -1,4 +1,7 @@
-"""Draw the axes, angles and signs of the conventions page; writes conventions.svg next to this file."""
+"""Draw the axes, angles and signs of the conventions page.
+
+Writes conventions.svg, and conventions-narrow.svg for telephones, next to this file.
+"""
 
 from pathlib import Path
 
@@ -156,7 +159,7 @@ def face_view(ax: Axes) -> None:
 
 
 def main() -> None:
-    """Write the picture; the same bytes on every run."""
+    """Write the pictures; the same bytes on every run."""
     with plt.rc_context(SETTINGS):
         figure, ((side, face), (top, rest)) = plt.subplots(
             2, 2, figsize=(10.4, 7.0), width_ratios=(6.9, 5.2), layout="constrained"
@@ -181,6 +184,10 @@ def main() -> None:
             linespacing=1.35,
         )
         figure.savefig(Path(__file__).with_name("conventions.svg"), metadata={"Date": None})
+        figure, panels = plt.subplots(3, figsize=(4.9, 10.2), layout="constrained")
+        for ax, view in zip(panels, (side_view, top_view, face_view), strict=True):
+            view(ax)
+        figure.savefig(Path(__file__).with_name("conventions-narrow.svg"), metadata={"Date": None})
 
 
 if __name__ == "__main__":

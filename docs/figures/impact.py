@@ -17,7 +17,7 @@ from clubface.fem.result import Impact
 from clubface.fem.section_picture import Section
 from clubface.units import from_si
 
-SETTINGS = {"font.family": "DejaVu Sans", "font.size": 9}
+SETTINGS = {"font.family": "DejaVu Sans"}
 BALL, FORCE, SPIN = "YlOrRd", "#0072B2", "#D55E00"
 
 
@@ -54,10 +54,10 @@ def draw_force(force: plt.Axes, impact: Impact) -> None:
         axes.spines["top"].set_visible(False)
 
 
-def draw_page(impact: Impact, name: str, size: tuple[float, float], moments: int) -> Path:
+def draw_page(impact: Impact, name: str, size: tuple[float, float], letters: float, moments: int) -> Path:
     """Draw sections at some moments, evenly spaced over the contact, above the force; return the file."""
     section = Section(impact)
-    with plt.rc_context(SETTINGS):
+    with plt.rc_context({**SETTINGS, "font.size": letters}):
         figure = plt.figure(figsize=size, layout="constrained")
         grid = figure.add_gridspec(2, moments, height_ratios=[1.5, 1] if moments == 5 else [1, 1.4])
         for column, moment in enumerate(np.linspace(0.02, 0.98, moments) * impact.last_touch):
@@ -72,8 +72,8 @@ def draw_page(impact: Impact, name: str, size: tuple[float, float], moments: int
 def main() -> None:
     """Run the impact and draw it."""
     impact = struck()
-    target = draw_page(impact, "impact.png", (10, 4.3), 5)
-    draw_page(impact, "impact-narrow.png", (4.2, 3.6), 3)
+    target = draw_page(impact, "impact.png", (10, 4.3), 11.5, 5)
+    draw_page(impact, "impact-narrow.png", (4.2, 3.6), 9.5, 3)
     figures = {
         "mph": impact.launch.get("ball_speed", "mph"),
         "kN": impact.peak_force / 1e3,
