@@ -115,8 +115,9 @@ BALL ?= modern
 response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour
 	$(PYTHON) studies/response_fit.py $(BALL) studies/response
 
-identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats
-	$(PYTHON) -m pytest -m study tests/inference/identification/test_coverage.py -s
+identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats; a quarter of an hour
+	PYTHONPATH=tests/helpers $(PYTHON) studies/identification_coverage.py
+	$(PYTHON) docs/run.py --stamp studies/identification_coverage.json
 
 mutants: dev ## errors planted in a sample of the package and the core: how many no test notices; half an hour
 	$(PYTHON) scripts/mutants
