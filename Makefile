@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height identification-coverage capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -114,6 +114,10 @@ strike-height: dev ## what a low strike changes in the spin of an iron, cause by
 BALL ?= modern
 response-fit: dev ## the model response for a ball (BALL=modern, or the path of a file): strikes, fit, residuals; half an hour
 	$(PYTHON) studies/response_fit.py $(BALL) studies/response
+
+face-spring: dev ## drivers of shells beside a spring behind the face: the figures of docs/models/response.md
+	$(PYTHON) studies/face_spring.py
+	$(PYTHON) docs/run.py --stamp studies/face_spring.json
 
 identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats; a quarter of an hour
 	PYTHONPATH=tests/helpers $(PYTHON) studies/identification_coverage.py

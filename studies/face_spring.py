@@ -1,12 +1,16 @@
 """A driver of shells beside the same head with a spring behind its face: what one mass and one spring leave out.
 
-Prints, for a titanium head of today's size, ball speed, launch angle, backspin and contact time with the shells, with
-the spring of the same characteristic time, and with a rigid face: the figures of docs/models/response.md.
+Computes, for a titanium head of today's size and for Roh and Lee's small one, drives with the shells, with the spring
+of the same characteristic time, and with a rigid face. Writes studies/face_spring.json, which docs/models/response.md
+quotes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import json
+import math
+from pathlib import Path
+from typing import Any
 
 from clubface import fem
 from clubface.fem.head_tests import characteristic_time
@@ -14,6 +18,7 @@ from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.meshed import ShellHead
 from clubface.support.checks import without_warnings
 
+STORED = Path(__file__).with_suffix(".json")
 SETTINGS = fem.Settings(until_separation=True)
 LOFTS = (10, 15, 25)
 """Dynamic lofts, deg; the heads move level at 100 mph and strike at the face centre."""
@@ -41,28 +46,35 @@ def driver() -> ShellHead:
     ).mesh()  # fmt: skip
 
 
-def compared() -> Iterator[tuple[int, str, dict[str, float]]]:
-    """Yield loft [deg], kind of face, and what the ball does: mph, deg, rpm, us."""
+def compared(head: ShellHead) -> dict[str, Any]:
+    """Return mass [g], characteristic time [us] and, by kind of face and dynamic loft [deg], what the ball does.
+
+    Ball speed [mph], launch angle [deg], backspin [rpm], contact time [us], and the impulse [N s] along the face as it
+    was at first touch, down the face.
+    """
     with without_warnings():
-        head = driver()
         time = characteristic_time(head)
         kinds = {"shells": head, **{name: head.club.replace(characteristic_time=each) for name, each in
                                     (("spring", time), ("rigid", 0.0))}}  # fmt: skip
-        for loft in LOFTS:
-            for name, club in kinds.items():
+        figures: dict[str, Any] = {"mass": head.club.mass * 1e3, "characteristic_time": time * 1e6}
+        for name, club in kinds.items():
+            figures[name] = {}
+            for loft in LOFTS:
                 result = fem.strike(club, speed="100 mph", loft=f"{loft} deg", settings=SETTINGS)
                 launch = result.launch
                 assert launch is not None
-                figures = {key: float(launch.get(key, unit)) for key, unit in
-                        (("ball_speed", "mph"), ("launch", "deg"), ("backspin", "rpm"))}  # fmt: skip
-                yield (
-                    loft,
-                    name,
-                    {**figures, "contact time": result.contact_time * 1e6, "characteristic time": time * 1e6},
-                )
+                speed, angle = float(launch.ball_speed), float(launch.launch)
+                figures[name][str(loft)] = {
+                    **{key: float(launch.get(key, unit)) for key, unit in
+                       (("ball_speed", "mph"), ("launch", "deg"), ("backspin", "rpm"))},
+                    "contact_time": result.contact_time * 1e6,
+                    "impulse": fem.ball("modern").mass * speed * math.sin(math.radians(loft) - angle),
+                }  # fmt: skip
+                text = "  ".join(f"{key} {value:.4g}" for key, value in figures[name][str(loft)].items())
+                print(f"{loft} deg  {name:7s} {text}", flush=True)
+    return figures
 
 
 if __name__ == "__main__":
-    for loft, name, figures in compared():
-        text = "  ".join(f"{key} {value:.4g}" for key, value in figures.items())
-        print(f"{loft} deg  {name:7s} {text}", flush=True)
+    figures = {"today": compared(driver()), "paper": compared(fem.head("paper"))}
+    STORED.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
