@@ -149,7 +149,6 @@ UNCHECKED = {
     "docs/identification.md": 57,
     "docs/inference.md": 5,
     "docs/models/adjusted.md": 2,
-    "docs/models/response.md": 57,
     "docs/models/rings.md": 4,
     "docs/models/standard.md": 5,
     "docs/motion-capture.md": 71,
