@@ -133,7 +133,6 @@ UNCHECKED = {
     "docs/accuracy.md": 1,
     "docs/benchmark-data.md": 8,
     "docs/dispersion.md": 104,
-    "docs/errors-in-print.md": 37,
     "docs/evaluation.md": 7,
     "docs/face-maps.md": 4,
     "docs/findings.md": 20,
