@@ -130,10 +130,7 @@ def test_figures_that_nothing_checks_are_listed(write):
 
 
 UNCHECKED = {
-    "docs/accuracy.md": 1,
-    "docs/benchmark-data.md": 8,
     "docs/dispersion.md": 104,
-    "docs/evaluation.md": 7,
     "docs/face-maps.md": 4,
     "docs/findings.md": 20,
     "docs/finite-elements/ball.md": 127,
@@ -146,7 +143,6 @@ UNCHECKED = {
     "docs/finite-elements/verification.md": 40,
     "docs/finite-elements.md": 2,
     "docs/identification.md": 57,
-    "docs/inference.md": 5,
     "docs/motion-capture.md": 71,
     "docs/optimisation.md": 20,
     "docs/studies.md": 25,

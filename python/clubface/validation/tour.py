@@ -9,7 +9,7 @@ A force along the face that acts at the distance R from the centre of a resting 
 w = R m v_t: the ratio is 1, whether the ball slides, sticks or rolls off. The centre of a ball that is flattened is
 nearer to the face while the force acts, which makes it 0.85 to 0.95. That is for a face that does not turn, or nearly
 for the face at maximum compression, whose loft TrackMan calls the dynamic loft. Until then a free head turns up by 0.5
-to 0.9 degrees (irons) or less than 0.3 (woods), so that over the face of first touch the ratio is larger: for irons by
+to 0.8 degrees (irons) or less than 0.3 (woods), so that over the face of first touch the ratio is larger: for irons by
 0.1 to 0.2, for a driver, along which the ball hardly moves, by up to as much as itself.
 
 So a published speed, launch angle and spin belong to a narrow range of dynamic lofts, and with a loft that is further
