@@ -19,8 +19,9 @@ lines quote the page, with ``#`` for every figure, and give the values: as many 
 quotation without ``#`` is a claim, and its expression must be true. ``given`` stands for what was chosen and
 ``published`` for what the page or its source states. An indented line continues the one above. ``result(quantity,
 unit, column=value)`` reads the value of a command's JSON document in the row that the columns single out;
-``stored(file)`` reads what a long computation wrote, ``script(file)`` imports a script of the repository, and
-``processor_time(command)`` [s] is what a command or a function costs.
+``stored(file)`` reads what a long computation wrote, or the text of a source whose constants are quoted,
+``script(file)`` imports a script of the repository, and ``processor_time(command)`` [s] is what a command or a function
+costs.
 
 What takes long stands in ``<!-- figures study COMMIT``: `make study` checks it, and ``--update --study`` computes it
 and writes the commit of the sources that did.
@@ -204,19 +205,26 @@ def run(page: Path, folder: Path, *, study: bool = False) -> Iterator[Ran]:
 
 
 def stored(name: str) -> Any:
-    """Return a JSON or TOML file of the repository, such as the results of a long computation."""
-    text = (ROOT / name).read_text(encoding="utf-8")
-    return tomllib.loads(text) if name.endswith(".toml") else json.loads(text)
+    """Return a JSON or TOML file of the repository, as a long computation writes it, or the text of another file."""
+    read: dict[str, Callable[[str], Any]] = {".json": json.loads, ".toml": tomllib.loads}
+    return read.get(Path(name).suffix, str)((ROOT / name).read_text(encoding="utf-8"))
 
 
 def script(name: str) -> ModuleType:
-    """Return a script of the repository as a module, so that a page shows what its functions compute."""
+    """Return a script of the repository as a module, so that a page shows what its functions compute.
+
+    It imports the scripts beside it, as when it is run.
+    """
     specification = importlib.util.spec_from_file_location(Path(name).stem, ROOT / name)
     assert specification is not None
     assert specification.loader is not None
     module = importlib.util.module_from_spec(specification)
     sys.modules[specification.name] = module
-    specification.loader.exec_module(module)
+    sys.path.insert(0, str((ROOT / name).parent))
+    try:
+        specification.loader.exec_module(module)
+    finally:
+        sys.path.remove(str((ROOT / name).parent))
     return module
 
 
