@@ -107,8 +107,8 @@ ball-shear-fit: dev ## fit the ball modern to plates, start angles and spins at 
 	$(PYTHON) studies/ball_shear_fit.py
 	$(PYTHON) docs/run.py --stamp docs/finite-elements/ball-fit.json
 
-strike-height: dev ## what a low strike changes in the spin of an iron, cause by cause: the table of its page; two minutes
-	$(PYTHON) studies/strike_height.py | tee docs/finite-elements/strike-height.txt
+strike-height: dev ## what a low strike changes in the spin of an iron, cause by cause: the tables of its page; two minutes
+	$(PYTHON) studies/strike_height.py
 	$(PYTHON) docs/run.py --stamp docs/finite-elements/strike-height.json
 
 BALL ?= modern
