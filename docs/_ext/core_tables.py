@@ -28,6 +28,8 @@ from clubface.shots.measured import QUANTITIES
 from clubface.validation import benchmark_data, tour, tour as tour_averages
 from clubface.validation.tour import mean_table
 
+NBSP = "\N{NO-BREAK SPACE}"
+
 
 def markdown_table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> list[str]:
     """Lay out a Markdown table; a bar inside a cell is escaped."""
@@ -136,7 +138,8 @@ class Quantities(CoreTable):
         """One row a quantity, in the order of the columns."""
         quantities = getattr(_core, self.arguments[0])()
         return markdown_table(
-            ("name", "unit", "meaning"), ((f"`{q['name']}`", q["unit"], q["meaning"]) for q in quantities)
+            ("name", "unit", "meaning"),
+            ((f"`{q['name']}`", q["unit"].replace(" ", NBSP), q["meaning"]) for q in quantities),
         )
 
 

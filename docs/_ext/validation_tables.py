@@ -12,6 +12,7 @@ from core_tables import CoreTable, markdown_table, result_table
 from sphinx.application import Sphinx
 
 from clubface.equipment.models import DEFAULT_MODEL, models
+from clubface.present.terminal import headings_and_rows
 from clubface.validation import Validation, chart, off_centre, own_monitor, validate
 from clubface.validation.check import CERTAINTIES
 from clubface.validation.run import figure_table, mean_text, tolerance_text
@@ -100,9 +101,15 @@ class BehindTheChart(CoreTable):
     """``{model-behind-chart}``: how near models come to TrackMan's chart of 2010, and what that means."""
 
     def table(self) -> list[str]:
-        """One row a model, place of the strike and quantity; what the numbers say below."""
+        """One row a model and place of the strike; what the numbers say below."""
         result = chart.chart().to_result()
-        return [*result_table(result.table()), "", *(f"* {each.sentence}" for each in result.notes[:-1])]
+        rows: dict[tuple[str, str], list[str]] = {}
+        heads: dict[str, None] = {}
+        for name, struck, quantity, unit, mean, _, deviation in headings_and_rows(result.table())[1]:
+            heads[f"{quantity}, {unit}"] = None
+            rows.setdefault((name, struck), []).append(f"{mean} ± {deviation}")
+        table = markdown_table(["model", "struck", *heads], ([*place, *cells] for place, cells in rows.items()))
+        return [*table, "", *(f"* {each.sentence}" for each in result.notes[:-1])]
 
 
 class Reasons(CoreTable):
