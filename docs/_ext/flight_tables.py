@@ -101,9 +101,9 @@ class Runs(CoreTable):
             for firmness in ("soft fairway", "fairway", "firm fairway"):
                 flight = flown(name, ground=firmness)
                 carry = 0.0 if "total" in words.split(", ")[-1:] else flight.get("carry", "yd")
-                cells.append(f"{np.mean((flight.get('total', 'yd') - carry)[chosen]):.1f}")
+                cells.append(f"{np.mean((flight.get('total', 'yd') - carry)[chosen]):.0f}")
             if published is None:
-                published = f"{np.mean((table.get('total', 'yd') - table.get('carry', 'yd'))[chosen]):.1f}"
+                published = f"{np.mean((table.get('total', 'yd') - table.get('carry', 'yd'))[chosen]):.0f}"
             rows.append([words, published, *cells])
         return markdown_table(["run, yd", "published", "soft", "fairway", "firm"], rows)
 
