@@ -39,13 +39,19 @@ def heads(first: str) -> list[str]:
 
 
 def percent(part: float, whole: float) -> str:
-    """Write a percentage with three digits, as Caldwell and McPhee (2023) do."""
-    return "" if whole == 0.0 or math.isnan(part) else f"{100.0 * part / whole:.3g}%"
+    """Write a percentage with two digits."""
+    return "" if whole == 0.0 or math.isnan(part) else f"{plain_number(100.0 * part / whole, 2)}%"
+
+
+def plain_number(value: float, digits: int = 3) -> str:
+    """Write a value with some significant digits, and never with an exponent."""
+    decimals = digits - 1 - math.floor(math.log10(abs(value))) if value else 0
+    return f"{value:.{max(decimals, 0)}f}"
 
 
 def duration(seconds: float) -> str:
     """Write a time with a unit that suits it."""
-    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds / 1e-9:.3g} ns"

@@ -7,7 +7,7 @@ from typing import Any
 
 from benchmark_findings import bias_of, bias_of_magnitudes
 from core_tables import CoreTable, markdown_table
-from findings_results import TITLES, UNITS, duration, heads, percent, results, shown
+from findings_results import TITLES, UNITS, duration, heads, percent, plain_number, results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
@@ -24,6 +24,8 @@ SOURCES = {
     "extrapolation": "of that, straight lines through noise-free frames",
     "monitor": "the launch monitor alone",
 }
+LARGE = {"N/m3": ("G", 1e9)}
+"""Units whose values are written with a prefix, and the prefix's factor."""
 EFFECTS = {
     "ball": "restitution scatters from ball to ball",
     "face": "restitution falls off the centre",
@@ -41,7 +43,7 @@ class Errors(CoreTable):
         """One row a model, and the published one below it."""
         club = self.arguments[0]
         result = results()["clubs"][club]["errors"]
-        rows = [["*mean magnitude*", *(f"*{shown(result['mean'][name], name)}*" for name in QUANTITIES), ""]]
+        rows = [["*mean magnitude*", *(f"*{shown(result['mean'][name], name)}*" for name in QUANTITIES)]]
         for model in results()["models"]:
             sizes = {name: result["sizes"][name][model] for name in QUANTITIES}
             cells = [
@@ -49,17 +51,16 @@ class Errors(CoreTable):
                 f" [{', '.join(shown(end, name) for end in each['mae_interval'])}]"
                 for name, each in sizes.items()
             ]
-            rows.append([f"`{model}`", *cells, duration(result["seconds"][model])])
+            rows.append([f"`{model}`", *cells])
             given = published().get((model, club))
             if given:
                 cells = [
                     f"*{shown(given.mae[name], name)} ({percent(given.mae[name], given.mean[name])})*"
                     for name in QUANTITIES
                 ]
-                # Printed times are those of ten shots.
-                rows.append(["*published*", *cells, f"*{duration(given.cpu / 10)}*" if given.cpu else ""])
+                rows.append(["*published*", *cells])
         floor = [shown(result["floor"].get(name), name) for name in QUANTITIES]
-        return markdown_table([*heads("MAE"), "time a shot"], [*rows, ["noise of the monitor", *floor, ""]])
+        return markdown_table(heads(f"{club}, MAE"), [*rows, ["noise of the monitor", *floor]])
 
 
 class Spreads(CoreTable):
@@ -80,7 +81,7 @@ class Spreads(CoreTable):
             given = published().get((model, club))
             if given and given.std:
                 rows.append(["*published*", *(f"*± {shown(given.std[name], name)}*" for name in QUANTITIES)])
-        return markdown_table(heads("bias ± STD"), rows)
+        return markdown_table(heads(f"{club}, bias ± STD"), rows)
 
 
 class Effects(CoreTable):
@@ -168,20 +169,21 @@ class Parameters(CoreTable):
             has_own = own is not None
             for name in fit["free"]:
                 unit = display_unit(name, model_named(model).parameter(name).unit)
+                prefix, scale = LARGE.get(unit, ("", 1.0))
 
-                def write(value: float, unit: str = unit) -> str:
-                    return f"{float(units.from_si(value, unit)):.4g}"
+                def write(value: float, unit: str = unit, scale: float = scale) -> str:
+                    return plain_number(float(units.from_si(value, unit)) / scale)
 
                 def with_ends(fit: dict[str, Any], name: str = name, write: Callable[[float], str] = write) -> str:
                     return (
                         f"{write(fit['parameters'][name])} [{', '.join(write(end) for end in fit['intervals'][name])}]"
                     )
 
-                row = [f"{club}: `{name}`" + ("" if unit == "1" else f", {unit}")]
+                row = [f"{club}: `{name}`" + ("" if unit == "1" else f", {prefix}{unit}")]
                 row += [write(own["true"][name]), with_ends(own)] if own else [write(float(printed[name]))]
                 rows.append([*row, with_ends(fit), fit["identified"][name]])
         first = ["true", "from its own shots [95%]"] if has_own else ["published"]
-        return markdown_table(["", *first, "from all shots [95%]", "determined?"], rows)
+        return markdown_table([f"`{model}`", *first, "from all shots [95%]", "determined?"], rows)
 
 
 class Budget(CoreTable):
@@ -197,7 +199,7 @@ class Budget(CoreTable):
         given = published().get((model, club))
         if given:
             rows.append(["*published, everything*", *(f"*{shown(given.mae[name], name)}*" for name in QUANTITIES)])
-        return markdown_table(heads(f"MAE, `{model}`"), rows)
+        return markdown_table(heads(f"{club}, `{model}`: MAE"), rows)
 
 
 class ImpliedBias(CoreTable):
@@ -239,13 +241,31 @@ class Effort(CoreTable):
         return markdown_table(["", *columns], rows)
 
 
+class Times(CoreTable):
+    """``{findings-times}``: the time of a shot, next to the published one."""
+
+    def table(self) -> list[str]:
+        """One row a model."""
+        rows = []
+        for model in results()["models"]:
+            row = [f"`{model}`"]
+            for club, result in results()["clubs"].items():
+                given = published().get((model, club))
+                # Printed times are those of ten shots.
+                printed = f"*{duration(given.cpu / 10)}*" if given and given.cpu else ""
+                row += [duration(result["errors"]["seconds"][model]), printed]
+            rows.append(row)
+        columns = [text for club in results()["clubs"] for text in (f"{club}: time a shot", "*published*")]
+        return markdown_table(["", *columns], rows)
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
     directives: Sequence[tuple[str, type[CoreTable]]] = (
         ("findings-errors", Errors), ("findings-spreads", Spreads), ("findings-best", Best),
         ("findings-costs", Costs), ("findings-leads", Leads), ("findings-parameters", Parameters),
         ("findings-budget", Budget), ("findings-effort", Effort), ("implied-bias", ImpliedBias),
-        ("benchmark-effects", Effects),
+        ("findings-times", Times), ("benchmark-effects", Effects),
     )  # fmt: skip
     for name, each in directives:
         app.add_directive(name, each)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from benchmark_findings import FREE
 from core_tables import CoreTable, markdown_table
-from findings_results import results, shown
+from findings_results import plain_number, results, shown
 from sphinx.application import Sphinx
 
 from clubface import units
@@ -34,7 +34,8 @@ class TourSets(CoreTable):
             values = []
             for name in result["free"]:
                 unit = display_unit(name, model_named(model).parameter(name).unit)
-                values.append(f"{name} {units.show(result['parameters'][name], unit, 3)}")
+                number = plain_number(float(units.from_si(result["parameters"][name], unit)))
+                values.append(f"`{name}` {number}" + ("" if unit == "1" else f" {unit}"))
             carry = float(np.mean(np.abs(result["carry"])))
             rows.append(
                 [f"`{model}`", ", ".join(values)]
