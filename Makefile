@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -127,6 +127,10 @@ mutants: dev ## errors planted in a sample of the package and the core: how many
 	$(PYTHON) scripts/mutants
 	@command -v cargo-mutants >/dev/null || cargo install --locked --quiet cargo-mutants@27.1.0 --root target/tools
 	PATH="$(CURDIR)/target/tools/bin:$$PATH" cargo mutants $(RUST_MUTANTS)
+
+capture-study: build ## errors of motion capture on synthetic swings: tables and picture of its page; minutes
+	$(PYTHON) docs/figures/capture_study.py
+	$(PYTHON) docs/run.py --stamp docs/capture-study.json
 
 capture-coverage: dev ## errors and coverage of motion capture on 200 to 400 synthetic swings; ten minutes
 	$(PYTHON) -m pytest -q -m study tests/capture/test_study.py tests/capture/test_bare.py
