@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
@@ -499,7 +500,7 @@ def _class(least: float, most: float) -> str:
 
 def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Part]) -> Figure:
     """Draw what share of the held-out strikes is within a difference, for ball speed, direction and spin."""
-    drawn = Figure(figsize=(9.0, 3.4), layout="constrained")
+    drawn = Figure(figsize=(8.0, 3.4), layout="constrained")
     panels = drawn.subplots(1, 3, sharey=True)
     quantities = {
         "speed": ("difference of ball speed, %", 100.0, 0.5),
@@ -518,6 +519,7 @@ def figure(values: Mapping[str, float], strikes: Strikes, parts: Mapping[str, Pa
         panel.axvline(asked, color="0.6", linewidth=0.8)
         panel.axhline(0.95, color="0.6", linewidth=0.8)
         panel.set_xlim(0.0, 4.0 * asked)
+        panel.xaxis.set_major_locator(MaxNLocator(4))
         panel.set_xlabel(text)
     panels[0].set_ylabel("share of the strikes")
     return drawn

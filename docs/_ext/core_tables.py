@@ -154,7 +154,11 @@ class TourComparison(CoreTable):
     def table(self) -> list[str]:
         """One row a club."""
         result, name = compared(self.arguments[0]).to_result(), self.arguments[1]
-        return result_table(result.table(name))
+        if name != "lofts":
+            return result_table(result.table(name))
+        heads, rows = headings_and_rows(result.table(name))
+        words = ["club", "published", "possible", *(each for each, _ in heads[4:])]
+        return markdown_table(words, ([club, known, f"{a} to {b}", *rest] for club, known, a, b, *rest in rows))
 
 
 class TourSummary(CoreTable):

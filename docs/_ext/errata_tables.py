@@ -37,9 +37,10 @@ class Contradictions(CoreTable):
             digits = 0 if unit == "rpm" else 2
             apart, allowed = (units.from_si(value, unit) for value in (abs(each.difference), each.allowed))
             pair = (each.first, each.second) if each.difference > 0.0 else (each.second, each.first)
+            what = f"{each.club}, {each.quantity.replace('_', ' ')}: `{pair[0]}` above `{pair[1]}`"
             figures = (f"{apart:.{digits}f} {unit}", f"{allowed:.{digits}f} {unit}", f"{apart / allowed:.2f}")
-            rows.append([each.club, each.quantity.replace("_", " "), f"`{pair[0]}` above `{pair[1]}`", *figures])
-        return markdown_table(["club", "quantity", "models", "apart", "allowed", "ratio"], rows)
+            rows.append([what, *(each.replace(" ", "\N{NO-BREAK SPACE}") for each in figures)])
+        return markdown_table(["", "apart", "allowed", "ratio"], rows)
 
 
 class WrongPercentages(CoreTable):
@@ -94,21 +95,20 @@ class Readings(CoreTable):
     """``{area-readings}``, ``{rings-readings}``: launches by a contact model as its parameters can be read."""
 
     def table(self) -> list[str]:
-        """One row a reading."""
+        """One row a club and quantity, one column a reading."""
         name = self.name.removesuffix("-readings")
-        rows = []
-        for words, variant in READINGS[name]:
-            row = [words]
+        columns = []
+        for _, variant in READINGS[name]:
+            column = []
             parameters = {"parameters": f"three-dimensional-impact-models/{variant}"} if variant else {}
             for club in benchmark_data.CLUBS:
                 shot = clubface.impact(
                     HEADS[club], mean_delivery(club), model=name, ball=published_ball(), **parameters
                 )
-                row += [f"{shot.get(key, unit):.{digits}f}" for key, unit, digits in READ.values()]
-            rows.append(row)
-        return markdown_table(
-            ["parameters", *(f"{club}: {what}" for club in benchmark_data.CLUBS for what in READ)], rows
-        )
+                column += [f"{shot.get(key, unit):.{digits}f}" for key, unit, digits in READ.values()]
+            columns.append(column)
+        labels = [f"{club}: {what}" for club in benchmark_data.CLUBS for what in READ]
+        return markdown_table(["", *(words for words, _ in READINGS[name])], zip(labels, *columns, strict=True))
 
 
 class DriverCgReadings(CoreTable):

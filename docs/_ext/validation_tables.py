@@ -56,14 +56,15 @@ class Checks(CoreTable):
                 continue
             for place, first in enumerate(result.summary(names[0], check.name)):
                 name = check.title if self.arguments else f"`{check.name}`"
-                row = [name, first.quantity, check.certainty, tolerance_text(first)]
+                tolerance = tolerance_text(first).replace(" ", "\N{NO-BREAK SPACE}")
+                row = [f"{name}: {first.quantity}", f"{tolerance}, {check.certainty}"]
                 for name in names:
                     each = result.summary(name, check.name)[place]
                     mean = mean_text(each).replace(" ", "\N{NO-BREAK SPACE}")
                     inside = f" · {each.inside}/{each.intervals}" if each.intervals else ""
                     row.append(f"**{mean}**{inside}" if each.met else f"{mean}{inside}" if mean else "—")
                 rows.append(row)
-        return markdown_table(["", "quantity", "certainty", "tolerance", *(f"`{name}`" for name in names)], rows)
+        return markdown_table(["", "tolerance, certainty", *(f"`{name}`" for name in names)], rows)
 
 
 class Figures(CoreTable):
@@ -76,9 +77,27 @@ class Figures(CoreTable):
         """One row a figure."""
         every = validation()
         chosen = tuple(each for each in every.checks if each.name in self.arguments[0].split())
-        return result_table(
-            figure_table(replace(every, checks=chosen, figures={DEFAULT_MODEL: every.figures[DEFAULT_MODEL]}))
-        )
+        of_default = replace(every, checks=chosen, figures={DEFAULT_MODEL: every.figures[DEFAULT_MODEL]})
+        heads, cells = headings_and_rows(figure_table(of_default))
+        rows = []
+        for row in cells:
+            # Two columns are called unit: that of the figure and that of its error.
+            each = dict(
+                zip([f"{words} 2" if n == 7 else words for n, (words, _) in enumerate(heads)], row, strict=True)
+            )
+            error = f"{each['error']} {each['unit 2']}" if each["inside"] == "no" else "inside"
+            rows.append(
+                [
+                    f"{each['shot']}: {each['quantity']}", f"{_range(each['published'], each['to'])} {each['unit']}",
+                    each["computed"], error if each["within"] == "yes" else f"**{error}**",
+                ]
+            )  # fmt: skip
+        return markdown_table(["", "published", "computed", "outside by"], rows)
+
+
+def _range(least: str, most: str) -> str:
+    """Return two ends as people write a range."""
+    return least if least == most else f"{least} to {most}"
 
 
 class Certainties(CoreTable):
@@ -94,7 +113,12 @@ class Causes(CoreTable):
 
     def table(self) -> list[str]:
         """One row a figure."""
-        return result_table(off_centre.causes())
+        heads, cells = headings_and_rows(off_centre.causes())
+        rows = [
+            [figure, f"{_range(least, most)} {unit}, {certainty}", *computed]
+            for figure, unit, least, most, certainty, *computed in cells
+        ]
+        return markdown_table(["", "published, certainty", *(words for words, _ in heads[5:])], rows)
 
 
 class BehindTheChart(CoreTable):
@@ -143,7 +167,10 @@ class Camps(CoreTable):
 
     def table(self) -> list[str]:
         """One row a club of the tours."""
-        return result_table(own_monitor.camp_table())
+        _, cells = headings_and_rows(own_monitor.camp_table())
+        ends = [(club, *zip(values[::2], values[1::2], strict=True)) for club, *values in cells]
+        heads = [f"{what}: {who}" for what in ("index", "spin") for who in ("tours", "robots, single golfers")]
+        return markdown_table(["club", *heads], ([club, *(_range(*each) for each in pairs)] for club, *pairs in ends))
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
