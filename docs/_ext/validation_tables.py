@@ -81,17 +81,12 @@ class Figures(CoreTable):
         heads, cells = headings_and_rows(figure_table(of_default))
         rows = []
         for row in cells:
-            # Two columns are called unit: that of the figure and that of its error.
-            each = dict(
-                zip([f"{words} 2" if n == 7 else words for n, (words, _) in enumerate(heads)], row, strict=True)
-            )
-            error = f"{each['error']} {each['unit 2']}" if each["inside"] == "no" else "inside"
-            rows.append(
-                [
-                    f"{each['shot']}: {each['quantity']}", f"{_range(each['published'], each['to'])} {each['unit']}",
-                    each["computed"], error if each["within"] == "yes" else f"**{error}**",
-                ]
-            )  # fmt: skip
+            each = dict(zip((words for words, _ in heads), row, strict=True))  # the second unit is that of the error
+            unit = row[[words for words, _ in heads].index("unit")]
+            error = f"{each['error']} {each['unit']}".replace(" %", "%") if each["inside"] == "no" else "inside"
+            published = f"{_range(each['published'], each['to'])} {unit}"
+            computed = error if each["within"] == "yes" else f"**{error}**"
+            rows.append([f"{each['shot']}: {each['quantity']}", published, each["computed"], computed])
         return markdown_table(["", "published", "computed", "outside by"], rows)
 
 
@@ -115,7 +110,7 @@ class Causes(CoreTable):
         """One row a figure."""
         heads, cells = headings_and_rows(off_centre.causes())
         rows = [
-            [figure, f"{_range(least, most)} {unit}, {certainty}", *computed]
+            [figure, f"{' '.join(filter(None, (_range(least, most), unit)))}, {certainty}", *computed]
             for figure, unit, least, most, certainty, *computed in cells
         ]
         return markdown_table(["", "published, certainty", *(words for words, _ in heads[5:])], rows)
