@@ -38,7 +38,7 @@ class Contradictions(CoreTable):
             apart, allowed = (units.from_si(value, unit) for value in (abs(each.difference), each.allowed))
             pair = (each.first, each.second) if each.difference > 0.0 else (each.second, each.first)
             what = f"{each.club}, {each.quantity.replace('_', ' ')}: `{pair[0]}` above `{pair[1]}`"
-            figures = (f"{apart:.{digits}f} {unit}", f"{allowed:.{digits}f} {unit}", f"{apart / allowed:.2f}")
+            figures = (f"{apart:.{digits}f}", f"{allowed:.{digits}f} {unit}", f"{apart / allowed:.2f}")
             rows.append([what, *(each.replace(" ", "\N{NO-BREAK SPACE}") for each in figures)])
         return markdown_table(["", "apart", "allowed", "ratio"], rows)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from core_tables import CoreTable, markdown_table, result_table
+from core_tables import CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 from clubface.equipment.models import DEFAULT_MODEL, models
