@@ -119,7 +119,7 @@ face-spring: dev ## drivers of shells beside a spring behind the face: the figur
 	$(PYTHON) studies/face_spring.py
 	$(PYTHON) docs/run.py --stamp studies/face_spring.json
 
-identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats; a quarter of an hour
+identification-coverage: dev ## how often intervals of identified parameters hold the truth, over 400 repeats; ten minutes
 	PYTHONPATH=tests/helpers $(PYTHON) studies/identification_coverage.py
 	$(PYTHON) docs/run.py --stamp studies/identification_coverage.json
 

@@ -30,12 +30,14 @@ STUDIES = [
     ("adjusted", "driver", "least-squares", 60, 0, None),
     ("adjusted", "driver", "robust", 60, 0, None),
     ("slip", "driver", "published", 60, 0, None),
+]
+"""Model, club, cost, shots, bootstrap samples (0: intervals without a bootstrap), free parameters."""
+LONGER = [
     ("volumetric", "7-iron", "published", 25, 0, ["damping", "friction", "layer_damping"]),
     ("volumetric", "7-iron", "least-squares", 25, 0, ["damping", "friction", "layer_damping"]),
     ("volumetric", "7-iron", "published", 25, 60, ["damping", "friction", "layer_damping"]),
 ]
-"""Model, club, cost, shots, bootstrap samples (0: intervals without a bootstrap), free parameters. A volumetric shot
-takes a hundred times as long as one in closed form."""
+"""More of them, for the tests alone: a volumetric shot takes a hundred times as long as one in closed form."""
 
 
 def reported(model, cost, *, shots, samples, repeat, club="driver", free=None):
@@ -77,7 +79,7 @@ def coverage(model, cost, *, repeats, **options):
 
 
 def main() -> None:
-    """Run all studies and keep what they give."""
+    """Run the studies of models in closed form and keep what they give."""
     rows = []
     for model, club, cost, shots, samples, free in STUDIES:
         with without_warnings():

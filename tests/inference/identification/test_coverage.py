@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from identification_coverage import REPEATS, STUDIES, coverage
+from identification_coverage import LONGER, REPEATS, STUDIES, coverage
 
 from clubface.inference.identification.intervals import interval_of
 
@@ -37,7 +37,7 @@ def test_an_interval_ends_at_median_unbiased_quantiles_widened_for_few_groups():
 
 
 @pytest.mark.study
-@pytest.mark.parametrize(("model", "club", "cost", "shots", "samples", "free"), STUDIES)
+@pytest.mark.parametrize(("model", "club", "cost", "shots", "samples", "free"), [*STUDIES, *LONGER])
 def test_intervals_hold_the_truth_at_the_nominal_rate(model, club, cost, shots, samples, free):
     held, _ = coverage(model, cost, club=club, shots=shots, samples=samples, repeats=REPEATS, free=free)
     shares = ", ".join(f"{name} {part:.4f}" for name, part in held.items())
