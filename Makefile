@@ -93,7 +93,7 @@ benchmark-identification: build ## identify every model on the benchmark shots: 
 benchmark-identification-speed: dev ## time of Caldwell and McPhee's whole identification of the volumetric driver, and its cost
 	$(PYTHON) benchmarks/identification_speed.py
 
-fem-figures: dev ## the figures of docs/finite-elements, computed again; some three minutes
+fem-figures: dev ## the figures of docs/finite-elements, computed again; some ten minutes
 	$(PYTHON) benchmarks/fem_figures.py
 
 validation: build ## models compared with published figures: the picture and the finite elements of docs/which-model.md; minutes

@@ -349,7 +349,7 @@ def own_meshes() -> None:
             groups = tuple(
                 Group(name=part.name, thickness=FACE if part.face else WALL, face=part.face) for part in made.parts
             )
-            face = {key: design.shape[key] for key in ("loft", "bulge", "roll")}
+            face: dict[str, Any] = {key: design.shape[key] for key in ("loft", "bulge", "roll")}
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", MeshWarning)
                 head = MeshHead(name=what, file=file, unit="m", groups=groups, **face).mesh()
@@ -387,8 +387,7 @@ def stresses() -> None:
         centres.append(float(run.head_fields.von_mises.max()) * 1e-6)
         return run
 
-    strike = stress.strike
-    with mock.patch.object(stress, "strike", lambda *given, **more: keep(strike(*given, **more))):
+    with mock.patch.object(stress, "strike", lambda *given, **more: keep(fem.strike(*given, **more))):
         for elements in MESHES_OF_IRON:
             (part,) = stress.peak_stress(replace(iron, elements=elements), speed="95 mph")
             print_figures(" × ".join(map(str, elements)), centre_mpa=centres[-1], surface_mpa=part.stress * 1e-6)
@@ -403,7 +402,7 @@ EARLIER = {
         law="mooney-rivlin",
         constants={"c10": 6.75e6, "c01": 0.5e6},
         poisson=0.49,
-        maxwell=[Maxwell(modulus=0.597, time=58.5e-6)],
+        maxwell=(Maxwell(modulus=0.597, time=58.5e-6),),
     ),
     "cover": Material.linear(237e6, 0.43, density=950.0, maxwell=[Maxwell(modulus=2.55, time=3.2e-6)]),
 }
@@ -454,7 +453,7 @@ def openradioss() -> None:
                 "angle_deg": math.degrees(outcome["launch"]),
                 "backspin_rpm": outcome["backspin"] * RPM,
             }
-        others = dict(zip(("speed", "angle", "spin", "peak", "at"), RADIOSS[name], strict=True))
+        others: dict[str, float] = dict(zip(("speed", "angle", "spin", "peak", "at"), RADIOSS[name], strict=True))
         if name in RADIOSS_REVERSAL:
             others["reversal"] = RADIOSS_REVERSAL[name]
         print_figures(
