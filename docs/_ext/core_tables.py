@@ -67,6 +67,8 @@ class CoreTable(SphinxDirective):
 class ModelList(CoreTable):
     """``{model-list}``: every model, with its page, kind and the laws it obeys."""
 
+    stacked = True
+
     def table(self) -> list[str]:
         """One row a model, in the order of the registry."""
         heads = ("model", "kind", "what it is", "laws it obeys")
@@ -152,13 +154,14 @@ class TourComparison(CoreTable):
     required_arguments = 2
 
     def table(self) -> list[str]:
-        """One row a club."""
+        """One row a club that any model has a figure of; the page says the unit."""
         result, name = compared(self.arguments[0]).to_result(), self.arguments[1]
-        if name != "lofts":
-            return result_table(result.table(name))
         heads, rows = headings_and_rows(result.table(name))
-        words = ["club", "published", "possible", *(each for each, _ in heads[4:])]
-        return markdown_table(words, ([club, known, f"{a} to {b}", *rest] for club, known, a, b, *rest in rows))
+        words = [each for each, _ in heads]
+        if name == "lofts":
+            words = ["club", "published", "possible", *words[4:]]
+            rows = [[club, known, f"{a} to {b}", *rest] for club, known, a, b, *rest in rows]
+        return markdown_table(words, (row for row in rows if any(row[2:])))
 
 
 class TourSummary(CoreTable):
@@ -178,18 +181,16 @@ class BenchmarkMeans(CoreTable):
         """One row a launch quantity."""
         heads, columns = ["mean of"], []
         for club in benchmark_data.CLUBS:
-            heads += [f"{club}, published", f"{club}, benchmark"]
+            heads.append(f"{club}: published, made up")
             given = next(each for each in published().values() if each.club == club)
             measured = benchmark_data.load(club).measured.launches
-            columns += [given.mean, {name: float(abs(measured[name]).mean()) for name in QUANTITIES}]
-        return markdown_table(
-            heads,
-            (
-                [f"{name.replace('_', ' ')}, {unit}"]
-                + [f"{units.from_si(column[name], unit):.{0 if unit == 'rpm' else 2}f}" for column in columns]
-                for name, unit in QUANTITIES.items()
-            ),
-        )
+            columns.append((given.mean, {name: float(abs(measured[name]).mean()) for name in QUANTITIES}))
+        rows = []
+        for name, unit in QUANTITIES.items():
+            digits = 0 if unit == "rpm" else 2
+            pairs = [[f"{units.from_si(each[name], unit):.{digits}f}" for each in column] for column in columns]
+            rows.append([f"{name.replace('_', ' ')}, {unit}", *(", ".join(pair) for pair in pairs)])
+        return markdown_table(heads, rows)
 
 
 @cache
