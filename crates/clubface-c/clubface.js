@@ -138,6 +138,15 @@ export async function load(source, progress = () => true) {
       });
     },
 
+    /** One flight with its derivatives: {values, jacobian: a row an output, by the inputs}. */
+    flightSensitivity(inputs) {
+      const count = description.flight_outputs.length;
+      return lend([Float64Array.from(inputs), count, count * inputs.length], ([from, to, jacobian], copy) => {
+        call("clubface_flight_sensitivity", from, to, jacobian);
+        return { values: copy(1), jacobian: split(copy(2), inputs.length) };
+      });
+    },
+
     /** Path of one flight: `time`, `position`, `velocity`, `spin` as {values, shape}. */
     trajectory: (inputs) =>
       lend([Float64Array.from(inputs)], ([from]) => call("clubface_trajectory", from).arrays),
