@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -19,6 +19,13 @@ RUST_TESTED := --workspace --exclude clubface-python --locked
 # A sample: every 500th error of the crates that compute, which takes minutes.
 RUST_MUTANTS := --package clubface-math --package clubface-impact --package clubface-fem --profile release \
 	--shard 7/500 --sharding round-robin --output target --minimum-test-timeout 120
+
+# The studio needs Node 20.19 or newer; without it, its part of the checks and tests is left out with a message.
+NODE := $(shell node -p 'const [major, minor] = process.versions.node.split("."); +major > 20 || (+major === 20 && +minor > 18)' 2>/dev/null)
+STUDIO_PACKAGES := studio/node_modules/.package-lock.json
+STUDIO_DATA := studio/generated/equipment.json
+STUDIO_CORE := studio/generated/clubface.wasm
+STUDIO_CHECKED := $(if $(filter true,$(NODE)),$(STUDIO_PACKAGES) $(STUDIO_DATA))
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-32s %s\n' "$$name" "$$text"; done
@@ -49,10 +56,10 @@ wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --averages all --output out/
 
-test: dev ## all tests; the last line is "N passed, N failed"
+test: dev $(STUDIO_CHECKED) ## all tests; the last line is "N passed, N failed"
 	@$(PYTHON) scripts/run_tests.py
 
-check: dev ## formatting, lints, types, documentation
+check: dev $(STUDIO_CHECKED) ## formatting, lints, types, documentation
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 	$(BIN)/ruff format --check .
@@ -60,6 +67,7 @@ check: dev ## formatting, lints, types, documentation
 	$(BIN)/python scripts/check_words.py
 	$(BIN)/pyright --pythonpath $(PYTHON)
 	$(BIN)/sphinx-build -W --keep-going -q -E docs docs/_build
+	$(if $(STUDIO_CHECKED),npm --prefix studio run --silent check,@echo "the studio is not checked: that needs Node 20.19 or newer")
 
 docs: dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
@@ -73,6 +81,30 @@ wasm-check: build ## the core in WebAssembly: built, run in Node, compared with 
 	rustup target add wasm32-unknown-unknown
 	cargo build --release --locked --package clubface-c --no-default-features --target wasm32-unknown-unknown
 	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface.wasm
+
+$(STUDIO_PACKAGES): studio/package.json studio/package-lock.json
+	@npm --prefix studio ci --prefer-offline --no-audit --no-fund --loglevel error
+	@touch $@
+
+$(STUDIO_DATA): $(VENV)/.build studio/data.py $(wildcard python/clubface/data/*/*.toml)
+	@$(PYTHON) studio/data.py studio/generated
+
+$(STUDIO_CORE): studio/build/wasm.mjs $(RUST_SOURCES)
+	rustup target add wasm32-unknown-unknown
+	cargo build --release --locked --package clubface-c --no-default-features --target wasm32-unknown-unknown
+	@mkdir -p studio/generated
+	node studio/build/wasm.mjs target/wasm32-unknown-unknown/release/clubface.wasm $@
+
+studio-build: build ## the studio, a site that computes in the browser, in studio/dist
+	@test "$(NODE)" = true || { echo "the studio needs Node 20.19 or newer" >&2; exit 1; }
+	@$(MAKE) --no-print-directory $(STUDIO_PACKAGES) $(STUDIO_DATA) $(STUDIO_CORE)
+	npm --prefix studio run --silent build
+
+studio: studio-build ## the same, served on http://localhost:4173
+	npm --prefix studio run --silent serve
+
+studio-test: studio-build ## the studio in Debian's Chromium (CHROMIUM=/path of another): scenes, links, offline, numbers
+	PYTHON=$(CURDIR)/$(PYTHON) npm --prefix studio run --silent browser-test
 
 bench: dev ## speed, printed next to the computed results
 	cargo bench $(RUST_TESTED)

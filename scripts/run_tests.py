@@ -1,19 +1,25 @@
-"""Run the Rust tests, then the Python tests, and end with one line that sums both: ``N passed, N failed``."""
+"""Run the tests of Rust, Python and the studio, and end with one line that sums them: ``N passed, N failed``."""
 
 from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 # The profile of the build, so that what was compiled for it is linked, and what people run is tested. The bindings hold
 # no physics and are tested from Python; their test binary could not link without an interpreter.
 RUST = ["cargo", "test", "--release", "--workspace", "--exclude", "clubface-python", "--locked", "--no-fail-fast"]
 PYTHON = [sys.executable, "-m", "pytest", "--color=no", "-n", str(min(os.cpu_count() or 1, 8)), "--dist", "worksteal"]
 
+STUDIO = ["npm", "--prefix", "studio", "run", "--silent", "test"]
+
 RUST_RESULT = re.compile(r"^test result: .*?(\d+) passed; (\d+) failed")
 PYTEST_COUNT = re.compile(r"(\d+) (passed|failed|error)")
+VITEST_RESULT = re.compile(r"^\s*Tests\s.*\(\d+\)\s*$")
+COLOUR = re.compile(r"\x1b\[[\d;]*m")
 
 
 def run(command: list[str]) -> tuple[int, list[str]]:
@@ -43,10 +49,28 @@ def count_python(lines: list[str]) -> tuple[int, int]:
     return counts.get("passed", 0), counts.get("failed", 0) + counts.get("error", 0)
 
 
+def count_studio(lines: list[str]) -> tuple[int, int]:
+    """Read vitest's line on all tests; skipped ones count as neither."""
+    plain = (COLOUR.sub("", line) for line in reversed(lines))
+    closing = next((line for line in plain if VITEST_RESULT.match(line)), "")
+    counts = {word: int(number) for number, word in PYTEST_COUNT.findall(closing)}
+    return counts.get("passed", 0), counts.get("failed", 0)
+
+
+def has_studio() -> bool:
+    """Return whether the packages of the studio are installed, which `make test` does where Node is new enough."""
+    return shutil.which("npm") is not None and Path("studio/node_modules/.package-lock.json").is_file()
+
+
 def main() -> int:
-    """Return 0 only if both runs succeeded; no tests found at all (pytest's status 5) is a failure."""
+    """Return 0 only if all runs succeeded; no tests found at all (pytest's status 5) is a failure."""
     passed = failed = 0
-    for command, count in ((RUST, count_rust), (PYTHON, count_python)):
+    runs = [(RUST, count_rust), (PYTHON, count_python)]
+    if has_studio():
+        runs.append((STUDIO, count_studio))
+    else:
+        print("the studio is not tested: that needs Node 20.19 or newer", flush=True)
+    for command, count in runs:
         status, lines = run(command)
         run_passed, run_failed = count(lines)
         if status != 0 and run_failed == 0:

@@ -1,0 +1,158 @@
+"""Write what the studio needs of the package: clubs, balls and parameter sets in SI, and the description of the core.
+
+``python studio/data.py FOLDER`` writes ``equipment.json``, which the pages load, and ``description.json``, which their
+unit tests read; in the browser the description comes from the core itself. An infinite radius is null.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import sys
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from clubface import _core
+from clubface.design.face_surface import outline_of
+from clubface.equipment.balls import DEFAULT_BALL, Ball, ball
+from clubface.equipment.clubs import Club, club
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.parameters import ParameterSet, builtin_sets
+from clubface.errors import RuleWarning
+from clubface.simulation.inputs import equipment, parameter_set
+from clubface.simulation.results import inputs
+from clubface.support.files import DATA, builtin_names
+from clubface.support.version import __version__
+
+DESCRIBED = ("quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs")
+AVERAGES = DATA / "measurements" / "pga-2023.csv"
+
+
+class Numbered(dict[Any, int]):
+    """Values in the order of their first appearance, each with its place."""
+
+    def place(self, value: Any) -> int:
+        """Return the place of a value, a new one for a new value."""
+        return self.setdefault(value, len(self))
+
+
+def tour_delivery(each: Club) -> dict[str, list[Any]]:
+    """Return speed and attack angle of the tour average of a club, or of the nearest loft of its kind."""
+    with AVERAGES.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+
+    def distance(row: Mapping[str, str]) -> tuple[bool, float]:
+        other = club(row["club"])
+        return (other.kind == "iron") != (each.kind == "iron"), abs(other.loft - each.loft)
+
+    row = next((row for row in rows if row["club"] == each.name), None) or min(rows, key=distance)
+    return {"speed": [float(row["club_speed [mph]"]), "mph"], "attack": [float(row["attack [deg]"]), "deg"]}
+
+
+def finite(values: Mapping[str, float]) -> dict[str, float | None]:
+    """Return values as JSON has them."""
+    return {name: None if math.isinf(value) else value for name, value in values.items()}
+
+
+def described_club(each: Club, columns: Mapping[str, float]) -> dict[str, Any]:
+    """Return what the pages show and compute of a club."""
+    outline = outline_of(each)
+    return {
+        "label": each.name,
+        "kind": each.kind,
+        "description": each.description,
+        "typical": tour_delivery(each),
+        "outline": [[round(float(number), 6) for number in corner] for corner in outline.corners],
+        "outline_source": outline.origin,
+        "columns": finite({name: columns[name] for name, entry in inputs().items() if entry.group == "club"}),
+    }
+
+
+def described_ball(each: Ball) -> dict[str, Any]:
+    """Return what the pages show and compute of a ball."""
+    return {"label": each.name, "description": each.description, "columns": each.inputs()}
+
+
+def set_names(model: str, family: str) -> list[str | None]:
+    """Return None, for the usual parameters, and the names of the published sets for a family of clubs."""
+    fitting = [each.name for each in builtin_sets(model) if each.club in (family, "any")]
+    return [None, *dict.fromkeys(fitting)]
+
+
+def described_set(each: ParameterSet) -> dict[str, Any]:
+    """Return values and origin of a parameter set."""
+    return {
+        "model": each.model,
+        "name": each.name,
+        "source": each.source,
+        "reference": each.reference,
+        "caveats": [*each.caveats, *(f"{name}: {text}" for name, text in each.value_caveats.items())],
+        "values": each.columns(),
+    }
+
+
+def equipment_data() -> dict[str, Any]:
+    """Return clubs, balls, parameter sets, and which set and face belong to a model, club and ball."""
+    clubs = {name: club(name) for name in builtin_names("clubs")}
+    balls = {name: ball(name) for name in builtin_names("balls")}
+    order = sorted(clubs, key=lambda name: (clubs[name].description.count("measured") > 0, clubs[name].loft))
+    sets: dict[str, dict[str, Any]] = {}
+    set_places, faces = Numbered(), Numbered()
+    choices: dict[str, Any] = {}
+    for model in (entry["name"] for entry in _core.models()):
+        for club_name, each in clubs.items():
+            for ball_name, struck in balls.items():
+                plain = dict(zip(inputs(), equipment(each, struck).columns, strict=True))
+                found: dict[str, list[int]] = {}
+                for name in set_names(model, each.parameters):
+                    chosen = parameter_set(model, each, name, struck)
+                    columns = chosen.with_included_face(plain)
+                    data = described_set(chosen)
+                    key = json.dumps(data)
+                    sets[key] = data
+                    face = (columns["characteristic_time"], columns.get("included_time", 0.0))
+                    found[name or ""] = [set_places.place(key), faces.place(face)]
+                choices.setdefault(model, {}).setdefault(club_name, {})[ball_name] = found
+    return {
+        "version": __version__,
+        "defaults": {"model": DEFAULT_MODEL, "ball": DEFAULT_BALL, "club": "driver"},
+        "inputs": list(inputs()),
+        "clubs": {
+            name: described_club(clubs[name], dict(zip(inputs(), equipment(clubs[name], None).columns, strict=True)))
+            for name in order
+        },
+        "balls": {name: described_ball(each) for name, each in balls.items()},
+        "sets": [sets[key] for key in set_places],
+        "faces": [list(face) for face in faces],
+        "choices": choices,
+    }
+
+
+def description() -> dict[str, Any]:
+    """Return the description of the core."""
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: plain(item) for key, item in value.items()}
+        if isinstance(value, list | tuple):
+            return [plain(item) for item in value]
+        return None if isinstance(value, float) and math.isnan(value) else value
+
+    return {name: plain(getattr(_core, name)()) for name in DESCRIBED}
+
+
+def main(folder: str) -> None:
+    """Write both files into a folder."""
+    warnings.simplefilter("ignore", RuleWarning)
+    target = Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    for name, data in (("equipment", equipment_data()), ("description", description())):
+        text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+        (target / f"{name}.json").write_text(text + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,90 @@
+/** The frame of every scene: title, scenes, undo, units, theme; and what is to be said. */
+
+import { html, nothing, type TemplateResult } from "lit-html";
+import type { Context } from "./context";
+import { choiceOf } from "./parts/choice";
+import { modelsScene } from "./scenes/models/models-scene";
+import { shotScene } from "./scenes/shot/shot-scene";
+import type { Scene } from "./state/state";
+
+const TITLES: Record<Scene, string> = { shot: "Shot", models: "Models side by side" };
+
+export function app(context: Context): TemplateResult {
+  return html`
+    <a class="skip" href="#main" @click=${skip}>To the shot</a>
+    ${header(context)} ${notices(context)}
+    <main id="main" tabindex="-1">${context.state.scene === "shot" ? shotScene(context) : modelsScene(context)}</main>
+    <footer>
+      <p>
+        clubface ${context.equipment.version}, computed in this tab. The address holds the whole shot: copy it to share or
+        keep it.
+      </p>
+    </footer>
+  `;
+}
+
+/** Goes to the main part without touching the address, which holds the shot. */
+function skip(event: Event): void {
+  event.preventDefault();
+  document.querySelector<HTMLElement>("#main")?.focus();
+}
+
+function header({ state, model, actions }: Context): TemplateResult {
+  const { past, future } = model.timeline;
+  return html`
+    <header>
+      <h1>clubface <span>studio</span></h1>
+      <nav aria-label="Scenes">
+        ${Object.entries(TITLES).map(
+          ([scene, title]) => html`
+            <button
+              type="button"
+              aria-current=${state.scene === scene ? "page" : nothing}
+              @click=${() => actions.change({ kind: "scene", scene: scene as Scene })}
+            >
+              ${title}
+            </button>
+          `,
+        )}
+      </nav>
+      <div class="tools">
+        <button type="button" ?disabled=${!past.length} @click=${actions.undo} title="Ctrl+Z">Undo</button>
+        <button type="button" ?disabled=${!future.length} @click=${actions.redo} title="Ctrl+Shift+Z">Redo</button>
+        ${choiceOf({
+          name: "units",
+          label: "Units",
+          value: state.system,
+          options: [
+            ["golf", "mph, yd"],
+            ["metric", "m/s, m"],
+          ],
+          choose: (system) => actions.change({ kind: "system", system: system === "metric" ? "metric" : "golf" }),
+        })}
+        ${choiceOf({
+          name: "theme",
+          label: "Theme",
+          value: state.theme,
+          options: [
+            ["auto", "as the system"],
+            ["light", "light"],
+            ["dark", "dark"],
+          ],
+          choose: (theme) =>
+            actions.change({ kind: "theme", theme: theme === "light" || theme === "dark" ? theme : "auto" }),
+        })}
+        <button type="button" @click=${() => print()}>Print</button>
+      </div>
+    </header>
+  `;
+}
+
+function notices({ model, actions }: Context): TemplateResult {
+  return html`<div class="notices" role="status">
+    ${
+      model.notices.length
+        ? html`${model.notices.map((notice) => html`<p>${notice}</p>`)}
+            <button type="button" @click=${actions.dismiss}>Close</button>`
+        : nothing
+    }
+  </div>`;
+}

@@ -1,0 +1,36 @@
+/** What every view is given: the model to draw, and what a person may do with it. */
+
+import type { Description, Values } from "./core/types";
+import type { Equipment } from "./equipment/equipment";
+import type { Shower } from "./quantities/show";
+import type { Change, State } from "./state/state";
+import type { Model } from "./state/store";
+
+export interface Actions {
+  change(change: Change, going?: string | null): void;
+  settle(): void;
+  undo(): void;
+  redo(): void;
+  mistake(name: string, message: string | null): void;
+  dismiss(): void;
+}
+
+export interface Context {
+  model: Model;
+  state: State;
+  description: Description;
+  equipment: Equipment;
+  shower: Shower;
+  actions: Actions;
+}
+
+/** The delivery in SI as it was given. */
+export const deliveryOf = ({ state, shower }: Pick<Context, "state" | "shower">): Values =>
+  Object.fromEntries(Object.entries(state.delivery).map(([name, amount]) => [name, shower.units.toSi(amount)]));
+
+/** The value of an input of the delivery in SI, given or usual. */
+export function delivered(context: Context, name: string): number {
+  const { state, equipment, shower } = context;
+  if (state.delivery[name]) return shower.units.toSi(state.delivery[name]);
+  return name === "loft" ? (equipment.clubs[state.club].columns.static_loft ?? 0) : 0;
+}

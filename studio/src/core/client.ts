@@ -1,0 +1,58 @@
+/** The page's side of the worker: one request is computed at a time, and of those that wait the newest. */
+
+import type { Description, Reply, Request } from "./types";
+
+type Work = Exclude<Request, { kind: "start" }>;
+export type Answer = Exclude<Reply, { kind: "ready" | "broken" }>;
+
+export class CoreClient {
+  private busy = false;
+  private readonly waiting = new Map<Work["kind"], Work>();
+
+  private constructor(
+    private readonly worker: Worker,
+    readonly description: Description,
+    private readonly answered: (answer: Answer) => void,
+    private readonly failed: (message: string) => void,
+  ) {
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
+  }
+
+  /** Starts the worker and waits for the core's description of itself. */
+  static start(
+    wasm: string,
+    answered: (answer: Answer) => void,
+    failed: (message: string) => void,
+  ): Promise<CoreClient> {
+    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    const first: Request = { kind: "start", wasm };
+    return new Promise((resolve, reject) => {
+      worker.onerror = (event) => reject(new Error(event.message || "the worker did not start"));
+      worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+        if (data.kind === "ready") resolve(new CoreClient(worker, data.description, answered, failed));
+        else if (data.kind === "broken") reject(new Error(data.message));
+      };
+      worker.postMessage(first);
+    });
+  }
+
+  request(work: Work): void {
+    this.waiting.set(work.kind, work);
+    this.send();
+  }
+
+  private send(): void {
+    const next = this.busy ? undefined : this.waiting.values().next().value;
+    if (!next) return;
+    this.waiting.delete(next.kind);
+    this.busy = true;
+    this.worker.postMessage(next);
+  }
+
+  private receive(reply: Reply): void {
+    this.busy = false;
+    if (reply.kind === "broken") this.failed(reply.message);
+    else if (reply.kind !== "ready") this.answered(reply);
+    this.send();
+  }
+}

@@ -1,0 +1,28 @@
+/** The glue to the core in WebAssembly: crates/clubface-c/clubface.js. */
+
+import type { CoreArray, Description, Reject } from "./types";
+
+export interface Batch {
+  outputs: Float64Array[];
+  rejects: Reject[];
+}
+
+export interface Derivatives {
+  values: Float64Array;
+  /** A row for each output. */
+  jacobian: Float64Array[];
+}
+
+type Columns = ArrayLike<number | Float64Array>;
+
+export interface LoadedCore {
+  description: Description;
+  launches(model: string, inputs: Columns, parameters: number[], rows: number, tolerance?: number): Batch;
+  sensitivity(model: string, inputs: number[], parameters: number[], tolerance?: number): Derivatives;
+  history(model: string, inputs: number[], parameters: number[], tolerance?: number): Record<string, CoreArray>;
+  flights(inputs: Columns, rows: number): Batch;
+  flightSensitivity(inputs: number[]): Derivatives;
+  trajectory(inputs: number[]): Record<string, CoreArray>;
+}
+
+export function load(source: BufferSource | WebAssembly.Module): Promise<LoadedCore>;

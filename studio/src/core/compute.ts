@@ -1,0 +1,72 @@
+/** What the worker computes: a strike and the flight that follows it. */
+
+import type { LoadedCore } from "clubface-core";
+import type { Comparison, Computed, Failure, History, Shot, Strike, Values, Variable } from "./types";
+
+/** Tolerance of a step in histories that are drawn: close enough for a smooth line. */
+const DRAWN = 1e-8;
+
+export function computeShot(core: LoadedCore, strike: Strike): Shot {
+  const computed = computeModel(core, strike);
+  if (computed.failure) return { ...computed, path: new Float64Array(), slopes: {} };
+  const flight = flightInputs(core, strike, computed.values);
+  return { ...computed, path: core.trajectory(flight).position.values, slopes: slopes(core, strike, flight) };
+}
+
+export function compareModels(core: LoadedCore, strikes: Strike[]): Comparison {
+  const shots = strikes.map((strike) => computeModel(core, strike));
+  const histories: History[] = [];
+  strikes.forEach((strike, i) => {
+    const { kind } = core.description.models.find(({ name }) => name === strike.model) ?? {};
+    if (kind !== "contact" || shots[i].failure) return;
+    histories.push({
+      model: strike.model,
+      arrays: core.history(strike.model, strike.inputs, strike.parameters, DRAWN),
+    });
+  });
+  return { shots, histories };
+}
+
+/** Launch and flight of one strike, and why there is none. */
+function computeModel(core: LoadedCore, strike: Strike): Computed {
+  const { model } = strike;
+  const launch = core.launches(model, strike.inputs, strike.parameters, 1);
+  if (launch.rejects.length) return { model, values: {}, failure: failure(launch.rejects[0]) };
+  const values = byName(core.description.outputs, launch.outputs);
+  const flight = core.flights(flightInputs(core, strike, values), 1);
+  if (flight.rejects.length) return { model, values, failure: failure(flight.rejects[0]) };
+  return { model, values: { ...values, ...byName(core.description.flight_outputs, flight.outputs) }, failure: null };
+}
+
+const failure = ({ input, message }: Failure): Failure => ({ input, message });
+
+const byName = (variables: Variable[], columns: Float64Array[]): Values =>
+  Object.fromEntries(variables.map(({ name }, i) => [name, columns[i][0]]));
+
+/** The inputs of the flight: the launch, the ball of the strike, and still air over a fairway. */
+function flightInputs(core: LoadedCore, strike: Strike, launch: Values): number[] {
+  const struck = core.description.inputs.map(({ name }) => name);
+  return core.description.flight_inputs.map((input) => {
+    if (input.name in launch) return launch[input.name];
+    const place = struck.indexOf(input.name);
+    return place >= 0 ? strike.inputs[place] : (input.default ?? Number.NaN);
+  });
+}
+
+/** Derivatives of the flight by the inputs of the strike: those of the flight times those of the launch. */
+function slopes(core: LoadedCore, strike: Strike, flight: number[]): Record<string, Values> {
+  const { inputs, outputs, flight_inputs, flight_outputs } = core.description;
+  const launched = core.sensitivity(strike.model, strike.inputs, strike.parameters).jacobian;
+  const flown = core.flightSensitivity(flight).jacobian;
+  const rows = flight_inputs.map(({ name }) => outputs.findIndex((output) => output.name === name));
+  const result: Record<string, Values> = {};
+  flight_outputs.forEach((output, i) => {
+    const row: Values = {};
+    inputs.forEach((input, j) => {
+      if (input.group !== "delivery") return;
+      row[input.name] = rows.reduce((sum, at, k) => (at < 0 ? sum : sum + flown[i][k] * launched[at][j]), 0);
+    });
+    result[output.name] = row;
+  });
+  return result;
+}

@@ -1,0 +1,115 @@
+/** What the core says of itself, and what passes between the pages and the worker that computes. */
+
+/** The unit in which people read a quantity, and how many digits. */
+export type Reading = [unit: string, digits: number];
+
+export interface Quantity {
+  name: string;
+  symbol: string;
+  unit: string;
+  metric: Reading;
+  golf: Reading;
+  label: string;
+  meaning: string;
+  sign: string;
+  /** Words for negative and positive values. */
+  sides: [string, string] | null;
+}
+
+export interface Unit {
+  symbol: string;
+  spellings: string[];
+  dimension: string;
+  numerator: number;
+  denominator: number;
+  offset: number;
+}
+
+export interface Variable {
+  name: string;
+  unit: string;
+  meaning: string;
+  group?: string;
+  differentiable?: boolean;
+  default?: number | null;
+}
+
+export interface ModelEntry {
+  name: string;
+  title: string;
+  kind: "impulse" | "contact";
+  summary: string;
+  reference: string;
+  parameters: Variable[];
+}
+
+export interface Description {
+  quantities: Quantity[];
+  units: Unit[];
+  models: ModelEntry[];
+  inputs: Variable[];
+  outputs: Variable[];
+  flight_inputs: Variable[];
+  flight_outputs: Variable[];
+}
+
+export interface CoreArray {
+  values: Float64Array;
+  shape: number[];
+}
+
+export interface Reject {
+  row: number;
+  input: string;
+  message: string;
+}
+
+/** Numbers in SI by the names of the description. */
+export type Values = Record<string, number>;
+
+/** One strike as the core takes it. */
+export interface Strike {
+  model: string;
+  inputs: number[];
+  parameters: number[];
+}
+
+export interface Failure {
+  input: string;
+  message: string;
+}
+
+/** One model's launch and flight. */
+export interface Computed {
+  model: string;
+  values: Values;
+  failure: Failure | null;
+}
+
+export interface Shot extends Computed {
+  /** Positions of the ball in flight [m], x y z of each moment after one another. */
+  path: Float64Array;
+  /** Derivatives of outputs of the flight by inputs of the strike, by their names. */
+  slopes: Record<string, Values>;
+}
+
+export interface History {
+  model: string;
+  arrays: Record<string, CoreArray>;
+}
+
+export interface Comparison {
+  shots: Computed[];
+  histories: History[];
+}
+
+export type Request =
+  | { kind: "start"; wasm: string }
+  | { kind: "shot"; id: number; strike: Strike }
+  | { kind: "compare"; id: number; strikes: Strike[] };
+
+export type Reply =
+  | { kind: "ready"; description: Description }
+  | { kind: "shot"; id: number; shot: Shot; milliseconds: number }
+  | { kind: "comparison"; id: number; comparison: Comparison; milliseconds: number }
+  | { kind: "broken"; message: string };

@@ -1,0 +1,86 @@
+/** Clubs, balls and parameter sets as `data.py` writes them, and the inputs of a strike made of them. */
+
+import type { Description, Strike, Values } from "../core/types";
+
+export type AmountPair = [value: number, unit: string];
+
+export interface ClubEntry {
+  label: string;
+  kind: string;
+  description: string;
+  /** Speed and attack angle of the tour average. */
+  typical: Record<"speed" | "attack", AmountPair>;
+  /** Corners of the face, towards the toe and up the face [m]. */
+  outline: [number, number][];
+  outline_source: string;
+  /** SI by the names of the core's inputs; null is infinite. */
+  columns: Record<string, number | null>;
+}
+
+export interface BallEntry {
+  label: string;
+  description: string;
+  columns: Values;
+}
+
+export interface SetEntry {
+  model: string;
+  name: string;
+  source: string;
+  reference: string;
+  caveats: string[];
+  values: number[];
+}
+
+/** Places of the parameter set and of the face by the name of the published set, "" for the usual one. */
+type Choices = Record<string, [set: number, face: number]>;
+
+export interface Equipment {
+  version: string;
+  defaults: { model: string; ball: string; club: string };
+  inputs: string[];
+  clubs: Record<string, ClubEntry>;
+  balls: Record<string, BallEntry>;
+  sets: SetEntry[];
+  faces: [characteristicTime: number, includedTime: number][];
+  choices: Record<string, Record<string, Record<string, Choices>>>;
+}
+
+export interface Chosen {
+  club: string;
+  ball: string;
+  model: string;
+  /** Name of a published parameter set, "" for the usual one. */
+  parameters: string;
+  hand: "right" | "left";
+}
+
+/** The names of the parameter sets that a club, a ball and a model leave to choose from; the first is the usual one. */
+export const setNames = (equipment: Equipment, { model, club, ball }: Chosen): string[] =>
+  Object.keys(equipment.choices[model][club][ball]);
+
+function choice(equipment: Equipment, { model, club, ball, parameters }: Chosen): [number, number] {
+  const known = equipment.choices[model][club][ball];
+  return known[parameters] ?? known[""];
+}
+
+export const chosenSet = (equipment: Equipment, chosen: Chosen): SetEntry =>
+  equipment.sets[choice(equipment, chosen)[0]];
+
+/** The strike of a delivery in SI; what it leaves out is 0, the loft that of the club. */
+export function strikeOf(description: Description, equipment: Equipment, chosen: Chosen, delivery: Values): Strike {
+  const [set, face] = choice(equipment, chosen);
+  const [characteristic_time, included_time] = equipment.faces[face];
+  const club = Object.entries(equipment.clubs[chosen.club].columns).map(([name, value]) => [name, value ?? Infinity]);
+  const values: Values = {
+    ...equipment.balls[chosen.ball].columns,
+    ...Object.fromEntries(club),
+    characteristic_time,
+    included_time,
+    hand: chosen.hand === "left" ? -1 : 1,
+  };
+  values.loft = values.static_loft;
+  Object.assign(values, delivery);
+  const inputs = description.inputs.map(({ name }) => values[name] ?? 0);
+  return { model: chosen.model, inputs, parameters: equipment.sets[set].values };
+}

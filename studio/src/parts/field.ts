@@ -1,0 +1,84 @@
+/** One input of the delivery: its name, a text that takes any unit, and a slider. */
+
+import { html, nothing, type TemplateResult } from "lit-html";
+import { live } from "lit-html/directives/live.js";
+import { type Context, delivered } from "../context";
+import { measure } from "./measure";
+
+export interface Field {
+  name: string;
+  label: string;
+  /** Ends of the slider in SI. */
+  range: readonly [number, number];
+  /** What stands under the field, such as where its value comes from. */
+  remark?: string;
+}
+
+export function fieldOf(context: Context, { name, label, range, remark }: Field): TemplateResult {
+  const { state, shower, actions, model } = context;
+  const { unit, digits } = shower.reading(name, state.system);
+  const amount = state.delivery[name];
+  const value = amount
+    ? shower.inSystem(name, amount, state.system)
+    : shower.units.fromSi(delivered(context, name), unit);
+  const text = shower.format(value, Math.max(digits, decimals(amount?.unit === unit ? amount.value : 0)));
+  const [least, most] = range.map((end) => shower.units.fromSi(end, unit));
+  const mistake = model.mistakes[name];
+  const { sides, meaning, sign } = shower.quantity(name);
+  const side = sides && Number(value.toFixed(digits)) !== 0 ? sides[value < 0 ? 0 : 1] : "";
+
+  const take = (event: Event): void => {
+    const field = event.target as HTMLInputElement;
+    try {
+      actions.change({ kind: "delivery", amounts: { [name]: shower.units.parse(field.value, unit) } });
+    } catch (error) {
+      actions.mistake(name, error instanceof Error ? error.message : String(error));
+    }
+  };
+  const slide = (event: Event): void => {
+    measure.asked(event);
+    const slid = { value: Number((event.target as HTMLInputElement).value), unit };
+    actions.change({ kind: "delivery", amounts: { [name]: slid } }, name);
+  };
+
+  return html`
+    <div class="field" data-name=${name}>
+      <label for=${`text-${name}`} title=${[meaning, sign].filter(Boolean).join(": ")}>${label}</label>
+      <span class="side">${side}</span>
+      <span class="typed">
+        <input
+          id=${`text-${name}`}
+          type="text"
+          inputmode="text"
+          autocomplete="off"
+          spellcheck="false"
+          data-shown=${text}
+          .value=${live(text)}
+          aria-invalid=${mistake ? "true" : nothing}
+          aria-describedby=${`about-${name}`}
+          @change=${take}
+        />
+        <span class="unit">${shower.units.symbol(unit)}</span>
+      </span>
+      <input
+        type="range"
+        aria-label=${`${label}, slider`}
+        aria-valuetext=${shower.text(name, delivered(context, name), state.system)}
+        min=${rounded(least, digits)}
+        max=${rounded(most, digits)}
+        step=${10 ** -digits}
+        .value=${live(String(rounded(value, digits)))}
+        @input=${slide}
+        @change=${actions.settle}
+      />
+      <small id=${`about-${name}`} class=${mistake ? "mistake" : ""} role=${mistake ? "alert" : nothing}>
+        ${mistake ?? remark ?? nothing}
+      </small>
+    </div>
+  `;
+}
+
+const rounded = (value: number, digits: number): number => Number(value.toFixed(digits));
+
+/** How many digits after the point a number was given with, at most six. */
+const decimals = (value: number): number => Math.min(6, (String(value).split(".")[1] ?? "").length);

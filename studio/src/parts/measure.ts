@@ -1,0 +1,60 @@
+/** Widths of pictures, and the time from a moved slider to the drawn answer. */
+
+type Observer = (widths: Record<string, number>) => void;
+
+let observer: Observer = () => undefined;
+let widths: Record<string, number> = {};
+const watched = new Set<Element>();
+
+const sizes = new ResizeObserver((entries) => {
+  const before = widths;
+  widths = { ...widths };
+  for (const { target, contentRect } of entries) {
+    const name = (target as HTMLElement).dataset.sized;
+    if (name) widths[name] = Math.round(contentRect.width);
+  }
+  if (JSON.stringify(before) !== JSON.stringify(widths)) observer(widths);
+});
+
+/** Watches every element that carries `data-sized`. */
+export function watchWidths(): void {
+  for (const element of watched) {
+    if (element.isConnected) continue;
+    sizes.unobserve(element);
+    watched.delete(element);
+  }
+  for (const element of document.querySelectorAll("[data-sized]")) {
+    if (watched.has(element)) continue;
+    watched.add(element);
+    sizes.observe(element);
+  }
+}
+
+/** The size of the page's letters [px]. */
+export const rootSize = (): number => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+
+/** The latest times from an input event to the page that shows its answer [ms], for the browser tests. */
+const times: { toDrawn: number[]; toFrame: number[] } = { toDrawn: [], toFrame: [] };
+let since: number | null = null;
+
+export const measure = {
+  times,
+  onWidths(next: Observer): void {
+    observer = next;
+  },
+  /** Notes when an event came that asks for an answer. */
+  asked(event: Event): void {
+    since ??= event.timeStamp;
+  },
+  /** Notes that its answer has been drawn. */
+  answered(): void {
+    if (since === null) return;
+    const begun = since;
+    since = null;
+    times.toDrawn.push(performance.now() - begun);
+    requestAnimationFrame(() => times.toFrame.push(performance.now() - begun));
+    if (times.toDrawn.length > 1000) times.toDrawn.shift();
+  },
+};
+
+Object.assign(globalThis, { studioTimes: times });

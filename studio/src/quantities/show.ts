@@ -1,0 +1,100 @@
+/** Values as people read them: digits and units from the core, the form of numbers from the browser. */
+
+import type { Description, Quantity } from "../core/types";
+import { type Amount, Units } from "./units";
+
+export type System = "golf" | "metric";
+
+export interface Shown {
+  number: string;
+  unit: string;
+  /** The word for the sign, such as "left"; "" where there is none. */
+  side: string;
+}
+
+export class Shower {
+  readonly units: Units;
+  private readonly quantities: Map<string, Quantity>;
+  private readonly formats = new Map<number, Intl.NumberFormat>();
+
+  constructor(
+    description: Description,
+    private readonly language: string,
+  ) {
+    this.units = new Units(description);
+    this.quantities = new Map(description.quantities.map((each) => [each.name, each]));
+  }
+
+  quantity(name: string): Quantity {
+    const result = this.quantities.get(name);
+    if (!result) throw new Error(`${name}: no such quantity`);
+    return result;
+  }
+
+  reading(name: string, system: System): { unit: string; digits: number } {
+    const [unit, digits] = this.quantity(name)[system];
+    return { unit, digits };
+  }
+
+  format(value: number, digits: number): string {
+    let format = this.formats.get(digits);
+    if (!format) {
+      const options = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false } as const;
+      format = new Intl.NumberFormat(this.language, { ...options, signDisplay: "negative" });
+      this.formats.set(digits, format);
+    }
+    return format.format(value);
+  }
+
+  /** A value in SI; where the quantity has words for its sides, they stand for the sign. */
+  show(name: string, si: number, system: System): Shown {
+    const { sides, label } = this.quantity(name);
+    const { unit, digits } = this.reading(name, system);
+    const value = this.units.fromSi(si, unit);
+    const number = this.format(sides ? Math.abs(value) : value, digits);
+    const isZero = Number(value.toFixed(digits)) === 0;
+    const side = sides && !isZero ? sides[value < 0 ? 0 : 1] : "";
+    // "backspin 2183 rpm" needs no word for its sign, "backspin 300 rpm topspin" does.
+    return { number, unit: this.units.symbol(unit), side: label === side ? "" : side };
+  }
+
+  /** The same in one text: "2.2 yd left". */
+  text(name: string, si: number, system: System): string {
+    const { number, unit, side } = this.show(name, si, system);
+    return join(number, unit, side);
+  }
+
+  /** An amount in the unit of a system, as a field shows it; unchanged where it was given in that unit. */
+  inSystem(name: string, amount: Amount, system: System): number {
+    const { unit } = this.reading(name, system);
+    return amount.unit === unit ? amount.value : this.units.fromSi(this.units.toSi(amount), unit);
+  }
+}
+
+/** Number, unit and word; a degree sign follows its number at once. */
+export const join = (number: string, unit: string, side = ""): string =>
+  [unit.startsWith("°") || unit === "%" ? number + unit : `${number} ${unit}`.trim(), side].filter(Boolean).join(" ");
+
+const GREEK: Record<string, string> = {
+  alpha: "α",
+  beta: "β",
+  delta: "δ",
+  epsilon: "ε",
+  eta: "η",
+  lambda: "λ",
+  mu: "μ",
+  nu: "ν",
+  omega: "ω",
+  phi: "φ",
+  psi: "ψ",
+  rho: "ρ",
+  sigma: "σ",
+  tau: "τ",
+  theta: "θ",
+};
+
+/** A symbol as it is printed, and its index: `omega_b` is ω with b below. */
+export function printedSymbol(symbol: string): [letter: string, index: string] {
+  const [letter, ...index] = symbol.split("_");
+  return [GREEK[letter] ?? letter, index.join(" ")];
+}

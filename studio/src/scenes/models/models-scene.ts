@@ -1,0 +1,80 @@
+/** Models side by side: the same strike by every model, and what the contact models say of the half millisecond. */
+
+import { html, nothing, type TemplateResult } from "lit-html";
+import type { Context } from "../../context";
+import { chartFrame } from "../../parts/chart";
+import { HISTORIES } from "./histories";
+import { headlineDelivery } from "./strike-in-words";
+
+const COMPARED = [
+  "ball_speed",
+  "smash",
+  "launch",
+  "azimuth",
+  "backspin",
+  "sidespin",
+  "spin_axis",
+  "carry",
+  "side",
+  "total",
+  "apex",
+  "landing_angle",
+  "contact_time",
+  "peak_force",
+];
+
+export function modelsScene(context: Context): TemplateResult {
+  const { model } = context;
+  return html`
+    <div class="models">
+      <section aria-labelledby="models">
+        <h2 id="models">The same strike by every model</h2>
+        <p>${headlineDelivery(context)}</p>
+        ${model.comparison ? table(context) : html`<p aria-busy="true">All models are being computed …</p>`}
+        <p class="remark">
+          Impulse models have no contact that lasts: those that leave contact time and peak force blank do not compute them.
+        </p>
+      </section>
+      <section aria-labelledby="histories">
+        <h2 id="histories">Force, slip and spin over time</h2>
+        <p>By the contact models. Friction down the face (below zero) makes backspin; up the face it takes some of it back.</p>
+        <div class="charts">${HISTORIES.map((each) => chartFrame(context, each))}</div>
+      </section>
+    </div>
+  `;
+}
+
+function table({ model, state, shower, description }: Context): TemplateResult {
+  const shots = model.comparison?.shots ?? [];
+  return html`
+    <div class="scroll" tabindex="0" role="region" aria-label="Table of all models">
+      <table>
+        <caption>Launch and flight</caption>
+        <thead>
+          <tr>
+            <th scope="col">Quantity</th>
+            ${shots.map((shot) => {
+              const entry = description.models.find(({ name }) => name === shot.model);
+              return html`<th scope="col" title=${entry?.title ?? nothing}>${shot.model}</th>`;
+            })}
+          </tr>
+        </thead>
+        <tbody>
+          ${COMPARED.map((name) => {
+            const { unit } = shower.reading(name, state.system);
+            const symbol = shower.units.symbol(unit);
+            return html`<tr>
+              <th scope="row">${shower.quantity(name).label}${symbol ? `, ${symbol}` : ""}</th>
+              ${shots.map(({ values, failure }) => {
+                const value = values[name];
+                if (failure || !Number.isFinite(value)) return html`<td title=${failure?.message ?? nothing}>–</td>`;
+                const { number, side } = shower.show(name, value, state.system);
+                return html`<td data-quantity=${name} data-value=${String(value)}>${number} ${side}</td>`;
+              })}
+            </tr>`;
+          })}
+        </tbody>
+      </table>
+    </div>
+  `;
+}

@@ -1,0 +1,68 @@
+/** The flight from above: path, face, start, curve and landing; the target is on the right. */
+
+import { html, svg, type TemplateResult } from "lit-html";
+import { type Context, delivered } from "../../context";
+import { line, scale, ticks } from "../../parts/axes";
+import { type Drawing, LEFT } from "./flight-panel";
+
+const TOP = 24;
+const BOTTOM = 36;
+const LEAST_HEIGHT = 120;
+const MOST_HEIGHT = 300;
+/** Least distance shown to either side of the target line. */
+const LEAST_SIDE = 12;
+/** How far path and face are drawn, as a share of the carry. */
+const REACH = 0.35;
+
+export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
+  const { model, state, shower } = context;
+  const { width, zoom, along, alongTicks, path, landing, rest, unit } = drawing;
+  const values = model.good?.values ?? {};
+  const end = (angle: number, length: number): [number, number] => [length * Math.cos(angle), length * Math.sin(angle)];
+  const directions = [
+    { name: "path", word: "path", to: end(delivered(context, "path"), REACH * landing[0]) },
+    { name: "face", word: "face", to: end(delivered(context, "face"), REACH * landing[0]) },
+    { name: "start", word: "start", to: end(values.azimuth, landing[0]) },
+  ];
+  const sides = [...path.map(([, , right]) => right), rest[1], ...directions.map(({ to }) => to[1])];
+  const [least, most] = [Math.min(-LEAST_SIDE, ...sides) * 1.1, Math.max(LEAST_SIDE, ...sides) * 1.1];
+  const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, (most - least) * along.size));
+  const height = TOP + inner + BOTTOM;
+  // Right of the target is below, as it is for who looks to the target with the ball on the left.
+  const right = scale([least, most], [TOP, TOP + inner]);
+  const ratio = right.size / along.size;
+  const at = ([x, z]: readonly [number, number]): [number, number] => [along.at(x), right.at(z)];
+  const said =
+    `The flight from above: the ball starts ${shower.text("azimuth", values.azimuth, state.system)} and lands ` +
+    `${shower.text("side", values.side, state.system)} after ${shower.text("carry", values.carry, state.system)}.`;
+  return html`
+    <svg class="view" role="img" aria-label=${said} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
+      <text class="title" x="0" y="13">From above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
+      ${alongTicks.map(
+        (tick) => svg`
+          <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
+          <text class="tick" x=${along.at(tick)} y=${TOP + inner + 15} text-anchor="middle">${tick}</text>`,
+      )}
+      ${ticks([least, most], 5).map(
+        (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
+          ${Math.abs(tick)}${tick === 0 ? "" : tick < 0 ? " L" : " R"}</text>`,
+      )}
+      <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
+      <path class="direction start" d=${line([at([0, 0]), at(directions[2].to)])}></path>
+      <path class="direction path" d=${line([at([0, 0]), at(directions[0].to)])}></path>
+      <path class="direction face-line" d=${line([at([0, 0]), at(directions[1].to)])}></path>
+      <path class="ball-path" d=${line(path.map(([x, , z]) => at([x, z])))}></path>
+      <path class="roll" d=${line([at(landing), at(rest)])}></path>
+      <circle class="landing" cx=${at(landing)[0]} cy=${at(landing)[1]} r="4"></circle>
+      <circle class="rest" cx=${at(rest)[0]} cy=${at(rest)[1]} r="4"></circle>
+      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance to the target, ${unit}</text>
+    </svg>
+    <ul class="legend" aria-label="Lines of the view from above">
+      <li><i class="ball-path"></i>flight</li>
+      <li><i class="direction start"></i>start ${shower.text("azimuth", values.azimuth, state.system)}</li>
+      <li><i class="direction path"></i>path ${shower.text("path", delivered(context, "path"), state.system)}</li>
+      <li><i class="direction face-line"></i>face ${shower.text("face", delivered(context, "face"), state.system)}</li>
+      <li><i class="roll"></i>bounce and roll</li>
+    </ul>
+  `;
+}

@@ -1,0 +1,31 @@
+/** The numbers that golfers ask for first, and the shot in one sentence. */
+
+import { html, type TemplateResult } from "lit-html";
+import type { Context } from "../../context";
+
+const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
+
+export function headline({ model, state, shower }: Context): TemplateResult {
+  const shot = model.good;
+  if (!shot)
+    return html`<section class="headline" aria-busy="true"><p>The first shot is being computed …</p></section>`;
+  const { system } = state;
+  const text = (name: string): string => shower.text(name, shot.values[name], system);
+  return html`
+    <section class="headline" aria-label="The shot in short">
+      <dl>
+        ${FIRST.map((name) => {
+          const { number, unit, side } = shower.show(name, shot.values[name], system);
+          return html`<div>
+            <dt>${shower.quantity(name).label}</dt>
+            <dd><b>${number}</b>${unit.startsWith("°") ? unit : html` <span>${unit}</span>`} <i>${side}</i></dd>
+          </div>`;
+        })}
+      </dl>
+      <p aria-live="polite">
+        The ball starts ${text("azimuth")} of the target, rises to ${text("apex")} and lands ${text("side")} after
+        ${text("carry")}.
+      </p>
+    </section>
+  `;
+}

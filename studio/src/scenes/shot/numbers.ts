@@ -1,0 +1,61 @@
+/** All numbers of the shot, each with its unit and what it means. */
+
+import { html, type TemplateResult } from "lit-html";
+import type { Context } from "../../context";
+import type { Variable } from "../../core/types";
+import { printedSymbol } from "../../quantities/show";
+
+/** The output that is 1 where a flight leaves the range of the aerodynamic data. */
+const OUTSIDE = "outside_fit";
+
+export function numbersPanel(context: Context): TemplateResult {
+  if (!context.model.good) return html``;
+  const { outputs, flight_outputs } = context.description;
+  const isVector = ({ name }: Variable): boolean => /_[xyz]$/.test(name);
+  return html`
+    <section aria-labelledby="numbers">
+      <h2 id="numbers">All numbers</h2>
+      ${table(
+        context,
+        "Launch",
+        outputs.filter((each) => !isVector(each)),
+      )}
+      ${table(
+        context,
+        "Flight",
+        flight_outputs.filter(({ name }) => name !== OUTSIDE),
+      )}
+      ${context.model.good.values[OUTSIDE] ? html`<p class="remark">The spin of this flight leaves the range for which lift and drag were measured.</p>` : ""}
+      <details>
+        <summary>Components along the axes: x to the target, y up, z to the right</summary>
+        ${table(context, "Ball and club after impact", outputs.filter(isVector))}
+      </details>
+    </section>
+  `;
+}
+
+function table({ model, state, shower }: Context, title: string, variables: Variable[]): TemplateResult {
+  const values = model.good?.values ?? {};
+  return html`
+    <table>
+      <caption>${title}</caption>
+      <thead>
+        <tr><th scope="col">Quantity</th><th scope="col">Value</th><th scope="col">Meaning</th></tr>
+      </thead>
+      <tbody>
+        ${variables.map(({ name, meaning }) => {
+          const { number, unit, side } = shower.show(name, values[name], state.system);
+          const { symbol, label } = shower.quantity(name);
+          const [letter, index] = printedSymbol(symbol);
+          return html`<tr>
+            <th scope="row">${label} <span class="symbol">${letter}<sub>${index}</sub></span></th>
+            <td data-quantity=${name} data-value=${String(values[name])}>
+              <b>${number}</b>${unit.startsWith("°") ? "" : " "}${unit} ${side}
+            </td>
+            <td>${meaning}</td>
+          </tr>`;
+        })}
+      </tbody>
+    </table>
+  `;
+}

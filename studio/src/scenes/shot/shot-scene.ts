@@ -1,0 +1,26 @@
+/** Shot: how the club is delivered, how the ball leaves, and where it flies. */
+
+import { html, nothing, type TemplateResult } from "lit-html";
+import type { Context } from "../../context";
+import { deliveryPanel } from "./delivery";
+import { equipmentPanel } from "./equipment-panel";
+import { facePanel } from "./face";
+import { flightPanel } from "./flight-panel";
+import { headline } from "./headline";
+import { numbersPanel } from "./numbers";
+import { whatIfPanel } from "./what-if";
+
+export function shotScene(context: Context): TemplateResult {
+  const failure = context.model.shot?.failure;
+  return html`
+    <div class=${failure ? "shot stale" : "shot"}>
+      <p class="failure" role="alert">${failure ? html`This shot cannot be computed. ${failure.input}: ${failure.message}. The last one is shown.` : nothing}</p>
+      ${headline(context)}
+      <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}</div>
+      <div class="results">
+        <div class="pictures">${flightPanel(context)} ${whatIfPanel(context)}</div>
+        ${numbersPanel(context)}
+      </div>
+    </div>
+  `;
+}

@@ -1,0 +1,45 @@
+/** What a little more of each input would do, from exact derivatives; a press does it. */
+
+import { html, type nothing, type TemplateResult } from "lit-html";
+import { type Context, delivered } from "../../context";
+import { join } from "../../quantities/show";
+import { DELIVERY, IMPACT_POINT, MAIN } from "./words";
+
+export function whatIfPanel(context: Context): TemplateResult {
+  if (!context.model.good) return html``;
+  return html`
+    <section aria-labelledby="what-if">
+      <h2 id="what-if">What if</h2>
+      <ul class="chips">
+        ${[...MAIN, ...IMPACT_POINT].map((name) => html`<li>${chip(context, name)}</li>`)}
+      </ul>
+      <p class="remark">From exact derivatives at this delivery; a press makes the step.</p>
+    </section>
+  `;
+}
+
+function chip(context: Context, name: string): TemplateResult | typeof nothing {
+  const { model, state, shower, actions } = context;
+  const { step, more } = DELIVERY[name];
+  const { unit, digits } = shower.reading(name, state.system);
+  const { units } = shower;
+  const size = units.toSi({ value: step, unit });
+  const across = difference(context, "side", (model.good?.slopes.side?.[name] ?? 0) * size, ["left", "right"]);
+  const along = difference(context, "carry", (model.good?.slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
+  const effects = [across, along].filter(Boolean).join(", ") || "no difference";
+  const take = (): void => {
+    const value = units.fromSi(delivered(context, name), unit) + step;
+    actions.change({ kind: "delivery", amounts: { [name]: { value: Number(value.toFixed(digits + 1)), unit } } });
+  };
+  return html`<button type="button" data-name=${name} @click=${take}>
+    <span>${join(shower.format(step, 0), units.symbol(unit))} ${more}</span> <b>${effects}</b>
+  </button>`;
+}
+
+/** A difference with its word, "" where it rounds to nothing. */
+function difference({ shower, state }: Context, name: string, si: number, words: [string, string]): string {
+  const { unit, digits } = shower.reading(name, state.system);
+  const value = shower.units.differenceFromSi(si, unit);
+  if (Number(value.toFixed(digits)) === 0) return "";
+  return join(shower.format(Math.abs(value), digits), shower.units.symbol(unit), words[value < 0 ? 0 : 1]);
+}

@@ -1,0 +1,88 @@
+/** The state as readable text in the address: `#club=driver&speed=105mph&face=2deg`. */
+
+import type { Variable } from "../core/types";
+import { type Equipment, setNames } from "../equipment/equipment";
+import type { Units } from "../quantities/units";
+import { SCENES, type State, THEMES } from "./state";
+
+export interface LinkContext {
+  equipment: Equipment;
+  units: Units;
+  /** The core's inputs of a strike. */
+  inputs: Variable[];
+  /** What stands for all that the link leaves out. */
+  usual: State;
+}
+
+const SYSTEMS = ["golf", "metric"] as const;
+const HANDS = ["right", "left"] as const;
+
+/** Club, ball, model and delivery always; the rest where it is not as usual. */
+export function toLink(state: State, { usual }: Pick<LinkContext, "usual">): string {
+  const entries: [string, string][] = [];
+  if (state.scene !== usual.scene) entries.push(["scene", state.scene]);
+  entries.push(["club", state.club]);
+  if (state.ball !== usual.ball) entries.push(["ball", state.ball]);
+  if (state.model !== usual.model) entries.push(["model", state.model]);
+  if (state.parameters) entries.push(["parameters", state.parameters]);
+  if (state.hand !== usual.hand) entries.push(["hand", state.hand]);
+  for (const [name, { value, unit }] of Object.entries(state.delivery)) entries.push([name, `${value}${unit}`]);
+  if (state.system !== usual.system) entries.push(["units", state.system]);
+  if (state.theme !== usual.theme) entries.push(["theme", state.theme]);
+  return `#${entries.map(([key, value]) => `${key}=${escaped(value)}`).join("&")}`;
+}
+
+/** A slash and a caret may stand in a fragment as they are. */
+const escaped = (text: string): string => encodeURIComponent(text).replace(/%2F/g, "/");
+
+/** The state of a link, and a sentence for each part of it that could not be read. */
+export function fromLink(link: string, context: LinkContext): { state: State; problems: string[] } {
+  const { equipment, units, inputs, usual } = context;
+  const state: State = { ...usual, delivery: {} };
+  const problems: string[] = [];
+  const choose = <T extends string>(key: string, value: string, known: readonly T[], set: (value: T) => void): void => {
+    const fitting = known.find((each) => each === value);
+    if (fitting === undefined) problems.push(`The link's ${key} "${value}" is unknown; there are ${known.join(", ")}.`);
+    else set(fitting);
+  };
+  let parameters = "";
+  for (const part of link.replace(/^#/, "").split("&").filter(Boolean)) {
+    const [key, value] = split(part);
+    const delivered = inputs.find(({ name, group }) => name === key && group === "delivery");
+    if (key === "scene") choose(key, value, SCENES, (scene) => Object.assign(state, { scene }));
+    else if (key === "club") choose(key, value, Object.keys(equipment.clubs), (club) => Object.assign(state, { club }));
+    else if (key === "ball") choose(key, value, Object.keys(equipment.balls), (ball) => Object.assign(state, { ball }));
+    else if (key === "model")
+      choose(key, value, Object.keys(equipment.choices), (model) => Object.assign(state, { model }));
+    else if (key === "hand") choose(key, value, HANDS, (hand) => Object.assign(state, { hand }));
+    else if (key === "units") choose(key, value, SYSTEMS, (system) => Object.assign(state, { system }));
+    else if (key === "theme") choose(key, value, THEMES, (theme) => Object.assign(state, { theme }));
+    else if (key === "parameters") parameters = value;
+    else if (delivered) {
+      try {
+        const amount = units.parse(value, delivered.unit);
+        if (amount.value !== 0 && /^[-\d.,e\s]*$/i.test(value)) throw new Error("give it with its unit");
+        state.delivery[key] = amount;
+      } catch (error) {
+        problems.push(
+          `The link's ${key} "${value}" cannot be read: ${error instanceof Error ? error.message : error}.`,
+        );
+      }
+    } else problems.push(`The link's "${key}" is unknown.`);
+  }
+  if (!state.delivery.speed) state.delivery = { speed: usual.delivery.speed, ...state.delivery };
+  if (parameters) {
+    choose("parameters", parameters, setNames(equipment, state), (name) => Object.assign(state, { parameters: name }));
+  }
+  return { state, problems };
+}
+
+function split(part: string): [string, string] {
+  const [key, ...rest] = part.split("=");
+  const text = rest.join("=").replace(/\+/g, " ");
+  try {
+    return [key, decodeURIComponent(text)];
+  } catch {
+    return [key, text];
+  }
+}

@@ -1,0 +1,91 @@
+/** What a link holds: everything that a person chose, and how each choice changes it. */
+
+import type { Chosen, Equipment } from "../equipment/equipment";
+import { setNames } from "../equipment/equipment";
+import type { System } from "../quantities/show";
+import type { Amount } from "../quantities/units";
+
+export const SCENES = ["shot", "models"] as const;
+export type Scene = (typeof SCENES)[number];
+
+export const THEMES = ["auto", "light", "dark"] as const;
+export type Theme = (typeof THEMES)[number];
+
+export interface State extends Chosen {
+  scene: Scene;
+  system: System;
+  theme: Theme;
+  /** What was given of the delivery, by the names of the core's inputs. */
+  delivery: Record<string, Amount>;
+}
+
+export type Change =
+  | { kind: "scene"; scene: Scene }
+  | { kind: "club"; club: string }
+  | { kind: "ball"; ball: string }
+  | { kind: "model"; model: string }
+  | { kind: "parameters"; parameters: string }
+  | { kind: "hand"; hand: State["hand"] }
+  | { kind: "system"; system: System }
+  | { kind: "theme"; theme: Theme }
+  | { kind: "delivery"; amounts: Record<string, Amount | null> }
+  | { kind: "all"; state: State };
+
+export function initialState(equipment: Equipment, system: System): State {
+  const { club, ball, model } = equipment.defaults;
+  return {
+    scene: "shot",
+    club,
+    ball,
+    model,
+    parameters: "",
+    hand: "right",
+    system,
+    theme: "auto",
+    delivery: { speed: { value: 105, unit: "mph" } },
+  };
+}
+
+export function changed(state: State, change: Change, equipment: Equipment): State {
+  switch (change.kind) {
+    case "all":
+      return change.state;
+    case "club":
+      return withKnownSet(withClub(state, change.club, equipment), equipment);
+    case "ball":
+      return withKnownSet({ ...state, ball: change.ball }, equipment);
+    case "model":
+      return withKnownSet({ ...state, model: change.model }, equipment);
+    case "delivery":
+      return { ...state, delivery: withAmounts(state.delivery, change.amounts) };
+    default: {
+      const { kind: _, ...rest } = change;
+      return { ...state, ...rest };
+    }
+  }
+}
+
+/** A delivery with some amounts changed; null takes one back to what is usual. */
+function withAmounts(delivery: State["delivery"], amounts: Record<string, Amount | null>): State["delivery"] {
+  const result = { ...delivery };
+  for (const [name, amount] of Object.entries(amounts)) {
+    if (amount) result[name] = amount;
+    else delete result[name];
+  }
+  return result;
+}
+
+/** Another club: its own loft and attack angle, and a speed that changes as the tour's does from club to club. */
+function withClub(state: State, club: string, equipment: Equipment): State {
+  const [before, after] = [equipment.clubs[state.club].typical, equipment.clubs[club].typical];
+  const { value, unit } = state.delivery.speed ?? { value: before.speed[0], unit: before.speed[1] };
+  const speed = Number(((value * after.speed[0]) / before.speed[0]).toFixed(1));
+  const { loft: _, high: __, toe: ___, ...delivery } = state.delivery;
+  const attack: Amount = { value: after.attack[0], unit: after.attack[1] };
+  return { ...state, club, delivery: { ...delivery, speed: { value: speed, unit }, attack } };
+}
+
+/** The usual parameters where the set that was chosen does not fit. */
+function withKnownSet(state: State, equipment: Equipment): State {
+  return setNames(equipment, state).includes(state.parameters) ? state : { ...state, parameters: "" };
+}

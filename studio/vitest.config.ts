@@ -1,0 +1,8 @@
+import { mergeConfig } from "vite";
+import { defineConfig } from "vitest/config";
+import site from "./vite.config.ts";
+
+export default mergeConfig(
+  site,
+  defineConfig({ test: { include: ["tests/**/*.test.ts", "tests/browser/screenshots.ts"], fileParallelism: true } }),
+);
