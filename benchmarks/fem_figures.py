@@ -530,8 +530,8 @@ def contact_models() -> None:
             forward=along.max(),
             back=along.min(),
             forward_us=time[along.argmax()] * 1e6,
-            reversal_us=reversal[0] * 1e6 if len(reversal) else math.nan,
             shorter=shorter[name],
+            **({"reversal_us": reversal[0] * 1e6} if len(reversal) else {}),
         )
 
 
