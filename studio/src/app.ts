@@ -65,7 +65,7 @@ function header({ state, model, actions }: Context): TemplateResult {
           label: "Theme",
           value: state.theme,
           options: [
-            ["auto", "as the system"],
+            ["auto", "auto"],
             ["light", "light"],
             ["dark", "dark"],
           ],

@@ -4,14 +4,14 @@ import type { Description, Values } from "./core/types";
 import type { Equipment } from "./equipment/equipment";
 import type { Shower } from "./quantities/show";
 import type { Change, State } from "./state/state";
-import type { Model } from "./state/store";
+import type { Mistake, Model } from "./state/store";
 
 export interface Actions {
   change(change: Change, going?: string | null): void;
   settle(): void;
   undo(): void;
   redo(): void;
-  mistake(name: string, message: string | null): void;
+  mistake(name: string, mistake: Mistake): void;
   dismiss(): void;
 }
 

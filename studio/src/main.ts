@@ -13,7 +13,7 @@ import { measure, watchWidths } from "./parts/measure";
 import { Shower, type System } from "./quantities/show";
 import { fromLink, type LinkContext, toLink } from "./state/link";
 import { initialState, type State } from "./state/state";
-import { type Model, Store } from "./state/store";
+import { type Mistake, type Model, Store } from "./state/store";
 import "./style/page.css";
 import "./style/controls.css";
 import "./style/pictures.css";
@@ -103,10 +103,8 @@ async function start(page: HTMLElement): Promise<void> {
     settle: store.settle,
     undo: store.undo,
     redo: store.redo,
-    mistake: (name: string, message: string | null): void => {
-      const { [name]: _, ...others } = store.model.mistakes;
-      store.note({ mistakes: message === null ? others : { ...others, [name]: message } });
-    },
+    mistake: (name: string, mistake: Mistake): void =>
+      store.note({ mistakes: { ...store.model.mistakes, [name]: mistake } }),
     dismiss: (): void => store.note({ notices: [] }),
   };
 

@@ -32,7 +32,8 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
     try {
       actions.change({ kind: "delivery", amounts: { [name]: shower.units.parse(field.value, unit) } });
     } catch (error) {
-      actions.mistake(name, error instanceof Error ? error.message : String(error));
+      const message = error instanceof Error ? error.message : String(error);
+      actions.mistake(name, { text: field.value, message });
     }
   };
   const slide = (event: Event): void => {
@@ -53,7 +54,7 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
           autocomplete="off"
           spellcheck="false"
           data-shown=${text}
-          .value=${live(text)}
+          .value=${live(mistake?.text ?? text)}
           aria-invalid=${mistake ? "true" : nothing}
           aria-describedby=${`about-${name}`}
           @change=${take}
@@ -72,7 +73,7 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
         @change=${actions.settle}
       />
       <small id=${`about-${name}`} class=${mistake ? "mistake" : ""} role=${mistake ? "alert" : nothing}>
-        ${mistake ?? remark ?? nothing}
+        ${mistake?.message ?? remark ?? nothing}
       </small>
     </div>
   `;

@@ -5,14 +5,19 @@ import type { Equipment } from "../equipment/equipment";
 import { type Change, changed, type State } from "./state";
 import { begin, redo, settle, step, type Timeline, undo } from "./undo";
 
+export interface Mistake {
+  text: string;
+  message: string;
+}
+
 export interface Model {
   timeline: Timeline<State>;
   shot: Shot | null;
   /** The last shot that could be computed, which stays drawn while another cannot. */
   good: Shot | null;
   comparison: Comparison | null;
-  /** What a field says of a text that it cannot take, by the name of the field. */
-  mistakes: Record<string, string>;
+  /** Texts that fields cannot take, by the name of the field, and what is wrong with them. */
+  mistakes: Record<string, Mistake>;
   notices: string[];
   /** Widths of the pictures [px], by name. */
   widths: Record<string, number>;

@@ -1,19 +1,25 @@
-/** Pictures of every scene at four widths in both themes: `SCREENSHOTS=folder npm run screenshots`. */
+/**
+ * Pictures of every scene in both themes: whole pages at four widths to look at, and the first screen of two for the
+ * documentation. `SCREENSHOTS=folder npm run screenshots`.
+ */
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser } from "playwright-core";
-import { afterAll, beforeAll, test } from "vitest";
+import { afterAll, beforeAll, describe, test } from "vitest";
 import { open, Site, startBrowser } from "./site";
 
 const FOLDER = process.env.SCREENSHOTS ?? "screenshots";
-const SHOT = "#club=driver&speed=105mph&attack=2deg&path=-3deg&loft=13deg&face=1deg&toe=8mm&high=4mm&units=golf";
+const SHOT = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1deg&toe=8mm&high=4mm&units=golf";
 const SCENES = { shot: SHOT, models: `${SHOT.replace("#", "#scene=models&")}` };
+const SIZES = { 360: 740, 390: 844, 1440: 900, 3840: 2160 };
+/** Widths whose first screen stands in the documentation, with the ending of its name. */
+const DOCUMENTED: Record<number, string> = { 390: "-narrow", 1440: "" };
 
 let site: Site;
 let browser: Browser;
 beforeAll(async () => {
-  mkdirSync(FOLDER, { recursive: true });
+  mkdirSync(join(FOLDER, "docs"), { recursive: true });
   [site, browser] = [await Site.start(), await startBrowser()];
 });
 afterAll(async () => {
@@ -21,14 +27,18 @@ afterAll(async () => {
   await site?.stop();
 });
 
-for (const [name, link] of Object.entries(SCENES))
-  for (const width of [360, 390, 1440, 3840])
+describe.each(Object.entries(SCENES))("%s", (name, link) => {
+  for (const [width, height] of Object.entries(SIZES).map((size) => size.map(Number)))
     for (const theme of ["light", "dark"] as const)
-      test(`${name}, ${width} px, ${theme}`, { timeout: 120_000 }, async () => {
-        const height = width < 500 ? 844 : Math.round((width * 9) / 16);
+      test(`${width} px, ${theme}`, { timeout: 120_000 }, async () => {
         const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, locale: "en-US" });
         const { page } = await open(context, site.address + link);
         await page.waitForTimeout(500);
         await page.screenshot({ path: join(FOLDER, `${name}-${width}-${theme}.png`), fullPage: true });
+        if (width in DOCUMENTED) {
+          const file = `studio-${name}${theme === "dark" ? "-dark" : ""}${DOCUMENTED[width]}.png`;
+          await page.screenshot({ path: join(FOLDER, "docs", file) });
+        }
         await context.close();
       });
+});

@@ -3,6 +3,9 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { chartFrame } from "../../parts/chart";
+import { deliveryPanel } from "../shot/delivery";
+import { equipmentPanel } from "../shot/equipment-panel";
+import { facePanel } from "../shot/face";
 import { HISTORIES } from "./histories";
 import { headlineDelivery } from "./strike-in-words";
 
@@ -30,6 +33,10 @@ export function modelsScene(context: Context): TemplateResult {
       <section aria-labelledby="models">
         <h2 id="models">The same strike by every model</h2>
         <p>${headlineDelivery(context)}</p>
+        <details class="strike">
+          <summary>Change the strike</summary>
+          <div class="side-by-side">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}</div>
+        </details>
         ${model.comparison ? table(context) : html`<p aria-busy="true">All models are being computed …</p>`}
         <p class="remark">
           Impulse models have no contact that lasts: those that leave contact time and peak force blank do not compute them.
