@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-figures study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -105,6 +105,10 @@ studio: studio-build ## the same, served on http://localhost:4173
 
 studio-test: studio-build ## the studio in Debian's Chromium (CHROMIUM=/path of another): scenes, links, offline, numbers
 	PYTHON=$(CURDIR)/$(PYTHON) npm --prefix studio run --silent browser-test
+
+studio-figures: studio-build ## the pictures of docs/studio.md, drawn again in Chromium
+	SCREENSHOTS=screenshots npm --prefix studio run --silent screenshots
+	$(PYTHON) docs/figures/studio.py studio/screenshots/docs
 
 bench: dev ## speed, printed next to the computed results
 	cargo bench $(RUST_TESTED)
