@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { atImpact } from "./at-impact";
 import { deliveryPanel } from "./delivery";
 import { equipmentPanel } from "./equipment-panel";
 import { facePanel } from "./face";
@@ -16,7 +17,7 @@ export function shotScene(context: Context): TemplateResult {
     <div class=${failure ? "shot stale" : "shot"}>
       <p class="failure" role="alert">${failure ? html`This shot cannot be computed. ${failure.input}: ${failure.message}. The last one is shown.` : nothing}</p>
       ${headline(context)}
-      <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}</div>
+      <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)} ${atImpact(context)}</div>
       <div class="results">
         <div class="pictures">${flightPanel(context)} ${whatIfPanel(context)}</div>
         ${numbersPanel(context)}
