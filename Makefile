@@ -86,7 +86,7 @@ $(STUDIO_PACKAGES): studio/package.json studio/package-lock.json
 	@npm --prefix studio ci --prefer-offline --no-audit --no-fund --loglevel error
 	@touch $@
 
-$(STUDIO_DATA): $(VENV)/.build studio/data.py $(wildcard python/clubface/data/*/*.toml)
+$(STUDIO_DATA): $(VENV)/.build studio/data.py $(wildcard python/clubface/data/*/*.toml python/clubface/equipment/*.py)
 	@$(PYTHON) studio/data.py studio/generated
 
 $(STUDIO_CORE): studio/build/wasm.mjs $(RUST_SOURCES)

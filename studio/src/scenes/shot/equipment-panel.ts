@@ -51,7 +51,7 @@ export function equipmentPanel(context: Context): TemplateResult {
                 name: "parameters",
                 label: "Parameters",
                 value: state.parameters,
-                options: names.map((name) => [name, name || `usual: ${set.name}`]),
+                options: names.map((name) => [name, name || "usual"]),
                 choose: (parameters) => actions.change({ kind: "parameters", parameters }),
               })
             : nothing

@@ -7,8 +7,7 @@ const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
 export function headline({ model, state, shower }: Context): TemplateResult {
   const shot = model.good;
-  if (!shot)
-    return html`<section class="headline" aria-busy="true"><p>The first shot is being computed …</p></section>`;
+  if (!shot) return model.shot ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
   const { system } = state;
   const text = (name: string): string => shower.text(name, shot.values[name], system);
   return html`

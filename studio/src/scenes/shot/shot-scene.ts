@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import type { Failure } from "../../core/types";
 import { atImpact } from "./at-impact";
 import { deliveryPanel } from "./delivery";
 import { equipmentPanel } from "./equipment-panel";
@@ -10,12 +11,13 @@ import { flightPanel } from "./flight-panel";
 import { headline } from "./headline";
 import { numbersPanel } from "./numbers";
 import { whatIfPanel } from "./what-if";
+import { DELIVERY } from "./words";
 
 export function shotScene(context: Context): TemplateResult {
   const failure = context.model.shot?.failure;
   return html`
     <div class=${failure ? "shot stale" : "shot"}>
-      <p class="failure" role="alert">${failure ? html`This shot cannot be computed. ${failure.input}: ${failure.message}. The last one is shown.` : nothing}</p>
+      <p class="failure" role="alert">${failure ? failureText(context, failure) : nothing}</p>
       ${headline(context)}
       <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)} ${atImpact(context)}</div>
       <div class="results">
@@ -24,4 +26,9 @@ export function shotScene(context: Context): TemplateResult {
       </div>
     </div>
   `;
+}
+
+function failureText({ model }: Context, { input, message }: Failure): string {
+  const kept = model.good ? " The last one is shown." : "";
+  return `This shot cannot be computed. ${DELIVERY[input]?.label ?? input}: ${message}.${kept}`;
 }
