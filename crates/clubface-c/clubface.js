@@ -123,6 +123,25 @@ export async function load(source, progress = () => true) {
       });
     },
 
+    /**
+     * Chosen outputs of `rows` shots and their derivatives by chosen variables:
+     * {outputs: one array an output, derivatives: for each output an array a variable, rejects}.
+     * `outputs` are places among the outputs of the description, `variables` among its inputs and then the parameters.
+     */
+    sensitivities(model, inputs, parameters, rows, outputs, variables, tolerance = 0) {
+      checkModel(model, parameters);
+      const width = 1 + variables.length;
+      const chosen = [Uint32Array.from(outputs), Uint32Array.from(variables), outputs.length * width * rows];
+      const lent = [model, flat(inputs, rows), Float64Array.from(parameters), ...chosen];
+      return lend(lent, ([name, from, set, which, by, to], copy) => {
+        const sizes = [rows, which, outputs.length, by, variables.length];
+        const { text: rejects } = call("clubface_sensitivities", name, from, set, ...sizes, tolerance, 1, to);
+        const columns = split(copy(5), rows);
+        const ofEach = outputs.map((_, i) => columns.slice(i * width, (i + 1) * width));
+        return { outputs: ofEach.map(([values]) => values), derivatives: ofEach.map((each) => each.slice(1)), rejects };
+      });
+    },
+
     /** History of one shot by a contact model: arrays by name as {values, shape}. */
     history(model, inputs, parameters, tolerance = 0) {
       checkModel(model, parameters);
