@@ -69,7 +69,9 @@ async function start(page: HTMLElement): Promise<void> {
   function compute(state: State): void {
     const delivery = deliveryOf({ state, shower });
     asked += 1;
-    client.request({ kind: "shot", id: asked, strike: strikeOf(description, equipment, state, delivery) });
+    const strike = strikeOf(description, equipment, state, delivery);
+    client.request({ kind: "shot", id: asked, strike });
+    client.request({ kind: "slopes", id: asked, strike });
     if (state.scene !== "models") return;
     const strikes = description.models.map(({ name }) => {
       const parameters = name === state.model ? state.parameters : "";
@@ -80,11 +82,12 @@ async function start(page: HTMLElement): Promise<void> {
 
   pending.answer = (answer) => {
     if (answer.kind === "comparison") store.note({ comparison: answer.comparison });
+    else if (answer.kind === "slopes") store.note({ slopes: answer.slopes });
     else {
       const { shot, milliseconds } = answer;
       store.note({ shot, good: shot.failure ? store.model.good : shot, milliseconds });
+      if (answer.id === asked) measure.answered();
     }
-    if (answer.id === asked) measure.answered();
   };
   pending.failed = (message) => store.note({ notices: [`This shot cannot be computed: ${message}.`] });
 

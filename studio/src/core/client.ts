@@ -1,8 +1,11 @@
-/** The page's side of the worker: one request is computed at a time, and of those that wait the newest. */
+/** The page's side of the worker: one request is computed at a time, and of each kind that waits only the newest. */
 
 import type { Description, Reply, Request } from "./types";
 
 type Work = Exclude<Request, { kind: "start" }>;
+/** What is computed first when several wait. */
+const ORDER: Work["kind"][] = ["shot", "slopes", "compare"];
+
 export type Answer = Exclude<Reply, { kind: "ready" | "broken" }>;
 
 export class CoreClient {
@@ -42,7 +45,8 @@ export class CoreClient {
   }
 
   private send(): void {
-    const next = this.busy ? undefined : this.waiting.values().next().value;
+    const kind = this.busy ? undefined : ORDER.find((each) => this.waiting.has(each));
+    const next = kind && this.waiting.get(kind);
     if (!next) return;
     this.waiting.delete(next.kind);
     this.busy = true;

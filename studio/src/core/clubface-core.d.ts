@@ -18,7 +18,15 @@ type Columns = ArrayLike<number | Float64Array>;
 export interface LoadedCore {
   description: Description;
   launches(model: string, inputs: Columns, parameters: number[], rows: number, tolerance?: number): Batch;
-  sensitivity(model: string, inputs: number[], parameters: number[], tolerance?: number): Derivatives;
+  sensitivities(
+    model: string,
+    inputs: Columns,
+    parameters: number[],
+    rows: number,
+    outputs: number[],
+    variables: number[],
+    tolerance?: number,
+  ): Batch & { derivatives: Float64Array[][] };
   history(model: string, inputs: number[], parameters: number[], tolerance?: number): Record<string, CoreArray>;
   flights(inputs: Columns, rows: number): Batch;
   flightSensitivity(inputs: number[]): Derivatives;

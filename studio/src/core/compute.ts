@@ -1,16 +1,16 @@
 /** What the worker computes: a strike and the flight that follows it. */
 
 import type { LoadedCore } from "clubface-core";
-import type { Comparison, Computed, Failure, History, Shot, Strike, Values, Variable } from "./types";
+import type { Comparison, Computed, Failure, History, Shot, Slopes, Strike, Values, Variable } from "./types";
 
 /** Tolerance of a step in histories that are drawn: close enough for a smooth line. */
 const DRAWN = 1e-8;
 
 export function computeShot(core: LoadedCore, strike: Strike): Shot {
   const computed = computeModel(core, strike);
-  if (computed.failure) return { ...computed, path: new Float64Array(), slopes: {} };
+  if (computed.failure) return { ...computed, path: new Float64Array() };
   const flight = flightInputs(core, strike, computed.values);
-  return { ...computed, path: core.trajectory(flight).position.values, slopes: slopes(core, strike, flight) };
+  return { ...computed, path: core.trajectory(flight).position.values };
 }
 
 export function compareModels(core: LoadedCore, strikes: Strike[]): Comparison {
@@ -53,20 +53,27 @@ function flightInputs(core: LoadedCore, strike: Strike, launch: Values): number[
   });
 }
 
-/** Derivatives of the flight by the inputs of the strike: those of the flight times those of the launch. */
-function slopes(core: LoadedCore, strike: Strike, flight: number[]): Record<string, Values> {
+/** Derivatives of the flight by the inputs of the delivery: those of the flight times those of the launch. */
+export function computeSlopes(core: LoadedCore, strike: Strike): Slopes {
   const { inputs, outputs, flight_inputs, flight_outputs } = core.description;
-  const launched = core.sensitivity(strike.model, strike.inputs, strike.parameters).jacobian;
-  const flown = core.flightSensitivity(flight).jacobian;
-  const rows = flight_inputs.map(({ name }) => outputs.findIndex((output) => output.name === name));
-  const result: Record<string, Values> = {};
+  const places = flight_inputs.map(({ name }) => outputs.findIndex((output) => output.name === name));
+  const launched = places.filter((place) => place >= 0);
+  const by = inputs.flatMap(({ group }, place) => (group === "delivery" ? [place] : []));
+  const launch = core.sensitivities(strike.model, strike.inputs, strike.parameters, 1, launched, by);
+  if (launch.rejects.length) return {};
+  const values = byName(
+    launched.map((place) => outputs[place]),
+    launch.outputs,
+  );
+  const flown = core.flightSensitivity(flightInputs(core, strike, values)).jacobian;
+  const result: Slopes = {};
   flight_outputs.forEach((output, i) => {
-    const row: Values = {};
-    inputs.forEach((input, j) => {
-      if (input.group !== "delivery") return;
-      row[input.name] = rows.reduce((sum, at, k) => (at < 0 ? sum : sum + flown[i][k] * launched[at][j]), 0);
-    });
-    result[output.name] = row;
+    const row = by.map((_, j) =>
+      places.reduce((sum, place, k) => {
+        return place < 0 ? sum : sum + flown[i][k] * launch.derivatives[launched.indexOf(place)][j][0];
+      }, 0),
+    );
+    result[output.name] = Object.fromEntries(by.map((place, j) => [inputs[place].name, row[j]]));
   });
   return result;
 }

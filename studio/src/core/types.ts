@@ -89,9 +89,10 @@ export interface Computed {
 export interface Shot extends Computed {
   /** Positions of the ball in flight [m], x y z of each moment after one another. */
   path: Float64Array;
-  /** Derivatives of outputs of the flight by inputs of the strike, by their names. */
-  slopes: Record<string, Values>;
 }
+
+/** Derivatives of outputs of the flight by inputs of the delivery, by their names. */
+export type Slopes = Record<string, Values>;
 
 export interface History {
   model: string;
@@ -106,10 +107,12 @@ export interface Comparison {
 export type Request =
   | { kind: "start"; wasm: string }
   | { kind: "shot"; id: number; strike: Strike }
+  | { kind: "slopes"; id: number; strike: Strike }
   | { kind: "compare"; id: number; strikes: Strike[] };
 
 export type Reply =
   | { kind: "ready"; description: Description }
   | { kind: "shot"; id: number; shot: Shot; milliseconds: number }
+  | { kind: "slopes"; id: number; slopes: Slopes }
   | { kind: "comparison"; id: number; comparison: Comparison; milliseconds: number }
   | { kind: "broken"; message: string };

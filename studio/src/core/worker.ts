@@ -1,7 +1,7 @@
 /** The worker that holds the core: it computes while the page stays free for the hand that moves a slider. */
 
 import { type LoadedCore, load } from "clubface-core";
-import { compareModels, computeShot } from "./compute";
+import { compareModels, computeShot, computeSlopes } from "./compute";
 import type { Reply, Request } from "./types";
 
 let core: LoadedCore | undefined;
@@ -20,6 +20,8 @@ function answer(loaded: LoadedCore, request: Exclude<Request, { kind: "start" }>
   if (request.kind === "shot") {
     const shot = computeShot(loaded, request.strike);
     reply({ kind: "shot", id: request.id, shot, milliseconds: performance.now() - begun });
+  } else if (request.kind === "slopes") {
+    reply({ kind: "slopes", id: request.id, slopes: computeSlopes(loaded, request.strike) });
   } else {
     const comparison = compareModels(loaded, request.strikes);
     reply({ kind: "comparison", id: request.id, comparison, milliseconds: performance.now() - begun });

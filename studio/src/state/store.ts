@@ -1,6 +1,6 @@
 /** The one place that holds what the page shows; whoever changes it, all is drawn anew from it. */
 
-import type { Comparison, Shot } from "../core/types";
+import type { Comparison, Shot, Slopes } from "../core/types";
 import type { Equipment } from "../equipment/equipment";
 import { type Change, changed, type State } from "./state";
 import { begin, redo, settle, step, type Timeline, undo } from "./undo";
@@ -15,6 +15,8 @@ export interface Model {
   shot: Shot | null;
   /** The last shot that could be computed, which stays drawn while another cannot. */
   good: Shot | null;
+  /** Derivatives of the last shot that has them. */
+  slopes: Slopes;
   comparison: Comparison | null;
   /** Texts that fields cannot take, by the name of the field, and what is wrong with them. */
   mistakes: Record<string, Mistake>;
@@ -37,6 +39,7 @@ export class Store {
       timeline: begin(state),
       shot: null,
       good: null,
+      slopes: {},
       comparison: null,
       mistakes: {},
       notices: [],

@@ -90,6 +90,7 @@ describe("the shot", () => {
     const { page } = await open(context, site.address + FIRST);
     const before = await siValueOf(page, "side");
     const chip = page.locator('.chips button[data-name="face"]');
+    await chip.getByText("yd right").waitFor();
     const yards = Number(/([\d.]+) yd right/.exec((await chip.textContent()) ?? "")?.[1]);
     await chip.click();
     const moved = ((await otherValue(page, "side", before)) - before) / 0.9144;

@@ -24,9 +24,10 @@ function chip(context: Context, name: string): TemplateResult | typeof nothing {
   const { unit, digits } = shower.reading(name, state.system);
   const { units } = shower;
   const size = units.toSi({ value: step, unit });
-  const across = difference(context, "side", (model.good?.slopes.side?.[name] ?? 0) * size, ["left", "right"]);
-  const along = difference(context, "carry", (model.good?.slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
-  const effects = [across, along].filter(Boolean).join(", ") || "no difference";
+  const across = difference(context, "side", (model.slopes.side?.[name] ?? 0) * size, ["left", "right"]);
+  const along = difference(context, "carry", (model.slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
+  const isKnown = Object.keys(model.slopes).length > 0;
+  const effects = isKnown ? [across, along].filter(Boolean).join(", ") || "no difference" : "…";
   const take = (): void => {
     const value = units.fromSi(delivered(context, name), unit) + step;
     actions.change({ kind: "delivery", amounts: { [name]: { value: Number(value.toFixed(digits + 1)), unit } } });
