@@ -11,6 +11,7 @@ export interface Actions {
   settle(): void;
   undo(): void;
   redo(): void;
+  type(name: string, text: string): void;
   mistake(name: string, mistake: Mistake): void;
   dismiss(): void;
 }

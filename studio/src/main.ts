@@ -5,7 +5,7 @@ import wasmUrl from "../generated/clubface.wasm?url";
 import equipmentUrl from "../generated/equipment.json?url";
 import { app } from "./app";
 import { type Context, deliveryOf } from "./context";
-import { type Answer, CoreClient } from "./core/client";
+import { CoreClient } from "./core/client";
 import { type Equipment, strikeOf } from "./equipment/equipment";
 import { watchKeys } from "./keys";
 import { drawCharts } from "./parts/chart";
@@ -28,18 +28,7 @@ const ADDRESS_INTERVAL = 300;
 const usualSystem = (): System => (/-(US|GB|IE|CA)$/.test(navigator.language) ? "golf" : "metric");
 
 async function start(page: HTMLElement): Promise<void> {
-  const pending: { answer: (answer: Answer) => void; failed: (message: string) => void } = {
-    answer: () => undefined,
-    failed: () => undefined,
-  };
-  const [client, response] = await Promise.all([
-    CoreClient.start(
-      wasmUrl,
-      (answer) => pending.answer(answer),
-      (message) => pending.failed(message),
-    ),
-    fetch(equipmentUrl),
-  ]);
+  const [client, response] = await Promise.all([CoreClient.start(wasmUrl), fetch(equipmentUrl)]);
   const equipment = (await response.json()) as Equipment;
   const { description } = client;
   const shower = new Shower(description, navigator.language);
@@ -80,7 +69,7 @@ async function start(page: HTMLElement): Promise<void> {
     client.request({ kind: "compare", id: asked, strikes });
   }
 
-  pending.answer = (answer) => {
+  client.answered = (answer) => {
     if (answer.kind === "comparison") store.note({ comparison: answer.comparison });
     else if (answer.kind === "slopes") store.note({ slopes: answer.slopes });
     else {
@@ -89,7 +78,7 @@ async function start(page: HTMLElement): Promise<void> {
       if (answer.id === asked) measure.answered();
     }
   };
-  pending.failed = (message) => store.note({ notices: [`This shot cannot be computed: ${message}.`] });
+  client.failed = (message) => store.note({ notices: [`This shot cannot be computed: ${message}.`] });
 
   let isWriting = false;
   function writeAddress(): void {
@@ -107,8 +96,9 @@ async function start(page: HTMLElement): Promise<void> {
     settle: store.settle,
     undo: store.undo,
     redo: store.redo,
+    type: (name: string, text: string): void => store.note({ typing: { name, text } }),
     mistake: (name: string, mistake: Mistake): void =>
-      store.note({ mistakes: { ...store.model.mistakes, [name]: mistake } }),
+      store.note({ mistakes: { ...store.model.mistakes, [name]: mistake }, typing: null }),
     dismiss: (): void => store.note({ notices: [] }),
   };
 

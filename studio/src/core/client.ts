@@ -10,29 +10,26 @@ export type Answer = Exclude<Reply, { kind: "ready" | "broken" }>;
 
 export class CoreClient {
   private busy = false;
+  /** Take what comes back; set once, before the first request. */
+  answered: (answer: Answer) => void = () => undefined;
+  failed: (message: string) => void = () => undefined;
   private readonly waiting = new Map<Work["kind"], Work>();
 
   private constructor(
     private readonly worker: Worker,
     readonly description: Description,
-    private readonly answered: (answer: Answer) => void,
-    private readonly failed: (message: string) => void,
   ) {
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
   }
 
   /** Starts the worker and waits for the core's description of itself. */
-  static start(
-    wasm: string,
-    answered: (answer: Answer) => void,
-    failed: (message: string) => void,
-  ): Promise<CoreClient> {
+  static start(wasm: string): Promise<CoreClient> {
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     const first: Request = { kind: "start", wasm };
     return new Promise((resolve, reject) => {
       worker.onerror = (event) => reject(new Error(event.message || "the worker did not start"));
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
-        if (data.kind === "ready") resolve(new CoreClient(worker, data.description, answered, failed));
+        if (data.kind === "ready") resolve(new CoreClient(worker, data.description));
         else if (data.kind === "broken") reject(new Error(data.message));
       };
       worker.postMessage(first);

@@ -24,6 +24,7 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
   const text = shower.format(value, Math.max(digits, decimals(amount?.unit === unit ? amount.value : 0)));
   const [least, most] = range.map((end) => shower.units.fromSi(end, unit));
   const mistake = model.mistakes[name];
+  const typed = model.typing?.name === name ? model.typing.text : undefined;
   const { sides, meaning, sign } = shower.quantity(name);
   const side = sides && Number(value.toFixed(digits)) !== 0 ? sides[value < 0 ? 0 : 1] : "";
 
@@ -54,9 +55,10 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
           autocomplete="off"
           spellcheck="false"
           data-shown=${text}
-          .value=${live(mistake?.text ?? text)}
+          .value=${live(typed ?? mistake?.text ?? text)}
           aria-invalid=${mistake ? "true" : nothing}
           aria-describedby=${`about-${name}`}
+          @input=${(event: Event) => actions.type(name, (event.target as HTMLInputElement).value)}
           @change=${take}
         />
         <span class="unit">${shower.units.symbol(unit)}</span>

@@ -20,6 +20,8 @@ export interface Model {
   comparison: Comparison | null;
   /** Texts that fields cannot take, by the name of the field, and what is wrong with them. */
   mistakes: Record<string, Mistake>;
+  /** The text that is being typed into a field, which results that arrive must not replace. */
+  typing: { name: string; text: string } | null;
   notices: string[];
   /** Widths of the pictures [px], by name. */
   widths: Record<string, number>;
@@ -42,6 +44,7 @@ export class Store {
       slopes: {},
       comparison: null,
       mistakes: {},
+      typing: null,
       notices: [],
       widths: {},
       milliseconds: 0,
@@ -71,7 +74,7 @@ export class Store {
   };
 
   private move(timeline: Timeline<State>): void {
-    this.model = { ...this.model, timeline, mistakes: {} };
+    this.model = { ...this.model, timeline, mistakes: {}, typing: null };
     this.observe(this.model, true);
   }
 }

@@ -55,6 +55,9 @@ describe("the shot", () => {
     const before = await siValueOf(page, "ball_speed");
     const speed = page.getByRole("textbox", { name: "Club speed" });
     await speed.fill("50 m/s");
+    await page.setViewportSize({ width: 1200, height: 900 }); // draws the page anew
+    await page.waitForTimeout(300);
+    expect(await speed.inputValue()).toBe("50 m/s");
     await speed.press("Enter");
     expect(await otherValue(page, "ball_speed", before)).toBeGreaterThan(before);
     await page.waitForURL(/speed=50m\/s|speed=50m%2Fs/);

@@ -71,7 +71,7 @@ function table({ model, state, shower, description }: Context): TemplateResult {
             const { unit } = shower.reading(name, state.system);
             const symbol = shower.units.symbol(unit);
             return html`<tr>
-              <th scope="row">${shower.quantity(name).label}${symbol ? `, ${symbol}` : ""}</th>
+              <th scope="row">${shower.quantity(name).label}${symbol ? `,\u00a0${symbol}` : ""}</th>
               ${shots.map(({ values, failure }) => {
                 const value = values[name];
                 if (failure || !Number.isFinite(value)) return html`<td title=${failure?.message ?? nothing}>–</td>`;

@@ -54,8 +54,6 @@ export function facePanel(context: Context): TemplateResult {
   };
 
   const place = `${shower.text("toe", toe, state.system)}, ${shower.text("high", high, state.system)}`;
-  const radius = width / 2;
-  const high_ = height / 2;
   return html`
     <section aria-labelledby="impact-point">
       <h2 id="impact-point">Impact point</h2>
@@ -90,7 +88,7 @@ export function facePanel(context: Context): TemplateResult {
           <span>${side < 0 ? "toe" : "heel"}</span><span>lines 10 mm apart</span><span>${side < 0 ? "heel" : "toe"}</span>
         </p>
       </div>
-      ${deliveryField(context, "toe", [-radius, radius])} ${deliveryField(context, "high", [-high_, high_])}
+      ${deliveryField(context, "toe", [-width / 2, width / 2])} ${deliveryField(context, "high", [-height / 2, height / 2])}
     </section>
   `;
 }
