@@ -47,6 +47,8 @@ pub struct Shots<'a> {
 
 /// The widest pack.
 pub const MOST_LANES: usize = 8;
+/// Two of them side by side.
+pub const MOST_ROWS: usize = 2 * MOST_LANES;
 
 /// Values of `used` rows from `start`, one a lane; lanes beyond the last row repeat it.
 #[inline(always)]

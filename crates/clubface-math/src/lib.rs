@@ -12,7 +12,10 @@ pub mod vec3;
 
 pub use dual::Dual;
 pub use mat3::Mat3;
-pub use pack::{Kernel, Lanes, Pack, PackKernel, Part, Real, Row, dispatch, with_lanes};
+pub use pack::{
+    Kernel, Lanes, Numbers, Pack, PackKernel, Part, Real, Row, RowsKernel, dispatch, dispatch_rows,
+    with_lanes,
+};
 pub use quat::Quat;
 pub use scalar::{Computation, Mask, Scalar};
 pub use vec3::Vec3;

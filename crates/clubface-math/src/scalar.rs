@@ -5,6 +5,8 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// Result of a comparison: one truth value a lane.
 pub trait Mask: Copy + Debug {
+    /// Number of truth values.
+    const LANES: usize;
     /// True if any lane is true.
     fn any(self) -> bool;
     /// True if every lane is true.
@@ -25,6 +27,7 @@ pub trait Mask: Copy + Debug {
 }
 
 impl Mask for bool {
+    const LANES: usize = 1;
     #[inline(always)]
     fn any(self) -> bool {
         self

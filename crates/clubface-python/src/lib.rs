@@ -2,6 +2,7 @@
 
 mod columns;
 mod describe;
+mod design;
 mod fem;
 mod flight;
 mod impact;
@@ -16,6 +17,8 @@ mod _core {
         dimensions, flight_inputs, flight_outputs, inputs, models, outputs, pressure_at_altitude, quantities,
         units,
     };
+    #[pymodule_export]
+    use crate::design::{ShotTally, golfer_deliveries, quasi_random};
     #[pymodule_export]
     use crate::fem::{
         FemImpact, fem_ball, fem_check_law, fem_driver, fem_head_properties, fem_impact, fem_iron, fem_laws,

@@ -15,6 +15,7 @@ from typing import Any, BinaryIO, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from clubface import _core as core
 from clubface.design.golfer import Golfer, golfer as golfer_named, own_club
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball
@@ -127,34 +128,39 @@ FLOWN = {
     "total_side": Scale(-250.0, 250.0, 25_000),
 }
 """What is counted of flights: to 2 cm."""
-CELL = 0.5
-"""Side of a square of the map of landings [m]."""
-AHEAD, ACROSS = 1000, 800
-"""Squares of the map, to the target from the tee on, and across, half of them on either side."""
+LANDING = ("carry", "side")
+"""The quantities that make a landing; a shot without a carry is lost."""
 
 
-@dataclass
 class ShotTally:
     """Counts of shots; a shot with NaN is lost and counted as such.
 
-    Attributes
+    Parameters
     ----------
     scales
         How each quantity is counted.
     centre
         A value of each quantity near its mean, about which moments are summed.
+    threads
+        How many threads count; the counts do not depend on it.
     """
 
-    scales: Mapping[str, Scale]
-    centre: Mapping[str, float]
+    def __init__(self, scales: Mapping[str, Scale], centre: Mapping[str, float], threads: int = 0) -> None:
+        self.scales = scales
+        self._threads = threads
+        names = list(scales)
+        landing = [names.index(each) for each in LANDING] if "carry" in scales else None
+        self._counts = core.ShotTally([(*scale, centre[name]) for name, scale in scales.items()], landing)
 
-    def __post_init__(self) -> None:
-        self.shots = 0
-        self.lost = 0
-        self._bins: dict[str, Counts] = {name: np.zeros(of.bins, dtype=np.int64) for name, of in self.scales.items()}
-        self._sums = {name: np.zeros(2) for name in self.scales}
-        self._map: Counts = np.zeros(AHEAD * ACROSS if "carry" in self.scales else 0, dtype=np.int64)
-        self._landing = np.zeros(5)
+    @property
+    def shots(self) -> int:
+        """The number of shots, the lost ones among them."""
+        return self._counts.shots
+
+    @property
+    def lost(self) -> int:
+        """The number of shots without a result."""
+        return self._counts.lost
 
     @property
     def counted(self) -> int:
@@ -163,87 +169,45 @@ class ShotTally:
 
     def add(self, values: Mapping[str, Floats]) -> None:
         """Count shots, each quantity of shape (n,)."""
-        first = next(iter(self.scales))
-        last = "carry" if "carry" in self.scales else first
-        finite = np.isfinite(values[last])
-        self.shots += len(finite)
-        self.lost += len(finite) - int(finite.sum())
-        kept = {name: values[name] if finite.all() else values[name][finite] for name in self.scales}
-        for name, scale in self.scales.items():
-            self._bins[name] += _counted(kept[name], scale)
-            away = kept[name] - self.centre[name]
-            # No dot product: its sum may run in an order that threads decide.
-            self._sums[name] += away.sum(), (away * away).sum()
-        if "carry" in self.scales:
-            ahead, right = forward(kept["carry"], kept["side"]), kept["side"]
-            row = np.clip(ahead / CELL, 0, AHEAD - 1).astype(np.int64)
-            column = np.clip(right / CELL + ACROSS // 2, 0, ACROSS - 1).astype(np.int64)
-            self._map += np.bincount(row * ACROSS + column, minlength=AHEAD * ACROSS)
-            x, y = ahead - self.centre["carry"], right
-            self._landing += x.sum(), y.sum(), (x * x).sum(), (x * y).sum(), (y * y).sum()
+        self._counts.add([np.ascontiguousarray(values[name]) for name in self.scales], self._threads)
 
     def mean(self, name: str) -> float:
         """Return the mean of a quantity."""
-        check_choice("quantity", name, self.scales)
-        return self.centre[name] + float(self._sums[name][0]) / max(self.counted, 1)
+        return self._counts.mean(self._place(name))
 
     def spread(self, name: str) -> float:
         """Return the standard deviation of a quantity."""
-        check_choice("quantity", name, self.scales)
-        first, second = self._sums[name] / max(self.counted, 1)
-        return float(np.sqrt(max(second - first**2, 0.0)))
+        return self._counts.spread(self._place(name))
 
     def quantile(self, name: str, share: float) -> float:
         """Return the value below which the ``share`` of the shots lies, to a part of a bin."""
-        check_choice("quantity", name, self.scales)
         check_share(share)
-        scale = self.scales[name]
-        return scale.least + _crossing(self._bins[name], share) * (scale.most - scale.least) / scale.bins
-
-    def landing(self) -> tuple[Floats, Floats]:
-        """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings: ahead and to the right."""
-        ahead, right, xx, xy, yy = self._landing / max(self.counted, 1)
-        covariance = np.array([[xx - ahead**2, xy - ahead * right], [xy - ahead * right, yy - right**2]])
-        return np.array([self.centre["carry"] + ahead, right]), covariance
-
-    def cells(self) -> tuple[Floats, Counts]:
-        """Return the middles of the squares with landings [m], shape (n, 2), and how many lie in each, shape (n,)."""
-        places = np.flatnonzero(self._map)
-        middles = np.stack([places // ACROSS + 0.5, places % ACROSS - ACROSS // 2 + 0.5], axis=1)
-        return np.multiply(CELL, middles, dtype=np.float64), self._map[places]
+        return self._counts.quantile(self._place(name), share)
 
     def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:
         """Return edges [SI] and counts of bins about ``width`` wide, from the least shot to the greatest."""
-        scale, counts = self.scales[name], self._bins[name]
-        step = (scale.most - scale.least) / scale.bins
-        together = max(1, round(width / step))
-        filled = np.flatnonzero(counts)
-        first, last = (filled[0], filled[-1]) if len(filled) else (0, 0)
-        starts = np.arange(first, last + 1, together)
-        edges = np.append(starts, starts[-1] + together).astype(np.float64)
-        return scale.least + step * edges, np.add.reduceat(counts, starts).astype(np.int64)
+        edges, counts = self._counts.histogram(self._place(name), width)
+        return edges, counts.astype(np.int64)
+
+    def landing(self) -> tuple[Floats, Floats]:
+        """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings: ahead and to the right."""
+        mean, (ahead, right, both) = self._counts.landing()
+        return np.array(mean), np.array([[ahead, both], [both, right]])
+
+    def ellipse(self, share: float) -> Ellipse:
+        """Return the ellipse of the landings that holds a share of them."""
+        check_share(share)
+        centre, half_axes, angle = self._counts.ellipse(share)
+        return Ellipse(share, np.array(centre), np.array(half_axes), angle)
+
+    def _place(self, name: str) -> int:
+        check_choice("quantity", name, self.scales)
+        return list(self.scales).index(name)
 
 
 def forward(distance: Floats, side: Floats) -> Floats:
     """Return how far to the target a ball is [m] that is so far from the tee and from the target line."""
     return np.sqrt(np.maximum(distance**2 - side**2, 0.0))
-
-
-def _counted(values: Floats, scale: Scale) -> Counts:
-    place = np.clip((values - scale.least) * (scale.bins / (scale.most - scale.least)), 0, scale.bins - 1).astype(
-        np.int64
-    )
-    return np.bincount(place, minlength=scale.bins)
-
-
-def _crossing(counts: Counts, share: float) -> float:
-    """Return where, in bins from the first, the sum of the counts reaches the share, evenly within a bin."""
-    reached = np.cumsum(counts)
-    wanted = share * reached[-1]
-    place = int(np.searchsorted(reached, wanted))
-    place = min(place, len(counts) - 1)
-    before = reached[place] - counts[place]
-    return place + (float((wanted - before) / counts[place]) if counts[place] else 0.5)
 
 
 class ImpactSetup(NamedTuple):
@@ -434,21 +398,9 @@ class Dispersion(Described):
 
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse of the landings that holds a share of them."""
-        check_share(share)
         if not self.points.size:
             raise InputError("share", share, "asked of shots that fly and come down")
-        centre, covariance = self.tally.landing()
-        # The squares of the map spread evenly within themselves.
-        covariance = covariance + 1e-12 * np.eye(2)
-        middles, counts = self.tally.cells()
-        away = middles - centre
-        distance = np.sqrt(np.einsum("ni,ij,nj->n", away, np.linalg.inv(covariance), away))
-        order = np.argsort(distance, kind="stable")
-        reached = np.cumsum(counts[order]) - 0.5 * counts[order]
-        size = float(np.interp(share * counts.sum(), reached, distance[order]))
-        values, vectors = np.linalg.eigh(covariance)
-        long = vectors[:, 1] * (1.0 if vectors[0, 1] >= 0.0 else -1.0)
-        return Ellipse(share, centre, size * np.sqrt(values[::-1]), float(np.arctan2(long[1], long[0])))
+        return self.tally.ellipse(share)
 
 
 def dispersion(
@@ -509,7 +461,7 @@ def dispersion(
             raise InputError(name, Wording("given"), "left out where the balls do not fly")
     setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = setup.mean(player)
-    tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot)
+    tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot, threads or 0)
     strokes, points, reasons = 0.0, [], {}
     lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
     outside = RangeTally()

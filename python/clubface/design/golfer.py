@@ -38,7 +38,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
@@ -55,35 +55,19 @@ from clubface.support.processes import check_request
 from clubface.units import SI_UNITS
 
 MOST_SHOTS = 2**32
-BITS = 32
-"""Binary digits of the quasi-random numbers: as many as scipy can skip."""
 
 
 def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Floats:
     """Return points ``start`` to ``start + count`` of a scrambled Sobol sequence, shape (count, dimensions).
 
-    Numbers lie strictly between 0 and 1. Point i depends on seed, number of dimensions and i alone.
+    Numbers lie strictly between 0 and 1. Those of a dimension depend on seed and index alone. Direction numbers are
+    those of Joe and Kuo (2008), scrambled as Owen (1995) has it by the hash of Burley (2020).
     """
-    from scipy.stats import qmc
-
     count = check_count("count", count, 1, MOST_SHOTS)
     start = check_count("start", start, 0, MOST_SHOTS - count)
     seed = check_count("seed", seed, 0, MOST_SEED)
     check_request(count, 4 * 8 * dimensions)  # the points, and what is made of them
-    engine = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=np.random.default_rng(seed))
-    if start:
-        engine.fast_forward(start)
-    # The middle of the cell that a point names, since its corner may be 0, whose normal deviate is infinite.
-    return _points(engine, count) + 0.5 ** (BITS + 1)
-
-
-def _points(engine: Any, count: int) -> Floats:
-    import warnings
-
-    with warnings.catch_warnings():
-        # Its balance is that of a power of two; what is asked for here is any part of the sequence.
-        warnings.simplefilter("ignore", UserWarning)
-        return engine.random(count)
+    return core.quasi_random(dimensions, count, seed, start).T
 
 
 UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
@@ -265,25 +249,17 @@ class Golfer:
             Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one. A left-handed
             golfer makes of them the mirror images of the shots of the same golfer with the other hand.
         """
-        from scipy.special import ndtri
-
         given = units.numbers(uniform, name="uniform")
         if given.ndim != 2 or given.shape[1] != self.dimensions:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
         if not ((given > 0.0) & (given < 1.0)).all():
             raise InputError("uniform", Wording("numbers beyond them"), "between 0 and 1")
-        standard = [ndtri(given[:, place]) for place in range(len(self.variables))]
-        for name, each in zip(self.variables, standard, strict=True):
-            if self.hand < 0 and name in MIRRORED:
-                np.negative(each, out=each)
-        if self.mishit_share > 0.0:
-            wider = np.where(given[:, -1] < self.mishit_share, self.mishit_scale, 1.0)
-            for each in standard:
-                each *= wider
-        result = _mixed(_root(self.covariance), standard)
-        for mean, values in zip(self.mean, result, strict=True):
-            values += mean
-        return dict(zip(self.variables, result, strict=True))
+        values = core.golfer_deliveries(
+            self.mean.tolist(), _root(self.covariance).ravel().tolist(),
+            [self.hand < 0 and name in MIRRORED for name in self.variables], self.mishit_share, self.mishit_scale,
+            [np.ascontiguousarray(column) for column in given.T],
+        )  # fmt: skip
+        return dict(zip(self.variables, values, strict=True))
 
     def for_hand(self, hand: float) -> Self:
         """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
@@ -338,18 +314,6 @@ def _root(covariance: Floats) -> Floats:
             "covariance", Wording("the matrix given"), "symmetric, of correlations that are possible together"
         ) from None
     return result * scale[:, None]
-
-
-def _mixed(root: Floats, standard: list[Floats]) -> list[Floats]:
-    """Return correlated deviates, summed in a fixed order, so that they do not depend on how many are made at once."""
-    result = []
-    for row in range(len(root)):
-        total = root[row, row] * standard[row]
-        for column in range(row):
-            if root[row, column] != 0.0:
-                total += root[row, column] * standard[column]
-        result.append(total)
-    return result
 
 
 @dataclass(frozen=True)

@@ -33,11 +33,11 @@ const CRISIS_REYNOLDS: f64 = 67_700.0;
 /// Speed below which the spin parameter is that of this speed, m/s: no force is left there, and nothing divides by 0.
 const STILL: f64 = 1e-9;
 
-/// Spin parameter r omega / v, held within the range of the fit.
+/// Spin parameter r omega / v, held within the range of the fit; `spin` and `speed` are magnitudes.
 #[inline(always)]
 pub fn held_spin_parameter<S: Scalar>(radius: S, spin: S, speed: S) -> S {
     let (low, high) = (S::from_f64(LOWEST_SPIN_PARAMETER), S::from_f64(HIGHEST_SPIN_PARAMETER));
-    spin_parameter(radius, spin, speed).max(low).min(high)
+    (radius * spin / speed.max(S::from_f64(STILL))).max(low).min(high)
 }
 
 /// A parabola that opens downwards, held from its vertex on: no kink.
@@ -47,11 +47,16 @@ fn held_parabola<S: Scalar>([constant, linear, quadratic]: [f64; 3], s: S) -> S 
     (s * quadratic + linear) * s + constant
 }
 
+/// One below the drag crisis, large above it: what divides its rise of the drag coefficient, of a Reynolds number.
+#[inline(always)]
+fn crisis<S: Scalar>(reynolds: S) -> S {
+    (reynolds * (1.0 / CRISIS_REYNOLDS)).squared().squared().squared().squared() + 1.0
+}
+
 /// Drag coefficient at a spin parameter within the fit and a Reynolds number.
 #[inline(always)]
 pub fn drag_coefficient<S: Scalar>(s: S, reynolds: S) -> S {
-    let ratio = (reynolds / CRISIS_REYNOLDS).squared().squared().squared().squared();
-    held_parabola(DRAG, s) + (ratio + 1.0).recip() * CRISIS_RISE
+    held_parabola(DRAG, s) + crisis(reynolds).recip() * CRISIS_RISE
 }
 
 /// Lift coefficient at a spin parameter within the fit.
@@ -60,16 +65,11 @@ pub fn lift_coefficient<S: Scalar>(s: S) -> S {
     held_parabola(LIFT, s)
 }
 
-/// Spin parameter r omega / v; `spin` and `speed` are magnitudes.
+/// Whether the spin parameter lies outside the range of the fit; `spin` and `speed` are magnitudes.
 #[inline(always)]
-pub fn spin_parameter<S: Scalar>(radius: S, spin: S, speed: S) -> S {
-    radius * spin / speed.max(S::from_f64(STILL))
-}
-
-/// Whether a spin parameter lies outside the range of the fit.
-#[inline(always)]
-pub fn outside_fit<S: Scalar>(s: S) -> S::Mask {
-    s.lt(S::from_f64(LOWEST_SPIN_PARAMETER)).or(s.gt(S::from_f64(HIGHEST_SPIN_PARAMETER)))
+pub fn outside_fit<S: Scalar>(radius: S, spin: S, speed: S) -> S::Mask {
+    let (rim, speed) = (radius * spin, speed.max(S::from_f64(STILL)));
+    rim.lt(speed * LOWEST_SPIN_PARAMETER).or(rim.gt(speed * HIGHEST_SPIN_PARAMETER))
 }
 
 /// What the air does to the ball, each in units of 0.5 rho A.
@@ -92,13 +92,17 @@ pub fn air_load<S: Scalar>(
     spin_speed: S,
 ) -> AirLoad<S> {
     let speed = velocity.norm().max(S::from_f64(STILL));
-    let held = held_spin_parameter(radius, spin_speed, speed);
-    let drag = drag_coefficient(held, reynolds_per_speed * speed) * speed;
-    // Lift C_L v^2 along the unit vectors' product; below the fit, 1 / omega becomes that of its lower end.
-    let slowest = speed * LOWEST_SPIN_PARAMETER / radius;
-    let inverse_spin = spin_speed.max(slowest).recip();
-    let lift = lift_coefficient(held) * speed * inverse_spin;
+    // Speed of the surface; below the fit, where lift fades with the spin, that of its lower end.
+    let rim = (radius * spin_speed).max(speed * LOWEST_SPIN_PARAMETER);
+    let crisis = crisis(reynolds_per_speed * speed);
+    // One division for three quotients, since it takes longer than all the rest.
+    let inverse = (speed * rim * crisis).recip();
+    let inverse_spin_parameter = speed.squared() * crisis * inverse;
+    let held = (rim.squared() * crisis * inverse).min(S::from_f64(HIGHEST_SPIN_PARAMETER));
+    let drag = (held_parabola(DRAG, held) + speed * rim * inverse * CRISIS_RISE) * speed;
+    // Lift C_L v^2 along the unit vectors' product: C_L v / omega.
+    let lift = lift_coefficient(held) * radius * inverse_spin_parameter;
     // C_M v^2 r / omega, which is 0.01 v r^2 but above the fit.
-    let decay = held * SPIN_DECAY * speed.squared() * radius * inverse_spin;
+    let decay = held * SPIN_DECAY * speed * radius.squared() * inverse_spin_parameter;
     AirLoad { force: spin.cross(velocity) * lift - velocity * drag, decay }
 }

@@ -3,9 +3,9 @@
 use super::check::{check, never_lands};
 use super::shot::{FlightShot, INPUT_COUNT, INPUTS, fly};
 use super::trajectory::TOLERANCE;
-use crate::columns::{Column, MOST_LANES, Reject};
+use crate::columns::{Column, MOST_ROWS, Reject};
 use crate::error::ImpactError;
-use clubface_math::{Kernel, Lanes, Mask, dispatch};
+use clubface_math::{Mask, Numbers, RowsKernel, dispatch_rows};
 use core::ops::Range;
 
 /// Shots to fly.
@@ -41,7 +41,7 @@ impl FlightBatch<'_> {
     /// shared out among threads: one flies a [`CHUNK`](crate::batch::CHUNK) in a few milliseconds.
     #[must_use]
     pub fn run(&self, rows: Range<usize>, mut outputs: Vec<&mut [f64]>) -> Vec<Reject> {
-        dispatch(Flights { inputs: self.inputs, rows, outputs: &mut outputs })
+        dispatch_rows(rows.len(), Flights { inputs: self.inputs, rows, outputs: &mut outputs })
     }
 }
 
@@ -51,19 +51,19 @@ struct Flights<'a, 'b, 'c> {
     outputs: &'b mut [&'c mut [f64]],
 }
 
-impl Kernel for Flights<'_, '_, '_> {
+impl RowsKernel for Flights<'_, '_, '_> {
     type Output = Vec<Reject>;
 
     #[inline(always)]
-    fn run<S: Lanes>(self) -> Vec<Reject> {
+    fn run<S: Numbers>(self) -> Vec<Reject> {
         let Self { inputs: columns, rows, outputs } = self;
         let first = rows.start;
         let mut rejects = Vec::new();
         for start in (0..rows.len()).step_by(S::LANES) {
             let used = S::LANES.min(rows.len() - start);
             // A lane without a good shot of its own flies a harmless one, which costs the pack nothing.
-            let mut shots = [HARMLESS; MOST_LANES];
-            let mut faults: [Option<ImpactError>; MOST_LANES] = [const { None }; MOST_LANES];
+            let mut shots = [HARMLESS; MOST_ROWS];
+            let mut faults: [Option<ImpactError>; MOST_ROWS] = [const { None }; MOST_ROWS];
             for lane in 0..used {
                 let shot: [f64; INPUT_COUNT] = core::array::from_fn(|i| columns[i].at(first + start + lane));
                 match check(&shot) {

@@ -5,7 +5,7 @@
 //! own; the last is shortened by Newton's method until it ends on the ground. The final Newton correction is made in
 //! full arithmetic, so derivatives go through the landing event exactly.
 
-use super::aerodynamics::{air_load, drag_coefficient, held_spin_parameter, outside_fit, spin_parameter};
+use super::aerodynamics::{air_load, drag_coefficient, held_spin_parameter, outside_fit};
 use super::event::Step;
 use crate::ball::Ball;
 use clubface_math::ode::{Control, DORMAND_PRINCE, Observer, System, integrate};
@@ -78,15 +78,18 @@ impl<S: Scalar> Flight<S> {
         drag_coefficient(held, self.reynolds_per_speed * speed) * self.per_mass
     }
 
-    /// Spin parameter of a state.
+    /// Whether the spin parameter of a state lies outside the range of the fit.
     #[inline(always)]
-    fn spin_parameter(&self, y: &[S; STATES]) -> S {
+    fn outside_fit(&self, y: &[S; STATES]) -> S::Mask {
         let speed = (Vec3::from_slice(y, 3) - self.wind).norm();
-        spin_parameter(self.radius, self.launch_spin_speed * y[SPIN], speed)
+        outside_fit(self.radius, self.launch_spin_speed * y[SPIN], speed)
     }
 }
 
 impl<S: Scalar> System<S, STATES> for Flight<S> {
+    /// The place: the air is the same at all heights.
+    const PASSIVE: usize = 3;
+
     #[inline(always)]
     fn rhs(&self, y: &[S; STATES]) -> [S; STATES] {
         let velocity = Vec3::from_slice(y, 3);
@@ -155,20 +158,20 @@ where
         end: (&[S; STATES], &[S; STATES]),
     ) -> S::Mask {
         let zero = S::zero();
-        let step = Step { time, h, start: (*start.0, *start.1), end: (*end.0, *end.1) };
+        let step = || Step { time, h, start: (*start.0, *start.1), end: (*end.0, *end.1) };
         let landing = accepted.and(end.0[HEIGHT].le(zero));
         let apex = accepted.and(start.0[CLIMB].gt(zero)).and(end.0[CLIMB].le(zero));
         if apex.any() {
             // With more than one apex the highest counts.
-            let higher = step.start.0[HEIGHT].ge(self.apex.start.0[HEIGHT]);
-            self.apex.replace(apex.and(higher), &step);
+            let higher = start.0[HEIGHT].ge(self.apex.start.0[HEIGHT]);
+            self.apex.replace(apex.and(higher), &step());
         }
         if landing.any() {
-            self.landing.replace(landing, &step);
+            self.landing.replace(landing, &step());
         }
         let done = landing.or(self.grounded);
         let flying = accepted.and(done.not());
-        self.outside_fit = self.outside_fit.or(flying.and(outside_fit(self.flight.spin_parameter(end.0))));
+        self.outside_fit = self.outside_fit.or(flying.and(self.flight.outside_fit(end.0)));
         if flying.any() {
             (self.on_step)(time + h, end.0);
         }
@@ -207,7 +210,7 @@ pub fn fly_to_ground<S: Scalar>(
         grounded,
         apex: Step::empty(),
         landing: Step::empty(),
-        outside_fit: grounded.not().and(outside_fit(flight.spin_parameter(&launch))),
+        outside_fit: grounded.not().and(flight.outside_fit(&launch)),
         on_step,
     };
     let outcome = integrate(&DORMAND_PRINCE, flight, launch, &control, &mut observer);
@@ -218,8 +221,7 @@ pub fn fly_to_ground<S: Scalar>(
         *event = step.at_zero_of(component, flight);
     }
     let [(_, top), (time, touch)] = events;
-    let parameter = flight.spin_parameter(&touch);
-    let landed_outside = grounded.not().and(outside_fit(parameter));
+    let landed_outside = grounded.not().and(flight.outside_fit(&touch));
     let state = |i: usize| S::select(grounded, launch[i], touch[i]);
     Landing {
         time: S::select(grounded, zero, time),

@@ -56,7 +56,6 @@ where
             (S::Mask::splat(true), S::one())
         } else {
             let error = error_norm(&attempt.error, &y, &attempt.y, control);
-            // A NaN error compares false: the step is rejected and shortened until the lane is given up.
             let accepted = error.le(S::one());
             (accepted, last.step_factor(error, accepted, M::ERROR_ORDER))
         };

@@ -4,6 +4,9 @@ use crate::scalar::Scalar;
 
 /// An autonomous system of ordinary differential equations.
 pub trait System<S: Scalar, const N: usize> {
+    /// How many components, the first ones, the time derivative does not depend on, such as places in air that is the
+    /// same everywhere.
+    const PASSIVE: usize = 0;
     /// Time derivative of the state, per second.
     fn rhs(&self, y: &[S; N]) -> [S; N];
 }

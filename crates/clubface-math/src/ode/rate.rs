@@ -10,12 +10,22 @@ pub(super) fn rate_of<P: System<S, N>, S: Scalar, const N: usize>(problem: &P, y
     S::outline(Rate { problem, y })
 }
 
+/// The same, written into room for it.
+#[inline(always)]
+pub(super) fn rate_into<P: System<S, N>, S: Scalar, const N: usize>(
+    problem: &P,
+    y: &[S; N],
+    rate: &mut Room<S, N>,
+) {
+    S::outline(RateInto { problem, y, rate });
+}
+
 /// Room for a state that is written as a whole: an array that need not be filled first.
 pub(super) struct Room<S, const N: usize>([MaybeUninit<S>; N]);
 
 impl<S: Copy, const N: usize> Room<S, N> {
     #[inline(always)]
-    pub(super) fn new() -> Self {
+    pub(super) const fn new() -> Self {
         Self([const { MaybeUninit::uninit() }; N])
     }
     #[inline(always)]
@@ -30,6 +40,23 @@ impl<S: Copy, const N: usize> Room<S, N> {
     pub(super) unsafe fn read(&self) -> &[S; N] {
         // SAFETY: an array of written elements has the layout of the array of their values.
         unsafe { &*self.0.as_ptr().cast() }
+    }
+}
+
+struct RateInto<'a, P, S, const N: usize> {
+    problem: &'a P,
+    y: &'a [S; N],
+    rate: &'a mut Room<S, N>,
+}
+
+impl<P: System<S, N>, S: Scalar, const N: usize> Computation for RateInto<'_, P, S, N> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let rate = self.problem.rhs(self.y);
+        for n in 0..N {
+            self.rate.write(n, rate[n]);
+        }
     }
 }
 

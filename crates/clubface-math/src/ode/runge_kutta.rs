@@ -1,7 +1,7 @@
 //! Explicit Runge-Kutta methods: one stepper, each method a table of numbers.
 
 use super::problem::{Attempt, Method, System};
-use super::rate::rate_of;
+use super::rate::{Room, rate_into};
 use crate::scalar::Scalar;
 
 /// An explicit Runge-Kutta method of `STAGES` stages whose last stage is the derivative at the end of the step.
@@ -63,24 +63,56 @@ where
 
     #[inline(always)]
     fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>) {
-        let mut stages = [*rate; STAGES];
+        let mut stages = [const { Room::<S, N>::new() }; STAGES];
+        for n in 0..N {
+            stages[0].write(n, rate[n]);
+        }
+        attempt.y = *y;
         for i in 1..STAGES {
-            attempt.y = *y;
+            let mut weights = [h; STAGES];
             for j in 0..i {
-                let weight = h * self.weights[i][j];
-                for n in 0..N {
-                    attempt.y[n] += stages[j][n] * weight;
+                weights[j] = h * self.weights[i][j];
+            }
+            // SAFETY: all stages before this one were written.
+            unsafe {
+                if i + 1 < STAGES {
+                    add_stages(P::PASSIVE, y, &stages[..i], &weights, &mut attempt.y);
+                } else {
+                    add_stages(0, y, &stages[..i], &weights, &mut attempt.y);
                 }
             }
-            stages[i] = rate_of(problem, &attempt.y);
+            rate_into(problem, &attempt.y, &mut stages[i]);
         }
-        attempt.error = [S::zero(); N];
+        let mut weights = [h; STAGES];
         for j in 0..STAGES {
-            let weight = h * self.error[j];
-            for n in 0..N {
-                attempt.error[n] += stages[j][n] * weight;
-            }
+            weights[j] = h * self.error[j];
         }
-        attempt.rate = stages[STAGES - 1];
+        // SAFETY: all stages were written.
+        unsafe {
+            add_stages(0, &[S::zero(); N], &stages, &weights, &mut attempt.error);
+            attempt.rate = *stages[STAGES - 1].read();
+        }
+    }
+}
+
+/// Writes `start` and the weighted stages, from a component on; the others stay as they are.
+///
+/// # Safety
+/// The stages must have been written.
+#[inline(always)]
+unsafe fn add_stages<S: Scalar, const N: usize>(
+    first: usize,
+    start: &[S; N],
+    stages: &[Room<S, N>],
+    weights: &[S],
+    result: &mut [S; N],
+) {
+    for n in first..N {
+        let mut sum = start[n];
+        for j in 0..stages.len() {
+            // SAFETY: the caller's promise.
+            sum += unsafe { stages[j].read() }[n] * weights[j];
+        }
+        result[n] = sum;
     }
 }

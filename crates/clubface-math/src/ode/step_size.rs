@@ -35,9 +35,10 @@ pub(super) fn error_norm<S: Scalar, const N: usize>(
         size = S::select(larger, here, size);
         sum += error;
     }
-    // Comparisons do not see a NaN, the sum does.
+    // Comparisons do not see a NaN, the sum does: a step that leaves the finite numbers was much too long.
     let error = largest / (size * control.tolerance);
-    S::select(sum.le(S::from_f64(f64::MAX)), error, sum)
+    let most = S::from_f64(f64::MAX);
+    S::select(sum.le(most), error, most)
 }
 
 /// Share of the step that would meet the tolerance exactly.
@@ -78,7 +79,6 @@ impl<S: Scalar> Last<S> {
         let alone = S::from_f64(SAFETY) / (fourth * eighth);
         self.error = S::select(accepted, eighth, self.error);
         self.accepted = accepted;
-        // `max` returns its argument for a NaN error, here and above: shorten.
         S::select(accepted, smooth, alone).max(S::from_f64(SHORTEN))
     }
 }

@@ -3,7 +3,7 @@
 //! [`dispatch`] enters a [`Kernel`] with the widest type there is. Everything below must be `#[inline(always)]`: CPU
 //! features hold for the function that enables them and for what is inlined into it, not for what it calls.
 
-use super::traits::{Kernel, Lanes, PackKernel, Real};
+use super::traits::{Kernel, Lanes, PackKernel, Real, RowsKernel};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 use super::wasm::F64x2;
 #[cfg(target_arch = "x86_64")]
@@ -40,6 +40,26 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
     return kernel.run::<F64x2>();
     #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+    kernel.run::<f64>()
+}
+
+/// Runs a kernel for `rows` rows with two packs at a time: of eight lanes, or of four where there are no more rows than
+/// these have; one pack in WebAssembly, or a row alone. A pack costs more than one row alone.
+pub fn dispatch_rows<K: RowsKernel>(rows: usize, kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if rows > 8 && WIDEST.get() >= 16 && x86::has_eight() {
+        // SAFETY: the features the function enables were found on this CPU.
+        return unsafe { x86::run_rows_by_eight(kernel) };
+    }
+    #[cfg(target_arch = "x86_64")]
+    if rows > 1 && WIDEST.get() >= 8 && x86::has_four() {
+        // SAFETY: the features the function enables were found on this CPU.
+        return unsafe { x86::run_rows_by_four(kernel) };
+    }
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    if rows > 1 {
+        return kernel.run::<F64x2>();
+    }
     kernel.run::<f64>()
 }
 

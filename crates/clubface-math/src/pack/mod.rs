@@ -12,14 +12,15 @@ mod plain;
 mod prefetch;
 mod single;
 mod traits;
+mod twin;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use dispatch::{dispatch, with_lanes};
+pub use dispatch::{dispatch, dispatch_rows, with_lanes};
 pub use prefetch::prefetch;
-pub use traits::{Kernel, Lanes, Pack, PackKernel, Part, Real, Row};
+pub use traits::{Kernel, Lanes, Numbers, Pack, PackKernel, Part, Real, Row, RowsKernel};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]

@@ -2,8 +2,8 @@
 
 /// Operators, from those between two packs.
 macro_rules! primal_operators {
-    ($type:ty) => {
-        $crate::scalar::operators! { [] $type;
+    ($generics:tt $type:ty) => {
+        $crate::scalar::operators! { $generics $type;
             Add add f64 => Self, |a, b| a + Self::from_f64(b);
             Sub sub f64 => Self, |a, b| a - Self::from_f64(b);
             Mul mul f64 => Self, |a, b| a * Self::from_f64(b);

@@ -2,7 +2,7 @@
 
 use super::operators::primal_functions;
 use super::single::{single_four, single_part, single_quad, single_storage};
-use super::traits::{Lanes, Pack, Part, Row};
+use super::traits::{Lanes, Numbers, Pack, Part, Row};
 use crate::Vec3;
 use crate::elementary::Primal;
 use crate::scalar::{Computation, Scalar};
@@ -16,9 +16,20 @@ impl Primal for f64 {
 
 impl Lanes for f64 {
     single_four!();
+}
+
+impl Numbers for f64 {
     #[inline(always)]
     fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
         value(0)
+    }
+    #[inline(always)]
+    fn from_slice(values: &[f64]) -> Self {
+        values[0]
+    }
+    #[inline(always)]
+    fn write_to(self, values: &mut [f64]) {
+        values[0] = self;
     }
 }
 

@@ -4,14 +4,30 @@ use crate::elementary::Primal;
 use crate::{Scalar, Vec3};
 use core::fmt::Debug;
 
-/// A scalar without derivatives that can be filled and read lane by lane.
-pub trait Lanes: Primal + Pack<Real = f64> {
+/// Numbers without derivatives side by side, filled and read lane by lane.
+pub trait Numbers: Primal {
+    /// Numbers whose lane `i` is `value(i)`.
+    fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
+    /// As many consecutive numbers as there are lanes.
+    fn from_slice(values: &[f64]) -> Self;
+    /// Writes as many consecutive numbers.
+    fn write_to(self, values: &mut [f64]);
+}
+
+/// Numbers that are one pack.
+pub trait Lanes: Numbers + Pack<Real = f64> {
     /// Packs of at most four lanes that it is made of: [`Pack::Quad`], known to be plain.
     type Four: Lanes;
     /// See [`Pack::quad`].
     fn four(self, index: usize) -> Self::Four;
-    /// A pack whose lane `i` is `value(i)`.
-    fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
+}
+
+/// A computation on the rows of a batch that [`dispatch_rows`](crate::dispatch_rows) runs with two packs at a time.
+pub trait RowsKernel {
+    /// What it returns.
+    type Output;
+    /// The computation; implement with `#[inline(always)]`.
+    fn run<S: Numbers>(self) -> Self::Output;
 }
 
 /// A computation that [`dispatch`](crate::dispatch) runs with the widest lanes of this CPU.

@@ -2,7 +2,7 @@
 
 use super::operators::{primal_functions, primal_operators};
 use super::single::{single_four, single_part, single_quad, single_storage};
-use super::traits::{Lanes, Pack, Part, Row};
+use super::traits::{Lanes, Numbers, Pack, Part, Row};
 use crate::Vec3;
 use crate::elementary::Primal;
 use crate::scalar::{Computation, Mask, Scalar, operators};
@@ -23,7 +23,7 @@ operators! { [] F64x2;
     Mul mul Self => Self, |a, b| Self(f64x2_mul(a.0, b.0));
     Div div Self => Self, |a, b| Self(f64x2_div(a.0, b.0));
 }
-primal_operators!(F64x2);
+primal_operators!([] F64x2);
 
 impl Neg for F64x2 {
     type Output = Self;
@@ -34,6 +34,7 @@ impl Neg for F64x2 {
 }
 
 impl Mask for Mask2 {
+    const LANES: usize = 2;
     #[inline(always)]
     fn any(self) -> bool {
         v128_any_true(self.0)
@@ -73,10 +74,21 @@ impl Primal for F64x2 {
 
 impl Lanes for F64x2 {
     single_four!();
+}
+
+impl Numbers for F64x2 {
     #[inline(always)]
     fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
         let first = value(0);
         Self(f64x2(first, value(1)))
+    }
+    #[inline(always)]
+    fn from_slice(values: &[f64]) -> Self {
+        Self::load(values)
+    }
+    #[inline(always)]
+    fn write_to(self, values: &mut [f64]) {
+        self.store(values);
     }
 }
 

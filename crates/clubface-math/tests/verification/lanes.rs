@@ -1,11 +1,14 @@
 //! A pack gives in every lane the bits that the same numbers give alone, for every operation of `Scalar`.
 
-use clubface_math::{Dual, Kernel, Lanes, Mask, Mat3, Quat, Scalar, Vec3, dispatch, with_lanes};
+use clubface_math::{
+    Dual, Kernel, Lanes, Mask, Mat3, Numbers, Quat, RowsKernel, Scalar, Vec3, dispatch, dispatch_rows,
+    with_lanes,
+};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Every operation of two numbers, by name.
-fn operations<S: Lanes>(a: S, b: S) -> Vec<(&'static str, S)> {
+fn operations<S: Numbers>(a: S, b: S) -> Vec<(&'static str, S)> {
     let (sine, cosine) = a.sin_cos();
     let mut sum = a;
     sum += b;
@@ -55,7 +58,7 @@ fn operations<S: Lanes>(a: S, b: S) -> Vec<(&'static str, S)> {
 }
 
 /// The operations on dual numbers and on what is built of them: value and derivative.
-fn compositions<S: Lanes>(a: S, b: S) -> Vec<(&'static str, S)> {
+fn compositions<S: Numbers>(a: S, b: S) -> Vec<(&'static str, S)> {
     let x: Dual<S, 1> = Dual::variable(a, 0);
     let y: Dual<S, 1> = Dual::constant(b);
     let vector = Vec3::new(x, y, x * y);
@@ -78,6 +81,13 @@ struct Rows<'a>(&'a [(f64, f64)]);
 impl Kernel for Rows<'_> {
     type Output = Vec<Vec<(&'static str, f64)>>;
     fn run<S: Lanes>(self) -> Self::Output {
+        RowsKernel::run::<S>(self)
+    }
+}
+
+impl RowsKernel for Rows<'_> {
+    type Output = Vec<Vec<(&'static str, f64)>>;
+    fn run<S: Numbers>(self) -> Self::Output {
         let mut rows = Vec::new();
         for pack in self.0.chunks(S::LANES) {
             let pair = |lane: usize| pack[lane.min(pack.len() - 1)];
@@ -92,13 +102,15 @@ impl Kernel for Rows<'_> {
     }
 }
 
-/// Runs a kernel with every width this CPU has.
-fn every_width<K: Kernel + Copy>(kernel: K) -> [(usize, K::Output); 3] {
-    [1, 4, 8].map(|width| (width, with_lanes(width, || dispatch(kernel))))
+/// Runs a kernel with every width this CPU has, one pack and two at a time.
+fn every_width<T, K: Kernel<Output = T> + RowsKernel<Output = T> + Copy>(kernel: K) -> Vec<(usize, T)> {
+    let one = [1, 4, 8].map(|width| (width, with_lanes(width, || dispatch(kernel))));
+    let two = [8, 16].map(|width| (width, with_lanes(width, || dispatch_rows(width, kernel))));
+    one.into_iter().chain(two).collect()
 }
 
 fn assert_same_bits(pairs: &[(f64, f64)]) {
-    let alone = Rows(pairs).run::<f64>();
+    let alone = RowsKernel::run::<f64>(Rows(pairs));
     for (width, rows) in every_width(Rows(pairs)) {
         assert_eq!(rows.len(), alone.len());
         for ((row, reference), pair) in rows.iter().zip(&alone).zip(pairs) {
@@ -146,6 +158,13 @@ struct Masks;
 impl Kernel for Masks {
     type Output = ();
     fn run<S: Lanes>(self) {
+        RowsKernel::run::<S>(self);
+    }
+}
+
+impl RowsKernel for Masks {
+    type Output = ();
+    fn run<S: Numbers>(self) {
         let index = S::from_fn(|lane| lane as f64);
         for count in 0..=S::LANES {
             let mask = index.lt(S::from_f64(count as f64));
@@ -161,6 +180,6 @@ impl Kernel for Masks {
 
 #[test]
 fn truth_values_are_kept_lane_by_lane() {
-    Masks.run::<f64>();
+    RowsKernel::run::<f64>(Masks);
     every_width(Masks);
 }

@@ -50,11 +50,12 @@ fn the_landing_does_not_depend_on_where_steps_end() {
 #[test]
 fn every_lane_gives_the_bits_of_its_shot_alone_whatever_its_neighbours() {
     for rotation in 0..5 {
-        let shots: Vec<_> = (0..8).map(|lane| mixed()[(lane + rotation) % 5]).collect();
+        // More than fill the widest packs, so that some are left for the last.
+        let shots: Vec<_> = (0..19).map(|lane| mixed()[(lane + rotation) % 5]).collect();
         let columns: Vec<Vec<f64>> =
             (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot[i]).collect()).collect();
         let columns: Vec<Column> = columns.iter().map(|values| Column::Values(values)).collect();
-        for width in [4, 8] {
+        for width in [8, 16] {
             let mut outputs = vec![vec![0.0; shots.len()]; OUTPUTS.len()];
             let slices = outputs.iter_mut().map(Vec::as_mut_slice).collect();
             let batch = FlightBatch { inputs: &columns };

@@ -5,7 +5,7 @@ use crate::Pack;
 use crate::elementary::Primal;
 use crate::pack::operators::{primal_functions, primal_operators};
 use crate::pack::single::single_four;
-use crate::pack::traits::Lanes;
+use crate::pack::traits::{Lanes, Numbers};
 use crate::scalar::{Computation, Scalar, operators};
 use core::arch::x86_64::*;
 use core::ops::Neg;
@@ -56,7 +56,7 @@ macro_rules! pack {
             Mul mul Self => Self, |a, b| Self(unsafe { $mul(a.0, b.0) });
             Div div Self => Self, |a, b| Self(unsafe { $div(a.0, b.0) });
         }
-        primal_operators!($type);
+        primal_operators!([] $type);
 
         impl Neg for $type {
             type Output = Self;
@@ -94,6 +94,8 @@ macro_rules! pack {
         }
         impl Lanes for $type {
             pack! { @four $four }
+        }
+        impl Numbers for $type {
             #[inline(always)]
             fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
                 let mut values = [0.0; $lanes];
@@ -101,6 +103,14 @@ macro_rules! pack {
                     values[i] = value(i);
                 }
                 Self::from_array(values)
+            }
+            #[inline(always)]
+            fn from_slice(values: &[f64]) -> Self {
+                Self::load(values)
+            }
+            #[inline(always)]
+            fn write_to(self, values: &mut [f64]) {
+                self.store(values);
             }
         }
         impl Scalar for $type {

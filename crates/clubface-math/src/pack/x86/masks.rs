@@ -12,6 +12,7 @@ pub struct Mask8(pub(super) __mmask8);
 
 // SAFETY of every block below: masks exist only where packs do, and packs only where the CPU has the feature.
 impl Mask for Mask4 {
+    const LANES: usize = 4;
     #[inline(always)]
     fn any(self) -> bool {
         unsafe { _mm256_movemask_pd(self.0) != 0 }
@@ -42,6 +43,7 @@ impl Mask for Mask4 {
     }
 }
 impl Mask for Mask8 {
+    const LANES: usize = 8;
     #[inline(always)]
     fn any(self) -> bool {
         self.0 != 0

@@ -1,0 +1,6 @@
+//! What golfers and designers ask of impacts and flights: the shots of a golfer, where they go, what they cost.
+
+pub mod golfer;
+pub mod normal;
+pub mod sequence;
+pub mod tally;
