@@ -48,6 +48,7 @@ const refusals = [
   }
 });
 
+const dispersion = core.dispersion(asked.dispersion, asked.count, 3);
 const path = core.trajectory(asked.flights.map((column) => column[0]));
 const history = core.history("rings", first, asked.models.rings);
 const reference = core.simulate(asked.case).text;
@@ -55,6 +56,7 @@ const seen = calls;
 const { stopped } = (await load(bytes, (time) => time < 1e-4)).simulate(asked.case).text;
 process.stdout.write(
   JSON.stringify({
+    dispersion: { ...dispersion.text, landings: [...dispersion.arrays.landings.values] },
     description: core.description, launches, derivatives, flights, refusals, reference, seen, stopped,
     path: plain(path), history: plain(history),
     size: bytes.length, compressed: gzipSync(bytes, { level: 9 }).length,

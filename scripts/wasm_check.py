@@ -13,9 +13,11 @@ import numpy as np
 
 import clubface
 from clubface import _core
+from clubface.design.strokes import AT_REST, as_lists
 from clubface.fem.run import case
 
 SHOTS = 300
+COUNT = 4096
 TOLERANCES = {"rings": 1e-12, "response": 1e-12, "flight": 1e-12}
 """Largest relative difference of an output of a model, or of a derivative; 0 means the same bits.
 
@@ -67,6 +69,32 @@ def _launches_in_air(outputs: np.ndarray) -> list[list[float]]:
     return columns
 
 
+def _dispersion(models: dict[str, list[float]]) -> tuple[dict[str, Any], clubface.Dispersion]:
+    """Return the description of shots of a golfer on a hole, and where they go by the package."""
+    hole = clubface.Hole(length="430 yd")
+    done = clubface.dispersion("handicap-10-driver", count=COUNT, hole=hole, seed=3)
+    player, launch = done.golfer, done.mean_launch
+    described = {
+        "model": done.model,
+        "parameters": models[done.model],
+        "inputs": [float(launch.input(entry["name"])) for entry in _core.inputs()],
+        "flight": [0.0 if math.isnan(entry["default"]) else entry["default"] for entry in _core.flight_inputs()],
+        "golfer": {
+            "variables": player.variables, "mean": player.mean.tolist(), "covariance": player.covariance.tolist(),
+            "mishit_share": player.mishit_share, "mishit_scale": player.mishit_scale,
+        },
+        "hole": {
+            "length": hole.length, "fairway": hole.fairway, "rough": hole.rough, "green": hole.green,
+            "tables": [dict(zip(("distance", "strokes"), as_lists(lie), strict=True)) for lie in AT_REST],
+        },
+        "seed": 3, "percentiles": [0.1, 0.5], "ellipses": [0.9],
+    }  # fmt: skip
+    for place, entry in enumerate(_core.flight_inputs()):
+        if entry["group"] == "ball":
+            described["flight"][place] = float(launch.input(entry["name"]))
+    return described, done
+
+
 def _difference(here: np.ndarray, there: np.ndarray) -> float:
     """Return the largest relative difference of outputs, infinite where one is missing."""
     if (np.isnan(here) != np.isnan(there)).any():
@@ -116,7 +144,17 @@ def main(module: str) -> int:
     thrown = clubface.fem.reference()
     described = case(thrown.ball, {"plane": thrown.given}, thrown.friction, thrown.settings)
 
-    asked = {"module": module, "inputs": inputs, "models": models, "flights": flights, "case": described}
+    golfer_shots, dispersed = _dispersion(models)
+
+    asked = {
+        "dispersion": golfer_shots,
+        "count": COUNT,
+        "module": module,
+        "inputs": inputs,
+        "models": models,
+        "flights": flights,
+        "case": described,
+    }
     script = Path(__file__).with_name("wasm_check.mjs")
     ran = subprocess.run(["node", script], input=json.dumps(asked), capture_output=True, text=True, check=False)
     if ran.returncode != 0:
@@ -152,6 +190,18 @@ def main(module: str) -> int:
         difference = max(abs(one - other) / (abs(one) or 1.0) for one, other in ends)
         good = shapes == {key: array["shape"] for key, array in there.items()} and difference <= 1e-9
         report.line(name, good, f"{len(arrays)} arrays, largest difference {difference:.1e}")
+    there = answer["dispersion"]
+    quantities, (ellipse,) = there["quantities"], there["ellipses"]
+    pairs = [
+        (getattr(dispersed, kind)(name), quantities[name][kind])
+        for name in ("ball_speed", "backspin", "carry", "side", "total") for kind in ("mean", "spread")
+    ] + [
+        (dispersed.quantile("carry", 0.1), quantities["carry"]["percentiles"][0]), (dispersed.lost, there["lost"]),
+        (dispersed.strokes, there["strokes"]), (dispersed.lies["rough"], there["lies"]["rough"]),
+        (dispersed.ellipse(0.9).half_axes[0], ellipse["half_axes"][0]), (dispersed.points[2, 1], there["landings"][5]),
+    ]  # fmt: skip
+    difference = max(abs(one - other) / (abs(one) or 1.0) for one, other in pairs)
+    report.line("dispersion", difference <= 1e-9, f"{COUNT} shots, largest difference {difference:.1e}")
     refusals = answer["refusals"]
     report.line("refusals", "no such model" in refusals[0] and "accuracy" in refusals[1], "; ".join(refusals))
 

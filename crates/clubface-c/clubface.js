@@ -170,6 +170,13 @@ export async function load(source, progress = () => true) {
     trajectory: (inputs) =>
       lend([Float64Array.from(inputs)], ([from]) => call("clubface_trajectory", from).arrays),
 
+    /**
+     * `count` shots of a golfer: {text: shots, lost, quantities, ellipses, strokes, lies; arrays: the first `landings`}.
+     * `setup` is described with `clubface_dispersion` in the header.
+     */
+    dispersion: (setup, count, landings = 0) =>
+      lend([JSON.stringify(setup)], ([at]) => call("clubface_dispersion", at, count, landings, 1)),
+
     /** Impact by finite elements of a described case: {text: summary, arrays}. */
     simulate: (description) => lend([JSON.stringify(description)], ([at]) => call("clubface_fem", at, 0, 0)),
   };

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
-from numpy import float64, uint64
+from numpy import float64, uint32, uint64
 from numpy.typing import NDArray
 
 Column: TypeAlias = float | NDArray[float64]
@@ -48,13 +48,21 @@ def history(
 def quasi_random(dimensions: int, count: int, seed: int = 0, first: int = 0, threads: int = 0) -> NDArray[float64]: ...
 def golfer_deliveries(
     mean: Sequence[float],
-    root: Sequence[float],
+    covariance: Sequence[float],
     mirrored: Sequence[bool],
     mishit_share: float,
     mishit_scale: float,
     uniform: Sequence[NDArray[float64]],
     threads: int = 0,
 ) -> NDArray[float64]: ...
+def strokes_at(distance: Sequence[float], strokes: Sequence[float], at: NDArray[float64]) -> NDArray[float64]: ...
+def hole_strokes(
+    ahead: NDArray[float64],
+    right: NDArray[float64],
+    hole: tuple[float, float, float, float],
+    tables: Sequence[tuple[Sequence[float], Sequence[float]]],
+) -> tuple[NDArray[uint32], NDArray[float64]]: ...
+def dispersion_quantities() -> tuple[list[tuple[str, float, float, int]], int]: ...
 
 class ShotTally:
     def __init__(

@@ -91,6 +91,25 @@ uint8_t *clubface_allocate(size_t bytes);
 // `memory` and `bytes` are those of one call of [`clubface_allocate`].
 void clubface_release(uint8_t *memory, size_t bytes);
 
+// Hits `count` shots of a golfer and sums up where they go.
+//
+// `text` is JSON: `model`, its `parameters`, `inputs` of an impact and `flight`, those of a flight, in their order; the
+// `golfer` with `variables` (names of inputs of the delivery), their `mean` and `covariance`, perhaps `mirrored`
+// (variables whose deviations change their sign), `mishit_share` and `mishit_scale`; perhaps a `hole` (`length`,
+// `fairway`, `rough`, `green`, and `tables` of `distance` and `strokes` for green, fairway, rough and recovery), `seed`,
+// `tolerance`, shares for `percentiles` and `ellipses`.
+//
+// The text of the result has `shots`, `lost`, `quantities` with `mean`, `spread` and `percentiles`, `ellipses`, and with
+// a hole `strokes` and `lies`; the array `landings` the places of the first `landings` shots, ahead and to the right.
+// `threads`: 0 for one a core.
+//
+// # Safety
+// `text` ends with a null byte.
+ClubfaceResult *clubface_dispersion(const char *text,
+                                    uint32_t count,
+                                    size_t landings,
+                                    size_t threads);
+
 // Simulates an impact. `case` describes ball, face, friction and run; see the documentation of the C interface.
 //
 // The text has the summary (`peak_force`, `contact_time`, `f_prime`, ...), `launch` in the order of the outputs, `stopped`

@@ -18,6 +18,7 @@
 //! `progress` (time and duration of a simulation, s; 0 stops it) in the module `clubface`, and asks for memory by
 //! [`clubface_allocate`].
 
+mod dispersion;
 mod fem;
 mod flights;
 mod names;
@@ -25,6 +26,7 @@ mod result;
 mod rows;
 mod shots;
 
+pub use dispersion::*;
 pub use fem::*;
 pub use flights::*;
 pub use names::*;

@@ -7,58 +7,62 @@ use clubface_impact::ImpactError;
 /// The distribution of some values of a delivery: normal, with mishits that spread wider.
 #[derive(Clone, Debug)]
 pub struct Golfer {
-    /// Means [SI], one a variable.
-    pub mean: Vec<f64>,
-    /// Lower triangle, row by row as a square, whose product with its transpose is the covariance of shots that are no
-    /// mishits.
-    pub root: Vec<f64>,
-    /// Variables whose deviates change their sign: the mirror images of the shots of the other hand.
-    pub mirrored: Vec<bool>,
-    /// Share of the shots that are mishits, below 1.
-    pub mishit_share: f64,
-    /// How many times as wide mishits spread.
-    pub mishit_scale: f64,
+    mean: Vec<f64>,
+    /// Lower triangle as a square, row by row, whose product with its transpose is the covariance.
+    root: Vec<f64>,
+    mirrored: Vec<bool>,
+    mishit_share: f64,
+    mishit_scale: f64,
 }
 
 impl Golfer {
+    /// A golfer of `mean` [SI], one a variable, and `covariance` [SI] of shots that are no mishits, row by row.
+    /// `mirrored` are variables whose deviations change their sign: the mirror images of the shots of the other hand.
+    /// `mishit_share` of the shots are mishits, which spread `mishit_scale` times as wide.
+    ///
+    /// # Errors
+    /// A covariance that no variables can have, another number of values, or too many variables.
+    pub fn new(
+        mean: Vec<f64>,
+        covariance: &[f64],
+        mirrored: Vec<bool>,
+        mishit_share: f64,
+        mishit_scale: f64,
+    ) -> Result<Self, ImpactError> {
+        let count = mean.len();
+        if covariance.len() != count * count || mirrored.len() != count {
+            let message =
+                format!("{} covariances and {} signs for {count} means", covariance.len(), mirrored.len());
+            return Err(ImpactError::new("covariance", message));
+        }
+        let Some(root) = root(covariance, count) else {
+            let message = "must be symmetric, of correlations that are possible together";
+            return Err(ImpactError::new("covariance", message));
+        };
+        let golfer = Self { mean, root, mirrored, mishit_share, mishit_scale };
+        if golfer.dimensions() > MOST_DIMENSIONS {
+            let message = format!("{} variables; at most {MOST_DIMENSIONS}", golfer.dimensions());
+            return Err(ImpactError::new("mean", message));
+        }
+        Ok(golfer)
+    }
+
+    /// The golfer whose shots are all the mean one.
+    #[must_use]
+    pub fn without_spread(&self) -> Self {
+        Self { root: vec![0.0; self.root.len()], mishit_share: 0.0, ..self.clone() }
+    }
+
+    /// Number of variables.
+    #[must_use]
+    pub fn variables(&self) -> usize {
+        self.mean.len()
+    }
+
     /// Independent random numbers behind a shot: one a variable, and one that decides whether it is a mishit.
     #[must_use]
     pub fn dimensions(&self) -> usize {
         self.mean.len() + usize::from(self.mishit_share > 0.0)
-    }
-
-    /// Checks that it is complete.
-    ///
-    /// # Errors
-    /// What does not fit.
-    pub fn validate(&self) -> Result<(), ImpactError> {
-        let count = self.mean.len();
-        if self.root.len() != count * count || self.mirrored.len() != count {
-            let message = format!(
-                "{} numbers of the root and {} signs for {count} means",
-                self.root.len(),
-                self.mirrored.len()
-            );
-            return Err(ImpactError::new("golfer", message));
-        }
-        if self.dimensions() > MOST_DIMENSIONS {
-            let message = format!("{} variables; at most {}", self.dimensions(), MOST_DIMENSIONS);
-            return Err(ImpactError::new("golfer", message));
-        }
-        Ok(())
-    }
-
-    /// Checks that there is a column for each dimension, all as long.
-    ///
-    /// # Errors
-    /// What does not fit.
-    pub fn validate_columns(&self, uniform: &[&[f64]]) -> Result<(), ImpactError> {
-        if uniform.len() == self.dimensions() && uniform.iter().all(|column| column.len() == uniform[0].len())
-        {
-            return Ok(());
-        }
-        let message = format!("{} columns; {} of one length needed", uniform.len(), self.dimensions());
-        Err(ImpactError::new("uniform", message))
     }
 
     /// Writes the deliveries that belong to numbers evenly distributed between 0 and 1: a column a dimension in, one a
@@ -85,4 +89,51 @@ impl Golfer {
             }
         }
     }
+}
+
+/// Lower triangle whose product with its transpose is the covariance, by Cholesky; a variable may not vary at all. None
+/// if no variables have this covariance.
+fn root(covariance: &[f64], count: usize) -> Option<Vec<f64>> {
+    let spread: Vec<f64> = (0..count).map(|i| covariance[i * count + i].max(0.0).sqrt()).collect();
+    let varies = |i: usize| spread[i] > 0.0;
+    let mut root = vec![0.0; count * count];
+    for i in 0..count {
+        if covariance[i * count + i] < 0.0 {
+            return None;
+        }
+        for j in 0..count {
+            let (one, other) = (covariance[i * count + j], covariance[j * count + i]);
+            if !(varies(i) && varies(j)) {
+                if one != 0.0 {
+                    return None;
+                }
+                continue;
+            }
+            // Correlations, so that variables of different units count alike.
+            let scale = spread[i] * spread[j];
+            if (one - other).abs() > 1e-12 * scale + 1e-5 * other.abs() || one.is_nan() || other.is_nan() {
+                return None;
+            }
+            if j > i {
+                continue;
+            }
+            let mut left = one / scale;
+            for k in 0..j {
+                left -= root[i * count + k] * root[j * count + k];
+            }
+            root[i * count + j] = if i > j {
+                left / root[j * count + j]
+            } else if left > 0.0 {
+                left.sqrt()
+            } else {
+                return None;
+            };
+        }
+    }
+    for i in 0..count {
+        for j in 0..=i {
+            root[i * count + j] *= spread[i];
+        }
+    }
+    Some(root)
 }

@@ -1,8 +1,15 @@
 //! Sampling against what a sequence must fulfil, deviates against published quantiles, tallies against closed forms.
 
+use clubface_design::dispersion::{LANDING, QUANTITIES, Shots};
+use clubface_design::golfer::Golfer;
 use clubface_design::normal::deviate;
 use clubface_design::sequence::{MOST_DIMENSIONS, Sequence};
+use clubface_design::strokes::{Hole, LIES, StrokesTable};
 use clubface_design::tally::{Scale, Tally, forward};
+use clubface_impact::Accuracy;
+use clubface_impact::flight::{FlightShot, default_inputs, fly};
+use clubface_impact::registry::named;
+use clubface_impact::sensitivity::sensitivity_to_all;
 use proptest::prelude::*;
 
 fn numbers(dimension: usize, seed: u64, first: u32, count: usize) -> Vec<f64> {
@@ -109,7 +116,7 @@ fn the_ellipse_of_a_normal_cloud_is_that_of_its_covariance() {
     for (a, b) in a.iter().zip(&b) {
         let (u, v) = (long * deviate(*a), short * deviate(*b));
         let (ahead, right) =
-            (200.0 + u * turned.cos() - v * turned.sin(), u * turned.sin() + v * turned.cos());
+            (200.0 + u * turned.cos() - v * turned.sin(), 60.0 + u * turned.sin() + v * turned.cos());
         carry.push(f64::hypot(ahead, right));
         side.push(right);
         assert!((forward(carry[carry.len() - 1], right) - ahead).abs() < 1e-9);
@@ -128,9 +135,177 @@ fn the_ellipse_of_a_normal_cloud_is_that_of_its_covariance() {
         assert!((ellipse.half_axes[0] / (size * long) - 1.0).abs() < 0.01, "{ellipse:?}");
         assert!((ellipse.half_axes[1] / (size * short) - 1.0).abs() < 0.01, "{ellipse:?}");
         assert!((ellipse.angle - turned).abs() < 0.01, "{ellipse:?}");
+        assert!(
+            (ellipse.centre[0] - 200.0).abs() < 0.01 && (ellipse.centre[1] - 60.0).abs() < 0.01,
+            "{ellipse:?}"
+        );
     }
     assert!((tally.mean(0) - carry.iter().sum::<f64>() / count as f64).abs() < 1e-9);
     let inside = carry.iter().filter(|&&value| value < tally.quantile(0, 0.25)).count() as f64 / count as f64;
     // Within a bin of 0.1 m lie some 0.3% of the shots.
     assert!((inside - 0.25).abs() < 3e-3);
+}
+
+/// Broadie's layout: straight lines between the distances, and beyond the last on that through the last two.
+#[test]
+fn strokes_lie_on_straight_lines_and_each_lie_has_its_own() {
+    let table =
+        |more: f64| StrokesTable::new(vec![10.0, 20.0, 40.0], vec![1.0 + more, 2.0 + more, 3.0 + more]);
+    let tables = [0.0, 10.0, 20.0, 30.0].map(|more| table(more).expect("a table"));
+    for (distance, strokes) in [(0.0, 1.0), (10.0, 1.0), (15.0, 1.5), (30.0, 2.5), (60.0, 4.0)] {
+        assert!((tables[0].at(distance) - strokes).abs() < 1e-12, "{distance}");
+    }
+    let hole = Hole { length: 100.0, fairway: 30.0, rough: 20.0, green: 12.0, tables };
+    for (ahead, right, lie, strokes) in [
+        (100.0, -11.0, 0, 1.1),
+        (70.0, 0.0, 1, 12.5),
+        (70.0, 16.0, 2, 20.0 + 2.0 + (34.0 - 20.0) / 20.0),
+        (124.0, -36.0, 3, 30.0 + 3.0 + (f64::hypot(24.0, 36.0) - 40.0) / 20.0),
+    ] {
+        let result = hole.after(ahead, right);
+        assert_eq!(result.0, lie);
+        assert!((result.1 - strokes).abs() < 1e-12, "{result:?}");
+    }
+    assert!(StrokesTable::new(vec![1.0, 1.0], vec![1.0, 2.0]).is_err());
+}
+
+fn golfer(mishit_share: f64) -> Golfer {
+    // Speed, path, face and toe: 1 m/s, 2 and 3 degrees with a correlation of 0.5, and 8 mm.
+    let (path, face) = (2f64.to_radians(), 3f64.to_radians());
+    #[rustfmt::skip]
+    let covariance = [
+        1.0, 0.0, 0.0, 0.0,
+        0.0, path * path, 0.5 * path * face, 0.0,
+        0.0, 0.5 * path * face, face * face, 0.0,
+        0.0, 0.0, 0.0, 6.4e-5,
+    ];
+    Golfer::new(vec![45.0, 0.0, 0.01, 0.0], &covariance, vec![false; 4], mishit_share, 3.0).expect("a golfer")
+}
+
+fn shots(golfer: &Golfer) -> Shots<'_> {
+    let mut inputs = [0.0; 35];
+    inputs[3] = 0.24;
+    inputs[14..18].copy_from_slice(&[0.204, 40.8e-3, 11.4e-3, 1e-3]);
+    inputs[18..24].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);
+    inputs[24..31].copy_from_slice(&[0.17, 0.305, 0.305, 0.12, 0.06, 0.0, 1.0]);
+    inputs[31..34].copy_from_slice(&[0.0459, 0.0213, 83.36e-7]);
+    let names = ["speed", "path", "face", "toe"].map(str::to_owned);
+    Shots {
+        golfer,
+        variables: Shots::places(&names).expect("values of a delivery"),
+        model: named("standard").expect("a model"),
+        parameters: &[],
+        accuracy: Accuracy::Fast,
+        inputs,
+        flight: default_inputs(),
+        hole: None,
+        seed: 5,
+    }
+}
+
+/// Each shot alone, through impact and flight by hand, gives the means of the dispersion.
+#[test]
+fn a_dispersion_is_that_of_its_shots_one_by_one() {
+    // More than a thread takes at a time.
+    let (golfer, count) = (golfer(0.1), 2500);
+    let parameters = named("standard").expect("a model").info().defaults();
+    let tables = [0.0, 0.1, 0.2, 0.5]
+        .map(|more| StrokesTable::new(vec![0.0, 400.0], vec![1.0 + more, 4.0 + more]).expect("a table"));
+    let hole = Hole { length: 390.0, fairway: 30.0, rough: 20.0, green: 12.0, tables };
+    let shots = Shots { parameters: &parameters, hole: Some(&hole), ..shots(&golfer) };
+    let done = shots.dispersion(count, 20).expect("a dispersion");
+    let uniform: Vec<Vec<f64>> =
+        (0..golfer.dimensions()).map(|dimension| numbers(dimension, 5, 0, count as usize)).collect();
+    let mut deliveries = vec![vec![0.0; count as usize]; 4];
+    golfer.deliveries(
+        &uniform.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+        &mut deliveries.iter_mut().map(Vec::as_mut_slice).collect::<Vec<_>>(),
+    );
+    let (mut carry, mut side, mut lost, mut landings) = (0.0, 0.0, 0, Vec::new());
+    let (mut strokes, mut lies) = (0.0, [0.0; LIES.len()]);
+    for row in 0..count as usize {
+        let mut inputs = shots.inputs;
+        for (&place, column) in shots.variables.iter().zip(&deliveries) {
+            inputs[place] = column[row];
+        }
+        // Wide mishits miss the face.
+        let Ok(impact) = sensitivity_to_all(shots.model, &inputs, &parameters, Accuracy::Fast) else {
+            lost += 1;
+            continue;
+        };
+        let mut air = default_inputs();
+        air[3..9].copy_from_slice(&impact.values[8..14]);
+        let flown = fly(&FlightShot::from_inputs(&air), 1e-7).outputs();
+        carry += flown[0];
+        side += flown[1];
+        landings.push([forward(flown[0], flown[1]), flown[1]]);
+        let (lie, after) = hole.after(forward(flown[7], flown[8]), flown[8]);
+        lies[lie] += 1.0;
+        strokes += after;
+    }
+    assert!(lost > 0 && done.tally.lost == lost);
+    let (carry, side) = (carry / landings.len() as f64, side / landings.len() as f64);
+    // Derivatives of the launch are computed with it, which may round its last digit otherwise.
+    assert!(
+        (done.tally.mean(LANDING[0]) - carry).abs() < 1e-6
+            && (done.tally.mean(LANDING[1]) - side).abs() < 1e-6
+    );
+    for (kept, landing) in done.landings.iter().zip(&landings) {
+        assert!((kept[0] - landing[0]).abs() < 1e-6 && (kept[1] - landing[1]).abs() < 1e-6);
+    }
+    assert_eq!(done.landings.len(), 20);
+    assert!((done.strokes - strokes / landings.len() as f64).abs() < 1e-9);
+    assert_eq!(done.lies, lies.map(|count| count / landings.len() as f64));
+}
+
+#[test]
+fn the_number_of_threads_does_not_change_a_bit() {
+    let golfer = golfer(0.0);
+    let parameters = named("standard").expect("a model").info().defaults();
+    let shots = Shots { parameters: &parameters, ..shots(&golfer) };
+    let [one, three] = [1, 3].map(|threads| {
+        let pool = clubface_impact::parallel::thread_pool(threads).expect("threads");
+        let done = pool.install(|| shots.dispersion(70_000, 0)).expect("a dispersion");
+        (0..QUANTITIES.len())
+            .map(|place| [done.tally.mean(place), done.tally.spread(place)])
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(one, three);
+}
+
+/// 2^14 quasi-random shots have the covariance asked for to 2%, a tenth of them mishits three times as wide.
+#[test]
+fn deliveries_have_the_covariance_of_the_golfer() {
+    let (golfer, count) = (golfer(0.1), 1 << 14);
+    let uniform: Vec<Vec<f64>> =
+        (0..golfer.dimensions()).map(|dimension| numbers(dimension, 3, 0, count)).collect();
+    let mut columns = vec![vec![0.0; count]; golfer.variables()];
+    golfer.deliveries(
+        &uniform.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+        &mut columns.iter_mut().map(Vec::as_mut_slice).collect::<Vec<_>>(),
+    );
+    let mean = |column: &[f64]| column.iter().sum::<f64>() / count as f64;
+    let covariance = |a: &[f64], b: &[f64]| {
+        a.iter().zip(b).map(|(x, y)| (x - mean(a)) * (y - mean(b))).sum::<f64>() / count as f64
+    };
+    let wider = 1.0 + 0.1 * (9.0 - 1.0);
+    let (path, face) = (2f64.to_radians(), 3f64.to_radians());
+    for (a, b, expected) in [(0, 0, 1.0), (1, 1, path * path), (2, 2, face * face), (1, 2, 0.5 * path * face)]
+    {
+        let found = covariance(&columns[a], &columns[b]) / (wider * expected);
+        assert!((found - 1.0).abs() < 0.02, "{a} and {b}: {found}");
+    }
+    assert!((mean(&columns[0]) - 45.0).abs() < 1e-3);
+}
+
+#[test]
+fn a_covariance_that_no_variables_have_is_refused() {
+    for covariance in
+        [[1.0, 2.0, 2.0, 1.0], [1.0, 0.5, 0.4, 1.0], [0.0, 0.1, 0.1, 1.0], [-1.0, 0.0, 0.0, 1.0]]
+    {
+        assert!(
+            Golfer::new(vec![45.0, 0.0], &covariance, vec![false; 2], 0.0, 1.0).is_err(),
+            "{covariance:?}"
+        );
+    }
 }

@@ -1,8 +1,10 @@
 //! Shots of golfers, and where they go.
 
 use crate::columns::{run_in_pieces, value_error};
+use clubface_design::dispersion::{LAUNCHED, QUANTITIES};
 use clubface_design::golfer::Golfer;
 use clubface_design::sequence::{MOST_DIMENSIONS, Sequence};
+use clubface_design::strokes::{Hole, StrokesTable};
 use clubface_design::tally::{Scale, Tally};
 use clubface_impact::parallel::thread_pool;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
@@ -38,31 +40,80 @@ pub fn quasi_random(
 }
 
 /// Deliveries of a golfer, an array of variables by shots, from numbers between 0 and 1: a contiguous array a
-/// dimension.
+/// dimension. The covariance is given row by row.
 #[pyfunction]
-#[pyo3(signature = (mean, root, mirrored, mishit_share, mishit_scale, uniform, threads=0))]
-#[allow(clippy::needless_pass_by_value)]
+#[pyo3(signature = (mean, covariance, mirrored, mishit_share, mishit_scale, uniform, threads=0))]
+#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn golfer_deliveries<'py>(
     py: Python<'py>,
     mean: Vec<f64>,
-    root: Vec<f64>,
+    covariance: Vec<f64>,
     mirrored: Vec<bool>,
     mishit_share: f64,
     mishit_scale: f64,
     uniform: Vec<PyReadonlyArray1<'py, f64>>,
     threads: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let golfer = Golfer { mean, root, mirrored, mishit_share, mishit_scale };
+    let golfer = Golfer::new(mean, &covariance, mirrored, mishit_share, mishit_scale);
+    let golfer = golfer.map_err(|e| value_error(&e))?;
     let uniform = slices(&uniform)?;
-    golfer.validate().and_then(|()| golfer.validate_columns(&uniform)).map_err(|e| value_error(&e))?;
     let count = uniform.first().map_or(0, |column| column.len());
     let (deliveries, _) =
-        run_in_pieces(py, golfer.mean.len(), count, CHUNK, threads, None, |rows, mut out| {
+        run_in_pieces(py, golfer.variables(), count, CHUNK, threads, None, |rows, mut out| {
             let part: Vec<&[f64]> = uniform.iter().map(|column| &column[rows.clone()]).collect();
             golfer.deliveries(&part, &mut out);
             Vec::new()
         })?;
     Ok(deliveries)
+}
+
+fn table((distance, strokes): (Vec<f64>, Vec<f64>)) -> PyResult<StrokesTable> {
+    StrokesTable::new(distance, strokes).map_err(|e| value_error(&e))
+}
+
+/// Strokes at distances by a table of distances and strokes.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn strokes_at<'py>(
+    py: Python<'py>,
+    distance: Vec<f64>,
+    strokes: Vec<f64>,
+    at: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let table = table((distance, strokes))?;
+    Ok(PyArray1::from_iter(py, at.as_array().iter().map(|&distance| table.at(distance))))
+}
+
+/// Places among the lies, and strokes.
+type LiesAndStrokes<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray1<f64>>);
+
+/// Lies and strokes of balls at rest on a hole of length, widths of fairway and rough, and radius of the green; tables
+/// of distances and strokes from green, fairway, rough and recovery.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn hole_strokes<'py>(
+    py: Python<'py>,
+    ahead: PyReadonlyArray1<'py, f64>,
+    right: PyReadonlyArray1<'py, f64>,
+    hole: (f64, f64, f64, f64),
+    tables: [(Vec<f64>, Vec<f64>); 4],
+) -> PyResult<LiesAndStrokes<'py>> {
+    let (length, fairway, rough, green) = hole;
+    let [a, b, c, d] = tables.map(table);
+    let hole = Hole { length, fairway, rough, green, tables: [a?, b?, c?, d?] };
+    let places = ahead.as_array().into_iter().zip(right.as_array());
+    let (lies, strokes): (Vec<u32>, Vec<f64>) = places
+        .map(|(&ahead, &right)| hole.after(ahead, right))
+        .map(|(lie, strokes)| (lie as u32, strokes))
+        .unzip();
+    Ok((PyArray1::from_vec(py, lies), PyArray1::from_vec(py, strokes)))
+}
+
+/// What is counted of shots: (name, least, most, bins), those of the launch first, and how many these are.
+#[pyfunction]
+pub fn dispersion_quantities() -> (Vec<(&'static str, f64, f64, usize)>, usize) {
+    let all = QUANTITIES.iter().map(|(name, scale)| (*name, scale.least, scale.most, scale.bins));
+    (all.collect(), LAUNCHED)
 }
 
 fn slices<'a>(columns: &'a [PyReadonlyArray1<'_, f64>]) -> PyResult<Vec<&'a [f64]>> {

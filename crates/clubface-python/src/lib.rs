@@ -18,7 +18,9 @@ mod _core {
         units,
     };
     #[pymodule_export]
-    use crate::design::{ShotTally, golfer_deliveries, quasi_random};
+    use crate::design::{
+        ShotTally, dispersion_quantities, golfer_deliveries, hole_strokes, quasi_random, strokes_at,
+    };
     #[pymodule_export]
     use crate::fem::{
         FemImpact, fem_ball, fem_check_law, fem_driver, fem_head_properties, fem_impact, fem_iron, fem_laws,

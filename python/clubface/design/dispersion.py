@@ -113,21 +113,14 @@ class Scale(NamedTuple):
     bins: int
 
 
-LAUNCHED = {
-    "ball_speed": Scale(0.0, 125.0, 25_000),
-    "launch": Scale(-np.pi / 2, np.pi / 2, 36_000),
-    "azimuth": Scale(-np.pi / 2, np.pi / 2, 36_000),
-    "backspin": Scale(-1500.0, 1500.0, 30_000),
-    "sidespin": Scale(-1500.0, 1500.0, 30_000),
-}
-"""What is counted of launches: to 0.005 m/s, 0.005 degrees and 0.1 rad/s (1 rpm)."""
-FLOWN = {
-    "carry": Scale(0.0, 500.0, 25_000),
-    "side": Scale(-250.0, 250.0, 25_000),
-    "total": Scale(0.0, 500.0, 25_000),
-    "total_side": Scale(-250.0, 250.0, 25_000),
-}
-"""What is counted of flights: to 2 cm."""
+def _scales() -> tuple[dict[str, Scale], dict[str, Scale]]:
+    quantities, launched = core.dispersion_quantities()
+    scales = [(name, Scale(least, most, bins)) for name, least, most, bins in quantities]
+    return dict(scales[:launched]), dict(scales[launched:])
+
+
+LAUNCHED, FLOWN = _scales()
+"""What is counted of launches (to 0.005 m/s, 0.005 degrees and 0.1 rad/s, that is 1 rpm) and of flights (to 2 cm)."""
 LANDING = ("carry", "side")
 """The quantities that make a landing; a shot without a carry is lost."""
 
@@ -150,7 +143,9 @@ class ShotTally:
         self._threads = threads
         names = list(scales)
         landing = [names.index(each) for each in LANDING] if "carry" in scales else None
-        self._counts = core.ShotTally([(*scale, centre[name]) for name, scale in scales.items()], landing)
+        self._counts = core.ShotTally(
+            [(each.least, each.most, each.bins, centre[name]) for name, each in scales.items()], landing
+        )
 
     @property
     def shots(self) -> int:
@@ -501,7 +496,7 @@ def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int
     """Return the sum of the strokes expected after the shots with a result, and count their lies."""
     kept = np.isfinite(values["carry"])
     ahead, right = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
-    names, counts = np.unique(hole.lies(ahead, right), return_counts=True)
-    for name, number in zip(names, counts, strict=True):
+    names, strokes = hole.at_rest(ahead, right)
+    for name, number in zip(*np.unique(names, return_counts=True), strict=True):
         lies[str(name)] += int(number)
-    return float(hole.after(ahead, right).sum())
+    return float(strokes.sum())

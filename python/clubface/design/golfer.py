@@ -167,11 +167,16 @@ class Golfer:
         if (speed := float(self.mean[variables.index("speed")])) <= 0.0:
             raise InputError("mean of speed", speed, "above 0 m/s")
         object.__setattr__(self, "covariance", _array("covariance", self.covariance, (len(variables),) * 2))
-        _root(self.covariance)
         if not (is_number(self.mishit_share) and 0.0 <= self.mishit_share < 1.0):
             raise InputError("mishit_share", self.mishit_share, "from 0 to below 1")
         if not (is_number(self.mishit_scale) and 1.0 <= self.mishit_scale <= WIDEST):
             raise InputError("mishit_scale", self.mishit_scale, f"from 1 to {WIDEST:g}")
+        try:
+            self._deliveries([])
+        except ValueError as error:
+            raise InputError(
+                error.args[0], Wording("the matrix given"), error.args[1].removeprefix("must be ")
+            ) from None
         if not isinstance(self.sources, Mapping):
             raise InputError("sources", self.sources, "a mapping of figures to texts")
         object.__setattr__(self, "sources", Frozen(self.sources))
@@ -254,12 +259,16 @@ class Golfer:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
         if not ((given > 0.0) & (given < 1.0)).all():
             raise InputError("uniform", Wording("numbers beyond them"), "between 0 and 1")
-        values = core.golfer_deliveries(
-            self.mean.tolist(), _root(self.covariance).ravel().tolist(),
-            [self.hand < 0 and name in MIRRORED for name in self.variables], self.mishit_share, self.mishit_scale,
-            [np.ascontiguousarray(column) for column in given.T],
-        )  # fmt: skip
+        values = self._deliveries([np.ascontiguousarray(column) for column in given.T])
         return dict(zip(self.variables, values, strict=True))
+
+    def _deliveries(self, columns: list[Floats]) -> Floats:
+        """Return deliveries, shape (k, n), from columns of numbers between 0 and 1."""
+        mirrored = [self.hand < 0 and name in MIRRORED for name in self.variables]
+        share, scale = float(self.mishit_share), float(self.mishit_scale)
+        return core.golfer_deliveries(
+            self.mean.tolist(), self.covariance.ravel().tolist(), mirrored, share, scale, columns
+        )
 
     def for_hand(self, hand: float) -> Self:
         """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
@@ -293,27 +302,6 @@ def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
         raise InputError(name, Wording("not all finite"), "finite numbers")
     result.setflags(write=False)
     return result
-
-
-def _root(covariance: Floats) -> Floats:
-    """Return the lower triangle whose square the covariance is; a variable may not vary at all."""
-    spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    varies = spread > 0.0
-    scale = np.where(varies, spread, 1.0)
-    correlation = covariance / np.outer(scale, scale)
-    result = np.zeros_like(covariance)
-    inner = np.ix_(varies, varies)
-    try:
-        if not np.allclose(correlation, correlation.T, atol=1e-12) or (np.diag(covariance) < 0.0).any():
-            raise np.linalg.LinAlgError
-        if np.any(covariance[~varies]) or np.any(covariance[:, ~varies]):
-            raise np.linalg.LinAlgError
-        result[inner] = np.linalg.cholesky(correlation[inner]) if varies.any() else 0.0
-    except np.linalg.LinAlgError:
-        raise InputError(
-            "covariance", Wording("the matrix given"), "symmetric, of correlations that are possible together"
-        ) from None
-    return result * scale[:, None]
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface import published_data, units
+from clubface import _core as core, published_data, units
 from clubface.errors import InputError, Wording
 from clubface.schema import Choice, PhysicalValue, check_values, file_key
 from clubface.support.arrays import Floats
@@ -73,22 +73,19 @@ class Hole:
         ahead, right
             Where, towards the hole from the tee and to the right of the line [m], shape (n,).
         """
-        ahead, right = _places(ahead, right)
-        left = np.hypot(self.length - ahead, right)
-        lies = self.lies(ahead, right)
-        strokes = np.empty_like(left)
-        for name in np.unique(lies):
-            where = lies == name
-            strokes[where] = expected(str(name), left[where])
-        return strokes
+        return self.at_rest(ahead, right)[1]
 
     def lies(self, ahead: Floats, right: Floats) -> Any:
         """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
+        return self.at_rest(ahead, right)[0]
+
+    def at_rest(self, ahead: Floats, right: Floats) -> tuple[Any, Floats]:
+        """Return lie and strokes expected of balls at rest, as :meth:`lies` and :meth:`after`."""
         ahead, right = _places(ahead, right)
-        off = np.abs(right)
-        lies = np.where(off <= 0.5 * self.fairway, "fairway", "rough")
-        lies = np.where(off > 0.5 * self.fairway + self.rough, "recovery", lies)
-        return np.where(np.hypot(self.length - ahead, right) <= self.green, GREEN, lies)
+        tables = [as_lists(lie) for lie in AT_REST]
+        hole = (self.length, self.fairway, self.rough, self.green)
+        lies, strokes = core.hole_strokes(_row(ahead), _row(right), hole, tables)
+        return np.array(AT_REST)[lies].reshape(ahead.shape), strokes.reshape(ahead.shape)
 
 
 def expected(lie: str, distance: Floats) -> Floats:
@@ -102,10 +99,17 @@ def expected(lie: str, distance: Floats) -> Floats:
         From the hole [m].
     """
     distance = np.asarray(units.parse_values(distance, "length", name="distance"))
+    return core.strokes_at(*as_lists(lie), _row(distance)).reshape(distance.shape)
+
+
+def _row(values: Floats) -> Floats:
+    return np.ascontiguousarray(values).ravel()
+
+
+def as_lists(lie: str) -> tuple[list[float], list[float]]:
+    """Return the table of a lie: distances [m] and strokes."""
     places, strokes = _table(lie)
-    beyond = (strokes[-1] - strokes[-2]) / (places[-1] - places[-2])
-    result = np.interp(distance, places, strokes)
-    return result + np.maximum(distance - places[-1], 0.0) * beyond
+    return places.tolist(), strokes.tolist()
 
 
 def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:

@@ -21,6 +21,7 @@ mod x86;
 pub use dispatch::{dispatch, dispatch_rows, with_lanes};
 pub use prefetch::prefetch;
 pub use traits::{Kernel, Lanes, Numbers, Pack, PackKernel, Part, Real, Row, RowsKernel};
+pub use twin::Twin;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub use wasm::F64x2;
 #[cfg(target_arch = "x86_64")]
