@@ -71,7 +71,6 @@ AtLaunch = Annotated[
     ),
 ]
 Texts = list[str] | None
-Texts = list[str] | None
 Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
 
 Report = Annotated[
