@@ -228,64 +228,6 @@ def test_a_number_in_degrees_or_miles_is_not_taken_for_si(part, given, name):
         from_document(Document(text.replace(f"[{part}]\n", f"[{part}]\n{given}\n"), "x.toml"), "x")
 
 
-def test_the_page_tells_what_rests_on_each_assumed_figure():
-    """The table of docs/dispersion.md, to the digits that it shows."""
-    import clubface
-    from clubface.design.golfer import is_assumed
-    from clubface.design.golfer_estimate import doubts
-
-    page = Path(__file__).parents[2].joinpath("docs", "dispersion.md").read_text()
-    rows = re.findall(r"^\| `(\S+-(?:driver|iron))` \| ([a-z, ]+) \| ([\d.]+) yd \| (.*) \|$", page, re.MULTILINE)
-    assert sorted(row[0] for row in rows) == sorted(golfers())
-    for name, means, side, rest in rows:
-        player = golfer(name)
-        result = doubts(player, clubface.club(player.club))
-        by = {
-            each.figure: {golfer_: each.spread[golfer_][1] / result.spread[golfer_] - 1.0 for golfer_ in result.spread}
-            for each in result.figures
-        }
-        sourced = [each for each in ("speed", "attack", "loft") if not is_assumed(player, f"mean of {each}")]
-        assert means == (", ".join(sourced) or "none")
-        assert all(each.assumed for each in result.figures)
-        figures = [f"spread of {each}" for each in ("face", "loft", "attack", "speed", "toe", "high")]
-        changes = [by["spread of face"]["side"], *(by[each]["carry"] for each in (*figures, "mishits"))]
-        cells = [f"{100 * each:.0f}%" for each in changes]
-        cells.insert(1, f"{result.spread['carry'] / 0.9144:.1f} yd")
-        assert [f"{result.spread['side'] / 0.9144:.1f}", *rest.replace("-0%", "0%").split(" | ")] == [
-            side, *(each.replace("-0%", "0%") for each in cells)
-        ]  # fmt: skip
-        assert max(map(abs, by["correlation"].values())) < 0.075
-        assert max(map(abs, by["spread of path"].values())) < 0.025
-        assert all(abs(by[f"spread of {each}"][golfer_]) < 0.005
-                   for each in ("lie", "closure", "pitch_rate", "lie_rate") for golfer_ in result.spread)  # fmt: skip
-
-
-def test_the_page_tells_how_shipped_amateurs_differ_from_measured_golfers():
-    """Least and greatest of each, as docs/dispersion.md has them, of the ball as it starts and of the carry."""
-    import clubface
-
-    table = published_data.table("shot-spreads-2025")
-    page = {
-        "driver": ("2.8 to 4.3", "1.4 to 2.0", "8 to 13", "2.8 to 6.5", "2.5 to 4.7", "13 to 28"),
-        "7-iron": ("2.6 to 4.5", "2.9 to 3.6", "12 to 16", "1.6 to 2.3", "1.9 to 2.9", "9 to 11"),
-    }
-    for club, (*ours, starts, speeds, carries) in page.items():
-        result = [clubface.dispersion(golfer(f"{who}-{club}"), count=2**13)
-                 for who in ("handicap-5", "handicap-10", "bogey", "women-15")]  # fmt: skip
-        spreads = [[each.spread(name) for each in result] for name in ("azimuth", "ball_speed", "carry")]
-        spreads[0] = list(np.degrees(spreads[0]))
-        assert [f"{min(each):.{d}f} to {max(each):.{d}f}" for each, d in zip(spreads, (1, 1, 0), strict=True)] == ours
-        rows = table["club"] == club
-        measured = [
-            np.degrees(table["start_spread"][rows]),
-            table["ball_speed_spread"][rows],
-            table["carry_spread"][rows],
-        ]
-        assert [f"{min(each):.{d}f} to {max(each):.{d}f}" for each, d in zip(measured, (1, 1, 0), strict=True)] == [
-            starts, speeds, carries
-        ]  # fmt: skip
-
-
 @pytest.mark.parametrize(
     ("name", "score"),
     [("handicap-5-driver", 78), ("handicap-10-driver", 83), ("bogey-driver", 91), ("women-15-driver", 88)],
