@@ -1,8 +1,5 @@
 """A golfer as a distribution of deliveries: its samples, its file, the golfers that come with the package."""
 
-import re
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
