@@ -37,8 +37,8 @@ FREE = {
 """What is free: where the search begins, and the prior deviation of the logarithm. The modulus of the cover is
 published as 200 to 450 MPa for ionomers; the other priors are wide."""
 GROUP_DEVIATION = 0.12
-"""Deviation of the logarithm of the spins of one source: robots, golfers and tours differ by a quarter at the same launch and
-speed."""
+"""Deviation of the logarithm of the spins of one source: robots, golfers and tours differ by a quarter at the same
+launch and speed."""
 SLIP = {"speed": "88 mph", "attack": "-4 deg", "loft": "25 deg"}
 """A 7-iron shot like those of Caldwell and McPhee, whose `slip` parameters give the spin that they measured."""
 SLIP_DEVIATION = 0.09

@@ -38,8 +38,8 @@ CHECKS = (
         "irons-at-launch", "Irons of single golfers and of a robot at their measured launch",
         ("shots-bliss-2026", "shots-r50-2026", "robot-7-irons-launch-2026", "drive-scatter-blackmore"),
         "The loft is solved so that the launch angle is as measured, since monitors derive lofts from the ball. 15%: at"
-        " one launch and speed tours and robots differ by a quarter, heads and balls are unknown, and a groove lower on the"
-        " face is worth 6%. The interval of golfers holds their scatter; a robot has none.",
+        " one launch and speed tours and robots differ by a quarter, heads and balls are unknown, and a groove lower on"
+        " the face is worth 6%. The interval of golfers holds their scatter; a robot has none.",
         "fair", launches.irons,
     ),
     Check(

@@ -100,8 +100,8 @@ def ratios(
 
 
 SPEED, SPIN, DRIVE_SPIN = 0.025, 0.15, 0.09
-"""Tolerances: of ball speed; of the spin of irons, between which sources differ by a quarter at one launch and speed; and of
-the spin of drivers and woods, whose heads are unknown."""
+"""Tolerances: of ball speed; of the spin of irons, between which sources differ by a quarter at one launch and speed;
+and of the spin of drivers and woods, whose heads are unknown."""
 SEASONS = {"pga-2019": "PGA Tour 2019", "lpga-2019": "LPGA Tour 2019"}
 """The tour averages, and what they are called here."""
 TOUR_SPEED = units.parse("113 mph", "speed")
