@@ -20,4 +20,6 @@ def test_stub_names_every_function_and_attribute_of_the_core() -> None:
     assert classes.keys() | {node.name for node in body if isinstance(node, ast.FunctionDef)} == public(_core)
     for name, node in classes.items():
         attributes = {ast.unparse(each.target) for each in node.body if isinstance(each, ast.AnnAssign)}
+        methods = {each.name for each in node.body if isinstance(each, ast.FunctionDef)}
+        attributes |= {each for each in methods if not each.startswith("_")}
         assert attributes == public(getattr(_core, name)), name

@@ -94,7 +94,8 @@ def test_no_files_import_each_other_in_a_loop():
 def test_the_core_is_imported_in_one_module_a_room():
     users = [name for name, imported in imports(sources()).items() if CORE in imported]
     assert users == [
-        "clubface.equipment.core", "clubface.fem.core", "clubface.present.style", "clubface.quantities",
+        "clubface.design.core", "clubface.equipment.core", "clubface.fem.core", "clubface.present.style",
+        "clubface.quantities",
         "clubface.simulation.core",
         "clubface.units",
     ]  # fmt: skip

@@ -26,7 +26,8 @@ LAYERS = {
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",
         "cases", "sensitivity", "description",
     ),
-    "clubface-c": ("result", "rows", "names", "shots", "flights", "fem"),
+    "clubface-design": ("normal", "sequence", "golfer", "tally", "strokes", "dispersion"),
+    "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "fem"),
 }  # fmt: skip
 
 USE = re.compile(r"\b(pub(?:\([a-z ]+\))?\s+)?use\s+([^;]+);")
@@ -147,7 +148,7 @@ def test_no_file_uses_a_higher_folder(name):
 
 
 def test_crates_use_lower_crates_only():
-    order = ["clubface-math", "clubface-impact", "clubface-fem"]
+    order = ["clubface-math", "clubface-impact", "clubface-design", "clubface-fem"]
     for number, name in enumerate(order):
         manifest = (CRATES / name / "Cargo.toml").read_text()
         used = set(re.findall(r"^(clubface-\w+) = ", manifest, re.M))

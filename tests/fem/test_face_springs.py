@@ -1,7 +1,5 @@
 """The rigid head whose face gives by its characteristic time."""
 
-import re
-import runpy
 from itertools import pairwise
 from pathlib import Path
 
@@ -88,17 +86,3 @@ def test_momentum_is_that_before():
     ])  # fmt: skip
     # Mass of mesh and ball differ in the sixth digit.
     assert after == pytest.approx([45.0 * DRIVER.mass, 0.0, 0.0], abs=2e-4)
-
-
-def test_the_page_has_the_figures_of_the_study_of_shells_and_spring():
-    """As docs/models/response.md prints them: whole rpm and tenths of degrees, and a unit more for other processors."""
-    compared = runpy.run_path(str(ROOT / "studies" / "face_spring.py"))["compared"]
-    result = {(loft, name): outcome for loft, name, outcome in compared()}
-    page = (ROOT / "docs" / "models" / "response.md").read_text(encoding="utf-8")
-    rows = re.findall(r"\| (\d+)° \| (\d+) \| (\d+) \| (\d+) \| ([\d.]+)°, ([\d.]+)° \|", page)
-    assert [int(row[0]) for row in rows] == [10, 15, 25]
-    for loft, shells, spring, rigid, *launches in rows:
-        for name, spin in {"shells": shells, "spring": spring, "rigid": rigid}.items():
-            assert result[int(loft), name]["backspin"] == pytest.approx(float(spin), abs=1.5)
-        for name, launch in zip(("shells", "spring"), launches, strict=True):
-            assert result[int(loft), name]["launch"] == pytest.approx(float(launch), abs=0.06)

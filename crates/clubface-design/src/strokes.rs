@@ -30,7 +30,11 @@ impl StrokesTable {
         let (places, strokes) = (&self.distance, &self.strokes);
         let above = places.partition_point(|&place| place <= distance).clamp(1, places.len() - 1);
         let slope = (strokes[above] - strokes[above - 1]) / (places[above] - places[above - 1]);
-        strokes[above - 1] + slope * (distance - places[above - 1]).max(0.0)
+        if distance < places[0] {
+            strokes[0]
+        } else {
+            strokes[above - 1] + slope * (distance - places[above - 1])
+        }
     }
 }
 

@@ -166,6 +166,7 @@ fn strokes_lie_on_straight_lines_and_each_lie_has_its_own() {
         assert_eq!(result.0, lie);
         assert!((result.1 - strokes).abs() < 1e-12, "{result:?}");
     }
+    assert!(hole.after(f64::NAN, 0.0).1.is_nan());
     assert!(StrokesTable::new(vec![1.0, 1.0], vec![1.0, 2.0]).is_err());
 }
 

@@ -38,7 +38,8 @@ from typing import Any, Self
 
 import numpy as np
 
-from clubface import _core as core, units
+from clubface import units
+from clubface.design import core
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording

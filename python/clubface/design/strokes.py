@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from clubface import _core as core, published_data, units
+from clubface import published_data, units
+from clubface.design import core
 from clubface.errors import InputError, Wording
 from clubface.schema import Choice, PhysicalValue, check_values, file_key
 from clubface.support.arrays import Floats

@@ -3,7 +3,7 @@
 //! Drag and lift depend on the spin parameter S = r omega / v, and drag on the Reynolds number Re = 2 r rho v / mu
 //! too: C_D = 0.156 + 0.850 S - 0.916 S^2 + 0.149 / (1 + (Re / 67,700)^16), C_L = 0.0617 + 1.256 S - 1.324 S^2, C_M =
 //! 0.01 S. Both parabolas are held from their vertices on, at S = 0.46 and 0.47. The last term of C_D is the drag
-//! crisis below some 27 m/s: a ball that slows there drops more steeply.
+//! crisis about 25 m/s: a ball that slows there drops more steeply.
 //!
 //! The constants are fitted (docs/flight.md has the data, and what was held out): to the carries, heights and descents
 //! of the tours' averages of 2023, to flights that a TrackMan computes, and to published coefficients: P. W. Bearman
