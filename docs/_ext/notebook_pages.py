@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from base64 import b64decode
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ from sphinx.application import Sphinx
 
 FOLDER = Path(__file__).parent.parent.parent / "notebooks"
 PLACE = "notebooks/"
+NARROW = 640
+"""Pixels up to which a picture is shrunk to the width of a telephone; a wider one scrolls there."""
 
 
 def page(path: Path) -> str:
@@ -31,7 +34,9 @@ def _output(output: dict[str, Any]) -> str:
     data = output.get("data", {})
     if "image/png" in data:
         picture = "".join(data["image/png"]).replace("\n", "")
-        return f'<img alt="what the code above draws" src="data:image/png;base64,{picture}" style="max-width: 100%">'
+        image = f'<img alt="what the code above draws" src="data:image/png;base64,{picture}">'
+        width = int.from_bytes(b64decode(picture[:32])[16:20], "big")
+        return f'<div class="docutils picture drawn">{image}</div>' if width > NARROW else image
     text = "".join(output.get("text", data.get("text/plain", "")))
     return f"```text\n{text.rstrip()}\n```"
 
