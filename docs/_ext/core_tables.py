@@ -90,8 +90,11 @@ class ModelParameters(CoreTable):
         """Values in SI."""
         chosen = model(self.arguments[0])
         meanings = markdown_table(
-            ("parameter", "unit", "meaning", "allowed"),
-            ((f"`{p.name}`", p.unit, p.meaning, f"{p.lower:.6g} to {p.upper:.6g}") for p in chosen.parameters),
+            ("parameter", "meaning", "allowed"),
+            (
+                (f"`{p.name}`", p.meaning, f"{p.lower:.6g} to {p.upper:.6g} {p.unit.removeprefix('1')}".strip())
+                for p in chosen.parameters
+            ),
         )
         sets = builtin_sets(chosen.name)
         values = markdown_table(
