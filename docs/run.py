@@ -213,7 +213,7 @@ def stored(name: str) -> Any:
 def script(name: str) -> ModuleType:
     """Return a script of the repository as a module, so that a page shows what its functions compute.
 
-    It imports the scripts beside it, as when it is run.
+    It can import the scripts of its folder, as when it is run.
     """
     specification = importlib.util.spec_from_file_location(Path(name).stem, ROOT / name)
     assert specification is not None

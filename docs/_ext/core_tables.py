@@ -50,7 +50,7 @@ class CoreTable(SphinxDirective):
     """A directive whose content is a Markdown table."""
 
     stacked: ClassVar = False
-    """Whether each row is a block on a telephone, as suits a table of descriptions."""
+    """Whether each row is a block on a phone, as suits a table of descriptions."""
 
     def table(self) -> list[str]:
         """Lines of the table."""

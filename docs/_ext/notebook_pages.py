@@ -12,7 +12,7 @@ from sphinx.application import Sphinx
 FOLDER = Path(__file__).parent.parent.parent / "notebooks"
 PLACE = "notebooks/"
 NARROW = 640
-"""Pixels up to which a picture is shrunk to the width of a telephone; a wider one scrolls there."""
+"""Pixels up to which a picture is shrunk to the width of a phone; a wider one scrolls there."""
 
 
 def page(path: Path) -> str:

@@ -1,4 +1,4 @@
-"""Pictures of the width of the page stay legible on a telephone: another one takes their place, or they scroll."""
+"""Pictures of the width of the page stay legible on a phone: another one takes their place, or they scroll."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 NARROW = "-narrow"
-"""Ending of the name of a picture for telephones, after the name of the wide one."""
+"""Ending of the name of a picture for phones, after the name of the wide one."""
 
 
 def wrap(app: Sphinx, tree: nodes.document) -> None:
-    """Put each picture of the width of the page into a container, with the one for a telephone if there is one."""
+    """Put each picture of the width of the page into a container, with the one for a phone if there is one."""
     for image in list(tree.findall(nodes.image)):
         if image.get("width") != "100%" or isinstance(image.parent, nodes.TextElement):
             continue

@@ -1,6 +1,6 @@
 """Draw the axes, angles and signs of the conventions page.
 
-Writes conventions.svg, and conventions-narrow.svg for telephones, next to this file.
+Writes conventions.svg, and conventions-narrow.svg for phones, next to this file.
 """
 
 from pathlib import Path

@@ -1,6 +1,6 @@
 """Draw the first picture of the documentation, a driver's impact in sections over the force.
 
-Writes impact.png, and impact-narrow.png for telephones.
+Writes impact.png, and impact-narrow.png for phones.
 """
 
 from pathlib import Path

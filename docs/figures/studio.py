@@ -9,7 +9,7 @@ COLOURS = 256
 
 
 def main(folder: str) -> None:
-    """Write each picture of the folder beside this file."""
+    """Write each picture of the folder next to this file."""
     for path in sorted(Path(folder).glob("studio-*.png")):
         with Image.open(path) as picture:
             reduced = picture.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
