@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-figures study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-figures study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -181,4 +181,4 @@ kills: dev ## kill every long command at random moments (KILLS=50 each, or SECON
 	$(PYTHON) studies/kills.py $(KILLS) --seconds $(or $(SECONDS),inf)
 
 clean: ## remove everything that was built
-	rm -rf $(VENV) target out docs/_build .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf $(VENV) target out docs/_build studio/node_modules studio/generated studio/dist studio/screenshots .pytest_cache .ruff_cache .hypothesis .benchmarks
