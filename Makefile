@@ -24,6 +24,8 @@ RUST_MUTANTS := --package clubface-math --package clubface-impact --package club
 NODE := $(shell node -p 'const [major, minor] = process.versions.node.split("."); +major > 20 || (+major === 20 && +minor > 18)' 2>/dev/null)
 STUDIO_PACKAGES := studio/node_modules/.package-lock.json
 STUDIO_DATA := studio/generated/equipment.json
+STUDIO_DATA_SOURCES := studio/data.py $(shell find python/clubface -name '*.py' -o -name '*.toml' -o -name '*.csv')
+WASM := target/wasm32-unknown-unknown/release/clubface.wasm
 STUDIO_CORE := studio/generated/clubface.wasm
 STUDIO_CHECKED := $(if $(filter true,$(NODE)),$(STUDIO_PACKAGES) $(STUDIO_DATA))
 
@@ -76,24 +78,26 @@ docs: dev ## the documentation as web pages in docs/_build
 notebooks: dev ## run the notebooks again and store what they print and draw
 	$(PYTHON) notebooks/run.py --update
 
-wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
-	@command -v node >/dev/null || { echo "wasm-check needs Node 20 or newer" >&2; exit 1; }
+$(WASM): $(RUST_SOURCES)
 	rustup target add wasm32-unknown-unknown
 	cargo build --release --locked --package clubface-c --no-default-features --target wasm32-unknown-unknown
-	$(PYTHON) scripts/wasm_check.py target/wasm32-unknown-unknown/release/clubface.wasm
+	@touch $@
+
+wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
+	@command -v node >/dev/null || { echo "wasm-check needs Node 20 or newer" >&2; exit 1; }
+	@$(MAKE) --no-print-directory $(WASM)
+	$(PYTHON) scripts/wasm_check.py $(WASM)
 
 $(STUDIO_PACKAGES): studio/package.json studio/package-lock.json
 	@npm --prefix studio ci --prefer-offline --no-audit --no-fund --loglevel error
 	@touch $@
 
-$(STUDIO_DATA): $(VENV)/.build studio/data.py $(wildcard python/clubface/data/*/*.toml python/clubface/equipment/*.py)
+$(STUDIO_DATA): $(VENV)/.build $(STUDIO_DATA_SOURCES)
 	@$(PYTHON) studio/data.py studio/generated
 
-$(STUDIO_CORE): studio/build/wasm.mjs $(RUST_SOURCES)
-	rustup target add wasm32-unknown-unknown
-	cargo build --release --locked --package clubface-c --no-default-features --target wasm32-unknown-unknown
+$(STUDIO_CORE): studio/build/wasm.mjs $(WASM)
 	@mkdir -p studio/generated
-	node studio/build/wasm.mjs target/wasm32-unknown-unknown/release/clubface.wasm $@
+	node studio/build/wasm.mjs $(WASM) $@
 
 studio-build: build ## the studio, a site that computes in the browser, in studio/dist
 	@test "$(NODE)" = true || { echo "the studio needs Node 20.19 or newer" >&2; exit 1; }
