@@ -20,8 +20,9 @@ RUST_TESTED := --workspace --exclude clubface-python --locked
 RUST_MUTANTS := --package clubface-math --package clubface-impact --package clubface-fem --profile release \
 	--shard 7/500 --sharding round-robin --output target --minimum-test-timeout 120
 
-# The studio needs Node 20.19 or newer; without it, its part of the checks and tests is left out with a message.
-NODE := $(shell node -p 'const [major, minor] = process.versions.node.split("."); +major > 20 || (+major === 20 && +minor > 18)' 2>/dev/null)
+# The studio needs Node 20.19 or newer and npm, which some systems package apart; without them, its part of the checks and
+# tests is left out with a message.
+NODE := $(shell command -v npm >/dev/null && node -p 'const [major, minor] = process.versions.node.split("."); +major > 20 || (+major === 20 && +minor > 18)' 2>/dev/null)
 STUDIO_PACKAGES := studio/node_modules/.package-lock.json
 STUDIO_DATA := studio/generated/equipment.json
 STUDIO_DATA_SOURCES := studio/data.py $(shell find python/clubface -name '*.py' -o -name '*.toml' -o -name '*.csv')
@@ -69,7 +70,7 @@ check: dev $(STUDIO_CHECKED) ## formatting, lints, types, documentation
 	$(BIN)/python scripts/check_words.py
 	$(BIN)/pyright --pythonpath $(PYTHON)
 	$(BIN)/sphinx-build -W --keep-going -q -E docs docs/_build
-	$(if $(STUDIO_CHECKED),npm --prefix studio run --silent check,@echo "the studio is not checked: that needs Node 20.19 or newer")
+	$(if $(STUDIO_CHECKED),npm --prefix studio run --silent check,@echo "the studio is not checked: that needs Node 20.19 or newer and npm")
 
 docs: dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
@@ -100,7 +101,7 @@ $(STUDIO_CORE): studio/build/wasm.mjs $(WASM)
 	node studio/build/wasm.mjs $(WASM) $@
 
 studio-build: build ## the studio, a site that computes in the browser, in studio/dist
-	@test "$(NODE)" = true || { echo "the studio needs Node 20.19 or newer" >&2; exit 1; }
+	@test "$(NODE)" = true || { echo "the studio needs Node 20.19 or newer and npm" >&2; exit 1; }
 	@$(MAKE) --no-print-directory $(STUDIO_PACKAGES) $(STUDIO_DATA) $(STUDIO_CORE)
 	npm --prefix studio run --silent build
 

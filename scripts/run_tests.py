@@ -69,7 +69,7 @@ def main() -> int:
     if has_studio():
         runs.append((STUDIO, count_studio))
     else:
-        print("the studio is not tested: that needs Node 20.19 or newer", flush=True)
+        print("the studio is not tested: that needs Node 20.19 or newer and npm", flush=True)
     for command, count in runs:
         status, lines = run(command)
         run_passed, run_failed = count(lines)
