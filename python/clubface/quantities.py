@@ -170,8 +170,18 @@ def format_number(value: float | None, digits: int = 1, *, signed: bool = False)
 def format_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
     """Write an SI value with its unit as people read it: "166.4 mph", "3.7%"."""
     unit = quantity.golf.unit if unit is None else unit
+    return with_unit(bare_value(value, quantity, unit, digits), unit)
+
+
+def bare_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
+    """Write an SI value as :func:`format_value` does, without its unit: "166.4"."""
+    unit = quantity.golf.unit if unit is None else unit
     digits = quantity.digits(unit) if digits is None else digits
-    number = format_number(float(units.from_si(value, unit)), digits)
+    return format_number(float(units.from_si(value, unit)), digits)
+
+
+def with_unit(number: str, unit: str) -> str:
+    """Write a number, or several in words, with a unit as people read it: "40 to 50%", "166.4 mph", "1.48"."""
     return number + {"1": "", "%": "%"}.get(unit, f" {unit}")
 
 

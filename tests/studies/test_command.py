@@ -68,6 +68,16 @@ def test_a_range_gives_the_unit_of_its_quantity_if_there_is_one(study, tmp_path)
     assert re.fullmatch(r"Carry\D* ranges from \d+\.\d+ to \d+\.\d+ yd\.", carry)
 
 
+def test_a_level_in_per_cent_is_written_as_in_every_sentence(study, tmp_path):
+    path = tmp_path / "damp.toml"
+    path.write_text(
+        '[impact]\nclub = "driver"\nheld = { speed = "45 m/s" }\noutputs = ["carry"]\n'
+        '[sweep]\nair.humidity = ["10 %", "90 %"]\n'
+    )
+    study("run", path)
+    assert re.findall(r"\d+ ?%", study("summary", path).out) == ["10%", "90%"]
+
+
 def test_classes_of_an_input_are_told_no_finer_than_they_are_wide(study, tmp_path):
     """Ten classes of 85 to 120 mph are 3.5 mph wide: their ends are told to a tenth."""
     path = tmp_path / "many.toml"

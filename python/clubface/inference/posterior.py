@@ -15,7 +15,7 @@ from clubface.errors import InputError
 from clubface.inference.evaluation.result import error_quantity
 from clubface.inference.importance import Sample
 from clubface.inference.prior import FAR, Prior, shown, unit_of
-from clubface.quantities import format_value, quantity
+from clubface.quantities import bare_value, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
@@ -224,7 +224,7 @@ class Posterior(Described):
         width = max(map(len, heads.values()))
         lines = [f"{len(self)} deliveries of {self.club.name} for one launch by {self.model}, prior {self.prior.name}"]
         for name, head in heads.items():
-            numbers = [format_value(each[name], quantity(name)).split()[0] for each in (mean, deviation)]
+            numbers = [bare_value(each[name], quantity(name)) for each in (mean, deviation)]
             lines.append(f"  {head:<{width}}  {numbers[0]:>9} +- {numbers[1]}")
         return "\n".join(lines)
 

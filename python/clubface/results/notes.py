@@ -9,7 +9,7 @@ from string import Formatter
 from typing import Any, NamedTuple
 
 from clubface.errors import UnknownNameError
-from clubface.quantities import Quantity, format_value, quantity as quantity_named
+from clubface.quantities import Quantity, bare_value, format_value, quantity as quantity_named, with_unit
 from clubface.results.catalogue import SENTENCES
 from clubface.results.table import Column
 
@@ -144,7 +144,7 @@ def quantity_text(value: float, quantity: Quantity, spec: str = "") -> str:
         size = format_value(abs(value), quantity, digits=places)
         return size if _is_zero(size) else f"{size} {(quantity.sides or ('below', 'above'))[value > 0.0]}"
     if kind == "bare":
-        return _number_of(format_value(value, quantity, digits=places))
+        return bare_value(value, quantity, digits=places)
     return format_value(value, quantity, kind or None, places)
 
 
@@ -157,8 +157,8 @@ def entry_text(name: str, value: Any) -> str:
     known = quantity_named(name)
     if not isinstance(value, (list, tuple)):
         return f"{known.label} {format_value(value, known)}"
-    *firsts, last = (format_value(each, known) for each in value)
-    return f"{known.label} {' ± '.join([*map(_number_of, firsts), last])}"
+    numbers = " ± ".join(bare_value(each, known) for each in value)
+    return f"{known.label} {with_unit(numbers, known.golf.unit)}"
 
 
 def _quantity_of(name: str) -> Quantity | None:
@@ -169,12 +169,7 @@ def _quantity_of(name: str) -> Quantity | None:
 
 
 def _is_zero(text: str) -> bool:
-    return not _number_of(text).strip("-0.")
-
-
-def _number_of(text: str) -> str:
-    """Return the number of a value that is written with its unit."""
-    return text.split(" ")[0].removesuffix("%")
+    return not text.split(" ")[0].strip("-0.%")
 
 
 def _listed(values: Mapping[str, Any], spec: str) -> str:

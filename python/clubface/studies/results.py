@@ -12,7 +12,7 @@ import numpy as np
 from clubface.equipment.balls import ball
 from clubface.equipment.clubs import CLUB_NAMES, club
 from clubface.equipment.described import FLAT
-from clubface.quantities import Quantity, quantity
+from clubface.quantities import Quantity, quantity, with_unit
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture
 from clubface.results.provenance import Provenance
@@ -193,7 +193,7 @@ def _ranges(summary: Summary) -> list[Note]:
         if math.isfinite(least):
             values = {key: [float(getattr(summary.overall, key)[place])] for key in STATISTICS}
             column = Column(name, [least, most], each, digits=_digits(values, 0, each))
-            most_text = _with_unit(column.shown(1), each)
+            most_text = with_unit(column.shown(1), each.golf.unit)
             label = each.label.capitalize()
             notes.append(note("study-range", quantity=label, least_text=column.shown(0), most_text=most_text))
     return notes
@@ -209,11 +209,7 @@ def level_text(along: Along, level: int) -> str:
     digits = max(1 - math.floor(math.log10(width)), 0) if width > 1e-6 else -6
     column = Column(along.name, _ends(value), swept, digits=digits)
     words = f"{column.shown(0)} to {column.shown(1)}" if isinstance(value, tuple) else column.shown(0)
-    return words if words == FLAT else _with_unit(words, swept)
-
-
-def _with_unit(number: str, quantity: Quantity) -> str:
-    return number if quantity.golf.unit == "1" else f"{number} {quantity.golf.unit}"
+    return words if words == FLAT else with_unit(words, swept.golf.unit)
 
 
 def _ends(level: Any) -> tuple[float, float]:
