@@ -27,7 +27,7 @@ UNMEASURED = "not measured"
 
 
 def check_rules(club: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None) -> list[RuleVerdict]:
-    """Return what a club has of every limit that holds for it.
+    """Return the verdict on every limit that holds for a club.
 
     A characteristic time of 0 stands for a face that nobody has measured: no face is rigid.
 

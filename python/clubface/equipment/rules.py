@@ -15,7 +15,7 @@ STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
 """The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
 
 NOT_KNOWN = "not known"
-"""What is said of a value that is not given."""
+"""The verdict on a value that is not given."""
 
 
 class Rule(NamedTuple):
@@ -52,16 +52,16 @@ class Rule(NamedTuple):
 
 
 class RuleVerdict(NamedTuple):
-    """What a club has of a limit.
+    """A club judged by one limit.
 
     Attributes
     ----------
     rule
         The limit.
     value
-        Of the club [SI], or NaN where it is not known.
+        The limited quantity of the club [SI]; NaN if it is not known.
     unknown
-        What is said of a value that is not known.
+        The verdict if it is not known.
     """
 
     rule: Rule
@@ -74,13 +74,18 @@ class RuleVerdict(NamedTuple):
         return None if math.isnan(self.value) else self.value <= self.rule.limit * (1.0 + 1e-9)
 
     @property
+    def within_tolerance(self) -> bool:
+        """Whether it conforms by the tolerance alone."""
+        return bool(self.conforms) and self.value > self.rule.most
+
+    @property
     def words(self) -> str:
         """The verdict: "conforms", "conforms within the tolerance", "does not conform", or why it is not known."""
         if self.conforms is None:
             return self.unknown
         if not self.conforms:
             return "does not conform"
-        return "conforms" if self.value <= self.rule.most else "conforms within the tolerance"
+        return "conforms within the tolerance" if self.within_tolerance else "conforms"
 
 
 _PLACES = {

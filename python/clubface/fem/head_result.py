@@ -140,8 +140,10 @@ def _verdict(head: MeshedHead, measured: Mapping[str, float], inputs: Mapping[st
         return
     limit = rules()["characteristic_time"]
     if limit in rules_of(head.club):
-        verdict = RuleVerdict(limit, time).words.replace(" the ", " ").replace(" ", "-")
-        yield note(f"face-{verdict}", limit_characteristic_time=limit.most, most_characteristic_time=limit.limit)
+        verdict = RuleVerdict(limit, time)
+        conforming = "face-conforms-within-tolerance" if verdict.within_tolerance else "face-conforms"
+        code = conforming if verdict.conforms else "face-does-not-conform"
+        yield note(code, limit_characteristic_time=limit.most, most_characteristic_time=limit.limit)
     yield note("face-test-error", **OVER_MESHES)
     if not {"toe", "high"} & inputs.keys() and not head.club.characteristic_time:
         yield note("face-line", characteristic_time=time)

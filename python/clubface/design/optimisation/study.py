@@ -55,11 +55,12 @@ from clubface.design.optimisation.landings import (
 from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
 from clubface.design.optimisation.solve import Limit, Problem
 from clubface.design.optimisation.variables import Variables, check_bounds
-from clubface.design.rules import check_rules, rules_of
+from clubface.design.rules import check_rules
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
+from clubface.equipment.rules import rules_of
 from clubface.errors import FileError, InputError, Wording
 from clubface.fem.heads.meshed import mesh_of
 from clubface.quantities import Quantity, Reading, quantity as quantity_named

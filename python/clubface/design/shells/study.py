@@ -43,8 +43,8 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of
-from clubface.design.rules import rules_of
 from clubface.design.shells.goal import Goal
+from clubface.equipment.rules import rules_of
 from clubface.errors import InputError, ShotError
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
