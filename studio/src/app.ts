@@ -5,7 +5,7 @@ import type { Context } from "./context";
 import { choiceOf } from "./parts/choice";
 import { modelsScene } from "./scenes/models/models-scene";
 import { shotScene } from "./scenes/shot/shot-scene";
-import type { Scene } from "./state/state";
+import { SCENES, type Scene, THEMES } from "./state/state";
 
 const TITLES: Record<Scene, string> = { shot: "Shot", models: "Models side by side" };
 
@@ -35,14 +35,14 @@ function header({ state, model, actions }: Context): TemplateResult {
     <header>
       <h1>clubface <span>studio</span></h1>
       <nav aria-label="Scenes">
-        ${Object.entries(TITLES).map(
-          ([scene, title]) => html`
+        ${SCENES.map(
+          (scene) => html`
             <button
               type="button"
               aria-current=${state.scene === scene ? "page" : nothing}
-              @click=${() => actions.change({ kind: "scene", scene: scene as Scene })}
+              @click=${() => actions.change({ kind: "scene", scene })}
             >
-              ${title}
+              ${TITLES[scene]}
             </button>
           `,
         )}
@@ -58,19 +58,14 @@ function header({ state, model, actions }: Context): TemplateResult {
             ["golf", "mph, yd"],
             ["metric", "m/s, m"],
           ],
-          choose: (system) => actions.change({ kind: "system", system: system === "metric" ? "metric" : "golf" }),
+          choose: (system) => actions.change({ kind: "system", system }),
         })}
         ${choiceOf({
           name: "theme",
           label: "Theme",
           value: state.theme,
-          options: [
-            ["auto", "auto"],
-            ["light", "light"],
-            ["dark", "dark"],
-          ],
-          choose: (theme) =>
-            actions.change({ kind: "theme", theme: theme === "light" || theme === "dark" ? theme : "auto" }),
+          options: THEMES.map((theme) => [theme, theme]),
+          choose: (theme) => actions.change({ kind: "theme", theme }),
         })}
         <button type="button" @click=${() => print()}>Print</button>
       </div>

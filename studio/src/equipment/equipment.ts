@@ -46,13 +46,16 @@ export interface Equipment {
   choices: Record<string, Record<string, Record<string, Choices>>>;
 }
 
+export const HANDS = ["right", "left"] as const;
+export type Hand = (typeof HANDS)[number];
+
 export interface Chosen {
   club: string;
   ball: string;
   model: string;
   /** Name of a published parameter set, "" for the usual one. */
   parameters: string;
-  hand: "right" | "left";
+  hand: Hand;
 }
 
 /** The names of the parameter sets that a club, a ball and a model leave to choose from; the first is the usual one. */

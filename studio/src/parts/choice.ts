@@ -2,18 +2,18 @@
 
 import { html, type TemplateResult } from "lit-html";
 
-export interface Choice {
+export interface Choice<T extends string> {
   name: string;
   label: string;
-  value: string;
-  options: readonly (readonly [value: string, label: string])[];
-  choose(value: string): void;
+  value: T;
+  options: readonly (readonly [value: T, label: string])[];
+  choose(value: T): void;
 }
 
-export const choiceOf = ({ name, label, value, options, choose }: Choice): TemplateResult => html`
+export const choiceOf = <T extends string>({ name, label, value, options, choose }: Choice<T>): TemplateResult => html`
   <label class="choice">
     <span>${label}</span>
-    <select name=${name} .value=${value} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
+    <select name=${name} .value=${value} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as T)}>
       ${options.map(([key, text]) => html`<option value=${key} ?selected=${key === value}>${text}</option>`)}
     </select>
   </label>

@@ -3,7 +3,8 @@
 import type { Description, Quantity } from "../core/types";
 import { type Amount, Units } from "./units";
 
-export type System = "golf" | "metric";
+export const SYSTEMS = ["golf", "metric"] as const;
+export type System = (typeof SYSTEMS)[number];
 
 export interface Shown {
   number: string;

@@ -1,7 +1,8 @@
 /** The state as readable text in the address: `#club=driver&speed=105mph&face=2deg`. */
 
 import type { Variable } from "../core/types";
-import { type Equipment, setNames } from "../equipment/equipment";
+import { type Equipment, HANDS, setNames } from "../equipment/equipment";
+import { SYSTEMS } from "../quantities/show";
 import type { Units } from "../quantities/units";
 import { SCENES, type State, THEMES } from "./state";
 
@@ -13,9 +14,6 @@ export interface LinkContext {
   /** What stands for all that the link leaves out. */
   usual: State;
 }
-
-const SYSTEMS = ["golf", "metric"] as const;
-const HANDS = ["right", "left"] as const;
 
 /** Club, ball, model and delivery always; the rest where it is not as usual. */
 export function toLink(state: State, { usual }: Pick<LinkContext, "usual">): string {
@@ -32,7 +30,7 @@ export function toLink(state: State, { usual }: Pick<LinkContext, "usual">): str
   return `#${entries.map(([key, value]) => `${key}=${escaped(value)}`).join("&")}`;
 }
 
-/** A slash and a caret may stand in a fragment as they are. */
+/** A slash may stand in a fragment as it is. */
 const escaped = (text: string): string => encodeURIComponent(text).replace(/%2F/g, "/");
 
 /** The state of a link, and a sentence for each part of it that could not be read. */

@@ -1,6 +1,6 @@
 /** What a link holds: everything that a person chose, and how each choice changes it. */
 
-import type { Chosen, Equipment } from "../equipment/equipment";
+import type { Chosen, Equipment, Hand } from "../equipment/equipment";
 import { setNames } from "../equipment/equipment";
 import type { System } from "../quantities/show";
 import type { Amount } from "../quantities/units";
@@ -25,7 +25,7 @@ export type Change =
   | { kind: "ball"; ball: string }
   | { kind: "model"; model: string }
   | { kind: "parameters"; parameters: string }
-  | { kind: "hand"; hand: State["hand"] }
+  | { kind: "hand"; hand: Hand }
   | { kind: "system"; system: System }
   | { kind: "theme"; theme: Theme }
   | { kind: "delivery"; amounts: Record<string, Amount | null> }
@@ -52,15 +52,11 @@ export function changed(state: State, change: Change, equipment: Equipment): Sta
       return change.state;
     case "club":
       return withKnownSet(withClub(state, change.club, equipment), equipment);
-    case "ball":
-      return withKnownSet({ ...state, ball: change.ball }, equipment);
-    case "model":
-      return withKnownSet({ ...state, model: change.model }, equipment);
     case "delivery":
       return { ...state, delivery: withAmounts(state.delivery, change.amounts) };
     default: {
       const { kind: _, ...rest } = change;
-      return { ...state, ...rest };
+      return withKnownSet({ ...state, ...rest }, equipment);
     }
   }
 }

@@ -2,8 +2,11 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
-import { chosenSet, setNames } from "../../equipment/equipment";
+import { chosenSet, HANDS, setNames } from "../../equipment/equipment";
 import { choiceOf } from "../../parts/choice";
+
+const labels = (entries: Record<string, { label: string }>): [name: string, label: string][] =>
+  Object.entries(entries).map(([name, { label }]) => [name, label]);
 
 export function equipmentPanel(context: Context): TemplateResult {
   const { state, equipment, description, actions } = context;
@@ -18,24 +21,21 @@ export function equipmentPanel(context: Context): TemplateResult {
           name: "club",
           label: "Club",
           value: state.club,
-          options: Object.entries(equipment.clubs).map(([name, { label }]) => [name, label]),
+          options: labels(equipment.clubs),
           choose: (club) => actions.change({ kind: "club", club }),
         })}
         ${choiceOf({
           name: "hand",
           label: "Hand",
           value: state.hand,
-          options: [
-            ["right", "right"],
-            ["left", "left"],
-          ],
-          choose: (hand) => actions.change({ kind: "hand", hand: hand === "left" ? "left" : "right" }),
+          options: HANDS.map((hand) => [hand, hand]),
+          choose: (hand) => actions.change({ kind: "hand", hand }),
         })}
         ${choiceOf({
           name: "ball",
           label: "Ball",
           value: state.ball,
-          options: Object.entries(equipment.balls).map(([name, { label }]) => [name, label]),
+          options: labels(equipment.balls),
           choose: (ball) => actions.change({ kind: "ball", ball }),
         })}
         ${choiceOf({
