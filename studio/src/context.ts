@@ -1,7 +1,7 @@
 /** What every view is given: the model to draw, and what a person may do with it. */
 
 import type { Description, Values } from "./core/types";
-import type { Equipment } from "./equipment/equipment";
+import { type Equipment, usualValue } from "./equipment/equipment";
 import type { Shower } from "./quantities/show";
 import type { Change, State } from "./state/state";
 import type { Mistake, Model } from "./state/store";
@@ -29,9 +29,9 @@ export interface Context {
 export const deliveryOf = ({ state, shower }: Pick<Context, "state" | "shower">): Values =>
   Object.fromEntries(Object.entries(state.delivery).map(([name, amount]) => [name, shower.units.toSi(amount)]));
 
-/** The value of an input of the delivery in SI, given or usual. */
+/** The value of an input of the delivery in SI, as it was given or what stands for it. */
 export function delivered(context: Context, name: string): number {
   const { state, equipment, shower } = context;
-  if (state.delivery[name]) return shower.units.toSi(state.delivery[name]);
-  return name === "loft" ? (equipment.clubs[state.club].columns.static_loft ?? 0) : 0;
+  const amount = state.delivery[name];
+  return amount ? shower.units.toSi(amount) : usualValue(equipment, state, name);
 }

@@ -70,7 +70,14 @@ function choice(equipment: Equipment, { model, club, ball, parameters }: Chosen)
 export const chosenSet = (equipment: Equipment, chosen: Chosen): SetEntry =>
   equipment.sets[choice(equipment, chosen)[0]];
 
-/** The strike of a delivery in SI; what it leaves out is 0, the loft that of the club. */
+/** 1 for a right-handed club, whose toe is to the right of its heel seen from behind, -1 for a left-handed one. */
+export const handSign = ({ hand }: Pick<Chosen, "hand">): number => (hand === "left" ? -1 : 1);
+
+/** What stands for an input of a delivery that is left out [SI]: the loft of the club, and otherwise 0. */
+export const usualValue = (equipment: Equipment, { club }: Pick<Chosen, "club">, name: string): number =>
+  name === "loft" ? (equipment.clubs[club].columns.static_loft ?? 0) : 0;
+
+/** The strike of a delivery in SI. */
 export function strikeOf(description: Description, equipment: Equipment, chosen: Chosen, delivery: Values): Strike {
   const [set, face] = choice(equipment, chosen);
   const [characteristic_time, included_time] = equipment.faces[face];
@@ -80,10 +87,9 @@ export function strikeOf(description: Description, equipment: Equipment, chosen:
     ...Object.fromEntries(club),
     characteristic_time,
     included_time,
-    hand: chosen.hand === "left" ? -1 : 1,
+    hand: handSign(chosen),
+    ...delivery,
   };
-  values.loft = values.static_loft;
-  Object.assign(values, delivery);
-  const inputs = description.inputs.map(({ name }) => values[name] ?? 0);
+  const inputs = description.inputs.map(({ name }) => values[name] ?? usualValue(equipment, chosen, name));
   return { model: chosen.model, inputs, parameters: equipment.sets[set].values };
 }

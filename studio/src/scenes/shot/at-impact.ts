@@ -2,13 +2,15 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
+import { handSign } from "../../equipment/equipment";
 
 const MILLIMETRE = 1e-3;
-/** Half the width of a drawing, and lengths of what is drawn [mm]. */
+/** Half the width of a drawing [mm]. */
 const HALF = 75;
-const BEFORE = 50;
-const NORMAL = 60;
-const AWAY = 92;
+/** Lengths of what is drawn [mm]: the club's path before impact, path and face normal after it, the ball's start. */
+const PATH_BEFORE = 50;
+const AFTER = 60;
+const START = 92;
 
 interface Direction {
   /** Class of the line. */
@@ -27,20 +29,19 @@ export function atImpact(context: Context): TemplateResult {
     angle: values[name] ?? delivered(context, name),
   });
   const { columns } = context.equipment.clubs[context.state.club];
-  const side = context.state.hand === "left" ? -1 : 1;
-  const above = [direction("path", "path"), direction("face-line", "face"), direction("start", "azimuth")];
-  const beside = [direction("path", "attack"), direction("face-line", "loft"), direction("start", "launch")];
+  const fromAbove = [direction("path", "path"), direction("face-line", "face"), direction("start", "azimuth")];
+  const fromSide = [direction("path", "attack"), direction("face-line", "loft"), direction("start", "launch")];
   return html`
     <section aria-labelledby="at-impact">
       <h2 id="at-impact">At impact</h2>
       <div class="at-impact">
-        ${view(context, "From above", above, {
+        ${view(context, "From above", fromAbove, {
           // To the right on the page is right of the target, up is to the target.
           place: (along, across) => [across, -along],
           size: columns.face_width ?? 0,
-          struck: side * delivered(context, "toe"),
+          struck: handSign(context.state) * delivered(context, "toe"),
         })}
-        ${view(context, "From the side", beside, {
+        ${view(context, "From the side", fromSide, {
           place: (along, across) => [along, -across],
           size: columns.face_height ?? 0,
           struck: delivered(context, "high"),
@@ -90,9 +91,9 @@ function view(context: Context, title: string, directions: Direction[], layout: 
         ${segment("target", from([0, 0], 0, -HALF * 1.2), from([0, 0], 0, HALF * 1.2))}
         <circle class="ball" cx=${centre[0]} cy=${centre[1]} r=${radius}></circle>
         ${segment("blade", onFace(least), onFace(most))}
-        ${segment("direction path", from(contact, club.angle, -BEFORE), from(contact, club.angle, NORMAL))}
-        ${segment("direction face-line", from(contact, face.angle, 0), from(contact, face.angle, NORMAL))}
-        ${segment("direction start", from([0, 0], start.angle, 0), from([0, 0], start.angle, AWAY))}
+        ${segment("direction path", from(contact, club.angle, -PATH_BEFORE), from(contact, club.angle, AFTER))}
+        ${segment("direction face-line", from(contact, face.angle, 0), from(contact, face.angle, AFTER))}
+        ${segment("direction start", from([0, 0], start.angle, 0), from([0, 0], start.angle, START))}
       </svg>
       <ul class="legend">
         ${words.map(({ kind, text }) => html`<li><i class=${`direction ${kind}`}></i>${text}</li>`)}

@@ -2,6 +2,7 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
+import { handSign } from "../../equipment/equipment";
 import type { Amount } from "../../quantities/units";
 import { deliveryField } from "./delivery";
 
@@ -22,7 +23,7 @@ export function facePanel(context: Context): TemplateResult {
   const club = equipment.clubs[state.club];
   const [width, height] = [club.columns.face_width ?? 0, club.columns.face_height ?? 0];
   // Seen through the head, from behind: the toe is on the right of a right-handed club.
-  const side = state.hand === "left" ? -1 : 1;
+  const side = handSign(state);
   const [across, up] = [width / 2 / MILLIMETRE + MARGIN, height / 2 / MILLIMETRE + MARGIN];
   const corners = club.outline.map(([toe, high]) => `${(side * toe) / MILLIMETRE},${-high / MILLIMETRE}`).join(" ");
   const [toe, high] = [delivered(context, "toe"), delivered(context, "high")];
