@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { type Context, delivered } from "../context";
+import { sideOf } from "../quantities/show";
 import { measure } from "./measure";
 
 export interface Field {
@@ -26,7 +27,6 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
   const mistake = model.mistakes[name];
   const typed = model.typing?.name === name ? model.typing.text : undefined;
   const { sides, meaning, sign } = shower.quantity(name);
-  const side = sides && Number(value.toFixed(digits)) !== 0 ? sides[value < 0 ? 0 : 1] : "";
 
   const take = (event: Event): void => {
     const field = event.target as HTMLInputElement;
@@ -46,7 +46,7 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
   return html`
     <div class="field" data-name=${name}>
       <label for=${`text-${name}`} title=${[meaning, sign].filter(Boolean).join(": ")}>${label}</label>
-      <span class="side">${side}</span>
+      <span class="side">${sideOf(sides, value, digits)}</span>
       <span class="typed">
         <input
           id=${`text-${name}`}

@@ -53,8 +53,7 @@ export class Shower {
     const { unit, digits } = this.reading(name, system);
     const value = this.units.fromSi(si, unit);
     const number = this.format(sides ? Math.abs(value) : value, digits);
-    const isZero = Number(value.toFixed(digits)) === 0;
-    const side = sides && !isZero ? sides[value < 0 ? 0 : 1] : "";
+    const side = sideOf(sides, value, digits);
     // "backspin 2183 rpm" needs no word for its sign, "backspin 300 rpm topspin" does.
     return { number, unit: this.units.symbol(unit), side: label === side ? "" : side };
   }
@@ -72,9 +71,16 @@ export class Shower {
   }
 }
 
-/** Number, unit and word; a degree sign follows its number at once. */
+/** The word for the sign of a value, "" where there is none or where the value rounds to 0. */
+export const sideOf = (sides: readonly [string, string] | null, value: number, digits: number): string =>
+  sides && Number(value.toFixed(digits)) !== 0 ? sides[value < 0 ? 0 : 1] : "";
+
+/** What stands between a number and its unit: nothing before a sign of degrees or per cent, else a space. */
+export const gap = (unit: string): string => (unit === "" || unit.startsWith("°") || unit === "%" ? "" : " ");
+
+/** Number, unit and word in one text. */
 export const join = (number: string, unit: string, side = ""): string =>
-  [unit.startsWith("°") || unit === "%" ? number + unit : `${number} ${unit}`.trim(), side].filter(Boolean).join(" ");
+  [number + gap(unit) + unit, side].filter(Boolean).join(" ");
 
 const GREEK: Record<string, string> = {
   alpha: "α",

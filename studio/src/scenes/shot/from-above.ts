@@ -3,6 +3,7 @@
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
 import { line, scale, ticks } from "../../parts/axes";
+import { sideOf } from "../../quantities/show";
 import { type Drawing, LEFT } from "./flight-panel";
 
 const TOP = 24;
@@ -19,24 +20,27 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   const { width, zoom, along, alongTicks, path, landing, rest, unit } = drawing;
   const values = model.good?.values ?? {};
   const end = (angle: number, length: number): [number, number] => [length * Math.cos(angle), length * Math.sin(angle)];
-  const directions = [
-    { name: "path", word: "path", to: end(delivered(context, "path"), REACH * landing[0]) },
-    { name: "face", word: "face", to: end(delivered(context, "face"), REACH * landing[0]) },
-    { name: "start", word: "start", to: end(values.azimuth, landing[0]) },
-  ];
-  const sides = [...path.map(([, , right]) => right), rest[1], ...directions.map(({ to }) => to[1])];
-  const [least, most] = [Math.min(-LEAST_SIDE, ...sides) * 1.1, Math.max(LEAST_SIDE, ...sides) * 1.1];
+  const ends = {
+    path: end(delivered(context, "path"), REACH * landing[0]),
+    face: end(delivered(context, "face"), REACH * landing[0]),
+    start: end(values.azimuth, landing[0]),
+  };
+  const shown = [...path.map(([, , right]) => right), rest[1], ...Object.values(ends).map(([, right]) => right)];
+  const [least, most] = [Math.min(-LEAST_SIDE, ...shown) * 1.1, Math.max(LEAST_SIDE, ...shown) * 1.1];
   const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, (most - least) * along.size));
   const height = TOP + inner + BOTTOM;
   // Right of the target is below, as it is for who looks to the target with the ball on the left.
   const right = scale([least, most], [TOP, TOP + inner]);
   const ratio = right.size / along.size;
   const at = ([x, z]: readonly [number, number]): [number, number] => [along.at(x), right.at(z)];
-  const said =
+  const { sides } = shower.quantity("side");
+  /** "L" or "R" behind a distance, as the first letters of the core's words for its sides. */
+  const letter = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
+  const label =
     `The flight from above: the ball starts ${shower.text("azimuth", values.azimuth, state.system)} and lands ` +
     `${shower.text("side", values.side, state.system)} after ${shower.text("carry", values.carry, state.system)}.`;
   return html`
-    <svg class="view" role="img" aria-label=${said} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
+    <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
       <text class="title" x="0" y="13">From above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
       ${alongTicks.map(
         (tick) => svg`
@@ -45,12 +49,12 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
       )}
       ${ticks([least, most], 5).map(
         (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
-          ${Math.abs(tick)}${tick === 0 ? "" : tick < 0 ? " L" : " R"}</text>`,
+          ${Math.abs(tick)}${letter(tick)}</text>`,
       )}
       <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
-      <path class="direction start" d=${line([at([0, 0]), at(directions[2].to)])}></path>
-      <path class="direction path" d=${line([at([0, 0]), at(directions[0].to)])}></path>
-      <path class="direction face-line" d=${line([at([0, 0]), at(directions[1].to)])}></path>
+      <path class="direction start" d=${line([at([0, 0]), at(ends.start)])}></path>
+      <path class="direction path" d=${line([at([0, 0]), at(ends.path)])}></path>
+      <path class="direction face-line" d=${line([at([0, 0]), at(ends.face)])}></path>
       <path class="ball-path" d=${line(path.map(([x, , z]) => at([x, z])))}></path>
       <path class="roll" d=${line([at(landing), at(rest)])}></path>
       <circle class="landing" cx=${at(landing)[0]} cy=${at(landing)[1]} r="4"></circle>

@@ -18,13 +18,13 @@ export function fromSide({ model, state, shower }: Context, drawing: Drawing): T
   const up = scale([0, apex * 1.08], [ground, TOP]);
   const ratio = up.size / along.size;
   const values = model.good?.values ?? {};
-  const said = `The flight from the side: apex ${shower.text("apex", values.apex, state.system)}, landing at ${shower.text(
+  const label = `The flight from the side: apex ${shower.text("apex", values.apex, state.system)}, landing at ${shower.text(
     "landing_angle",
     values.landing_angle,
     state.system,
   )}.`;
   return html`
-    <svg class="view" role="img" aria-label=${said} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
+    <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
       <text class="title" x="0" y="13">From the side, apex ${shower.text("apex", values.apex, state.system)}${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
       ${ticks([0, apex], 2).map(
         (tick) => svg`

@@ -2,6 +2,7 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { gap } from "../../quantities/show";
 
 const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
@@ -17,7 +18,7 @@ export function headline({ model, state, shower }: Context): TemplateResult {
           const { number, unit, side } = shower.show(name, shot.values[name], system);
           return html`<div>
             <dt>${shower.quantity(name).label}</dt>
-            <dd><b>${number}</b>${unit.startsWith("°") ? unit : html` <span>${unit}</span>`} <i>${side}</i></dd>
+            <dd><b>${number}</b>${gap(unit) ? html` <span>${unit}</span>` : unit} <i>${side}</i></dd>
           </div>`;
         })}
       </dl>

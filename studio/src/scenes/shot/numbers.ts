@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { Variable } from "../../core/types";
-import { printedSymbol } from "../../quantities/show";
+import { gap, printedSymbol } from "../../quantities/show";
 
 /** The output that is 1 where a flight leaves the range of the aerodynamic data. */
 const OUTSIDE = "outside_fit";
@@ -50,7 +50,7 @@ function table({ model, state, shower }: Context, title: string, variables: Vari
           return html`<tr>
             <th scope="row">${label} <span class="symbol">${letter}<sub>${index}</sub></span></th>
             <td data-quantity=${name} data-value=${String(values[name])}>
-              <b>${number}</b>${unit.startsWith("°") ? "" : " "}${unit} ${side}
+              <b>${number}</b>${gap(unit)}${unit} ${side}
             </td>
             <td>${meaning}</td>
           </tr>`;

@@ -2,7 +2,8 @@
 
 import { html, type nothing, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
-import { join } from "../../quantities/show";
+import type { Quantity } from "../../core/types";
+import { join, sideOf } from "../../quantities/show";
 import { DELIVERY, IMPACT_POINT, MAIN } from "./words";
 
 export function whatIfPanel(context: Context): TemplateResult {
@@ -24,7 +25,8 @@ function chip(context: Context, name: string): TemplateResult | typeof nothing {
   const { unit, digits } = shower.reading(name, state.system);
   const { units } = shower;
   const size = units.toSi({ value: step, unit });
-  const across = difference(context, "side", (model.slopes.side?.[name] ?? 0) * size, ["left", "right"]);
+  const sides = shower.quantity("side").sides;
+  const across = difference(context, "side", (model.slopes.side?.[name] ?? 0) * size, sides);
   const along = difference(context, "carry", (model.slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
   const isKnown = Object.keys(model.slopes).length > 0;
   const effects = isKnown ? [across, along].filter(Boolean).join(", ") || "no difference" : "…";
@@ -38,9 +40,9 @@ function chip(context: Context, name: string): TemplateResult | typeof nothing {
 }
 
 /** A difference with its word, "" where it rounds to nothing. */
-function difference({ shower, state }: Context, name: string, si: number, words: [string, string]): string {
+function difference({ shower, state }: Context, name: string, si: number, words: Quantity["sides"]): string {
   const { unit, digits } = shower.reading(name, state.system);
   const value = shower.units.differenceFromSi(si, unit);
-  if (Number(value.toFixed(digits)) === 0) return "";
-  return join(shower.format(Math.abs(value), digits), shower.units.symbol(unit), words[value < 0 ? 0 : 1]);
+  const word = sideOf(words, value, digits);
+  return word && join(shower.format(Math.abs(value), digits), shower.units.symbol(unit), word);
 }
