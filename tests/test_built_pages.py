@@ -1,11 +1,9 @@
 """The check of the built pages finds what a reader would miss: addresses of a network and links that lead nowhere."""
 
-import importlib.util
-from pathlib import Path
-
 import pytest
 
-SOURCE = Path(__file__).parent.parent / "docs" / "_ext" / "built_pages.py"
+from script_files import load_script
+
 HEAD = '<!doctype html><html><head><link rel="stylesheet" href="style.css?v=1"></head><body>'
 SOUND = f'{HEAD}<h1 id="top">A</h1><a href="https://example.org">out</a><a href="#top">up</a><img src="data:,"></body>'
 
@@ -13,10 +11,7 @@ SOUND = f'{HEAD}<h1 id="top">A</h1><a href="https://example.org">out</a><a href=
 @pytest.fixture
 def problems():
     pytest.importorskip("sphinx")
-    spec = importlib.util.spec_from_file_location("built_pages", SOURCE)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.problems
+    return load_script("docs/_ext/built_pages.py").problems
 
 
 @pytest.fixture

@@ -1,20 +1,14 @@
 """Formulas of the pages become MathML that means what the LaTeX means."""
 
-import importlib.util
-from pathlib import Path
-
 import pytest
 
-SOURCE = Path(__file__).parent.parent / "docs" / "_ext" / "mathml.py"
+from script_files import load_script
 
 
 @pytest.fixture
 def extension():
     pytest.importorskip("sphinx")
-    spec = importlib.util.spec_from_file_location("mathml", SOURCE)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load_script("docs/_ext/mathml.py")
 
 
 def markup(extension, formula):

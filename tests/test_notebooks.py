@@ -1,12 +1,13 @@
 """Every notebook runs in a kernel, prints what it holds, and what it says in words is true of its numbers."""
 
 import base64
-import importlib.util
 import re
 from functools import cache
 from pathlib import Path
 
 import pytest
+
+from script_files import load_script
 
 nbformat = pytest.importorskip("nbformat")
 for needed in ("nbclient", "ipykernel", "matplotlib", "scipy"):
@@ -19,14 +20,7 @@ LARGEST = 200_000
 """Bytes of a notebook with its pictures."""
 
 
-def module(name):
-    specification = importlib.util.spec_from_file_location(f"notebooks_{name}", FOLDER / f"{name}.py")
-    result = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(result)
-    return result
-
-
-run = module("run")
+run = load_script("notebooks/run.py")
 
 
 def stored(name):
@@ -138,7 +132,7 @@ def test_a_fitting_finds_the_golfer_and_the_loft():
 
 
 def test_the_session_of_the_fitting_is_that_of_its_golfer(tmp_path):
-    module("session").main(tmp_path / "session.csv")
+    load_script("notebooks/session.py").main(tmp_path / "session.csv")
     again, kept = (path.read_text().splitlines() for path in (tmp_path / "session.csv", FOLDER / "session.csv"))
     assert len(again) == len(kept)
     assert all(map(run.agree, again, kept))

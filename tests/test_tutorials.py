@@ -1,20 +1,18 @@
 """Every page runs from top to bottom, and its outputs and figures are those it shows."""
 
-import importlib.util
 from pathlib import Path
 
 import pytest
 
 import clubface
 from clubface.equipment.backends import OWN
+from script_files import load_script
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 NEEDED = ("typer", "rich", "matplotlib", "pandas", "pyarrow", "ezc3d", "pymoo", "scipy")
 
-specification = importlib.util.spec_from_file_location("run_page", ROOT / "docs" / "run.py")
-run_page = importlib.util.module_from_spec(specification)
-specification.loader.exec_module(run_page)
+run_page = load_script("docs/run.py")
 
 
 def pages_with(name):

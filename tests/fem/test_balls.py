@@ -1,8 +1,6 @@
 """The balls of the catalogue: what published plate tests say of them, and by how much their spins differ."""
 
-import importlib.util
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,11 +11,8 @@ from clubface.errors import InputError
 from clubface.fem.balls import node_masses
 
 pytest.importorskip("scipy")
-specification = importlib.util.spec_from_file_location(
-    "ball_fit", Path(__file__).parents[2] / "studies" / "ball_fit.py"
-)
-study = importlib.util.module_from_spec(specification)
-specification.loader.exec_module(study)
+
+import ball_fit as study
 
 
 @cache
