@@ -16,7 +16,8 @@ const DASHES = [[], [8, 4], [2, 3]];
 interface Drawn {
   chart: uPlot;
   frame: Element;
-  key: string;
+  /** What it was drawn from: it is drawn anew where one of them is another. */
+  inputs: readonly unknown[];
 }
 
 const drawn = new Map<string, Drawn>();
@@ -81,18 +82,6 @@ export function drawCharts(context: Context): void {
   }
 }
 
-const identities = new WeakMap<object, number>();
-let count = 0;
-
-/** A number that stands for an object, so that what is drawn can be told by a text. */
-function identity(value: object): number {
-  const known = identities.get(value);
-  if (known !== undefined) return known;
-  count += 1;
-  identities.set(value, count);
-  return count;
-}
-
 function draw(context: Context, each: HistoryChart, frame: Element): void {
   const { model, state, shower } = context;
   const histories = model.comparison?.histories ?? [];
@@ -101,9 +90,9 @@ function draw(context: Context, each: HistoryChart, frame: Element): void {
   const rem = rootSize();
   const font = `${0.75 * rem}px system-ui, sans-serif`;
   const ink = style.getPropertyValue("--ink");
-  const key = [width, state.system, ink, model.comparison && identity(model.comparison)].join();
+  const inputs = [width, rem, state.system, ink, model.comparison];
   const before = drawn.get(each.name);
-  if (before?.key === key) return;
+  if (before?.inputs.every((input, i) => input === inputs[i])) return;
   before?.chart.destroy();
   const { unit } = shower.reading(each.quantity, state.system);
   const time = shower.reading("contact_time", state.system).unit;
@@ -145,5 +134,5 @@ function draw(context: Context, each: HistoryChart, frame: Element): void {
     data,
     frame as HTMLElement,
   );
-  drawn.set(each.name, { chart, frame, key });
+  drawn.set(each.name, { chart, frame, inputs });
 }

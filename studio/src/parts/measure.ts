@@ -33,8 +33,15 @@ export function watchWidths(): void {
 /** The size of the page's letters [px]. */
 export const rootSize = (): number => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 
+const MOST_TIMES = 1000;
 /** The latest times from an input event to the page that shows its answer [ms], for the browser tests. */
 const times: { toDrawn: number[]; toFrame: number[] } = { toDrawn: [], toFrame: [] };
+
+function keep(list: number[], time: number): void {
+  list.push(time);
+  if (list.length > MOST_TIMES) list.shift();
+}
+
 let since: number | null = null;
 
 export const measure = {
@@ -51,9 +58,8 @@ export const measure = {
     if (since === null) return;
     const begun = since;
     since = null;
-    times.toDrawn.push(performance.now() - begun);
-    requestAnimationFrame(() => times.toFrame.push(performance.now() - begun));
-    if (times.toDrawn.length > 1000) times.toDrawn.shift();
+    keep(times.toDrawn, performance.now() - begun);
+    requestAnimationFrame(() => keep(times.toFrame, performance.now() - begun));
   },
 };
 

@@ -4,7 +4,7 @@ export interface Timeline<T> {
   past: readonly T[];
   present: T;
   future: readonly T[];
-  /** Whether the last change is still going on, so that the next of its kind replaces it. */
+  /** Name of the change that is still going on, whose next value replaces the last; null where none is. */
   going: string | null;
 }
 
