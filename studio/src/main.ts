@@ -6,6 +6,7 @@ import equipmentUrl from "../generated/equipment.json?url";
 import { app } from "./app";
 import { type Context, deliveryOf } from "./context";
 import { CoreClient } from "./core/client";
+import { fetchFile } from "./core/fetch-file";
 import { type Equipment, strikeOf } from "./equipment/equipment";
 import { watchKeys } from "./keys";
 import { drawCharts } from "./parts/chart";
@@ -28,7 +29,7 @@ const ADDRESS_INTERVAL = 300;
 const usualSystem = (): System => (/-(US|GB|IE|CA)$/.test(navigator.language) ? "golf" : "metric");
 
 async function start(page: HTMLElement): Promise<void> {
-  const [client, response] = await Promise.all([CoreClient.start(wasmUrl), fetch(equipmentUrl)]);
+  const [client, response] = await Promise.all([CoreClient.start(wasmUrl), fetchFile(equipmentUrl)]);
   const equipment = (await response.json()) as Equipment;
   const { description } = client;
   const shower = new Shower(description, navigator.language);

@@ -2,6 +2,7 @@
 
 import { type LoadedCore, load } from "clubface-core";
 import { compareModels, computeShot, computeSlopes } from "./compute";
+import { fetchFile } from "./fetch-file";
 import type { Reply, Request } from "./types";
 
 let core: LoadedCore | undefined;
@@ -9,8 +10,7 @@ let core: LoadedCore | undefined;
 const reply = (message: Reply): void => postMessage(message);
 
 async function start(wasm: string): Promise<void> {
-  const response = await fetch(wasm);
-  if (!response.ok) throw new Error(`${wasm}: ${response.status} ${response.statusText}`);
+  const response = await fetchFile(wasm);
   core = await load(await response.arrayBuffer());
   reply({ kind: "ready", description: core.description });
 }
