@@ -56,8 +56,11 @@ function flightInputs(core: LoadedCore, strike: Strike, launch: Values): number[
 /** Derivatives of the flight by the inputs of the delivery: those of the flight times those of the launch. */
 export function computeSlopes(core: LoadedCore, strike: Strike): Slopes {
   const { inputs, outputs, flight_inputs, flight_outputs } = core.description;
-  const places = flight_inputs.map(({ name }) => outputs.findIndex((output) => output.name === name));
-  const launched = places.filter((place) => place >= 0);
+  const passedOn = flight_inputs.flatMap(({ name }, column) => {
+    const place = outputs.findIndex((output) => output.name === name);
+    return place < 0 ? [] : [{ column, place }];
+  });
+  const launched = passedOn.map(({ place }) => place);
   const by = inputs.flatMap(({ group }, place) => (group === "delivery" ? [place] : []));
   const launch = core.sensitivities(strike.model, strike.inputs, strike.parameters, 1, launched, by);
   if (launch.rejects.length) return {};
@@ -65,15 +68,13 @@ export function computeSlopes(core: LoadedCore, strike: Strike): Slopes {
     launched.map((place) => outputs[place]),
     launch.outputs,
   );
-  const flown = core.flightSensitivity(flightInputs(core, strike, values)).jacobian;
-  const result: Slopes = {};
-  flight_outputs.forEach((output, i) => {
-    const row = by.map((_, j) =>
-      places.reduce((sum, place, k) => {
-        return place < 0 ? sum : sum + flown[i][k] * launch.derivatives[launched.indexOf(place)][j][0];
-      }, 0),
-    );
-    result[output.name] = Object.fromEntries(by.map((place, j) => [inputs[place].name, row[j]]));
-  });
-  return result;
+  const { jacobian } = core.flightSensitivity(flightInputs(core, strike, values));
+  const slope = (row: Float64Array, j: number): number =>
+    passedOn.reduce((sum, { column }, k) => sum + row[column] * launch.derivatives[k][j][0], 0);
+  return Object.fromEntries(
+    flight_outputs.map(({ name }, i) => [
+      name,
+      Object.fromEntries(by.map((place, j) => [inputs[place].name, slope(jacobian[i], j)])),
+    ]),
+  );
 }
