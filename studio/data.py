@@ -6,7 +6,6 @@ unit tests read; in the browser the description comes from the core itself. An i
 
 from __future__ import annotations
 
-import csv
 import json
 import math
 import sys
@@ -24,11 +23,12 @@ from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import RuleWarning
 from clubface.simulation.inputs import equipment, parameter_set
 from clubface.simulation.results import inputs
-from clubface.support.files import DATA, builtin_names
+from clubface.support.files import builtin_names
 from clubface.support.version import __version__
+from clubface.units import from_si
+from clubface.validation.tour import Average, averages
 
 DESCRIBED = ("quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs")
-AVERAGES = DATA / "measurements" / "pga-2023.csv"
 
 
 class Numbered(dict[Any, int]):
@@ -41,15 +41,14 @@ class Numbered(dict[Any, int]):
 
 def tour_delivery(each: Club) -> dict[str, list[Any]]:
     """Return speed and attack angle of the tour average of a club, or of the nearest loft of its kind."""
-    with AVERAGES.open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
 
-    def distance(row: Mapping[str, str]) -> tuple[bool, float]:
-        other = club(row["club"])
-        return (other.kind == "iron") != (each.kind == "iron"), abs(other.loft - each.loft)
+    def distance(row: Average) -> tuple[bool, bool, float]:
+        other = club(row.club)
+        return row.club != each.name, (other.kind == "iron") != (each.kind == "iron"), abs(other.loft - each.loft)
 
-    row = next((row for row in rows if row["club"] == each.name), None) or min(rows, key=distance)
-    return {"speed": [float(row["club_speed [mph]"]), "mph"], "attack": [float(row["attack [deg]"]), "deg"]}
+    row = min(averages(), key=distance)
+    speed, attack = from_si(row.club_speed, "mph"), from_si(row.attack, "deg")
+    return {"speed": [round(float(speed), 1), "mph"], "attack": [round(float(attack), 1), "deg"]}
 
 
 def finite(values: Mapping[str, float]) -> dict[str, float | None]:
@@ -106,7 +105,7 @@ def equipment_data() -> dict[str, Any]:
         for club_name, each in clubs.items():
             for ball_name, struck in balls.items():
                 plain = dict(zip(inputs(), equipment(each, struck).columns, strict=True))
-                found: dict[str, list[int]] = {}
+                places: dict[str, list[int]] = {}
                 for name in set_names(model, each.parameters):
                     chosen = parameter_set(model, each, name, struck)
                     columns = chosen.with_included_face(plain)
@@ -114,8 +113,8 @@ def equipment_data() -> dict[str, Any]:
                     key = json.dumps(data)
                     sets[key] = data
                     face = (columns["characteristic_time"], columns.get("included_time", 0.0))
-                    found[name or ""] = [set_places.place(key), faces.place(face)]
-                choices.setdefault(model, {}).setdefault(club_name, {})[ball_name] = found
+                    places[name or ""] = [set_places.place(key), faces.place(face)]
+                choices.setdefault(model, {}).setdefault(club_name, {})[ball_name] = places
     return {
         "version": __version__,
         "defaults": {"model": DEFAULT_MODEL, "ball": DEFAULT_BALL, "club": "driver"},
