@@ -336,10 +336,8 @@ def own_meshes() -> None:
     for what, (along, cut) in OWN_MESHES.items():
         made = replace(design, thickness=walls, elements=along).mesh()
         parts = [part.name for part in made.parts for _ in range(part.elements)]
-        count = len(parts) if cut is None else cut
-        divided = set(
-            np.linspace(0, len(parts) - 1, count + 2 if cut else count).astype(int)[1 if cut else 0 :][:count]
-        )
+        inner = np.linspace(0, len(parts) - 1, (cut or 0) + 2).astype(int)[1:-1]
+        divided = set(range(len(parts)) if cut is None else inner.tolist())
         elements = []
         for number, (name, quad) in enumerate(zip(parts, made.quads, strict=True)):
             elements += [(name, each) for each in ([quad[:3], quad[[0, 2, 3]]] if number in divided else [quad])]

@@ -143,7 +143,8 @@ def main() -> None:
     start = np.log([middle for middle, _ in FREE.values()])
     fit = least_squares(problem.residuals, start, diff_step=0.02, max_nfev=5)
     normal, oblique, shares, errors = problem.figures(fit.x)
-    print_targets(kept_targets(problem, normal, oblique, shares))
+    targets = kept_targets(problem, normal, oblique, shares)
+    print_targets(targets)
     covariance = np.linalg.inv(fit.jac.T @ fit.jac)
     spins = kept_spins(problem, errors, fit.jac, covariance)
     for each in spins:
@@ -162,7 +163,7 @@ def main() -> None:
     for group, percent in without.items():
         print(f"without {group:40} {percent:+6.1f}%")
     kept = {
-        "targets": kept_targets(problem, normal, oblique, shares),
+        "targets": targets,
         "spins": spins,
         "constants": constants,
         "without_percent": without,

@@ -226,7 +226,5 @@ def test_the_command_and_the_report_of_a_shot_have_words_and_picture(clubface_, 
 @pytest.mark.parametrize(("hand", "named"), [("right", False), ("left", True)])
 def test_the_first_line_says_that_a_club_is_left_handed(clubface_, hand, named):
     for command in ("shot", "explain"):
-        first = clubface_(command, "driver", "--speed", "90 mph", "--loft", "14 deg", "--hand", hand).out.splitlines()[
-            0
-        ]
-        assert ("left-handed" in first) == named
+        shown = clubface_(command, "driver", "--speed", "90 mph", "--loft", "14 deg", "--hand", hand).out
+        assert ("left-handed" in shown.splitlines()[0]) == named

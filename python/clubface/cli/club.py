@@ -38,14 +38,15 @@ def new(
     from clubface.equipment.clubs import Club, club
 
     like, settings = texts["like"], texts["set"] or []
-    base = Club.from_text(Club.template(name)) if like is None else club(like).replace(name=name)
+    source = None if like is None else club(like)
+    base = Club.from_text(Club.template(name)) if source is None else source.replace(name=name)
     typed = options.pairs([part for each in settings for part in each.split(",")], "--set")
     words = ", ".join(f"{key} {value}" for key, value in typed.items())
     changes = _changes(base, typed)
     changed = base.replace(**changes)  # refuses what cannot be
-    if like is not None and changes:  # the description of the club that was changed may no longer hold
-        changed = changed.replace(description=f"{club(like).name} with {words}")
-    text = changed.to_toml() if like is not None else _template(name, changes)
+    if source is not None and changes:  # the description of the club that was changed may no longer hold
+        changed = changed.replace(description=f"{source.name} with {words}")
+    text = changed.to_toml() if source is not None else _template(name, changes)
     output.write_template(text, target, f"fill it in, then try: clubface club check {target}")
 
 

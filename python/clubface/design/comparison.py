@@ -317,14 +317,14 @@ def _contribution_panels(compared: Compared, name: str, made: Contributions) -> 
     labels += ["remainder", "difference"]
     table = np.array([*bars, made.remainder[places], compared._differences(name)[places]])
     panels: list[Panel | None] = []
-    ends = {}  # of the quantities of each unit, so that the same length is the same yard
+    ends = {}  # least and greatest of all quantities of a unit, so that a yard is as long in each panel
     for place, key in enumerate(_DRAWN):
         low, high = ends.get(quantity(key).golf.unit, (0.0, 0.0))
         ends[quantity(key).golf.unit] = (min(low, table[:, place].min()), max(high, table[:, place].max()))
     for place, key in enumerate(_DRAWN):
         low, high = ends[quantity(key).golf.unit]
-        margin = 0.05 * (high - low) or None
-        limits = (None, None) if margin is None else (float(low) - margin, float(high) + margin)
+        margin = 0.05 * float(high - low)
+        limits = (float(low) - margin, float(high) + margin) if margin else (None, None)
         y = axis(label=name, names=labels, reversed=True) if not panels else axis(reversed=True, ticks=False)
         marks = [Mark("bars", table[:, place], np.arange(len(table)), style=-1), Mark("rule", x=0.0, style=-2)]
         panels.append(Panel(marks, axis(key, "change", limits=limits), y, quantity(key).label))

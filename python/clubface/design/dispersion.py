@@ -28,7 +28,7 @@ from clubface.shots.tables.headings import heading_of, shot_words
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.simulation.flight import Flight, fly
-from clubface.simulation.impact import Parameters, Tally as OutsideTally, Tally as RangeTally, impact
+from clubface.simulation.impact import Parameters, Tally as RangeTally, impact
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_choice, check_count, check_share, warn_once, without_warnings
@@ -237,7 +237,7 @@ class ImpactSetup(NamedTuple):
         self,
         deliveries: Mapping[str, Floats],
         reasons: dict[str, str] | None = None,
-        outside: OutsideTally | None = None,
+        outside: RangeTally | None = None,
     ) -> dict[str, Floats]:
         """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
         launch, flight = self._strike(deliveries, "nan")
@@ -497,6 +497,6 @@ def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int
     kept = np.isfinite(values["carry"])
     ahead, right = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
     names, strokes = hole.at_rest(ahead, right)
-    for name, number in zip(*np.unique(names, return_counts=True), strict=True):
-        lies[str(name)] += int(number)
+    for name in lies:
+        lies[name] += int((names == name).sum())
     return float(strokes.sum())

@@ -99,12 +99,11 @@ def _findings(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> li
 
 def _gap_findings(bag: Sequence[ClubSummary]) -> Iterator[_Finding]:
     for each in _gaps(bag):
-        clubs: dict[str, Any] = {"longer": each.longer.club, "shorter": each.shorter.club, "gap_carry": each.gap}
         if each.is_wide:
-            yield _Finding(each.gap - each.usual, note("player-finding-gap-wide", **clubs, usual_carry=each.usual))
+            yield _Finding(each.gap - each.usual, note("player-finding-gap-wide", **each.data, usual_carry=each.usual))
         elif each.is_narrow:
             carry, less = (club.spreads["carry"].median for club in (each.longer, each.shorter))
-            overlap = note("player-finding-gap-overlap", **clubs, carry=carry, shorter_carry=less)
+            overlap = note("player-finding-gap-overlap", **each.data, carry=carry, shorter_carry=less)
             yield _Finding(each.usual - each.gap, overlap)
 
 
@@ -134,6 +133,11 @@ class _Gap(NamedTuple):
     def is_narrow(self) -> bool:
         """Whether it is narrow, and surely narrower than a usual one."""
         return self.gap < NARROW and self.gap + self.margin < self.usual
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """Clubs and gap as the data of a note."""
+        return {"longer": self.longer.club, "shorter": self.shorter.club, "gap_carry": self.gap}
 
 
 def _gaps(bag: Sequence[ClubSummary]) -> list[_Gap]:
@@ -238,14 +242,13 @@ def _purchases(
     clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary], loft_notes: LoftNotes | None
 ) -> Iterator[Note]:
     """Yield which clubs the bag asks for, whether another loft of the driver is worth a change, and what is open."""
-    wide, narrow = ([each for each in _gaps(bag) if getattr(each, name)] for name in ("is_wide", "is_narrow"))
+    gaps = _gaps(bag)
+    wide, narrow = [each for each in gaps if each.is_wide], [each for each in gaps if each.is_narrow]
     for each in wide:
         middle = 0.5 * (each.longer.spreads["carry"].median + each.shorter.spreads["carry"].median)
-        names = {"longer": each.longer.club, "shorter": each.shorter.club}
-        yield note("player-buy-gap", **names, gap_carry=each.gap, carry=middle)
+        yield note("player-buy-gap", **each.data, carry=middle)
     for each in narrow:
-        names = {"longer": each.longer.club, "shorter": each.shorter.club}
-        yield note("player-buy-one-of-two", **names, gap_carry=each.gap)
+        yield note("player-buy-one-of-two", **each.data)
     if not wide and not narrow:
         yield note("player-buy-nothing")
     longest = next((each for each in clubs if any(one.name == "loft" for one in each.changes)), None)

@@ -415,15 +415,8 @@ def _with_directions(panel: Panel, height: float, explanation: Explanation, path
     """Return the flight from above with the directions of path, face and start, and its curve; and its height."""
     launch, flight = explanation.launch, explanation.flight
     marks = [each for each in panel.marks if each.kind == "rule"]
-    marks.append(
-        Mark(
-            "line",
-            path[:, 0],
-            path[:, 2],
-            style=_FLIGHT,
-            label=f"flight, lands {_words('side', flight.side, 'sides 0')}",
-        )
-    )
+    lands = f"flight, lands {_words('side', flight.side, 'sides 0')}"
+    marks.append(Mark("line", path[:, 0], path[:, 2], style=_FLIGHT, label=lands))
     start, landing = float(launch.azimuth), path[-1, [0, 2]]
     way = np.array([np.cos(start), np.sin(start)])
     foot = way * float(way @ landing)

@@ -101,11 +101,8 @@ class Fitting:
     @property
     def judges(self) -> tuple[Objective, ...]:
         """All objectives that can be computed, those of the advice first."""
-        first = self.advised
-        return (
-            *first,
-            *(each for each in objectives(self.counted_hole) if each.name not in [one.name for one in first]),
-        )
+        names = [each.name for each in self.advised]
+        return (*self.advised, *(each for each in objectives(self.counted_hole) if each.name not in names))
 
     @property
     def advised(self) -> tuple[Objective, ...]:
