@@ -118,6 +118,8 @@ def test_a_face_stated_by_its_restitution_is_noted_with_what_comes_nearer(tmp_pa
     assert "time-of-cor" not in [each.code for each in check_result(driver, "mine.toml").notes]
     notes = {each.code: each for each in check_result(driver.replace(cor=0.82), "mine.toml").notes}
     assert notes["time-of-cor"].data["restitution"] == 0.82
+    assert "0.820" in notes["time-of-cor"].sentence
+    assert "0.007" in notes["time-of-cor"].sentence
 
 
 def test_a_new_club_goes_to_the_screen_or_starts_from_another(clubface_):

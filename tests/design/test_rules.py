@@ -1,9 +1,12 @@
 """The rules of golf: the limits as published, and a club beside them."""
 
+import json
+from pathlib import Path
+
 import pytest
 
 from clubface import club
-from clubface.design.rules import check_rules, rules, rules_of
+from clubface.design.rules import SPRING_ERROR, check_rules, rules, rules_of
 from clubface.equipment import clubs
 
 HEAD = {"volume": "460 cm3", "size": ("115 mm", "62 mm", "124 mm")}
@@ -68,3 +71,10 @@ def test_what_is_not_known_is_not_called_conforming():
 def test_irons_have_no_limit_of_size_and_steep_faces_none_of_spring():
     assert [each.name for each in rules_of("7-iron")] == ["characteristic_time"]
     assert rules_of("pitching-wedge") == ()
+
+
+def test_the_stated_error_of_a_spring_is_that_of_the_simulated_heads():
+    figures = Path(__file__).parents[2] / "docs" / "fem-figures.json"
+    heads = json.loads(figures.read_text(encoding="utf-8"))["heads"]["figures"].values()
+    # To the three places that the note shows.
+    assert max(abs(each["spring"] - each["shells"]) for each in heads) == pytest.approx(SPRING_ERROR, abs=5e-4)

@@ -44,8 +44,8 @@ SENTENCES = {
     ),
     "source-of-values": "[{place}] {source}",
     "time-of-cor": (
-        "The characteristic time is that which goes with a restitution of {restitution}. Times and restitutions "
-        "that are simulated on one head differ in this by up to 0.007; where you have both, give the time, which came "
+        "The characteristic time is computed from a restitution of {restitution}. On simulated heads the two tests "
+        "disagree by up to {error_restitution} of restitution; if you have both figures, give the time, which came "
         "nearer to the mesh of the one head compared."
     ),
     "unmeasured-face": (
