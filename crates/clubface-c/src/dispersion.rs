@@ -104,8 +104,18 @@ pub unsafe extern "C" fn clubface_dispersion(
         if count == 0 {
             return Err(Failure::input("count", "0; at least 1 is needed"));
         }
+        for (name, shares) in [("percentiles", &case.percentiles), ("ellipses", &case.ellipses)] {
+            if let Some(share) = shares.iter().find(|&&share| !(share > 0.0 && share < 1.0)) {
+                return Err(Failure::input(name, format!("{share} is not allowed; shares between 0 and 1")));
+            }
+        }
         let Player { variables, mean, covariance, mirrored, mishit_share, mishit_scale } = case.golfer;
         let signs = variables.iter().map(|name| mirrored.contains(name)).collect();
+        if covariance.iter().any(|row| row.len() != variables.len()) || mean.len() != variables.len() {
+            let message =
+                format!("one mean and one row of covariances for each of {} variables", variables.len());
+            return Err(Failure::input("golfer", message));
+        }
         let golfer = Golfer::new(mean, &covariance.concat(), signs, mishit_share, mishit_scale)?;
         let model = named(&case.model)?;
         let wanted = model.info().parameters.len();

@@ -21,7 +21,7 @@ impl Golfer {
     /// `mishit_share` of the shots are mishits, which spread `mishit_scale` times as wide.
     ///
     /// # Errors
-    /// A covariance that no variables can have, another number of values, or too many variables.
+    /// A covariance that no variables can have, another number of values, mishits that cannot be, or too many variables.
     pub fn new(
         mean: Vec<f64>,
         covariance: &[f64],
@@ -30,6 +30,9 @@ impl Golfer {
         mishit_scale: f64,
     ) -> Result<Self, ImpactError> {
         let count = mean.len();
+        if count == 0 || !mean.iter().all(|value| value.is_finite()) {
+            return Err(ImpactError::new("mean", "needs one finite number or more"));
+        }
         if covariance.len() != count * count || mirrored.len() != count {
             let message =
                 format!("{} covariances and {} signs for {count} means", covariance.len(), mirrored.len());
@@ -39,6 +42,16 @@ impl Golfer {
             let message = "must be symmetric, of correlations that are possible together";
             return Err(ImpactError::new("covariance", message));
         };
+        if !(0.0..1.0).contains(&mishit_share) {
+            let message = format!("{mishit_share} is not allowed; from 0 to below 1");
+            return Err(ImpactError::new("mishit_share", message));
+        }
+        if !(1.0..f64::INFINITY).contains(&mishit_scale) {
+            return Err(ImpactError::new(
+                "mishit_scale",
+                format!("{mishit_scale} is not allowed; 1 or more"),
+            ));
+        }
         let golfer = Self { mean, root, mirrored, mishit_share, mishit_scale };
         if golfer.dimensions() > MOST_DIMENSIONS {
             let message = format!("{} variables; at most {MOST_DIMENSIONS}", golfer.dimensions());
@@ -111,6 +124,7 @@ fn root(covariance: &[f64], count: usize) -> Option<Vec<f64>> {
             }
             // Correlations, so that variables of different units count alike.
             let scale = spread[i] * spread[j];
+            // Rounding, as of a file with five digits.
             if (one - other).abs() > 1e-12 * scale + 1e-5 * other.abs() || one.is_nan() || other.is_nan() {
                 return None;
             }

@@ -309,4 +309,9 @@ fn a_covariance_that_no_variables_have_is_refused() {
             "{covariance:?}"
         );
     }
+    let alone = |mean: f64, share, scale| Golfer::new(vec![mean], &[1.0], vec![false], share, scale);
+    assert!(alone(45.0, 0.1, 3.0).is_ok());
+    for refused in [(f64::NAN, 0.1, 3.0), (45.0, 1.0, 3.0), (45.0, f64::NAN, 3.0), (45.0, 0.1, 0.5)] {
+        assert!(alone(refused.0, refused.1, refused.2).is_err(), "{refused:?}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::error::ImpactError;
 use crate::impact::Accuracy;
-use clubface_math::Lanes;
+use clubface_math::Numbers;
 
 /// One input of a batch: the same for all shots, or one value a shot.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +52,7 @@ pub const MOST_ROWS: usize = 2 * MOST_LANES;
 
 /// Values of `used` rows from `start`, one a lane; lanes beyond the last row repeat it.
 #[inline(always)]
-pub fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: usize) -> [S; N] {
+pub fn gather<S: Numbers, const N: usize>(columns: &[Column], start: usize, used: usize) -> [S; N] {
     let mut values = [S::zero(); N];
     gather_into(&mut values, columns, start, used);
     values
@@ -60,11 +60,11 @@ pub fn gather<S: Lanes, const N: usize>(columns: &[Column], start: usize, used: 
 
 /// The same into the first places of `values`.
 #[inline(always)]
-pub fn gather_into<S: Lanes>(values: &mut [S], columns: &[Column], start: usize, used: usize) {
+pub fn gather_into<S: Numbers>(values: &mut [S], columns: &[Column], start: usize, used: usize) {
     for (value, column) in values.iter_mut().zip(columns) {
         *value = match column {
             Column::Constant(constant) => S::from_f64(*constant),
-            Column::Values(column) if used == S::LANES => S::load(&column[start..]),
+            Column::Values(column) if used == S::LANES => S::from_slice(&column[start..]),
             Column::Values(column) => S::from_fn(|lane| column[start + lane.min(used - 1)]),
         };
     }

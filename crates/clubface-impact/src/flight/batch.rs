@@ -1,9 +1,9 @@
 //! Many shots: columns in, columns out, on all lanes and threads.
 
-use super::check::{check, never_lands};
+use super::check::{check, good, never_lands};
 use super::shot::{FlightShot, INPUT_COUNT, INPUTS, fly};
 use super::trajectory::TOLERANCE;
-use crate::columns::{Column, MOST_ROWS, Reject};
+use crate::columns::{Column, MOST_ROWS, Reject, gather};
 use crate::error::ImpactError;
 use clubface_math::{Mask, Numbers, RowsKernel, dispatch_rows};
 use core::ops::Range;
@@ -61,21 +61,19 @@ impl RowsKernel for Flights<'_, '_, '_> {
         let mut rejects = Vec::new();
         for start in (0..rows.len()).step_by(S::LANES) {
             let used = S::LANES.min(rows.len() - start);
-            // A lane without a good shot of its own flies a harmless one, which costs the pack nothing.
-            let mut shots = [HARMLESS; MOST_ROWS];
             let mut faults: [Option<ImpactError>; MOST_ROWS] = [const { None }; MOST_ROWS];
-            for lane in 0..used {
-                let shot: [f64; INPUT_COUNT] = core::array::from_fn(|i| columns[i].at(first + start + lane));
-                match check(&shot) {
-                    Ok(()) => shots[lane] = shot,
-                    Err(error) => faults[lane] = Some(error),
-                }
-            }
-            let inputs: [S; INPUT_COUNT] = core::array::from_fn(|i| S::from_fn(|lane| shots[lane][i]));
+            let inputs = read_shots::<S>(columns, first + start, used, &mut faults);
             let flown = fly(&FlightShot::from_inputs(&inputs), TOLERANCE);
             let values = flown.outputs();
+            let landed = flown.landing.landed;
+            if used == S::LANES && landed.all() && faults.iter().all(Option::is_none) {
+                for (output, value) in outputs.iter_mut().zip(&values) {
+                    value.write_to(&mut output[start..]);
+                }
+                continue;
+            }
             for lane in 0..used {
-                if faults[lane].is_none() && !flown.landing.landed.lane(lane) {
+                if faults[lane].is_none() && !landed.lane(lane) {
                     faults[lane] = Some(never_lands());
                 }
                 let bad = faults[lane].is_some();
@@ -91,8 +89,35 @@ impl RowsKernel for Flights<'_, '_, '_> {
     }
 }
 
+/// The shots of one pack, `used` rows from `first` on. A lane without a good shot of its own takes a harmless one, which
+/// costs the pack nothing, and `faults` says what is wrong.
+#[inline(always)]
+pub(super) fn read_shots<S: Numbers>(
+    columns: &[Column],
+    first: usize,
+    used: usize,
+    faults: &mut [Option<ImpactError>],
+) -> [S; INPUT_COUNT] {
+    let inputs: [S; INPUT_COUNT] = gather(columns, first, used);
+    if good(&inputs).all() {
+        return inputs;
+    }
+    let shot = |lane: usize| -> [f64; INPUT_COUNT] { core::array::from_fn(|i| columns[i].at(first + lane)) };
+    for lane in 0..used {
+        faults[lane] = check(&shot(lane)).err();
+    }
+    let mut mended = inputs;
+    for i in 0..INPUT_COUNT {
+        mended[i] = S::from_fn(|lane| {
+            let lane = lane.min(used - 1);
+            if faults[lane].is_none() { inputs[i].lane(lane) } else { HARMLESS[i] }
+        });
+    }
+    mended
+}
+
 /// A ball struck down into the ground, whose flight is over at once.
-pub(super) const HARMLESS: [f64; INPUT_COUNT] = {
+const HARMLESS: [f64; INPUT_COUNT] = {
     let mut shot = [0.0; INPUT_COUNT];
     let mut i = 0;
     while i < INPUT_COUNT {

@@ -3,6 +3,7 @@
 use super::shot::{FlightInput, INPUT_COUNT, INPUTS};
 use crate::error::ImpactError;
 use crate::fault::shown;
+use clubface_math::{Mask, Scalar};
 
 /// First input of a shot that is not allowed.
 ///
@@ -29,6 +30,19 @@ pub fn check(inputs: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         return Err(ImpactError::new("velocity_x", message));
     }
     Ok(())
+}
+
+/// Lanes in which nothing is wrong: the rules of [`check`] for a whole pack.
+#[inline(always)]
+pub(super) fn good<S: Scalar>(inputs: &[S; INPUT_COUNT]) -> S::Mask {
+    let [mass, radius, inertia, vx, vy, vz, ..] = *inputs;
+    let moves = vx.abs().max(vy.abs()).max(vz.abs()).gt(S::zero());
+    let mut good = moves.and(inertia.le(mass * (2.0 / 3.0) * radius.squared()));
+    for i in 0..INPUT_COUNT {
+        let bounds = INPUTS[i].bounds;
+        good = good.and(inputs[i].ge(S::from_f64(bounds.lower))).and(inputs[i].le(S::from_f64(bounds.upper)));
+    }
+    good
 }
 
 fn check_range(input: &FlightInput, value: f64) -> Result<(), ImpactError> {

@@ -1,10 +1,10 @@
 //! Exact derivatives of many flights: a lane holds a shot, and carries its derivatives by a few variables at a time.
 
-use super::batch::{FlightBatch, HARMLESS};
-use super::check::{check, never_lands};
+use super::batch::{FlightBatch, read_shots};
+use super::check::never_lands;
 use super::shot::{FlightShot, INPUT_COUNT, OUTPUT_COUNT, fly};
 use super::trajectory::TOLERANCE;
-use crate::columns::{Column, MOST_LANES, Reject};
+use crate::columns::{MOST_LANES, Reject};
 use crate::error::ImpactError;
 use clubface_math::{Dual, Kernel, Lanes, Mask, dispatch};
 use core::ops::Range;
@@ -77,11 +77,11 @@ impl Kernel for Derivatives<'_, '_, '_> {
             let used = S::LANES.min(rows.len() - start);
             let first = rows.start + start;
             let mut faults: [Option<ImpactError>; MOST_LANES] = [const { None }; MOST_LANES];
-            let shots = shots(batch.inputs, first, used, &mut faults);
+            let shots = read_shots::<S>(batch.inputs, first, used, &mut faults);
             for begin in (0..variables.len().max(1)).step_by(WIDTH) {
                 let chosen = &variables[begin..variables.len().min(begin + WIDTH)];
                 let mut inputs: [Dual<S, WIDTH>; INPUT_COUNT] =
-                    core::array::from_fn(|i| Dual::constant(S::from_fn(|lane| shots[lane][i])));
+                    core::array::from_fn(|i| Dual::constant(shots[i]));
                 for (direction, &variable) in chosen.iter().enumerate() {
                     inputs[variable].tangent[direction] = S::from_f64(1.0);
                 }
@@ -111,22 +111,4 @@ impl Kernel for Derivatives<'_, '_, '_> {
         }
         rejects
     }
-}
-
-/// The shots of one pack; a lane without a good one of its own flies a harmless one, which costs the pack nothing.
-fn shots(
-    columns: &[Column],
-    first: usize,
-    used: usize,
-    faults: &mut [Option<ImpactError>; MOST_LANES],
-) -> [[f64; INPUT_COUNT]; MOST_LANES] {
-    let mut shots = [HARMLESS; MOST_LANES];
-    for lane in 0..used {
-        let shot: [f64; INPUT_COUNT] = core::array::from_fn(|i| columns[i].at(first + lane));
-        match check(&shot) {
-            Ok(()) => shots[lane] = shot,
-            Err(error) => faults[lane] = Some(error),
-        }
-    }
-    shots
 }

@@ -7,7 +7,10 @@ use core::mem::MaybeUninit;
 /// The time derivative, as a function of its own: every stage of every method calls the one copy.
 #[inline(always)]
 pub(super) fn rate_of<P: System<S, N>, S: Scalar, const N: usize>(problem: &P, y: &[S; N]) -> [S; N] {
-    S::outline(Rate { problem, y })
+    let mut rate = Room::new();
+    rate_into(problem, y, &mut rate);
+    // SAFETY: all components were written.
+    unsafe { *rate.read() }
 }
 
 /// The same, written into room for it.
@@ -17,7 +20,7 @@ pub(super) fn rate_into<P: System<S, N>, S: Scalar, const N: usize>(
     y: &[S; N],
     rate: &mut Room<S, N>,
 ) {
-    S::outline(RateInto { problem, y, rate });
+    S::outline(Rate { problem, y, rate });
 }
 
 /// Room for a state that is written as a whole: an array that need not be filled first.
@@ -43,13 +46,13 @@ impl<S: Copy, const N: usize> Room<S, N> {
     }
 }
 
-struct RateInto<'a, P, S, const N: usize> {
+struct Rate<'a, P, S, const N: usize> {
     problem: &'a P,
     y: &'a [S; N],
     rate: &'a mut Room<S, N>,
 }
 
-impl<P: System<S, N>, S: Scalar, const N: usize> Computation for RateInto<'_, P, S, N> {
+impl<P: System<S, N>, S: Scalar, const N: usize> Computation for Rate<'_, P, S, N> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
@@ -57,18 +60,5 @@ impl<P: System<S, N>, S: Scalar, const N: usize> Computation for RateInto<'_, P,
         for n in 0..N {
             self.rate.write(n, rate[n]);
         }
-    }
-}
-
-struct Rate<'a, P, S, const N: usize> {
-    problem: &'a P,
-    y: &'a [S; N],
-}
-
-impl<P: System<S, N>, S: Scalar, const N: usize> Computation for Rate<'_, P, S, N> {
-    type Output = [S; N];
-    #[inline(always)]
-    fn run(self) -> [S; N] {
-        self.problem.rhs(self.y)
     }
 }

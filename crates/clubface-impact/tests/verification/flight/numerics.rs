@@ -2,11 +2,11 @@
 
 use super::{INPUT_COUNT, assert_close, column, drive, flown, launch, with};
 use clubface_impact::ball::Ball;
-use clubface_impact::columns::Column;
+use clubface_impact::columns::{Column, Reject};
 use clubface_impact::flight::event::Step;
 use clubface_impact::flight::trajectory::{Air, Flight, HEIGHT};
 use clubface_impact::flight::{
-    FlightBatch, FlightSensitivities, FlightShot, INPUTS, OUTPUTS, fly, sensitivity,
+    FlightBatch, FlightSensitivities, FlightShot, INPUTS, OUTPUTS, check, fly, sensitivity,
 };
 use clubface_math::ode::{DORMAND_PRINCE, Method, System};
 use clubface_math::{Vec3, with_lanes};
@@ -66,6 +66,38 @@ fn every_lane_gives_the_bits_of_its_shot_alone_whatever_its_neighbours() {
                 assert_eq!(bits, alone, "lane {lane} of {width}, shot {rotation} and on");
             }
         }
+    }
+}
+
+/// Whole packs are checked at once, a fault sends them through the check of single shots: the rows refused are those that
+/// it refuses, with its words, and their neighbours keep their bits.
+#[test]
+fn a_pack_refuses_what_a_single_check_refuses() {
+    let good: Vec<_> = (0..16).map(|lane| mixed()[lane % 5]).collect();
+    let mut faulty = Vec::new();
+    for (place, input) in INPUTS.iter().enumerate() {
+        let width = input.bounds.upper - input.bounds.lower;
+        for value in [input.bounds.lower - 0.01 * width, input.bounds.upper + 0.01 * width, f64::NAN] {
+            faulty.push((place, value));
+        }
+    }
+    // A ball heavier outside than any shell.
+    faulty.push((2, 1e-3));
+    for (number, (place, value)) in faulty.into_iter().enumerate() {
+        let (mut shots, row) = (good.clone(), number % 16);
+        shots[row][place] = value;
+        let columns: Vec<Vec<f64>> =
+            (0..INPUT_COUNT).map(|i| shots.iter().map(|shot| shot[i]).collect()).collect();
+        let columns: Vec<Column> = columns.iter().map(|values| Column::Values(values)).collect();
+        let mut outputs = vec![vec![0.0; shots.len()]; OUTPUTS.len()];
+        let slices = outputs.iter_mut().map(Vec::as_mut_slice).collect();
+        let rejects = FlightBatch { inputs: &columns }.run(0..shots.len(), slices);
+        let error = check(&shots[row]).expect_err("it is out of bounds");
+        assert_eq!(rejects, [Reject { row, error }], "{} = {value}", INPUTS[place].quantity.name);
+        for (lane, shot) in shots.iter().enumerate().filter(|&(lane, _)| lane != row) {
+            assert_eq!(outputs[0][lane].to_bits(), flown(shot).outputs()[0].to_bits());
+        }
+        assert!(outputs[0][row].is_nan());
     }
 }
 
