@@ -3,7 +3,7 @@
 import sys
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from command_line import assert_mistake
 
@@ -110,7 +110,7 @@ def test_an_unusable_file_of_deliveries_is_one_message(clubface_, write, text, w
     assert_mistake(clubface_("predict", str(source), "--club", "driver"), "in.csv", words)
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=60)
 @given(st.sampled_from(["--speed", "--toe", "--air", "--set", "--wind", "--model", "--hand"]), st.text(max_size=12))
 def test_no_text_brings_a_traceback(capsys, option, text):
     status = run(["shot", "driver", "--speed", "50 m/s", "--model", "standard", option, text])

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import given, settings, strategies as st
 
 import clubface
 from clubface.design.comparison import read_deliveries
@@ -70,7 +70,7 @@ change = st.floats(-1.0, 1.0)
 
 
 @pytest.mark.parametrize("model", ["response", "standard", "slip"])
-@settings(max_examples=12, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=12)
 @given(
     mass=change, cg=st.tuples(change, change, change), inertia=change, loft=change, bulge=change, roll=change,
     time=change, toe=change, speed=change,

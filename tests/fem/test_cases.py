@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from clubface import fem
 from clubface.errors import ClubfaceError, FileError, InputError, UnknownNameError
@@ -148,7 +148,7 @@ SCALARS = st.one_of(
 )  # fmt: skip
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=60)
 @given(line=st.integers(0, 33), value=SCALARS, cut=st.booleans())
 def test_any_line_of_ball_or_case_may_be_anything(tmp_path, line, value, cut):
     path = write_case(tmp_path, duration=20)

@@ -1,13 +1,13 @@
 """However often a job is interrupted, damaged or shared out, it ends with the results of an undisturbed run."""
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from clubface.jobs import Job, Store, run
 from clubface.jobs.workers import in_sequence
 from job_parts import square
 
-once = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=30)
+once = settings(max_examples=30)
 
 
 class Interrupted:

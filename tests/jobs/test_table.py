@@ -1,7 +1,7 @@
 """A table filled by several runs has every row once, whatever interrupts them and whoever else writes it."""
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from clubface.errors import FileError
 from clubface.jobs import Job, Store, table as tables
@@ -28,7 +28,7 @@ def fill(path, places, rows, **options):
     return run_table(Job("rows", places, rows, **options), path, {"case": 1}, COLUMNS, workers=1)
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=12)
+@settings(max_examples=12)
 @given(st.lists(st.tuples(st.permutations(PLACES), st.integers(0, 6), st.integers(0, 4)), max_size=5))
 def test_interrupted_runs_over_any_of_the_places_end_with_each_row_computed_once(tmp_path_factory, runs):
     path, computed = tmp_path_factory.mktemp("table") / "rows.csv", []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, example, given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 from clubface import shots as launch_monitor
 from clubface.errors import ClubfaceError
@@ -34,7 +34,7 @@ def assert_whole(shots):
     assert all(each.reason for each in shots.rejected)
 
 
-@settings(max_examples=120, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=120)
 @given(content=st.one_of(st.binary(max_size=80), st.lists(st.lists(junk, max_size=4).map(",".join)).map("\n".join)))
 @example(content=b"sep=,\n")
 @example(content=b"Push/Pull (deg L-/R+)\n[]\n")
@@ -48,7 +48,7 @@ def test_any_bytes_are_read_or_refused(tmp_path, content):
             assert_whole(shots)
 
 
-@settings(max_examples=200, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=200)
 @given(
     name=st.sampled_from(sorted(FILES)),
     changes=st.lists(st.tuples(st.integers(0, 400), junk), min_size=1, max_size=4),

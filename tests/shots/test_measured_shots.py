@@ -1,4 +1,4 @@
-"""Recorded shots made ready for comparison: what is taken, what is dropped and what is said of it."""
+"""Recorded shots made ready for comparison: what is taken, what is dropped, and the notes on it."""
 
 import numpy as np
 import pytest

@@ -295,7 +295,7 @@ def bare_study(
 ) -> Study:
     """Read synthetic swings that show three markers on the head and no ball, and compare with the truth.
 
-    What the reader assumes is drawn for every swing as widely as it is said to scatter: angles at address, the place of
+    What the reader assumes is drawn for every swing from the spreads that it assumes: angles at address, the place of
     the markers, lie and impact point. The blow is that of another published model from swing to swing, so that the
     reader's own model is not the truth. The parameters are those of :func:`study`; errors are by the way of calibration
     instead of the estimator, and a swing that is refused has NaN.

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 app = typer.Typer(add_completion=False)
 
 LOFT_THAT_COUNTS = 0.05
-"""Degrees of static loft from which a club is said to be delivered with the dynamic loft of another."""
+"""Difference of static loft [deg] from which a note says that a club has the dynamic loft of another."""
 HOLE = options.group("Hole", {
     "hole": (str | None, None, '"430 yd"', "Length of a hole on which strokes are counted."),
     "fairway": (str | None, None, '"32 yd"', "Width of its fairway."),

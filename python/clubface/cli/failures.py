@@ -129,7 +129,7 @@ def _misused(error: Any) -> int:
 def show_warnings() -> None:
     """Show warnings as notes of one line.
 
-    That the ball `published` is a little below the rule limit is said by ``clubface clubs``, not each time.
+    ``clubface clubs`` notes that the ball `published` is a little below the rule limit; it is not repeated each time.
     """
     warnings.filterwarnings("ignore", message="published: ball diameter", category=RuleWarning)
 

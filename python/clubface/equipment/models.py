@@ -32,7 +32,7 @@ class Parameter:
     meaning
         One line.
     default
-        The value used where nothing else is said [SI].
+        The value used if none is given [SI].
     lower, upper
         The values allowed, both included [SI].
     source

@@ -1,7 +1,7 @@
 """Whatever a file of deliveries holds, every row is accounted for."""
 
 import pytest
-from hypothesis import HealthCheck, example, given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 from clubface.errors import ClubfaceError
 from clubface.shots.prediction import predict
@@ -18,7 +18,7 @@ texts = st.lists(lines, max_size=6).map("\n".join)
 heads = st.sampled_from(["speed", "speed,toe_mm", "speed;toe_mm", "club_speed_mph,x,x", "speed [", "speed(mph),", ""])
 
 
-@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=150)
 @given(
     content=st.one_of(
         st.binary(max_size=80),
