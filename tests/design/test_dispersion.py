@@ -1,10 +1,12 @@
 """Where a golfer's shots go: sampling against single shots, chunks, intervals and fresh shots."""
 
+from unittest import mock
+
 import numpy as np
 import pytest
 
 import clubface
-from clubface.design import dispersion as module
+from clubface.design import core, dispersion as module
 from clubface.design.dispersion import FLOWN, LAUNCHED, ImpactSetup, Scale, ShotTally, dispersion, forward, shots_file
 from clubface.design.golfer import golfer
 from clubface.design.strokes import Hole
@@ -33,6 +35,16 @@ def test_moments_and_quantiles_are_those_of_the_shots_one_by_one(drives):
     centre, covariance = drives.tally.landing()
     assert centre == pytest.approx([forward(carry, side).mean(), side.mean()], rel=1e-10)
     assert covariance == pytest.approx(np.cov([forward(carry, side), side], bias=True), rel=1e-8)
+
+
+def test_the_shots_too_are_made_by_as_many_threads_as_are_given():
+    """A worker of a study has one core of its own."""
+    with (
+        mock.patch.object(core, "quasi_random", wraps=core.quasi_random) as numbers,
+        mock.patch.object(core, "golfer_deliveries", wraps=core.golfer_deliveries) as deliveries,
+    ):
+        dispersion("handicap-10-driver", count=64, threads=1)
+    assert (numbers.call_args.args[-1], deliveries.call_args.args[-1]) == (1, 1)
 
 
 def test_chunks_and_threads_change_no_count_and_no_strokes(drives, monkeypatch):

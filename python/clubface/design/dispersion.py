@@ -29,6 +29,7 @@ from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.simulation.flight import Flight, fly
 from clubface.simulation.impact import Parameters, Tally as RangeTally, impact
+from clubface.simulation.inputs import thread_count
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_choice, check_count, check_share, warn_once, without_warnings
@@ -135,12 +136,12 @@ class ShotTally:
     centre
         A value of each quantity near its mean, about which moments are summed.
     threads
-        How many threads count; the counts do not depend on it.
+        How many threads count, None for one on each core; the counts do not depend on it.
     """
 
-    def __init__(self, scales: Mapping[str, Scale], centre: Mapping[str, float], threads: int = 0) -> None:
+    def __init__(self, scales: Mapping[str, Scale], centre: Mapping[str, float], threads: int | None = None) -> None:
         self.scales = scales
-        self._threads = threads
+        self._threads = thread_count(threads)
         names = list(scales)
         landing = [names.index(each) for each in LANDING] if "carry" in scales else None
         self._counts = core.ShotTally(
@@ -456,13 +457,13 @@ def dispersion(
             raise InputError(name, Wording("given"), "left out where the balls do not fly")
     setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = setup.mean(player)
-    tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot, threads or 0)
+    tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot, threads)
     strokes, points, reasons = 0.0, [], {}
     lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
     outside = RangeTally()
     for start in range(0, count, CHUNK):
         some = min(CHUNK, count - start)
-        deliveries = player.sample(some, seed=seed, start=start)
+        deliveries = player.sample(some, seed=seed, start=start, threads=threads)
         values = setup(deliveries, reasons, outside)
         tally.add(values)
         if each is not None:

@@ -48,7 +48,7 @@ from clubface.schema.place import Place
 from clubface.schema.tables import Table, decode, encode, file_key
 from clubface.schema.values import TEXT, Choice, PhysicalValue, Record, Reference, Tables, Value
 from clubface.shots.plausibility import can_be
-from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery
+from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery, thread_count
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, Frozen, check_choice, check_count, check_name, check_text, is_number
 from clubface.support.files import builtin_names, is_path, path_of
@@ -58,17 +58,18 @@ from clubface.units import SI_UNITS
 MOST_SHOTS = 2**32
 
 
-def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0) -> Floats:
+def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0, threads: int | None = None) -> Floats:
     """Return points ``start`` to ``start + count`` of a scrambled Sobol sequence, shape (count, dimensions).
 
-    Numbers lie strictly between 0 and 1. Those of a dimension depend on seed and index alone. Direction numbers are
-    those of Joe and Kuo (2008), scrambled as Owen (1995) has it by the hash of Burley (2020).
+    Numbers lie strictly between 0 and 1. Those of a dimension depend on seed and index alone, on any number of
+    ``threads`` (None: one for each core). Direction numbers are those of Joe and Kuo (2008), scrambled as Owen (1995)
+    has it by the hash of Burley (2020).
     """
     count = check_count("count", count, 1, MOST_SHOTS)
     start = check_count("start", start, 0, MOST_SHOTS - count)
     seed = check_count("seed", seed, 0, MOST_SEED)
     check_request(count, 4 * 8 * dimensions)  # the points, and what is made of them
-    return core.quasi_random(dimensions, count, seed, start).T
+    return core.quasi_random(dimensions, count, seed, start, thread_count(threads)).T
 
 
 UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
@@ -224,7 +225,7 @@ class Golfer:
         """Return the mean delivery."""
         return Delivery(**dict(zip(self.variables, map(float, self.mean), strict=True)))
 
-    def sample(self, count: int, *, seed: int = 0, start: int = 0) -> dict[str, Floats]:
+    def sample(self, count: int, *, seed: int = 0, start: int = 0, threads: int | None = None) -> dict[str, Floats]:
         """Return deliveries that are spread evenly over the distribution.
 
         Shot ``i`` is a function of the seed and of ``i`` alone, whatever ``start`` and ``count``: chunks joined are bit
@@ -238,15 +239,18 @@ class Golfer:
             Which of the random scramblings; two seeds give independent shots.
         start
             The index of the first.
+        threads
+            How many threads make them, None for one on each core; the shots do not depend on it.
 
         Returns
         -------
         dict
             Values [SI] by variable, each of shape (count,).
         """
-        return self.deliveries(uniform(self.dimensions, count, seed=seed, start=start))
+        numbers = uniform(self.dimensions, count, seed=seed, start=start, threads=threads)
+        return self.deliveries(numbers, threads=threads)
 
-    def deliveries(self, uniform: Floats) -> dict[str, Floats]:
+    def deliveries(self, uniform: Floats, *, threads: int | None = None) -> dict[str, Floats]:
         """Return the deliveries that belong to numbers evenly distributed between 0 and 1.
 
         Parameters
@@ -254,21 +258,23 @@ class Golfer:
         uniform
             Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one. A left-handed
             golfer makes of them the mirror images of the shots of the same golfer with the other hand.
+        threads
+            As of :meth:`sample`.
         """
         given = units.numbers(uniform, name="uniform")
         if given.ndim != 2 or given.shape[1] != self.dimensions:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
         if not ((given > 0.0) & (given < 1.0)).all():
             raise InputError("uniform", Wording("numbers beyond them"), "between 0 and 1")
-        values = self._deliveries([np.ascontiguousarray(column) for column in given.T])
+        values = self._deliveries([np.ascontiguousarray(column) for column in given.T], thread_count(threads))
         return dict(zip(self.variables, values, strict=True))
 
-    def _deliveries(self, columns: list[Floats]) -> Floats:
+    def _deliveries(self, columns: list[Floats], threads: int = 0) -> Floats:
         """Return deliveries, shape (k, n), from columns of numbers between 0 and 1."""
         mirrored = [self.hand < 0 and name in MIRRORED for name in self.variables]
         share, scale = float(self.mishit_share), float(self.mishit_scale)
         return core.golfer_deliveries(
-            self.mean.tolist(), self.covariance.ravel().tolist(), mirrored, share, scale, columns
+            self.mean.tolist(), self.covariance.ravel().tolist(), mirrored, share, scale, columns, threads
         )
 
     def for_hand(self, hand: float) -> Self:

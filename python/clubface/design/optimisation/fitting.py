@@ -120,8 +120,8 @@ class Fitting:
 
     def samples(self) -> list[tuple[Mapping[str, Any], float]]:
         """Return the shots of every golfer as he delivers with the first club, and how much he counts."""
-        hand = self.clubs[0].hand
-        return [(each.for_hand(hand).sample(self.shots, seed=self.seed), weight) for each, weight in self.golfers]
+        hand, drawn = self.clubs[0].hand, {"seed": self.seed, "threads": self.setting.threads or None}
+        return [(each.for_hand(hand).sample(self.shots, **drawn), weight) for each, weight in self.golfers]
 
     def names(self) -> list[tuple[Club, Ball | None, str]]:
         """Return all combinations of club, ball and setting."""

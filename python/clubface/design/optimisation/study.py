@@ -251,10 +251,11 @@ class DesignStudy:
 
     def landings(self, shots: int, *, seed: int) -> list[tuple[Landings, float]]:
         """Return the shots of the golfers, and how much each golfer counts."""
-        return [
-            (Landings(self.club, each.for_hand(self.club.hand).sample(shots, seed=seed), self.setting), weight)
-            for each, weight in self.golfers
+        hand, threads = self.club.hand, self.setting.threads or None
+        sampled = [
+            (each.for_hand(hand).sample(shots, seed=seed, threads=threads), weight) for each, weight in self.golfers
         ]
+        return [(Landings(self.club, deliveries, self.setting), weight) for deliveries, weight in sampled]
 
     def mean_shots(self) -> list[tuple[Landings, float]]:
         """Return the mean delivery of every golfer, as one shot each."""
