@@ -484,8 +484,9 @@ def _notes(
 
 OFF = 0.3
 """Share by which a figure is taken to be off."""
-COUNT = 2**13
-"""Shots of each change; with them a standard deviation is known to about 1%, and a change of one better."""
+COUNT = 2**15
+"""Shots of each change; with them a change of a standard deviation is known to about a hundredth of it (of amateurs'
+drives, whose few worst mishits count most; of others better)."""
 QUANTITIES = ("carry", "side")
 LEAST = 0.01
 """Least eigenvalue of correlations made stronger: what is left of a variable that all but follows from others."""
