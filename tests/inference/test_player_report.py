@@ -3,17 +3,19 @@
 import base64
 import dataclasses
 from html.parser import HTMLParser
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 import clubface
+from clubface import published_data
 from clubface.design.golfer_estimate import estimate_golfer
 from clubface.design.loft_fit import fit_loft
 from clubface.design.optimisation.advice import WORTH
 from clubface.design.player_loft import player_loft_notes
 from clubface.errors import InputError
-from clubface.inference import player_notes, player_report, player_statistics
+from clubface.inference import player_notes, player_page, player_report, player_statistics
 from clubface.inference.player_report import player_result, result_of_clubs, statistics_by_club
 from clubface.inference.player_statistics import club_statistics
 from clubface.present.document import Appendix, Listing, TextTable
@@ -291,6 +293,20 @@ def test_an_even_bag_has_no_gap_to_fill_and_a_side_that_is_clear_is_a_finding():
 def test_gaps_of_few_shots_are_no_finding():
     given = bag(("Driver", 250, 0), ("5 Iron", 205, 1), ("6 Iron", 203, 0), ("7 Iron", 184, 0), count=3)
     assert not any("gap" in code or "buy-one" in code for code in page_codes(player_result(given)))
+
+
+def test_of_the_gaps_of_the_tours_only_those_of_a_hybrid_or_the_wood_in_its_place_are_narrow():
+    """As the docstring of the limit says of the averages of 2019 and 2023: 3 to 5 yd, and 8 and more elsewhere."""
+    narrow, others = [], []
+    for table in map(published_data.table, ("pga-2019", "lpga-2019", "pga-2023", "lpga-2023")):
+        bag = sorted(zip(table["carry"] / YD, table["club"], strict=True), reverse=True)
+        for (carry, longer), (less, shorter) in pairwise(bag):
+            (narrow if carry - less < player_page.NARROW / YD else others).append((carry - less, longer, shorter))
+    assert {longer if longer in ("hybrid", "7-wood") else shorter for _, longer, shorter in narrow} == {
+        "hybrid",
+        "7-wood",
+    }
+    assert [min(narrow)[0], max(narrow)[0], min(others)[0]] == pytest.approx([3.0, 5.0, 8.0])
 
 
 def test_the_margin_of_a_carry_counts_the_shots_of_its_own_club():
