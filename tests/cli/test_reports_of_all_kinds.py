@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import clubface
+from clubface.design.golfer_estimate import COUNT
 from clubface.support.files import builtin_path
 from fem_runs import write_case
 from study_files import shots
@@ -236,9 +237,9 @@ def test_the_report_of_a_golfer_says_what_is_assumed_and_what_rests_on_it(clubfa
     player = clubface.golfer("bogey-driver")
     wider = np.where(np.array(player.variables) == "face", 1.3, 1.0)
     wide = player.replace(covariance=player.covariance * np.outer(wider, wider))
-    result = clubface.dispersion(wide, count=8192)
+    result = clubface.dispersion(wide, count=COUNT)
     assert float(rows["spread of face"]["side_spread_larger_m"]) == pytest.approx(result.spread("side"), rel=1e-12)
-    now = clubface.dispersion(player, count=8192).spread("side")
+    now = clubface.dispersion(player, count=COUNT).spread("side")
     assert float(rows["spread of face"]["side_spread_m"]) == pytest.approx(now, rel=1e-12)
 
 
