@@ -30,6 +30,15 @@ for (const [model, parameters] of Object.entries(asked.models)) {
   const { values, jacobian } = core.sensitivity(model, first, parameters);
   derivatives[model] = [Array.from(values), jacobian.map((row) => Array.from(row))];
 }
+/** Columns of values and of derivatives, one after the other for each output. */
+const inRows = ({ outputs, derivatives }) =>
+  outputs.flatMap((values, i) => [values, ...derivatives[i]].map((each) => Array.from(each)));
+const chosen = {};
+for (const [model, parameters] of Object.entries(asked.models)) {
+  const { outputs, variables } = asked.chosen;
+  chosen[model] = inRows(core.sensitivities(model, asked.inputs, parameters, asked.inputs[0].length, outputs, variables));
+}
+const inAir = core.flightSensitivity(asked.flights.map((column) => column[0]));
 const flights = timed(() => core.flights(asked.flights, asked.flights[0].length), 3);
 
 /** Arrays by name as JSON has them. */
@@ -57,7 +66,8 @@ const { stopped } = (await load(bytes, (time) => time < 1e-4)).simulate(asked.ca
 process.stdout.write(
   JSON.stringify({
     dispersion: { ...dispersion.text, landings: [...dispersion.arrays.landings.values] },
-    description: core.description, launches, derivatives, flights, refusals, reference, seen, stopped,
+    description: core.description, launches, derivatives, chosen, flights, refusals, reference, seen, stopped,
+    flight_derivatives: [Array.from(inAir.values), inAir.jacobian.map((row) => Array.from(row))],
     path: plain(path), history: plain(history),
     size: bytes.length, compressed: gzipSync(bytes, { level: 9 }).length,
   }),
