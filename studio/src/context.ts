@@ -2,7 +2,7 @@
 
 import type { Description, Values } from "./core/types";
 import { type Equipment, usualValue } from "./equipment/equipment";
-import type { Shower } from "./quantities/show";
+import type { Formatter } from "./quantities/formatter";
 import type { Change, State } from "./state/state";
 import type { Mistake, Model } from "./state/store";
 
@@ -21,17 +21,17 @@ export interface Context {
   state: State;
   description: Description;
   equipment: Equipment;
-  shower: Shower;
+  formatter: Formatter;
   actions: Actions;
 }
 
 /** The delivery in SI as it was given. */
-export const deliveryOf = ({ state, shower }: Pick<Context, "state" | "shower">): Values =>
-  Object.fromEntries(Object.entries(state.delivery).map(([name, amount]) => [name, shower.units.toSi(amount)]));
+export const deliveryOf = ({ state, formatter }: Pick<Context, "state" | "formatter">): Values =>
+  Object.fromEntries(Object.entries(state.delivery).map(([name, amount]) => [name, formatter.units.toSi(amount)]));
 
 /** The value of an input of the delivery in SI, as it was given or what stands for it. */
 export function delivered(context: Context, name: string): number {
-  const { state, equipment, shower } = context;
+  const { state, equipment, formatter } = context;
   const amount = state.delivery[name];
-  return amount ? shower.units.toSi(amount) : usualValue(equipment, state, name);
+  return amount ? formatter.units.toSi(amount) : usualValue(equipment, state, name);
 }

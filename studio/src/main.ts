@@ -11,7 +11,7 @@ import { type Equipment, strikeOf } from "./equipment/equipment";
 import { watchKeys } from "./keys";
 import { drawCharts } from "./parts/chart";
 import { measure, watchWidths } from "./parts/measure";
-import { Shower, type System } from "./quantities/show";
+import { Formatter, type System } from "./quantities/formatter";
 import { fromLink, type LinkContext, toLink } from "./state/link";
 import { initialState, type State } from "./state/state";
 import { type Mistake, type Model, Store } from "./state/store";
@@ -32,11 +32,11 @@ async function start(page: HTMLElement): Promise<void> {
   const [client, response] = await Promise.all([CoreClient.start(wasmUrl), fetchFile(equipmentUrl)]);
   const equipment = (await response.json()) as Equipment;
   const { description } = client;
-  const shower = new Shower(description, navigator.language);
+  const formatter = new Formatter(description, navigator.language);
   const usual = initialState(equipment, usualSystem());
-  const linked: LinkContext = { equipment, units: shower.units, inputs: description.inputs, usual };
+  const linked: LinkContext = { equipment, units: formatter.units, inputs: description.inputs, usual };
   const first = fromLink(location.hash, linked);
-  let asked = 0;
+  let latest = 0;
 
   const store = new Store(first.state, equipment, (model, isNewState) => {
     draw(model);
@@ -49,7 +49,7 @@ async function start(page: HTMLElement): Promise<void> {
 
   function draw(model: Model): void {
     const state = model.timeline.present;
-    const context: Context = { model, state, description, equipment, shower, actions };
+    const context: Context = { model, state, description, equipment, formatter, actions };
     document.documentElement.dataset.theme = state.theme;
     render(app(context), page);
     drawCharts(context);
@@ -57,17 +57,17 @@ async function start(page: HTMLElement): Promise<void> {
   }
 
   function compute(state: State): void {
-    const delivery = deliveryOf({ state, shower });
-    asked += 1;
+    const delivery = deliveryOf({ state, formatter });
+    latest += 1;
     const strike = strikeOf(description, equipment, state, delivery);
-    client.request({ kind: "shot", id: asked, strike });
-    client.request({ kind: "slopes", id: asked, strike });
+    client.request({ kind: "shot", id: latest, strike });
+    client.request({ kind: "slopes", id: latest, strike });
     if (state.scene !== "models") return;
     const strikes = description.models.map(({ name }) => {
       const parameters = name === state.model ? state.parameters : "";
       return strikeOf(description, equipment, { ...state, model: name, parameters }, delivery);
     });
-    client.request({ kind: "compare", id: asked, strikes });
+    client.request({ kind: "compare", id: latest, strikes });
   }
 
   client.answered = (answer) => {
@@ -76,7 +76,7 @@ async function start(page: HTMLElement): Promise<void> {
     else {
       const { shot, milliseconds } = answer;
       store.note({ shot, good: shot.failure ? store.model.good : shot, milliseconds });
-      if (answer.id === asked) measure.answered();
+      if (answer.id === latest) measure.answered();
     }
   };
   client.failed = (message) => store.note({ notices: [`This shot cannot be computed: ${message}.`] });

@@ -23,8 +23,8 @@ interface Drawn {
 const drawn = new Map<string, Drawn>();
 
 export function chartFrame(context: Context, each: HistoryChart): TemplateResult {
-  const { shower, state } = context;
-  const unit = shower.units.symbol(shower.reading(each.quantity, state.system).unit);
+  const { formatter, state } = context;
+  const unit = formatter.units.symbol(formatter.reading(each.quantity, state.system).unit);
   return html`
     <figure>
       <figcaption>${each.title}, ${unit}</figcaption>
@@ -38,30 +38,30 @@ export function chartFrame(context: Context, each: HistoryChart): TemplateResult
 }
 
 /** The greatest and the least value by each model, for who does not see the canvas. */
-function spoken({ model, shower, state }: Context, each: HistoryChart): string {
+function spoken({ model, formatter, state }: Context, each: HistoryChart): string {
   const parts = (model.comparison?.histories ?? []).map(({ model: name, arrays }) => {
     const values = each.values(arrays);
-    const text = (value: number): string => shower.text(each.quantity, value, state.system);
+    const text = (value: number): string => formatter.text(each.quantity, value, state.system);
     return `${name} from ${text(Math.min(...values))} to ${text(Math.max(...values))}`;
   });
   return `${each.title} over time: ${parts.join("; ")}`;
 }
 
-function table({ model, shower, state }: Context, each: HistoryChart): TemplateResult {
+function table({ model, formatter, state }: Context, each: HistoryChart): TemplateResult {
   return html`${(model.comparison?.histories ?? []).map(({ model: name, arrays }) => {
     const [times, values] = [arrays.time.values, each.values(arrays)];
-    const { unit } = shower.reading("contact_time", state.system);
+    const { unit } = formatter.reading("contact_time", state.system);
     const places = Array.from({ length: ROWS }, (_, i) => Math.round((i * (times.length - 1)) / (ROWS - 1)));
     return html`<table>
       <caption>${name}</caption>
       <thead>
-        <tr><th scope="col">Time, ${shower.units.symbol(unit)}</th><th scope="col">${each.title}</th></tr>
+        <tr><th scope="col">Time, ${formatter.units.symbol(unit)}</th><th scope="col">${each.title}</th></tr>
       </thead>
       <tbody>
         ${places.map(
           (at) => html`<tr>
-            <th scope="row">${shower.format(shower.units.fromSi(times[at], unit), 0)}</th>
-            <td>${shower.text(each.quantity, values[at], state.system)}</td>
+            <th scope="row">${formatter.format(formatter.units.fromSi(times[at], unit), 0)}</th>
+            <td>${formatter.text(each.quantity, values[at], state.system)}</td>
           </tr>`,
         )}
       </tbody>
@@ -83,7 +83,7 @@ export function drawCharts(context: Context): void {
 }
 
 function draw(context: Context, each: HistoryChart, frame: Element): void {
-  const { model, state, shower } = context;
+  const { model, state, formatter } = context;
   const histories = model.comparison?.histories ?? [];
   const width = Math.max(240, model.widths[`chart-${each.name}`] ?? 320);
   const style = getComputedStyle(frame);
@@ -94,12 +94,12 @@ function draw(context: Context, each: HistoryChart, frame: Element): void {
   const before = drawn.get(each.name);
   if (before?.inputs.every((input, i) => input === inputs[i])) return;
   before?.chart.destroy();
-  const { unit } = shower.reading(each.quantity, state.system);
-  const time = shower.reading("contact_time", state.system).unit;
+  const { unit } = formatter.reading(each.quantity, state.system);
+  const time = formatter.reading("contact_time", state.system).unit;
   const data = uPlot.join(
     histories.map(({ arrays }) => [
-      Array.from(arrays.time.values, (value) => shower.units.fromSi(value, time)),
-      each.values(arrays).map((value) => shower.units.fromSi(value, unit)),
+      Array.from(arrays.time.values, (value) => formatter.units.fromSi(value, time)),
+      each.values(arrays).map((value) => formatter.units.fromSi(value, unit)),
     ]),
   );
   const axis = { stroke: ink, grid: { stroke: style.getPropertyValue("--line"), width: 1 }, font };
@@ -112,7 +112,7 @@ function draw(context: Context, each: HistoryChart, frame: Element): void {
       axes: [
         {
           ...axis,
-          label: `time, ${shower.units.symbol(time)}`,
+          label: `time, ${formatter.units.symbol(time)}`,
           labelFont: font,
           labelSize: 1.1 * rem,
           size: 2.1 * rem,

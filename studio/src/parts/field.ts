@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { type Context, delivered } from "../context";
-import { sideOf } from "../quantities/show";
+import { sideOf } from "../quantities/formatter";
 import { measure } from "./measure";
 
 export interface Field {
@@ -16,22 +16,22 @@ export interface Field {
 }
 
 export function fieldOf(context: Context, { name, label, range, remark }: Field): TemplateResult {
-  const { state, shower, actions, model } = context;
-  const { unit, digits } = shower.reading(name, state.system);
+  const { state, formatter, actions, model } = context;
+  const { unit, digits } = formatter.reading(name, state.system);
   const amount = state.delivery[name];
   const value = amount
-    ? shower.inSystem(name, amount, state.system)
-    : shower.units.fromSi(delivered(context, name), unit);
-  const text = shower.format(value, Math.max(digits, decimals(amount?.unit === unit ? amount.value : 0)));
-  const [least, most] = range.map((end) => shower.units.fromSi(end, unit));
+    ? formatter.inSystem(name, amount, state.system)
+    : formatter.units.fromSi(delivered(context, name), unit);
+  const text = formatter.format(value, Math.max(digits, decimals(amount?.unit === unit ? amount.value : 0)));
+  const [least, most] = range.map((end) => formatter.units.fromSi(end, unit));
   const mistake = model.mistakes[name];
   const typed = model.typing?.name === name ? model.typing.text : undefined;
-  const { sides, meaning, sign } = shower.quantity(name);
+  const { sides, meaning, sign } = formatter.quantity(name);
 
   const take = (event: Event): void => {
     const field = event.target as HTMLInputElement;
     try {
-      actions.change({ kind: "delivery", amounts: { [name]: shower.units.parse(field.value, unit) } });
+      actions.change({ kind: "delivery", amounts: { [name]: formatter.units.parse(field.value, unit) } });
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
       actions.mistake(name, { text: field.value, message });
@@ -61,12 +61,12 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
           @input=${(event: Event) => actions.type(name, (event.target as HTMLInputElement).value)}
           @change=${take}
         />
-        <span class="unit">${shower.units.symbol(unit)}</span>
+        <span class="unit">${formatter.units.symbol(unit)}</span>
       </span>
       <input
         type="range"
         aria-label=${`${label}, slider`}
-        aria-valuetext=${shower.text(name, delivered(context, name), state.system)}
+        aria-valuetext=${formatter.text(name, delivered(context, name), state.system)}
         min=${rounded(least, digits)}
         max=${rounded(most, digits)}
         step=${10 ** -digits}

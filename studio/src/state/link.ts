@@ -2,7 +2,7 @@
 
 import type { Variable } from "../core/types";
 import { type Equipment, HANDS, setNames } from "../equipment/equipment";
-import { SYSTEMS } from "../quantities/show";
+import { SYSTEMS } from "../quantities/formatter";
 import type { Units } from "../quantities/units";
 import { SCENES, type State, THEMES } from "./state";
 

@@ -2,7 +2,7 @@
 
 import type { Chosen, Equipment, Hand } from "../equipment/equipment";
 import { setNames } from "../equipment/equipment";
-import type { System } from "../quantities/show";
+import type { System } from "../quantities/formatter";
 import type { Amount } from "../quantities/units";
 
 export const SCENES = ["shot", "models"] as const;

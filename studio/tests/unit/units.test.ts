@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { join, Shower } from "../../src/quantities/show";
+import { Formatter, join } from "../../src/quantities/formatter";
 import { Units } from "../../src/quantities/units";
 import { description } from "../described";
 
@@ -39,26 +39,26 @@ describe("amounts with units", () => {
 });
 
 describe("values as people read them", () => {
-  const shower = new Shower(description, "en-US");
+  const formatter = new Formatter(description, "en-US");
 
   test("words stand for signs", () => {
-    expect(shower.text("side", -2, "golf")).toBe("2.2 yd left");
-    expect(shower.text("azimuth", 0.02, "metric")).toBe("1.1° right");
-    expect(shower.text("ball_speed", 69, "golf")).toBe("154.3 mph");
+    expect(formatter.text("side", -2, "golf")).toBe("2.2 yd left");
+    expect(formatter.text("azimuth", 0.02, "metric")).toBe("1.1° right");
+    expect(formatter.text("ball_speed", 69, "golf")).toBe("154.3 mph");
   });
 
   test("zero has no side, and no minus sign", () => {
-    expect(shower.text("side", -1e-9, "golf")).toBe("0.0 yd");
-    expect(shower.text("cor_slope", -1e-9, "golf")).toBe("0.0000 s/m");
+    expect(formatter.text("side", -1e-9, "golf")).toBe("0.0 yd");
+    expect(formatter.text("cor_slope", -1e-9, "golf")).toBe("0.0000 s/m");
   });
 
   test("the form of numbers is that of the browser's language", () => {
-    expect(new Shower(description, "de-DE").text("carry", 201.25, "metric")).toBe("201,3 m");
+    expect(new Formatter(description, "de-DE").text("carry", 201.25, "metric")).toBe("201,3 m");
   });
 
   test("every quantity can be shown in both systems", () => {
     for (const { name } of description.quantities)
-      for (const system of ["golf", "metric"] as const) expect(shower.text(name, 0.1, system)).toMatch(/\d/);
+      for (const system of ["golf", "metric"] as const) expect(formatter.text(name, 0.1, system)).toMatch(/\d/);
   });
 
   test("a degree sign follows its number at once", () => {

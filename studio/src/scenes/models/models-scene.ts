@@ -51,7 +51,7 @@ export function modelsScene(context: Context): TemplateResult {
   `;
 }
 
-function table({ model, state, shower, description }: Context): TemplateResult {
+function table({ model, state, formatter, description }: Context): TemplateResult {
   const shots = model.comparison?.shots ?? [];
   return html`
     <div class="scroll" tabindex="0" role="region" aria-label="Table of all models">
@@ -68,14 +68,14 @@ function table({ model, state, shower, description }: Context): TemplateResult {
         </thead>
         <tbody>
           ${COMPARED.map((name) => {
-            const { unit } = shower.reading(name, state.system);
-            const symbol = shower.units.symbol(unit);
+            const { unit } = formatter.reading(name, state.system);
+            const symbol = formatter.units.symbol(unit);
             return html`<tr>
-              <th scope="row">${shower.quantity(name).label}${symbol ? `,\u00a0${symbol}` : ""}</th>
+              <th scope="row">${formatter.quantity(name).label}${symbol ? `,\u00a0${symbol}` : ""}</th>
               ${shots.map(({ values, failure }) => {
                 const value = values[name];
                 if (failure || !Number.isFinite(value)) return html`<td title=${failure?.message ?? nothing}>–</td>`;
-                const { number, side } = shower.show(name, value, state.system);
+                const { number, side } = formatter.show(name, value, state.system);
                 return html`<td data-quantity=${name} data-value=${String(value)}>${number} ${side}</td>`;
               })}
             </tr>`;

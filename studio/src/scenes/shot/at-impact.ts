@@ -60,7 +60,7 @@ interface Layout {
 }
 
 function view(context: Context, title: string, directions: Direction[], layout: Layout): TemplateResult {
-  const { shower, state, equipment } = context;
+  const { formatter, state, equipment } = context;
   const [club, face, start] = directions;
   const radius = equipment.balls[state.ball].columns.ball_radius / MILLIMETRE;
   const normal = [Math.cos(face.angle), Math.sin(face.angle)] as const;
@@ -77,7 +77,7 @@ function view(context: Context, title: string, directions: Direction[], layout: 
   );
   const words = directions.map(({ kind, name, angle }) => ({
     kind,
-    text: `${shower.quantity(name).label} ${shower.text(name, angle, state.system)}`,
+    text: `${formatter.quantity(name).label} ${formatter.text(name, angle, state.system)}`,
   }));
   const centre = layout.place(0, 0);
   return html`

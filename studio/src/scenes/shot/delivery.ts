@@ -6,8 +6,8 @@ import { fieldOf } from "../../parts/field";
 import { DELIVERY, FURTHER, MAIN } from "./words";
 
 export function deliveryField(context: Context, name: string, range?: readonly [number, number]): TemplateResult {
-  const { units } = context.shower;
-  const { unit } = context.shower.quantity(name);
+  const { units } = context.formatter;
+  const { unit } = context.formatter.quantity(name);
   const words = DELIVERY[name];
   const [least, most] = words.range.map((text) => units.toSi(units.parse(text, unit)));
   const remark = name === "loft" && !context.state.delivery.loft ? "the club's own; few golfers deliver it" : undefined;

@@ -19,7 +19,7 @@ const ARROWS: Record<string, [number, number]> = {
 };
 
 export function facePanel(context: Context): TemplateResult {
-  const { state, equipment, shower, actions } = context;
+  const { state, equipment, formatter, actions } = context;
   const club = equipment.clubs[state.club];
   const [width, height] = [club.columns.face_width ?? 0, club.columns.face_height ?? 0];
   // Seen through the head, from behind: the toe is on the right of a right-handed club.
@@ -54,7 +54,7 @@ export function facePanel(context: Context): TemplateResult {
     move(toe + side * arrow[0] * size, high + arrow[1] * size, null);
   };
 
-  const place = `${shower.text("toe", toe, state.system)}, ${shower.text("high", high, state.system)}`;
+  const place = `${formatter.text("toe", toe, state.system)}, ${formatter.text("high", high, state.system)}`;
   return html`
     <section aria-labelledby="impact-point">
       <h2 id="impact-point">Impact point</h2>

@@ -39,11 +39,11 @@ export function flightPanel(context: Context): TemplateResult {
   `;
 }
 
-function drawn({ model, state, shower }: Context): Drawing | null {
+function drawn({ model, state, formatter }: Context): Drawing | null {
   const shot = model.good;
   if (!shot) return null;
-  const { unit } = shower.reading("carry", state.system);
-  const convert = (metres: number): number => shower.units.fromSi(metres, unit);
+  const { unit } = formatter.reading("carry", state.system);
+  const convert = (metres: number): number => formatter.units.fromSi(metres, unit);
   const path: Drawing["path"] = [];
   for (let i = 0; i + 2 < shot.path.length; i += 3)
     path.push([convert(shot.path[i]), convert(shot.path[i + 1]), convert(shot.path[i + 2])]);
@@ -58,5 +58,5 @@ function drawn({ model, state, shower }: Context): Drawing | null {
   const end = Math.max(landing[0], rest[0], 1) * 1.06;
   const along = scale([0, end], [LEFT, width - RIGHT]);
   const alongTicks = ticks([0, end], Math.max(3, Math.min(10, width / 90)));
-  return { width, zoom, along, alongTicks, unit: shower.units.symbol(unit), path, landing, rest };
+  return { width, zoom, along, alongTicks, unit: formatter.units.symbol(unit), path, landing, rest };
 }

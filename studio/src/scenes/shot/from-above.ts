@@ -3,7 +3,7 @@
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
 import { line, scale, ticks } from "../../parts/axes";
-import { sideOf } from "../../quantities/show";
+import { sideOf } from "../../quantities/formatter";
 import { type Drawing, LEFT } from "./flight-panel";
 
 const TOP = 24;
@@ -16,7 +16,7 @@ const LEAST_SIDE = 12;
 const REACH = 0.35;
 
 export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
-  const { model, state, shower } = context;
+  const { model, state, formatter } = context;
   const { width, zoom, along, alongTicks, path, landing, rest, unit } = drawing;
   const values = model.good?.values ?? {};
   const end = (angle: number, length: number): [number, number] => [length * Math.cos(angle), length * Math.sin(angle)];
@@ -33,12 +33,12 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   const right = scale([least, most], [TOP, TOP + inner]);
   const ratio = right.size / along.size;
   const at = ([x, z]: readonly [number, number]): [number, number] => [along.at(x), right.at(z)];
-  const { sides } = shower.quantity("side");
+  const { sides } = formatter.quantity("side");
   /** "L" or "R" behind a distance, as the first letters of the core's words for its sides. */
   const letter = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
   const label =
-    `The flight from above: the ball starts ${shower.text("azimuth", values.azimuth, state.system)} and lands ` +
-    `${shower.text("side", values.side, state.system)} after ${shower.text("carry", values.carry, state.system)}.`;
+    `The flight from above: the ball starts ${formatter.text("azimuth", values.azimuth, state.system)} and lands ` +
+    `${formatter.text("side", values.side, state.system)} after ${formatter.text("carry", values.carry, state.system)}.`;
   return html`
     <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
       <text class="title" x="0" y="13">From above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
@@ -63,9 +63,9 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
     </svg>
     <ul class="legend" aria-label="Lines of the view from above">
       <li><i class="ball-path"></i>flight</li>
-      <li><i class="direction start"></i>start ${shower.text("azimuth", values.azimuth, state.system)}</li>
-      <li><i class="direction path"></i>path ${shower.text("path", delivered(context, "path"), state.system)}</li>
-      <li><i class="direction face-line"></i>face ${shower.text("face", delivered(context, "face"), state.system)}</li>
+      <li><i class="direction start"></i>start ${formatter.text("azimuth", values.azimuth, state.system)}</li>
+      <li><i class="direction path"></i>path ${formatter.text("path", delivered(context, "path"), state.system)}</li>
+      <li><i class="direction face-line"></i>face ${formatter.text("face", delivered(context, "face"), state.system)}</li>
       <li><i class="roll"></i>bounce and roll</li>
     </ul>
   `;

@@ -10,7 +10,7 @@ const BOTTOM = 8;
 const LEAST_HEIGHT = 70;
 const MOST_HEIGHT = 260;
 
-export function fromSide({ model, state, shower }: Context, drawing: Drawing): TemplateResult {
+export function fromSide({ model, state, formatter }: Context, drawing: Drawing): TemplateResult {
   const { width, zoom, along, path, landing, rest } = drawing;
   const apex = Math.max(...path.map(([, high]) => high), 1);
   const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, apex * along.size * 1.08));
@@ -18,14 +18,14 @@ export function fromSide({ model, state, shower }: Context, drawing: Drawing): T
   const up = scale([0, apex * 1.08], [ground, TOP]);
   const ratio = up.size / along.size;
   const values = model.good?.values ?? {};
-  const label = `The flight from the side: apex ${shower.text("apex", values.apex, state.system)}, landing at ${shower.text(
+  const label = `The flight from the side: apex ${formatter.text("apex", values.apex, state.system)}, landing at ${formatter.text(
     "landing_angle",
     values.landing_angle,
     state.system,
   )}.`;
   return html`
     <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
-      <text class="title" x="0" y="13">From the side, apex ${shower.text("apex", values.apex, state.system)}${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
+      <text class="title" x="0" y="13">From the side, apex ${formatter.text("apex", values.apex, state.system)}${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
       ${ticks([0, apex], 2).map(
         (tick) => svg`
           <line class="grid" x1=${LEFT} x2=${width} y1=${up.at(tick)} y2=${up.at(tick)}></line>

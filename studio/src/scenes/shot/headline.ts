@@ -2,22 +2,22 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
-import { gap } from "../../quantities/show";
+import { gap } from "../../quantities/formatter";
 
 const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
-export function headline({ model, state, shower }: Context): TemplateResult {
+export function headline({ model, state, formatter }: Context): TemplateResult {
   const shot = model.good;
   if (!shot) return model.shot ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
   const { system } = state;
-  const text = (name: string): string => shower.text(name, shot.values[name], system);
+  const text = (name: string): string => formatter.text(name, shot.values[name], system);
   return html`
     <section class="headline" aria-label="The shot in short">
       <dl>
         ${FIRST.map((name) => {
-          const { number, unit, side } = shower.show(name, shot.values[name], system);
+          const { number, unit, side } = formatter.show(name, shot.values[name], system);
           return html`<div>
-            <dt>${shower.quantity(name).label}</dt>
+            <dt>${formatter.quantity(name).label}</dt>
             <dd><b>${number}</b>${gap(unit) ? html` <span>${unit}</span>` : unit} <i>${side}</i></dd>
           </div>`;
         })}

@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { Variable } from "../../core/types";
-import { gap, printedSymbol } from "../../quantities/show";
+import { gap, printedSymbol } from "../../quantities/formatter";
 
 /** The output that is 1 where a flight leaves the range of the aerodynamic data. */
 const OUTSIDE = "outside_fit";
@@ -34,7 +34,7 @@ export function numbersPanel(context: Context): TemplateResult {
   `;
 }
 
-function table({ model, state, shower }: Context, title: string, variables: Variable[]): TemplateResult {
+function table({ model, state, formatter }: Context, title: string, variables: Variable[]): TemplateResult {
   const values = model.good?.values ?? {};
   return html`
     <table>
@@ -44,8 +44,8 @@ function table({ model, state, shower }: Context, title: string, variables: Vari
       </thead>
       <tbody>
         ${variables.map(({ name, meaning }) => {
-          const { number, unit, side } = shower.show(name, values[name], state.system);
-          const { symbol, label } = shower.quantity(name);
+          const { number, unit, side } = formatter.show(name, values[name], state.system);
+          const { symbol, label } = formatter.quantity(name);
           const [letter, index] = printedSymbol(symbol);
           return html`<tr>
             <th scope="row">${label} <span class="symbol">${letter}<sub>${index}</sub></span></th>

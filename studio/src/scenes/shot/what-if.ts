@@ -3,7 +3,7 @@
 import { html, type nothing, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
 import type { Quantity } from "../../core/types";
-import { join, sideOf } from "../../quantities/show";
+import { join, sideOf } from "../../quantities/formatter";
 import { DELIVERY, IMPACT_POINT, MAIN } from "./words";
 
 export function whatIfPanel(context: Context): TemplateResult {
@@ -20,12 +20,12 @@ export function whatIfPanel(context: Context): TemplateResult {
 }
 
 function chip(context: Context, name: string): TemplateResult | typeof nothing {
-  const { model, state, shower, actions } = context;
+  const { model, state, formatter, actions } = context;
   const { step, more } = DELIVERY[name];
-  const { unit, digits } = shower.reading(name, state.system);
-  const { units } = shower;
+  const { unit, digits } = formatter.reading(name, state.system);
+  const { units } = formatter;
   const size = units.toSi({ value: step, unit });
-  const sides = shower.quantity("side").sides;
+  const sides = formatter.quantity("side").sides;
   const across = difference(context, "side", (model.slopes.side?.[name] ?? 0) * size, sides);
   const along = difference(context, "carry", (model.slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
   const isKnown = Object.keys(model.slopes).length > 0;
@@ -35,14 +35,14 @@ function chip(context: Context, name: string): TemplateResult | typeof nothing {
     actions.change({ kind: "delivery", amounts: { [name]: { value: Number(value.toFixed(digits + 1)), unit } } });
   };
   return html`<button type="button" data-name=${name} @click=${take}>
-    <span>${join(shower.format(step, 0), units.symbol(unit))} ${more}</span> <b>${effects}</b>
+    <span>${join(formatter.format(step, 0), units.symbol(unit))} ${more}</span> <b>${effects}</b>
   </button>`;
 }
 
 /** A difference with its word, "" where it rounds to nothing. */
-function difference({ shower, state }: Context, name: string, si: number, words: Quantity["sides"]): string {
-  const { unit, digits } = shower.reading(name, state.system);
-  const value = shower.units.differenceFromSi(si, unit);
+function difference({ formatter, state }: Context, name: string, si: number, words: Quantity["sides"]): string {
+  const { unit, digits } = formatter.reading(name, state.system);
+  const value = formatter.units.differenceFromSi(si, unit);
   const word = sideOf(words, value, digits);
-  return word && join(shower.format(Math.abs(value), digits), shower.units.symbol(unit), word);
+  return word && join(formatter.format(Math.abs(value), digits), formatter.units.symbol(unit), word);
 }

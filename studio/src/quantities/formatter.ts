@@ -13,7 +13,7 @@ export interface Shown {
   side: string;
 }
 
-export class Shower {
+export class Formatter {
   readonly units: Units;
   private readonly quantities: Map<string, Quantity>;
   private readonly formats = new Map<number, Intl.NumberFormat>();
