@@ -1,7 +1,7 @@
 """Names that no engineer would look for: each with the reason, and what to write in its place.
 
-``python scripts/check_words.py`` reads the names of the package (functions, parameters, variables, attributes) and
-prints those of the list; the exit status is 1 if there are any.
+``python scripts/check_words.py`` reads the names (functions, parameters, variables, classes) of the package, of the
+scripts and of what makes the studio's data, and prints those of the list; the exit status is 1 if there are any.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1] / "python" / "clubface"
+ROOT = Path(__file__).parents[1]
+SOURCES = ("python/clubface/**/*.py", "scripts/**/*.py", "studio/*.py", "studio/tests/**/*.py")
 
 WORDS = {
     "told": "a participle says nothing of what it holds: write describe_..., words, message",
@@ -56,9 +57,9 @@ def findings(text: str) -> list[tuple[int, str, str]]:
 def main() -> int:
     """Print what is on the list; return the exit status."""
     count = 0
-    for path in sorted(ROOT.rglob("*.py")):
-        for line, name, reason in findings(path.read_text()):
-            print(f"{path.relative_to(ROOT.parents[1])}:{line}: {name}: {reason}")
+    for path in sorted(path for pattern in SOURCES for path in ROOT.glob(pattern)):
+        for line, name, reason in findings(path.read_text(encoding="utf-8")):
+            print(f"{path.relative_to(ROOT)}:{line}: {name}: {reason}")
             count += 1
     return 1 if count else 0
 
