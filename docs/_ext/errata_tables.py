@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from core_tables import CoreTable, markdown_table
+from core_tables import NBSP, CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 import clubface
@@ -39,7 +39,7 @@ class Contradictions(CoreTable):
             pair = (each.first, each.second) if each.difference > 0.0 else (each.second, each.first)
             what = f"{each.club}, {each.quantity.replace('_', ' ')}: `{pair[0]}` above `{pair[1]}`"
             figures = (f"{apart:.{digits}f}", f"{allowed:.{digits}f} {unit}", f"{apart / allowed:.2f}")
-            rows.append([what, *(each.replace(" ", "\N{NO-BREAK SPACE}") for each in figures)])
+            rows.append([what, *(each.replace(" ", NBSP) for each in figures)])
         return markdown_table(["", "apart", "allowed", "ratio"], rows)
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-from core_tables import CoreTable, markdown_table
+from core_tables import NBSP, CoreTable, markdown_table
 from sphinx.application import Sphinx
 
 from clubface.equipment.models import DEFAULT_MODEL, models
@@ -56,11 +56,11 @@ class Checks(CoreTable):
                 continue
             for place, first in enumerate(result.summary(names[0], check.name)):
                 name = check.title if self.arguments else f"`{check.name}`"
-                tolerance = tolerance_text(first).replace(" ", "\N{NO-BREAK SPACE}")
+                tolerance = tolerance_text(first).replace(" ", NBSP)
                 row = [f"{name}: {first.quantity}", f"{tolerance}, {check.certainty}"]
                 for name in names:
                     each = result.summary(name, check.name)[place]
-                    mean = mean_text(each).replace(" ", "\N{NO-BREAK SPACE}")
+                    mean = mean_text(each).replace(" ", NBSP)
                     inside = f" · {each.inside}/{each.intervals}" if each.intervals else ""
                     row.append(f"**{mean}**{inside}" if each.met else f"{mean}{inside}" if mean else "—")
                 rows.append(row)

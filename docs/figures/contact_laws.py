@@ -34,6 +34,12 @@ def throw(speed: float, angle: float, friction: float) -> Impact:
     return fem.throw(BALL, speed=speed, angle=math.radians(angle), friction=friction, settings=END)
 
 
+def strike(club: str, speed: float, loft: float) -> Impact:
+    """Strike the ball at the face centre with a rigid head; the speed in m/s, the dynamic loft in degrees."""
+    rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
+    return fem.strike(rigid, speed=speed, loft=math.radians(loft), ball=BALL, friction=FRICTION, settings=END)
+
+
 @styled
 def area_figure(term: AreaTerm, friction: float, radius: float, thrown: dict[float, list[AreaTerm]]) -> Figure:
     """Draw one contact through the law, its area, and the eta of throws over angle and friction."""
@@ -117,16 +123,8 @@ def displacements() -> dict[str, dict[float, Displacement]]:
     """Return the displaced mass centre by club and loft and by speed [m/s]."""
     curves: dict[str, dict[float, Displacement]] = {}
     for club, loft, least, largest in SWINGS:
-        rigid = clubface.club(HEADS[club]).replace(characteristic_time=0.0)
-        curves[f"{club}, {loft:g}°"] = {
-            speed: displaced_centre(
-                fem.strike(
-                    rigid, {"speed": speed, "loft": math.radians(loft)}, ball=BALL, friction=FRICTION, settings=END
-                )
-            )
-            for speed in SPEEDS
-            if least <= speed <= largest
-        }
+        speeds = [speed for speed in SPEEDS if least <= speed <= largest]
+        curves[f"{club}, {loft:g}°"] = {speed: displaced_centre(strike(club, speed, loft)) for speed in speeds}
     curves["plane, 12°"] = {speed: displaced_centre(throw(speed, 12.0, FRICTION)) for speed in SPEEDS}
     return curves
 
