@@ -20,8 +20,8 @@ quotation without ``#`` is a claim, and its expression must be true. ``given`` s
 ``published`` for what the page or its source states. An indented line continues the one above. ``result(quantity,
 unit, column=value)`` reads the value of a command's JSON document in the row that the columns single out;
 ``stored(file)`` reads what a long computation wrote, or the text of a source whose constants are quoted,
-``script(file)`` imports a script of the repository, and ``processor_time(command)`` [s] is what a command or a function
-costs.
+``script(file)`` imports a script of the repository, ``module(name)`` any other module, and
+``processor_time(command)`` [s] is what a command or a function costs.
 
 What takes long stands in ``<!-- figures study COMMIT``: `make study` checks it, and ``--update --study`` computes it
 and writes the commit of the sources that did.
@@ -184,7 +184,7 @@ def run(page: Path, folder: Path, *, study: bool = False) -> Iterator[Ran]:
     sentences = _sentences(text)
     names: dict[str, Any] = {"__name__": "__main__"}
     helpers = {"clubface": clubface, "np": np, "math": math, "given": GIVEN, "published": GIVEN}
-    helpers |= {"stored": stored, "script": script, "processor_time": processor_time}
+    helpers |= {"stored": stored, "script": script, "module": importlib.import_module, "processor_time": processor_time}
     start = 0
     with contextlib.chdir(folder):
         for block in BLOCK.finditer(text):
