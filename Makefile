@@ -27,7 +27,7 @@ STUDIO_PACKAGES := studio/node_modules/.package-lock.json
 STUDIO_DATA := studio/generated/equipment.json
 STUDIO_DATA_SOURCES := studio/data.py $(shell find python/clubface -name '*.py' -o -name '*.toml' -o -name '*.csv')
 WASM := target/wasm32-unknown-unknown/release/clubface.wasm
-STUDIO_CORE := studio/generated/clubface.wasm
+STUDIO_CORE := studio/generated/clubface.wasm studio/generated/clubface-fem.wasm
 STUDIO_CHECKED := $(if $(filter true,$(NODE)),$(STUDIO_PACKAGES) $(STUDIO_DATA))
 
 help: ## list the targets

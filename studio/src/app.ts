@@ -1,19 +1,17 @@
 /** The frame of every scene: title, scenes, undo, units, theme; and what is to be said. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
-import type { Context } from "./context";
+import type { Context, Scene } from "./context";
 import { choiceOf } from "./parts/choice";
-import { modelsScene } from "./scenes/models/models-scene";
-import { shotScene } from "./scenes/shot/shot-scene";
-import { SCENES, type Scene, THEMES } from "./state/state";
+import { SCENES } from "./scenes/scenes";
+import { THEMES } from "./state/state";
 
-const TITLES: Record<Scene, string> = { shot: "Shot", models: "Models side by side" };
-
-export function app(context: Context): TemplateResult {
+/** `scene` is what is shown, null while it is loaded. */
+export function app(context: Context, scene: Scene | null): TemplateResult {
   return html`
     <a class="skip" href="#main" @click=${skip}>To the shot</a>
     ${header(context)} ${notices(context)}
-    <main id="main" tabindex="-1">${context.state.scene === "shot" ? shotScene(context) : modelsScene(context)}</main>
+    <main id="main" tabindex="-1">${scene ? scene.view(context) : html`<p aria-busy="true">The scene is loading …</p>`}</main>
     <footer>
       <p>
         clubface ${context.equipment.version}, computed in this tab. The address holds the whole shot: copy it to share or
@@ -36,13 +34,13 @@ function header({ state, model, actions }: Context): TemplateResult {
       <h1>clubface <span>studio</span></h1>
       <nav aria-label="Scenes">
         ${SCENES.map(
-          (scene) => html`
+          ({ name, title }) => html`
             <button
               type="button"
-              aria-current=${state.scene === scene ? "page" : nothing}
-              @click=${() => actions.change({ kind: "scene", scene })}
+              aria-current=${state.scene === name ? "page" : nothing}
+              @click=${() => actions.change({ kind: "scene", scene: name })}
             >
-              ${TITLES[scene]}
+              ${title}
             </button>
           `,
         )}

@@ -1,8 +1,12 @@
 /** What every view is given: the model to draw, and what a person may do with it. */
 
-import type { Description, Values } from "./core/types";
-import { type Equipment, usualValue } from "./equipment/equipment";
+import type { TemplateResult } from "lit-html";
+import type { Wanted } from "./core/lanes";
+import type { Description, Strike, Values } from "./core/types";
+import { type Chosen, type Equipment, strikeOf, usualValue } from "./equipment/equipment";
 import type { Formatter } from "./quantities/formatter";
+import type { Amount } from "./quantities/units";
+import type { Settings } from "./state/settings";
 import type { Change, State } from "./state/state";
 import type { Mistake, Model } from "./state/store";
 
@@ -22,7 +26,25 @@ export interface Context {
   description: Description;
   equipment: Equipment;
   formatter: Formatter;
+  settings: Settings;
   actions: Actions;
+}
+
+/** A view of a scene, and what it does with its canvases when the page has been drawn. */
+export interface Scene {
+  view(context: Context): TemplateResult;
+  /** What it needs computed, beyond the shot. */
+  wanted?(context: Context): Wanted[];
+  drawn?(context: Context): void;
+}
+
+/** How a scene is known: its parts are loaded when it is first shown. */
+export interface SceneEntry {
+  /** Name in the link. */
+  name: string;
+  title: string;
+  settings?: Settings;
+  load(): Scene | Promise<Scene>;
 }
 
 /** The delivery in SI as it was given. */
@@ -35,3 +57,27 @@ export function delivered(context: Context, name: string): number {
   const amount = state.delivery[name];
   return amount ? formatter.units.toSi(amount) : usualValue(equipment, state, name);
 }
+
+/** The strike of the state; `changes` replace club, ball or model, `values` inputs in SI. */
+export function strike(context: Context, changes: Partial<Chosen> = {}, values: Values = {}): Strike {
+  const { description, equipment, state } = context;
+  return strikeOf(description, equipment, { ...state, ...changes }, { ...deliveryOf(context), ...values });
+}
+
+/** The words that were chosen for a setting, or are usual. */
+export function choiceSetting({ state, settings }: Context, name: string): string {
+  const value = state.settings[name] ?? settings[name].usual;
+  if (typeof value !== "string") throw new Error(`${name} is an amount`);
+  return value;
+}
+
+/** The amount that was given for a setting, or is usual. */
+export function amountSetting({ state, settings }: Context, name: string): Amount {
+  const value = state.settings[name] ?? settings[name].usual;
+  if (typeof value === "string") throw new Error(`${name} is no amount`);
+  return value;
+}
+
+/** The same in SI. */
+export const settingSi = (context: Context, name: string): number =>
+  context.formatter.units.toSi(amountSetting(context, name));

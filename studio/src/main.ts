@@ -1,19 +1,22 @@
 /** Starts the studio: core, equipment and link first, then one picture of the state after another. */
 
 import { render } from "lit-html";
-import wasmUrl from "../generated/clubface.wasm?url";
+import shotsUrl from "../generated/clubface.wasm?url";
+import elementsUrl from "../generated/clubface-fem.wasm?url";
 import equipmentUrl from "../generated/equipment.json?url";
 import { app } from "./app";
-import { type Context, deliveryOf } from "./context";
-import { CoreClient } from "./core/client";
+import { type Actions, type Context, type Scene, strike } from "./context";
 import { fetchFile } from "./core/fetch-file";
-import { type Equipment, strikeOf } from "./equipment/equipment";
+import { Lanes, type Observer } from "./core/lanes";
+import type { Equipment } from "./equipment/equipment";
 import { watchKeys } from "./keys";
 import { drawCharts } from "./parts/chart";
 import { measure, watchWidths } from "./parts/measure";
+import { endStages } from "./parts/stage";
 import { Formatter, type System } from "./quantities/formatter";
+import { SCENES, SETTINGS } from "./scenes/scenes";
 import { fromLink, type LinkContext, toLink } from "./state/link";
-import { initialState, type State } from "./state/state";
+import { initialState } from "./state/state";
 import { type Mistake, type Model, Store } from "./state/store";
 import "./style/page.css";
 import "./style/controls.css";
@@ -29,57 +32,87 @@ const ADDRESS_INTERVAL = 300;
 const usualSystem = (): System => (/-(US|GB|IE|CA)$/.test(navigator.language) ? "golf" : "metric");
 
 async function start(page: HTMLElement): Promise<void> {
-  const [client, response] = await Promise.all([CoreClient.start(wasmUrl), fetchFile(equipmentUrl)]);
+  let store: Store | undefined;
+  const observer: Observer = {
+    answered(slot, kind, output, milliseconds, isLatest) {
+      store?.receive(slot, kind, { output, failure: "", share: null, milliseconds });
+      if (slot === "shot" && isLatest) measure.answered();
+    },
+    progressed(slot, share) {
+      const result = store?.model.results[slot];
+      if (result) store?.receive(slot, result.kind, { share });
+    },
+    failed(slot, kind, message) {
+      store?.receive(slot, kind, { failure: message, share: null });
+      store?.note({ notices: [`This cannot be computed: ${message}.`] });
+    },
+  };
+  const [{ lanes, description }, response] = await Promise.all([
+    Lanes.start({ shots: shotsUrl, elements: elementsUrl }, observer),
+    fetchFile(equipmentUrl),
+  ]);
   const equipment = (await response.json()) as Equipment;
-  const { description } = client;
   const formatter = new Formatter(description, navigator.language);
-  const usual = initialState(equipment, usualSystem());
-  const linked: LinkContext = { equipment, units: formatter.units, inputs: description.inputs, usual };
+  const linked: LinkContext = {
+    equipment,
+    units: formatter.units,
+    inputs: description.inputs,
+    scenes: SCENES.map(({ name }) => name),
+    settings: SETTINGS,
+    usual: initialState(equipment, usualSystem()),
+  };
   const first = fromLink(location.hash, linked);
-  let latest = 0;
-
-  const store = new Store(first.state, equipment, (model, isNewState) => {
+  const loaded = new Map<string, Scene>();
+  const made = new Store(first.state, equipment, (model, isNewState) => {
     draw(model);
     if (!isNewState) return;
-    compute(store.state);
+    compute();
     writeAddress();
   });
-
+  store = made;
   page.replaceChildren();
 
-  function draw(model: Model): void {
+  const contextOf = (model: Model): Context => {
     const state = model.timeline.present;
-    const context: Context = { model, state, description, equipment, formatter, actions };
-    document.documentElement.dataset.theme = state.theme;
-    render(app(context), page);
+    return { model, state, description, equipment, formatter, settings: SETTINGS, actions };
+  };
+
+  /** The scene that is shown; null while it is loaded, after which the page is drawn again. */
+  function sceneOf(name: string): Scene | null {
+    const before = loaded.get(name);
+    if (before) return before;
+    const entry = SCENES.find((each) => each.name === name) ?? SCENES[0];
+    const scene = entry.load();
+    const isHere = !(scene instanceof Promise);
+    if (isHere) loaded.set(name, scene);
+    else
+      scene.then(
+        (each) => {
+          loaded.set(name, each);
+          draw(made.model);
+          compute();
+        },
+        (error: unknown) => made.note({ notices: [`${entry.title} cannot be loaded: ${String(error)}`] }),
+      );
+    return isHere ? scene : null;
+  }
+
+  function draw(model: Model): void {
+    const context = contextOf(model);
+    document.documentElement.dataset.theme = context.state.theme;
+    const scene = sceneOf(context.state.scene);
+    render(app(context, scene), page);
     drawCharts(context);
+    scene?.drawn?.(context);
+    endStages();
     watchWidths();
   }
 
-  function compute(state: State): void {
-    const delivery = deliveryOf({ state, formatter });
-    latest += 1;
-    const strike = strikeOf(description, equipment, state, delivery);
-    client.request({ kind: "shot", id: latest, strike });
-    client.request({ kind: "slopes", id: latest, strike });
-    if (state.scene !== "models") return;
-    const strikes = description.models.map(({ name }) => {
-      const parameters = name === state.model ? state.parameters : "";
-      return strikeOf(description, equipment, { ...state, model: name, parameters }, delivery);
-    });
-    client.request({ kind: "compare", id: latest, strikes });
+  function compute(): void {
+    const context = contextOf(made.model);
+    const scene = sceneOf(context.state.scene);
+    lanes.want([{ kind: "shot", input: strike(context) }, ...(scene?.wanted?.(context) ?? [])]);
   }
-
-  client.answered = (answer) => {
-    if (answer.kind === "comparison") store.note({ comparison: answer.comparison });
-    else if (answer.kind === "slopes") store.note({ slopes: answer.slopes });
-    else {
-      const { shot, milliseconds } = answer;
-      store.note({ shot, good: shot.failure ? store.model.good : shot, milliseconds });
-      if (answer.id === latest) measure.answered();
-    }
-  };
-  client.failed = (message) => store.note({ notices: [`This shot cannot be computed: ${message}.`] });
 
   let isWriting = false;
   function writeAddress(): void {
@@ -87,32 +120,32 @@ async function start(page: HTMLElement): Promise<void> {
     isWriting = true;
     setTimeout(() => {
       isWriting = false;
-      const link = toLink(store.state, linked);
+      const link = toLink(made.state, linked);
       if (link !== location.hash) history.replaceState(null, "", link);
     }, ADDRESS_INTERVAL);
   }
 
-  const actions = {
-    change: store.change,
-    settle: store.settle,
-    undo: store.undo,
-    redo: store.redo,
-    type: (name: string, text: string): void => store.note({ typing: { name, text } }),
+  const actions: Actions = {
+    change: made.change,
+    settle: made.settle,
+    undo: made.undo,
+    redo: made.redo,
+    type: (name: string, text: string): void => made.note({ typing: { name, text } }),
     mistake: (name: string, mistake: Mistake): void =>
-      store.note({ mistakes: { ...store.model.mistakes, [name]: mistake }, typing: null }),
-    dismiss: (): void => store.note({ notices: [] }),
+      made.note({ mistakes: { ...made.model.mistakes, [name]: mistake }, typing: null }),
+    dismiss: (): void => made.note({ notices: [] }),
   };
 
   addEventListener("hashchange", () => {
     const { state, problems } = fromLink(location.hash, linked);
-    if (toLink(state, linked) === toLink(store.state, linked)) return;
-    store.change({ kind: "all", state });
-    store.note({ notices: problems });
+    if (toLink(state, linked) === toLink(made.state, linked)) return;
+    made.change({ kind: "all", state });
+    made.note({ notices: problems });
   });
   watchKeys(actions);
-  measure.onWidths((widths) => store.note({ widths }));
-  store.note({ notices: first.problems });
-  compute(first.state);
+  measure.onWidths((widths) => made.note({ widths }));
+  made.note({ notices: first.problems });
+  compute();
   writeAddress();
 }
 

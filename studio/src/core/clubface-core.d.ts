@@ -1,6 +1,6 @@
 /** The glue to the core in WebAssembly: crates/clubface-c/clubface.js. */
 
-import type { CoreArray, Description, Reject } from "./types";
+import type { CoreArray, Description, Dispersion, Reject, Simulated } from "./types";
 
 export interface Batch {
   outputs: Float64Array[];
@@ -30,7 +30,12 @@ export interface LoadedCore {
   history(model: string, inputs: number[], parameters: number[], tolerance?: number): Record<string, CoreArray>;
   flights(inputs: Columns, rows: number): Batch;
   flightSensitivity(inputs: number[]): Derivatives;
+  dispersion(setup: object, count: number, landings?: number): { text: Dispersion; arrays: Record<string, CoreArray> };
+  simulate(description: object): { text: Simulated; arrays: Record<string, CoreArray> };
   trajectory(inputs: number[]): Record<string, CoreArray>;
 }
 
-export function load(source: BufferSource | WebAssembly.Module): Promise<LoadedCore>;
+export function load(
+  source: BufferSource | WebAssembly.Module,
+  progress?: (time: number, duration: number) => boolean,
+): Promise<LoadedCore>;

@@ -64,6 +64,38 @@ export interface Reject {
   message: string;
 }
 
+/** Where the shots of a golfer go, as `clubface_dispersion` in the C header describes it. */
+export interface Dispersion {
+  shots: number;
+  lost: number;
+  quantities: Record<string, { mean: number; spread: number; percentiles: number[] }>;
+  ellipses: { share: number; centre: [number, number]; half_axes: [number, number]; angle: number }[];
+  strokes: number | null;
+  lies: Record<string, number | null>;
+}
+
+/** Summary of a simulated impact, as `clubface_fem` in the C header describes it. */
+export interface Simulated {
+  launch: number[] | null;
+  stopped: string | null;
+  nodes: [ball: number, all: number];
+  steps: number;
+  step: number;
+  wall: number;
+  energy_error: number;
+  peak_force: number;
+  peak_force_time: number;
+  contact_time: number;
+  tangential_max: number;
+  tangential_min: number;
+  reversal_time: number;
+  spin_max: number;
+  contraction: number;
+  contraction_time: number;
+  f_prime: number;
+  f: number;
+}
+
 /** Numbers in SI by the names of the description. */
 export type Values = Record<string, number>;
 
@@ -72,6 +104,8 @@ export interface Strike {
   model: string;
   inputs: number[];
   parameters: number[];
+  /** Inputs of the flight that are not as usual, such as wind, in SI by their names. */
+  flight: Values;
 }
 
 export interface Failure {
@@ -103,16 +137,3 @@ export interface Comparison {
   shots: Computed[];
   histories: History[];
 }
-
-export type Request =
-  | { kind: "start"; wasm: string }
-  | { kind: "shot"; id: number; strike: Strike }
-  | { kind: "slopes"; id: number; strike: Strike }
-  | { kind: "compare"; id: number; strikes: Strike[] };
-
-export type Reply =
-  | { kind: "ready"; description: Description }
-  | { kind: "shot"; id: number; shot: Shot; milliseconds: number }
-  | { kind: "slopes"; id: number; slopes: Slopes }
-  | { kind: "comparison"; id: number; comparison: Comparison; milliseconds: number }
-  | { kind: "broken"; message: string };

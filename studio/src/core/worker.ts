@@ -1,31 +1,37 @@
-/** The worker that holds the core: it computes while the page stays free for the hand that moves a slider. */
+/** A worker that holds a core: it computes while the page stays free for the hand that moves a slider. */
 
 import { type LoadedCore, load } from "clubface-core";
-import { compareModels, computeShot, computeSlopes } from "./compute";
+import { compute } from "./computations";
 import { fetchFile } from "./fetch-file";
-import type { Reply, Request } from "./types";
+import type { Reply, Request } from "./messages";
+
+/** Least time between two reports of what is done [ms]. */
+const REPORTED = 50;
 
 let core: LoadedCore | undefined;
+let report: (share: number) => void = () => undefined;
 
 const reply = (message: Reply): void => postMessage(message);
 
 async function start(wasm: string): Promise<void> {
   const response = await fetchFile(wasm);
-  core = await load(await response.arrayBuffer());
+  core = await load(await response.arrayBuffer(), (time, duration) => {
+    report(duration > 0 ? time / duration : 0);
+    return true;
+  });
   reply({ kind: "ready", description: core.description });
 }
 
-function answer(loaded: LoadedCore, request: Exclude<Request, { kind: "start" }>): void {
+function answer(loaded: LoadedCore, { slot, computation, input }: Extract<Request, { kind: "compute" }>): void {
   const begun = performance.now();
-  if (request.kind === "shot") {
-    const shot = computeShot(loaded, request.strike);
-    reply({ kind: "shot", id: request.id, shot, milliseconds: performance.now() - begun });
-  } else if (request.kind === "slopes") {
-    reply({ kind: "slopes", id: request.id, slopes: computeSlopes(loaded, request.strike) });
-  } else {
-    const comparison = compareModels(loaded, request.strikes);
-    reply({ kind: "comparison", id: request.id, comparison, milliseconds: performance.now() - begun });
-  }
+  let reported = begun;
+  report = (share) => {
+    if (performance.now() - reported < REPORTED) return;
+    reported = performance.now();
+    reply({ kind: "progress", slot, share });
+  };
+  const output = compute(loaded, computation, input, report);
+  reply({ kind: "answer", slot, computation, output, milliseconds: performance.now() - begun });
 }
 
 addEventListener("message", async ({ data }: MessageEvent<Request>) => {
@@ -33,6 +39,7 @@ addEventListener("message", async ({ data }: MessageEvent<Request>) => {
     if (data.kind === "start") await start(data.wasm);
     else if (core) answer(core, data);
   } catch (error) {
-    reply({ kind: "broken", message: error instanceof Error ? error.message : String(error) });
+    const slot = data.kind === "compute" ? data.slot : null;
+    reply({ kind: "broken", slot, message: error instanceof Error ? error.message : String(error) });
   }
 });

@@ -91,5 +91,5 @@ export function strikeOf(description: Description, equipment: Equipment, chosen:
     ...delivery,
   };
   const inputs = description.inputs.map(({ name }) => values[name] ?? usualValue(equipment, chosen, name));
-  return { model: chosen.model, inputs, parameters: equipment.sets[set].values };
+  return { model: chosen.model, inputs, parameters: equipment.sets[set].values, flight: {} };
 }

@@ -1,118 +1,151 @@
-/** Curves over time, drawn by uPlot on canvases that the page keeps, and the same as a table. */
+/** Curves, drawn by uPlot on canvases that the page keeps, and the same as a table. */
 
 import { html, type TemplateResult } from "lit-html";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { Context } from "../context";
-import { HISTORIES, type HistoryChart } from "../scenes/models/histories";
+import { join } from "../quantities/formatter";
 import { rootSize } from "./measure";
+
+/** One axis of a chart: what it is called, and the quantity that gives unit and digits. */
+export interface ChartAxis {
+  label: string;
+  quantity: string;
+}
+
+export interface Chart {
+  /** Its name on the page, of which there is one. */
+  name: string;
+  title: string;
+  x: ChartAxis;
+  y: ChartAxis;
+  /** Places and values in SI; at most six lines, told apart by colour and dashes. */
+  lines: { label: string; x: ArrayLike<number>; y: ArrayLike<number> }[];
+  /** A place that is marked by an upright line [SI]. */
+  mark?: number;
+}
 
 /** Height of a chart, in letters of the page. */
 const HEIGHT = 14;
-/** Moments that the tables have. */
+/** Rows that the tables have. */
 const ROWS = 11;
-const DASHES = [[], [8, 4], [2, 3]];
+const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3], [14, 4], [4, 4]];
 
 interface Drawn {
-  chart: uPlot;
+  plot: uPlot;
   frame: Element;
   /** What it was drawn from: it is drawn anew where one of them is another. */
   inputs: readonly unknown[];
 }
 
 const drawn = new Map<string, Drawn>();
+/** The charts of the page that is being made. */
+let charts: Chart[] = [];
 
-export function chartFrame(context: Context, each: HistoryChart): TemplateResult {
+export function chartFrame(context: Context, chart: Chart): TemplateResult {
+  charts.push(chart);
   const { formatter, state } = context;
-  const unit = formatter.units.symbol(formatter.reading(each.quantity, state.system).unit);
+  const unit = formatter.units.symbol(formatter.reading(chart.y.quantity, state.system).unit);
   return html`
     <figure>
-      <figcaption>${each.title}, ${unit}</figcaption>
-      <div data-sized=${`chart-${each.name}`} data-chart=${each.name} role="img" aria-label=${spoken(context, each)}></div>
+      <figcaption>${chart.title}${unit ? `, ${unit}` : ""}</figcaption>
+      <div data-sized=${`chart-${chart.name}`} data-chart=${chart.name} role="img" aria-label=${spoken(context, chart)}></div>
       <details>
-        <summary>${each.title} as a table</summary>
-        ${table(context, each)}
+        <summary>${chart.title} as a table</summary>
+        ${chart.lines.map((line) => table(context, chart, line))}
       </details>
     </figure>
   `;
 }
 
-/** The greatest and the least value by each model, for who does not see the canvas. */
-function spoken({ model, formatter, state }: Context, each: HistoryChart): string {
-  const parts = (model.comparison?.histories ?? []).map(({ model: name, arrays }) => {
-    const values = each.values(arrays);
-    const text = (value: number): string => formatter.text(each.quantity, value, state.system);
-    return `${name} from ${text(Math.min(...values))} to ${text(Math.max(...values))}`;
+/** The greatest and the least value of each line, for who does not see the canvas. */
+function spoken({ formatter, state }: Context, { title, x, y, lines }: Chart): string {
+  const parts = lines.map(({ label, y: values }) => {
+    const finite = Array.from(values).filter(Number.isFinite);
+    const text = (value: number): string => formatter.text(y.quantity, value, state.system);
+    return finite.length
+      ? `${label} from ${text(Math.min(...finite))} to ${text(Math.max(...finite))}`
+      : `${label}: no value`;
   });
-  return `${each.title} over time: ${parts.join("; ")}`;
+  return `${title} over ${x.label}: ${parts.join("; ")}`;
 }
 
-function table({ model, formatter, state }: Context, each: HistoryChart): TemplateResult {
-  return html`${(model.comparison?.histories ?? []).map(({ model: name, arrays }) => {
-    const [times, values] = [arrays.time.values, each.values(arrays)];
-    const { unit } = formatter.reading("contact_time", state.system);
-    const places = Array.from({ length: ROWS }, (_, i) => Math.round((i * (times.length - 1)) / (ROWS - 1)));
-    return html`<table>
-      <caption>${name}</caption>
-      <thead>
-        <tr><th scope="col">Time, ${formatter.units.symbol(unit)}</th><th scope="col">${each.title}</th></tr>
-      </thead>
-      <tbody>
-        ${places.map(
-          (at) => html`<tr>
-            <th scope="row">${formatter.format(formatter.units.fromSi(times[at], unit), 0)}</th>
-            <td>${formatter.text(each.quantity, values[at], state.system)}</td>
-          </tr>`,
-        )}
-      </tbody>
-    </table>`;
-  })}`;
+function table({ formatter, state }: Context, { x, y, title }: Chart, line: Chart["lines"][number]): TemplateResult {
+  const { unit, digits } = formatter.reading(x.quantity, state.system);
+  const places = Array.from({ length: ROWS }, (_, i) => Math.round((i * (line.x.length - 1)) / (ROWS - 1)));
+  return html`<table>
+    <caption>${line.label}</caption>
+    <thead>
+      <tr><th scope="col">${x.label}</th><th scope="col">${title}</th></tr>
+    </thead>
+    <tbody>
+      ${[...new Set(places)].map(
+        (at) => html`<tr>
+          <th scope="row">
+            ${join(formatter.format(formatter.units.fromSi(line.x[at], unit), digits), formatter.units.symbol(unit))}
+          </th>
+          <td>${formatter.text(y.quantity, line.y[at], state.system)}</td>
+        </tr>`,
+      )}
+    </tbody>
+  </table>`;
 }
 
-/** Draws the charts whose frames are on the page, anew where something has changed. */
+/** Draws the charts of the page, anew where something has changed, and forgets those that are gone. */
 export function drawCharts(context: Context): void {
-  for (const each of HISTORIES) {
-    const frame = document.querySelector(`[data-chart="${each.name}"]`);
-    const before = drawn.get(each.name);
-    if (before && before.frame !== frame) {
-      before.chart.destroy();
-      drawn.delete(each.name);
-    }
-    if (frame && context.model.comparison) draw(context, each, frame);
+  for (const [name, { plot, frame }] of drawn) {
+    if (frame.isConnected) continue;
+    plot.destroy();
+    drawn.delete(name);
   }
+  for (const chart of charts) {
+    const frame = document.querySelector<HTMLElement>(`[data-chart="${chart.name}"]`);
+    if (frame && chart.lines.length) draw(context, chart, frame);
+  }
+  charts = [];
 }
 
-function draw(context: Context, each: HistoryChart, frame: Element): void {
-  const { model, state, formatter } = context;
-  const histories = model.comparison?.histories ?? [];
-  const width = Math.max(240, model.widths[`chart-${each.name}`] ?? 320);
+function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLElement): void {
+  const width = Math.max(240, model.widths[`chart-${chart.name}`] ?? 320);
   const style = getComputedStyle(frame);
   const rem = rootSize();
   const font = `${0.75 * rem}px system-ui, sans-serif`;
   const ink = style.getPropertyValue("--ink");
-  const inputs = [width, rem, state.system, ink, model.comparison];
-  const before = drawn.get(each.name);
-  if (before?.inputs.every((input, i) => input === inputs[i])) return;
-  before?.chart.destroy();
-  const { unit } = formatter.reading(each.quantity, state.system);
-  const time = formatter.reading("contact_time", state.system).unit;
-  const data = uPlot.join(
-    histories.map(({ arrays }) => [
-      Array.from(arrays.time.values, (value) => formatter.units.fromSi(value, time)),
-      each.values(arrays).map((value) => formatter.units.fromSi(value, unit)),
-    ]),
-  );
+  const labels = chart.lines.map(({ label }) => label).join("\n");
+  const arrays = chart.lines.flatMap(({ x, y }) => [x, y]);
+  const inputs = [width, rem, state.system, ink, chart.title, chart.mark, labels, ...arrays];
+  const before = drawn.get(chart.name);
+  if (before?.inputs.length === inputs.length && before.inputs.every((input, i) => input === inputs[i])) return;
+  before?.plot.destroy();
+  const [across, upwards] = [chart.x, chart.y].map(({ quantity }) => formatter.reading(quantity, state.system).unit);
+  const convert = (values: ArrayLike<number>, unit: string): number[] =>
+    Array.from(values, (value) => formatter.units.fromSi(value, unit));
+  const data = uPlot.join(chart.lines.map(({ x, y }) => [convert(x, across), convert(y, upwards)]));
   const axis = { stroke: ink, grid: { stroke: style.getPropertyValue("--line"), width: 1 }, font };
-  const chart = new uPlot(
+  const symbol = formatter.units.symbol(across);
+  const mark = (plot: uPlot): void => {
+    if (chart.mark === undefined) return;
+    const { ctx, bbox } = plot;
+    const at = plot.valToPos(formatter.units.fromSi(chart.mark, across), "x", true);
+    ctx.save();
+    ctx.strokeStyle = ink;
+    ctx.beginPath();
+    ctx.moveTo(at, bbox.top);
+    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
+  };
+  const plot = new uPlot(
     {
       width,
       height: HEIGHT * rem,
       scales: { x: { time: false } },
       cursor: { y: false },
+      hooks: { draw: [mark] },
       axes: [
         {
           ...axis,
-          label: `time, ${formatter.units.symbol(time)}`,
+          label: symbol ? `${chart.x.label}, ${symbol}` : chart.x.label,
           labelFont: font,
           labelSize: 1.1 * rem,
           size: 2.1 * rem,
@@ -121,7 +154,7 @@ function draw(context: Context, each: HistoryChart, frame: Element): void {
       ],
       series: [
         {},
-        ...histories.map(({ model: label }, i) => ({
+        ...chart.lines.map(({ label }, i) => ({
           label,
           stroke: style.getPropertyValue(`--series-${i + 1}`),
           width: 2,
@@ -132,7 +165,7 @@ function draw(context: Context, each: HistoryChart, frame: Element): void {
       legend: { live: false },
     },
     data,
-    frame as HTMLElement,
+    frame,
   );
-  drawn.set(each.name, { chart, frame, inputs });
+  drawn.set(chart.name, { plot, frame, inputs });
 }

@@ -1,6 +1,7 @@
 /** A list to choose from. */
 
 import { html, type TemplateResult } from "lit-html";
+import { type Context, choiceSetting } from "../context";
 
 export interface Choice<T extends string> {
   name: string;
@@ -18,3 +19,16 @@ export const choiceOf = <T extends string>({ name, label, value, options, choose
     </select>
   </label>
 `;
+
+/** A list for a setting of a scene. */
+export const settingChoice = (
+  context: Context,
+  { name, label, options }: Pick<Choice<string>, "name" | "label" | "options">,
+): TemplateResult =>
+  choiceOf({
+    name,
+    label,
+    value: choiceSetting(context, name),
+    options,
+    choose: (value) => context.actions.change({ kind: "settings", settings: { [name]: value } }),
+  });

@@ -1,9 +1,10 @@
-/** One input of the delivery: its name, a text that takes any unit, and a slider. */
+/** One amount: its name, a text that takes any unit, and a slider. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { type Context, delivered } from "../context";
+import { amountSetting, type Context, delivered } from "../context";
 import { sideOf } from "../quantities/formatter";
+import type { Amount } from "../quantities/units";
 import { measure } from "./measure";
 
 export interface Field {
@@ -15,23 +16,54 @@ export interface Field {
   remark?: string;
 }
 
-export function fieldOf(context: Context, { name, label, range, remark }: Field): TemplateResult {
+/** What a field shows and changes. */
+interface Source {
+  /** Name of the quantity that gives unit, digits and meaning. */
+  quantity: string;
+  /** The amount as it was given; undefined where something stands for it. */
+  amount: Amount | undefined;
+  /** In SI, whether given or not. */
+  si: number;
+  change(amount: Amount, going: string | null): void;
+}
+
+/** A field of an input of the delivery. */
+export const fieldOf = (context: Context, field: Field): TemplateResult =>
+  amountField(context, field, {
+    quantity: field.name,
+    amount: context.state.delivery[field.name],
+    si: delivered(context, field.name),
+    change: (amount, going) => context.actions.change({ kind: "delivery", amounts: { [field.name]: amount } }, going),
+  });
+
+/** A field of a setting of a scene. */
+export function settingField(context: Context, field: Field): TemplateResult {
+  const { settings, formatter, actions } = context;
+  const setting = settings[field.name];
+  const amount = amountSetting(context, field.name);
+  return amountField(context, field, {
+    quantity: setting.kind === "amount" ? setting.quantity : field.name,
+    amount,
+    si: formatter.units.toSi(amount),
+    change: (next, going) => actions.change({ kind: "settings", settings: { [field.name]: next } }, going),
+  });
+}
+
+function amountField(context: Context, { name, label, range, remark }: Field, source: Source): TemplateResult {
   const { state, formatter, actions, model } = context;
-  const { unit, digits } = formatter.reading(name, state.system);
-  const amount = state.delivery[name];
-  const value = amount
-    ? formatter.inSystem(name, amount, state.system)
-    : formatter.units.fromSi(delivered(context, name), unit);
+  const { quantity, amount, si } = source;
+  const { unit, digits } = formatter.reading(quantity, state.system);
+  const value = amount ? formatter.inSystem(quantity, amount, state.system) : formatter.units.fromSi(si, unit);
   const text = formatter.format(value, Math.max(digits, decimals(amount?.unit === unit ? amount.value : 0)));
   const [least, most] = range.map((end) => formatter.units.fromSi(end, unit));
   const mistake = model.mistakes[name];
   const typed = model.typing?.name === name ? model.typing.text : undefined;
-  const { sides, meaning, sign } = formatter.quantity(name);
+  const { sides, meaning, sign } = formatter.quantity(quantity);
 
   const take = (event: Event): void => {
     const field = event.target as HTMLInputElement;
     try {
-      actions.change({ kind: "delivery", amounts: { [name]: formatter.units.parse(field.value, unit) } });
+      source.change(formatter.units.parse(field.value, unit), null);
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
       actions.mistake(name, { text: field.value, message });
@@ -39,8 +71,7 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
   };
   const slide = (event: Event): void => {
     measure.asked(event);
-    const slid = { value: Number((event.target as HTMLInputElement).value), unit };
-    actions.change({ kind: "delivery", amounts: { [name]: slid } }, name);
+    source.change({ value: Number((event.target as HTMLInputElement).value), unit }, name);
   };
 
   return html`
@@ -66,7 +97,7 @@ export function fieldOf(context: Context, { name, label, range, remark }: Field)
       <input
         type="range"
         aria-label=${`${label}, slider`}
-        aria-valuetext=${formatter.text(name, delivered(context, name), state.system)}
+        aria-valuetext=${formatter.text(quantity, si, state.system)}
         min=${rounded(least, digits)}
         max=${rounded(most, digits)}
         step=${10 ** -digits}

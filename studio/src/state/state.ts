@@ -4,23 +4,25 @@ import type { Chosen, Equipment, Hand } from "../equipment/equipment";
 import { setNames } from "../equipment/equipment";
 import type { System } from "../quantities/formatter";
 import type { Amount } from "../quantities/units";
-
-export const SCENES = ["shot", "models"] as const;
-export type Scene = (typeof SCENES)[number];
+import type { SettingValue } from "./settings";
 
 export const THEMES = ["auto", "light", "dark"] as const;
 export type Theme = (typeof THEMES)[number];
 
 export interface State extends Chosen {
-  scene: Scene;
+  /** Name of the scene that is shown. */
+  scene: string;
   system: System;
   theme: Theme;
   /** What was given of the delivery, by the names of the core's inputs. */
   delivery: Record<string, Amount>;
+  /** What was chosen in scenes, by the names of their settings, where it is not as usual. */
+  settings: Record<string, SettingValue>;
 }
 
 export type Change =
-  | { kind: "scene"; scene: Scene }
+  | { kind: "scene"; scene: string }
+  | { kind: "settings"; settings: Record<string, SettingValue | null> }
   | { kind: "club"; club: string }
   | { kind: "ball"; ball: string }
   | { kind: "model"; model: string }
@@ -43,6 +45,7 @@ export function initialState(equipment: Equipment, system: System): State {
     system,
     theme: "auto",
     delivery: { speed: { value: 105, unit: "mph" } },
+    settings: {},
   };
 }
 
@@ -53,7 +56,9 @@ export function changed(state: State, change: Change, equipment: Equipment): Sta
     case "club":
       return withKnownSet(withClub(state, change.club, equipment), equipment);
     case "delivery":
-      return { ...state, delivery: withAmounts(state.delivery, change.amounts) };
+      return { ...state, delivery: withValues(state.delivery, change.amounts) };
+    case "settings":
+      return { ...state, settings: withValues(state.settings, change.settings) };
     default: {
       const { kind: _, ...rest } = change;
       return withKnownSet({ ...state, ...rest }, equipment);
@@ -61,11 +66,11 @@ export function changed(state: State, change: Change, equipment: Equipment): Sta
   }
 }
 
-/** A delivery with some amounts changed; null takes one back to what is usual. */
-function withAmounts(delivery: State["delivery"], amounts: Record<string, Amount | null>): State["delivery"] {
-  const result = { ...delivery };
-  for (const [name, amount] of Object.entries(amounts)) {
-    if (amount) result[name] = amount;
+/** Values with some of them changed; null takes one back to what is usual. */
+function withValues<T>(values: Record<string, T>, changes: Record<string, T | null>): Record<string, T> {
+  const result = { ...values };
+  for (const [name, value] of Object.entries(changes)) {
+    if (value !== null) result[name] = value;
     else delete result[name];
   }
   return result;

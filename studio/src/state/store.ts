@@ -1,6 +1,7 @@
 /** The one place that holds what the page shows; whoever changes it, all is drawn anew from it. */
 
-import type { Comparison, Shot, Slopes } from "../core/types";
+import type { Kind, Output } from "../core/computations";
+import type { Shot } from "../core/types";
 import type { Equipment } from "../equipment/equipment";
 import { type Change, changed, type State } from "./state";
 import { begin, redo, settle, step, type Timeline, undo } from "./undo";
@@ -10,14 +11,25 @@ export interface Mistake {
   message: string;
 }
 
+/** What was computed for a slot, or is being computed. */
+export interface Result<K extends Kind = Kind> {
+  kind: K;
+  /** The latest output, which stays while the next is computed. */
+  output: Output<K> | null;
+  /** Why the latest input could not be computed, "" where it could. */
+  failure: string;
+  /** The share of the next output that is done, null where it is not known. */
+  share: number | null;
+  /** Time that the core took [ms]. */
+  milliseconds: number;
+}
+
 export interface Model {
   timeline: Timeline<State>;
-  shot: Shot | null;
+  /** Results by their slots. */
+  results: Record<string, Result>;
   /** The last shot that could be computed, which stays drawn while another cannot. */
   good: Shot | null;
-  /** Derivatives of the last shot that has them. */
-  slopes: Slopes;
-  comparison: Comparison | null;
   /** Texts that fields cannot take, by the name of the field, and what is wrong with them. */
   mistakes: Record<string, Mistake>;
   /** The text that is being typed into a field, which results that arrive must not replace. */
@@ -25,8 +37,16 @@ export interface Model {
   notices: string[];
   /** Widths of the pictures [px], by name. */
   widths: Record<string, number>;
-  /** Time that the core took for the shot [ms]. */
-  milliseconds: number;
+}
+
+/** The latest output of a computation; `slot` is its kind unless it was wanted under another name. */
+export function outputOf<K extends Kind>(
+  { results }: Pick<Model, "results">,
+  kind: K,
+  slot: string = kind,
+): Output<K> | null {
+  const result = results[slot];
+  return result?.kind === kind ? (result.output as Output<K> | null) : null;
 }
 
 export class Store {
@@ -39,15 +59,12 @@ export class Store {
   ) {
     this.model = {
       timeline: begin(state),
-      shot: null,
+      results: {},
       good: null,
-      slopes: {},
-      comparison: null,
       mistakes: {},
       typing: null,
       notices: [],
       widths: {},
-      milliseconds: 0,
     };
   }
 
@@ -71,6 +88,14 @@ export class Store {
   readonly note = (part: Partial<Omit<Model, "timeline">>): void => {
     this.model = { ...this.model, ...part };
     this.observe(this.model, false);
+  };
+
+  /** Sets a part of the result of a slot. */
+  readonly receive = <K extends Kind>(slot: string, kind: K, part: Partial<Result<K>>): void => {
+    const before = this.model.results[slot] ?? { kind, output: null, failure: "", share: null, milliseconds: 0 };
+    const results = { ...this.model.results, [slot]: { ...before, ...part } };
+    const shot = outputOf({ results }, "shot");
+    this.note({ results, good: shot && !shot.failure ? shot : this.model.good });
   };
 
   private move(timeline: Timeline<State>): void {

@@ -5,6 +5,7 @@ import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
+import axe from "axe-core";
 import { type Browser, type BrowserContext, chromium, type Page } from "playwright-core";
 
 const DIST = fileURLToPath(new URL("../../dist/", import.meta.url));
@@ -58,7 +59,12 @@ export interface Opened {
   errors: string[];
 }
 
-export async function open(context: BrowserContext, address: string): Promise<Opened> {
+/** Opens a page and waits until it shows `ready`: a selector, by which its scene is known to be whole. */
+export async function open(
+  context: BrowserContext,
+  address: string,
+  ready = "[data-quantity], .models td",
+): Promise<Opened> {
   const page = await context.newPage();
   const errors: string[] = [];
   page.on("console", (message) => {
@@ -66,7 +72,7 @@ export async function open(context: BrowserContext, address: string): Promise<Op
   });
   page.on("pageerror", (error) => errors.push(String(error)));
   await page.goto(address);
-  await page.locator("[data-quantity], .models td").first().waitFor({ state: "attached" });
+  await page.locator(ready).first().waitFor({ state: "attached" });
   return { page, errors };
 }
 
@@ -82,3 +88,25 @@ export async function otherValue(page: Page, quantity: string, before: number): 
   );
   return siValueOf(page, quantity);
 }
+
+/** What axe finds wrong with the whole page, its details opened. */
+export async function violations(page: Page): Promise<string[]> {
+  await page.locator("details summary").evaluateAll((all) => {
+    for (const summary of all) (summary.parentElement as HTMLDetailsElement).open = true;
+  });
+  await page.waitForTimeout(300);
+  await page.evaluate(axe.source);
+  return page.evaluate(async () => {
+    const { violations: all } = await (globalThis as unknown as { axe: typeof axe }).axe.run();
+    return all.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join("; ")}`);
+  });
+}
+
+/** Moves a slider by one step of the keyboard. */
+export async function slide(page: Page, label: string, key = "ArrowRight"): Promise<void> {
+  await page.getByRole("slider", { name: `${label}, slider` }).press(key);
+}
+
+/** What a canvas shows, as text that changes with its picture. */
+export const pictureOf = (page: Page, selector: string): Promise<string> =>
+  page.locator(selector).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());

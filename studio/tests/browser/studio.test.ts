@@ -2,11 +2,10 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
-import axe from "axe-core";
 import type { Browser, BrowserContext, Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
 import { filesUnder } from "../../build/offline";
-import { open, otherValue, Site, siValueOf, startBrowser } from "./site";
+import { open, otherValue, Site, siValueOf, slide, startBrowser, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 /** Steps of a slider that are timed. */
@@ -28,11 +27,6 @@ beforeEach(async () => {
   await context?.close();
   context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
 });
-
-/** Moves a slider by one step of the keyboard. */
-async function slide(page: Page, label: string, key = "ArrowRight"): Promise<void> {
-  await page.getByRole("slider", { name: `${label}, slider` }).press(key);
-}
 
 const drawing = (page: Page): Promise<string> => page.locator(".flight svg").last().innerHTML();
 
@@ -248,16 +242,7 @@ describe("the site", () => {
     await context.close();
     context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
     const { page } = await open(context, site.address + FIRST + scene);
-    await page.locator("details summary").evaluateAll((all) => {
-      for (const summary of all) (summary.parentElement as HTMLDetailsElement).open = true;
-    });
-    await page.waitForTimeout(300);
-    await page.evaluate(axe.source);
-    const violations = await page.evaluate(async () => {
-      const { violations: all } = await (globalThis as unknown as { axe: typeof axe }).axe.run();
-      return all.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join("; ")}`);
-    });
-    expect(violations).toEqual([]);
+    expect(await violations(page)).toEqual([]);
   });
 
   test("prints on white, with the numbers and without the controls of the page", async () => {

@@ -1,11 +1,24 @@
 import { describe, expect, test } from "vitest";
 import { Units } from "../../src/quantities/units";
 import { fromLink, type LinkContext, toLink } from "../../src/state/link";
+import type { Settings } from "../../src/state/settings";
 import { changed, initialState, type State } from "../../src/state/state";
 import { description, equipment } from "../described";
 
 const usual = initialState(equipment, "golf");
-const context: LinkContext = { equipment, units: new Units(description), inputs: description.inputs, usual };
+const settings: Settings = {
+  wind: { kind: "amount", quantity: "speed", usual: { value: 0, unit: "mph" } },
+  shown: { kind: "choice", options: ["carry", "side"], usual: "carry" },
+  bag: { kind: "several", options: ({ clubs }) => Object.keys(clubs), usual: "" },
+};
+const context: LinkContext = {
+  equipment,
+  units: new Units(description),
+  inputs: description.inputs,
+  scenes: ["shot", "models"],
+  settings,
+  usual,
+};
 
 describe("the link", () => {
   test("the first state is short and readable", () => {
@@ -28,6 +41,7 @@ describe("the link", () => {
         closure: { value: 1e-7, unit: "deg/s" },
         toe: { value: 8, unit: "mm" },
       },
+      settings: { wind: { value: 10, unit: "mph" }, shown: "side", bag: "driver,7-iron" },
     };
     const read = fromLink(toLink(state, context), context);
     expect(read.problems).toEqual([]);
@@ -45,11 +59,17 @@ describe("the link", () => {
   });
 
   test("what cannot be read is said, and the rest is kept", () => {
-    const { state, problems } = fromLink("#club=broom&speed=fast&face=2deg&path=3&wind=5mph&%E0%A4%A=1&=", context);
+    const { state, problems } = fromLink("#club=broom&speed=fast&face=2deg&path=3&breeze=5mph&%E0%A4%A=1&=", context);
     expect(problems).toHaveLength(6);
     expect(problems[0]).toContain("broom");
     expect(state.club).toBe("driver");
     expect(state.delivery).toEqual({ speed: usual.delivery.speed, face: { value: 2, unit: "deg" } });
+  });
+
+  test("settings of scenes are checked like the rest", () => {
+    const { state, problems } = fromLink("#wind=5&shown=height&bag=driver,broom&wind=2m/s", context);
+    expect(problems).toHaveLength(3);
+    expect(state.settings).toEqual({ wind: { value: 2, unit: "m/s" } });
   });
 
   test("names of objects are no clubs", () => {
@@ -71,6 +91,12 @@ describe("changes", () => {
     expect(iron.delivery.attack).toEqual({ value: -3.9, unit: "deg" });
     expect(iron.delivery.loft).toBeUndefined();
     expect(iron.delivery.face).toEqual({ value: 1, unit: "deg" });
+  });
+
+  test("a setting goes back to what is usual", () => {
+    const chosen = changed(usual, { kind: "settings", settings: { shown: "side" } }, equipment);
+    expect(chosen.settings).toEqual({ shown: "side" });
+    expect(changed(chosen, { kind: "settings", settings: { shown: null } }, equipment)).toEqual(usual);
   });
 
   test("a parameter set that another model does not have is left", () => {

@@ -1,32 +1,51 @@
 /** What is drawn over time of the contact models. */
 
-import type { CoreArray } from "../../core/types";
+import type { CoreArray, History } from "../../core/types";
+import type { Chart } from "../../parts/chart";
 
-export interface HistoryChart {
+interface Drawn {
   name: string;
   title: string;
   /** The quantity that gives unit and digits. */
   quantity: string;
   /** Its values in SI at each moment. */
-  values(arrays: Record<string, CoreArray>): number[];
+  values(arrays: Record<string, CoreArray>): ArrayLike<number>;
 }
 
 const plain =
   (name: string) =>
-  (arrays: Record<string, CoreArray>): number[] =>
-    Array.from(arrays[name].values);
+  (arrays: Record<string, CoreArray>): ArrayLike<number> =>
+    arrays[name].values;
 
 /** One component of vectors. */
 const component =
   (name: string, axis: number) =>
-  (arrays: Record<string, CoreArray>): number[] => {
+  (arrays: Record<string, CoreArray>): ArrayLike<number> => {
     const { values, shape } = arrays[name];
-    return Array.from({ length: shape[0] }, (_, i) => values[i * shape[1] + axis]);
+    return Float64Array.from({ length: shape[0] }, (_, i) => values[i * shape[1] + axis]);
   };
 
-export const HISTORIES: HistoryChart[] = [
+const HISTORIES: Drawn[] = [
   { name: "normal", title: "Normal force", quantity: "normal_force", values: plain("normal_force") },
   { name: "friction", title: "Friction up the face", quantity: "force_y", values: plain("force_y") },
   { name: "sliding", title: "Slip up the face", quantity: "sliding_y", values: plain("sliding_y") },
   { name: "spin", title: "Backspin", quantity: "ball_spin", values: component("ball_spin", 2) },
 ];
+
+/** Charts that were made of the same histories, so that they are drawn once. */
+let made: { histories: History[]; charts: Chart[] } | null = null;
+
+export function historyCharts(histories: History[]): Chart[] {
+  if (made?.histories !== histories)
+    made = {
+      histories,
+      charts: HISTORIES.map(({ name, title, quantity, values }) => ({
+        name,
+        title,
+        x: { label: "time", quantity: "contact_time" },
+        y: { label: title, quantity },
+        lines: histories.map(({ model, arrays }) => ({ label: model, x: arrays.time.values, y: values(arrays) })),
+      })),
+    };
+  return made.charts;
+}

@@ -1,13 +1,18 @@
 /** Models side by side: the same strike by every model, and what the contact models say of the half millisecond. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
-import type { Context } from "../../context";
+import { type Context, type Scene, strike } from "../../context";
+import type { Computed, History } from "../../core/types";
 import { chartFrame } from "../../parts/chart";
+import { outputOf } from "../../state/store";
 import { deliveryPanel } from "../shot/delivery";
 import { equipmentPanel } from "../shot/equipment-panel";
 import { facePanel } from "../shot/face";
-import { HISTORIES } from "./histories";
+import { historyCharts } from "./histories";
 import { headlineDelivery } from "./strike-in-words";
+
+/** No histories yet. */
+const NONE: History[] = [];
 
 const COMPARED = [
   "ball_speed",
@@ -26,8 +31,19 @@ const COMPARED = [
   "peak_force",
 ];
 
-export function modelsScene(context: Context): TemplateResult {
-  const { model } = context;
+export const modelsScene: Scene = {
+  view,
+  wanted: (context) => {
+    const { state, description } = context;
+    const strikes = description.models.map(({ name }) =>
+      strike(context, { model: name, parameters: name === state.model ? state.parameters : "" }),
+    );
+    return [{ kind: "comparison", input: strikes, lane: "batch" }];
+  },
+};
+
+function view(context: Context): TemplateResult {
+  const comparison = outputOf(context.model, "comparison");
   return html`
     <div class="models">
       <section aria-labelledby="models">
@@ -37,7 +53,7 @@ export function modelsScene(context: Context): TemplateResult {
           <summary>Change the strike</summary>
           <div class="side-by-side">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}</div>
         </details>
-        ${model.comparison ? table(context) : html`<p aria-busy="true">All models are being computed …</p>`}
+        ${comparison ? table(context, comparison.shots) : html`<p aria-busy="true">All models are being computed …</p>`}
         <p class="remark">
           Impulse models have no contact that lasts: those that leave contact time and peak force blank do not compute them.
         </p>
@@ -45,14 +61,13 @@ export function modelsScene(context: Context): TemplateResult {
       <section aria-labelledby="histories">
         <h2 id="histories">Force, slip and spin over time</h2>
         <p>By the contact models. Friction down the face (below zero) makes backspin; up the face it takes some of it back.</p>
-        <div class="charts">${HISTORIES.map((each) => chartFrame(context, each))}</div>
+        <div class="charts">${historyCharts(comparison?.histories ?? NONE).map((each) => chartFrame(context, each))}</div>
       </section>
     </div>
   `;
 }
 
-function table({ model, state, formatter, description }: Context): TemplateResult {
-  const shots = model.comparison?.shots ?? [];
+function table({ state, formatter, description }: Context, shots: Computed[]): TemplateResult {
   return html`
     <div class="scroll" tabindex="0" role="region" aria-label="Table of all models">
       <table>

@@ -3,12 +3,13 @@
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { gap } from "../../quantities/formatter";
+import { outputOf } from "../../state/store";
 
 const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
 export function headline({ model, state, formatter }: Context): TemplateResult {
   const shot = model.good;
-  if (!shot) return model.shot ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
+  if (!shot) return outputOf(model, "shot") ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
   const { system } = state;
   const text = (name: string): string => formatter.text(name, shot.values[name], system);
   return html`

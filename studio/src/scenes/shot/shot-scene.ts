@@ -1,8 +1,9 @@
 /** Shot: how the club is delivered, how the ball leaves, and where it flies. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
-import type { Context } from "../../context";
+import { type Context, type Scene, strike } from "../../context";
 import type { Failure } from "../../core/types";
+import { outputOf } from "../../state/store";
 import { atImpact } from "./at-impact";
 import { deliveryPanel } from "./delivery";
 import { equipmentPanel } from "./equipment-panel";
@@ -13,8 +14,13 @@ import { numbersPanel } from "./numbers";
 import { whatIfPanel } from "./what-if";
 import { DELIVERY } from "./words";
 
-export function shotScene(context: Context): TemplateResult {
-  const failure = context.model.shot?.failure;
+export const shotScene: Scene = {
+  view,
+  wanted: (context) => [{ kind: "slopes", input: strike(context) }],
+};
+
+function view(context: Context): TemplateResult {
+  const failure = outputOf(context.model, "shot")?.failure;
   return html`
     <div class=${failure ? "shot stale" : "shot"}>
       <p class="failure" role="alert">${failure ? failureText(context, failure) : nothing}</p>

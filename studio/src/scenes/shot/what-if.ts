@@ -4,6 +4,7 @@ import { html, type nothing, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
 import type { Quantity } from "../../core/types";
 import { join, sideOf } from "../../quantities/formatter";
+import { outputOf } from "../../state/store";
 import { DELIVERY, IMPACT_POINT, MAIN } from "./words";
 
 export function whatIfPanel(context: Context): TemplateResult {
@@ -20,15 +21,16 @@ export function whatIfPanel(context: Context): TemplateResult {
 }
 
 function chip(context: Context, name: string): TemplateResult | typeof nothing {
-  const { model, state, formatter, actions } = context;
+  const { state, formatter, actions } = context;
+  const slopes = outputOf(context.model, "slopes") ?? {};
   const { step, more } = DELIVERY[name];
   const { unit, digits } = formatter.reading(name, state.system);
   const { units } = formatter;
   const size = units.toSi({ value: step, unit });
   const sides = formatter.quantity("side").sides;
-  const across = difference(context, "side", (model.slopes.side?.[name] ?? 0) * size, sides);
-  const along = difference(context, "carry", (model.slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
-  const isKnown = Object.keys(model.slopes).length > 0;
+  const across = difference(context, "side", (slopes.side?.[name] ?? 0) * size, sides);
+  const along = difference(context, "carry", (slopes.carry?.[name] ?? 0) * size, ["shorter", "longer"]);
+  const isKnown = Object.keys(slopes).length > 0;
   const effects = isKnown ? [across, along].filter(Boolean).join(", ") || "no difference" : "…";
   const take = (): void => {
     const value = units.fromSi(delivered(context, name), unit) + step;

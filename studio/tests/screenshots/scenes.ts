@@ -7,11 +7,15 @@ import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, test } from "vitest";
-import { open, Site, startBrowser } from "./site";
+import { open, Site, startBrowser } from "../browser/site";
 
 const FOLDER = process.env.SCREENSHOTS ?? "screenshots";
 const SHOT = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1deg&toe=8mm&high=4mm&units=golf";
-const SCENES = { shot: SHOT, models: `${SHOT.replace("#", "#scene=models&")}` };
+/** Each scene by its link, and by what it shows when it is whole. */
+const SCENES: Record<string, [link: string, ready: string]> = {
+  shot: [SHOT, "[data-quantity]"],
+  models: [SHOT.replace("#", "#scene=models&"), ".models td"],
+};
 const SIZES = { 360: 740, 390: 844, 1440: 900, 3840: 2160 };
 /** Widths whose first screen stands in the documentation, with the ending of its name. */
 const DOCUMENTED: Record<number, string> = { 390: "-narrow", 1440: "" };
@@ -27,12 +31,12 @@ afterAll(async () => {
   await site?.stop();
 });
 
-describe.each(Object.entries(SCENES))("%s", (name, link) => {
+describe.each(Object.entries(SCENES))("%s", (name, [link, ready]) => {
   for (const [width, height] of Object.entries(SIZES).map((size) => size.map(Number)))
     for (const theme of ["light", "dark"] as const)
       test(`${width} px, ${theme}`, { timeout: 120_000 }, async () => {
         const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, locale: "en-US" });
-        const { page } = await open(context, site.address + link);
+        const { page } = await open(context, site.address + link, ready);
         await page.waitForTimeout(500);
         await page.screenshot({ path: join(FOLDER, `${name}-${width}-${theme}.png`), fullPage: true });
         if (width in DOCUMENTED) {

@@ -1,0 +1,23 @@
+/** What the workers compute: a new computation is a function of the core and its input, and one line here. */
+
+import type { LoadedCore } from "clubface-core";
+import { compareModels, computeShot, computeSlopes } from "./compute";
+
+/** Takes the share that is done of a computation that takes long. */
+export type Report = (share: number) => void;
+
+export const COMPUTATIONS = {
+  shot: computeShot,
+  slopes: computeSlopes,
+  comparison: compareModels,
+};
+
+export type Kind = keyof typeof COMPUTATIONS;
+export type Input<K extends Kind> = Parameters<(typeof COMPUTATIONS)[K]>[1];
+export type Output<K extends Kind> = ReturnType<(typeof COMPUTATIONS)[K]>;
+
+type Computation = (core: LoadedCore, input: Input<Kind>, report: Report) => Output<Kind>;
+
+/** Computes one of them; `input` is that of the same kind. */
+export const compute = (core: LoadedCore, kind: Kind, input: Input<Kind>, report: Report): Output<Kind> =>
+  (COMPUTATIONS[kind] as unknown as Computation)(core, input, report);

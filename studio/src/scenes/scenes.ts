@@ -1,0 +1,14 @@
+/** The scenes in the order of the page's head: a new one is a folder and an entry here. */
+
+import type { SceneEntry } from "../context";
+import type { Settings } from "../state/settings";
+import { modelsScene } from "./models/models-scene";
+import { shotScene } from "./shot/shot-scene";
+
+export const SCENES: readonly SceneEntry[] = [
+  { name: "shot", title: "Shot", load: () => shotScene },
+  { name: "models", title: "Models side by side", load: () => modelsScene },
+];
+
+/** The settings of all scenes. */
+export const SETTINGS: Settings = Object.assign({}, ...SCENES.map(({ settings = {} }) => settings));

@@ -1,0 +1,24 @@
+/** What can be chosen in a scene beyond club, ball, model and delivery: it stands in the link and is undone like them. */
+
+import type { Equipment } from "../equipment/equipment";
+import type { Amount } from "../quantities/units";
+
+/** An amount, or one of several words. */
+export type SettingValue = Amount | string;
+
+export type Setting =
+  | { kind: "amount"; quantity: string; usual: Amount }
+  | { kind: "choice"; options: readonly string[] | ((equipment: Equipment) => readonly string[]); usual: string }
+  /** Several of the options, in their order, with commas between them. */
+  | { kind: "several"; options: readonly string[] | ((equipment: Equipment) => readonly string[]); usual: string };
+
+/** Settings by their names, which are their keys in the link: of all scenes together no two are alike. */
+export type Settings = Record<string, Setting>;
+
+export function optionsOf(setting: Setting, equipment: Equipment): readonly string[] {
+  if (setting.kind === "amount") return [];
+  return typeof setting.options === "function" ? setting.options(equipment) : setting.options;
+}
+
+/** The words of a setting of several. */
+export const wordsOf = (value: string): string[] => value.split(",").filter(Boolean);
