@@ -28,13 +28,16 @@ export function toLink(state: State, { usual }: Pick<LinkContext, "usual">): str
   if (state.model !== usual.model) entries.push(["model", state.model]);
   if (state.parameters) entries.push(["parameters", state.parameters]);
   if (state.hand !== usual.hand) entries.push(["hand", state.hand]);
-  for (const [name, { value, unit }] of Object.entries(state.delivery)) entries.push([name, `${value}${unit}`]);
+  for (const [name, amount] of Object.entries(state.delivery)) entries.push([name, written(amount)]);
   for (const [name, value] of Object.entries(state.settings))
-    entries.push([name, typeof value === "string" ? value : `${value.value}${value.unit}`]);
+    entries.push([name, typeof value === "string" ? value : written(value)]);
   if (state.system !== usual.system) entries.push(["units", state.system]);
   if (state.theme !== usual.theme) entries.push(["theme", state.theme]);
   return `#${entries.map(([key, value]) => `${key}=${escaped(value)}`).join("&")}`;
 }
+
+/** An amount with its unit; a plain number has none. */
+const written = ({ value, unit }: Amount): string => `${value}${unit === "1" ? "" : unit}`;
 
 /** A slash and a comma may stand in a fragment as they are. */
 const escaped = (text: string): string => encodeURIComponent(text).replace(/%2F/g, "/").replace(/%2C/g, ",");

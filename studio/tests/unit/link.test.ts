@@ -9,6 +9,7 @@ const usual = initialState(equipment, "golf");
 const settings: Settings = {
   wind: { kind: "amount", quantity: "speed", usual: { value: 0, unit: "mph" } },
   shown: { kind: "choice", options: ["carry", "side"], usual: "carry" },
+  grip: { kind: "amount", quantity: "friction", usual: { value: 0.3, unit: "1" } },
   bag: { kind: "several", options: ({ clubs }) => Object.keys(clubs), usual: "" },
 };
 const context: LinkContext = {
@@ -41,7 +42,12 @@ describe("the link", () => {
         closure: { value: 1e-7, unit: "deg/s" },
         toe: { value: 8, unit: "mm" },
       },
-      settings: { wind: { value: 10, unit: "mph" }, shown: "side", bag: "driver,7-iron" },
+      settings: {
+        wind: { value: 10, unit: "mph" },
+        grip: { value: 0.36, unit: "1" },
+        shown: "side",
+        bag: "driver,7-iron",
+      },
     };
     const read = fromLink(toLink(state, context), context);
     expect(read.problems).toEqual([]);
