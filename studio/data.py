@@ -1,4 +1,4 @@
-"""Write what the studio needs of the package: clubs, balls and parameter sets in SI, and the description of the core.
+"""Write what the studio needs of the package: equipment and golfers in SI, and the description of the core.
 
 ``python studio/data.py FOLDER`` writes ``equipment.json``, which the pages load, and ``description.json``, which their
 unit tests read; in the browser the description comes from the core itself. An infinite radius is null.
@@ -16,6 +16,7 @@ from typing import Any
 
 from clubface import _core
 from clubface.design.face_surface import outline_of
+from clubface.design.golfer import MIRRORED, Golfer, golfer
 from clubface.equipment.balls import DEFAULT_BALL, Ball, ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
@@ -93,8 +94,25 @@ def described_set(each: ParameterSet) -> dict[str, Any]:
     }
 
 
+def described_golfer(each: Golfer) -> dict[str, Any]:
+    """Return a golfer's shots as the core takes them, with a club of either hand."""
+
+    def distribution(hand: int) -> dict[str, Any]:
+        own = each.for_hand(hand)
+        return {
+            "variables": own.variables,
+            "mean": own.mean.tolist(),
+            "covariance": own.covariance.tolist(),
+            "mirrored": [name for name in MIRRORED if hand < 0 and name in own.variables],
+            "mishit_share": own.mishit_share,
+            "mishit_scale": own.mishit_scale,
+        }
+
+    return {"title": each.title, "club": each.club, "right": distribution(1), "left": distribution(-1)}
+
+
 def equipment_data() -> dict[str, Any]:
-    """Return clubs, balls, parameter sets, and which set and face belong to a model, club and ball."""
+    """Return clubs, balls, golfers, parameter sets, and which set and face belong to a model, club and ball."""
     clubs = {name: club(name) for name in builtin_names("clubs")}
     balls = {name: ball(name) for name in builtin_names("balls")}
     order = sorted(clubs, key=lambda name: (clubs[name].description.count("measured") > 0, clubs[name].loft))
@@ -124,6 +142,7 @@ def equipment_data() -> dict[str, Any]:
             for name in order
         },
         "balls": {name: described_ball(each) for name, each in balls.items()},
+        "golfers": {name: described_golfer(golfer(name)) for name in builtin_names("golfers")},
         "sets": [sets[key] for key in set_places],
         "faces": [list(face) for face in faces],
         "choices": choices,

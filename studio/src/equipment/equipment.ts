@@ -32,6 +32,25 @@ export interface SetEntry {
   values: number[];
 }
 
+/** How the shots of a golfer are distributed, as `clubface_dispersion` takes it. */
+export interface Distribution {
+  variables: string[];
+  mean: number[];
+  covariance: number[][];
+  mirrored: string[];
+  mishit_share: number;
+  mishit_scale: number;
+}
+
+export interface GolferEntry {
+  title: string;
+  /** The club that the shots are of. */
+  club: string;
+  /** The shots with a club of either hand. */
+  right: Distribution;
+  left: Distribution;
+}
+
 /** Places of the parameter set and of the face by the name of the published set, "" for the usual one. */
 type Choices = Record<string, [set: number, face: number]>;
 
@@ -41,6 +60,7 @@ export interface Equipment {
   inputs: string[];
   clubs: Record<string, ClubEntry>;
   balls: Record<string, BallEntry>;
+  golfers: Record<string, GolferEntry>;
   sets: SetEntry[];
   faces: [characteristicTime: number, includedTime: number][];
   choices: Record<string, Record<string, Record<string, Choices>>>;
