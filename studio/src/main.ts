@@ -21,6 +21,7 @@ import { type Mistake, type Model, Store } from "./state/store";
 import "./style/page.css";
 import "./style/controls.css";
 import "./style/pictures.css";
+import "./style/shot.css";
 import "./style/print.css";
 
 const root = document.querySelector<HTMLElement>("#studio");

@@ -3,10 +3,11 @@
 import type { SceneEntry } from "../context";
 import type { Settings } from "../state/settings";
 import { modelsScene } from "./models/models-scene";
+import { shotSettings } from "./shot/settings";
 import { shotScene } from "./shot/shot-scene";
 
 export const SCENES: readonly SceneEntry[] = [
-  { name: "shot", title: "Shot", load: () => shotScene },
+  { name: "shot", title: "Shot", settings: shotSettings, load: () => shotScene },
   { name: "models", title: "Models side by side", load: () => modelsScene },
 ];
 

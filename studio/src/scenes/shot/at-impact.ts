@@ -1,103 +1,147 @@
-/** Club and ball at impact, to scale: from above path, face and start, from the side attack, loft and launch. */
+/** Head and ball at impact and around it: the picture, from where it is seen, the moment, and what it shows in words. */
 
-import { html, svg, type TemplateResult } from "lit-html";
-import { type Context, delivered } from "../../context";
-import { handSign } from "../../equipment/equipment";
+import { html, nothing, type TemplateResult } from "lit-html";
+import { type Context, choiceSetting, delivered, settingSi, strike } from "../../context";
+import type { Shot, Values } from "../../core/types";
+import { settingField } from "../../parts/field";
+import { setStage, stageFrame } from "../../parts/stage";
+import { drawHead } from "./head-picture";
+import { VIEWS } from "./settings";
 
-const MILLIMETRE = 1e-3;
-/** Half the width of a drawing [mm]. */
-const HALF = 75;
-/** Lengths of what is drawn [mm]: the club's path before impact, path and face normal after it, the ball's start. */
-const PATH_BEFORE = 50;
-const AFTER = 60;
-const START = 92;
+/** How far the picture goes back before first touch and on after it [s]. */
+const REACH = 3e-3;
+/** Time in which a moment of that passes when it is played [s], and between its steps without motion. */
+const SLOWED = 3.5;
+const STEP = 1.2;
+
+/** Moments are given to a microsecond [s]. */
+const ROUNDED = 1e-6;
 
 interface Direction {
-  /** Class of the line. */
   kind: string;
-  name: string;
-  /** Angle from the target line, to the right or up [rad]. */
-  angle: number;
+  text: string;
 }
 
 export function atImpact(context: Context): TemplateResult {
-  const values = context.model.good?.values;
-  if (!values) return html``;
-  const direction = (kind: string, name: string): Direction => ({
-    kind,
-    name,
-    angle: values[name] ?? delivered(context, name),
-  });
-  const { columns } = context.equipment.clubs[context.state.club];
-  const fromAbove = [direction("path", "path"), direction("face-line", "face"), direction("start", "azimuth")];
-  const fromSide = [direction("path", "attack"), direction("face-line", "loft"), direction("start", "launch")];
+  const shot = context.model.good;
+  if (!shot) return html``;
+  const seen = choiceSetting(context, "head_view");
+  const moment = settingSi(context, "moment");
+  const directions = directionsOf(context, shot);
+  const [, title = ""] = VIEWS.find(([view]) => view === seen) ?? [];
+  const { label } = context.equipment.clubs[context.state.club];
+  const name =
+    `The ${label} meets the ball, ${title.toLowerCase()}, ${momentWords(shot, moment)}: ` +
+    `${directions.map(({ text }) => text).join("; ")}.`;
   return html`
-    <section aria-labelledby="at-impact">
+    <section class="head" aria-labelledby="at-impact">
       <h2 id="at-impact">At impact</h2>
-      <div class="at-impact">
-        ${view(context, "From above", fromAbove, {
-          // To the right on the page is right of the target, up is to the target.
-          place: (along, across) => [across, -along],
-          size: columns.face_width ?? 0,
-          struck: handSign(context.state) * delivered(context, "toe"),
-        })}
-        ${view(context, "From the side", fromSide, {
-          place: (along, across) => [along, -across],
-          size: columns.face_height ?? 0,
-          struck: delivered(context, "high"),
-        })}
+      ${stageFrame("head", name)}
+      <ul class="legend" aria-label="Arrows at impact">
+        ${directions.map(({ kind, text }) => html`<li><i class=${`direction ${kind}`}></i>${text}</li>`)}
+      </ul>
+      <div class="buttons" role="group" aria-label="Seen from">
+        ${VIEWS.map(
+          ([view, text]) => html`<button
+            type="button"
+            aria-pressed=${view === seen}
+            @click=${() => context.actions.change({ kind: "settings", settings: { head_view: view } })}
+          >
+            ${text}
+          </button>`,
+        )}
       </div>
+      ${settingField(context, { name: "moment", label: "Moment", range: [-REACH, REACH], remark: momentWords(shot, moment) })}
+      <div class="buttons" role="group" aria-label="Moments">
+        ${momentsOf(shot).map(
+          ([text, time]) => html`<button type="button" @click=${() => goTo(context, time, null)}>${text}</button>`,
+        )}
+        <button type="button" @click=${() => play(context, shot)}>Play</button>
+      </div>
+      <p class="remark">
+        Face, ball and motion are to scale; the body of the head behind the face is drawn, not
+        measured.${contactTime(shot) ? " Between first touch and separation the motion is drawn between its two ends." : nothing}
+      </p>
     </section>
   `;
 }
 
-interface Layout {
-  /** Where a point ahead and to the side stands on the page. */
-  place(along: number, across: number): [number, number];
-  /** Extent of the face [m], and where it is struck. */
-  size: number;
-  struck: number;
+const contactTime = ({ values }: Shot): number => (Number.isFinite(values.contact_time) ? values.contact_time : 0);
+
+function directionsOf(context: Context, { values }: Shot): Direction[] {
+  const { formatter, state } = context;
+  const text = (name: string): string =>
+    `${formatter.quantity(name).label} ${formatter.text(name, values[name] ?? delivered(context, name), state.system)}`;
+  return [
+    { kind: "path", text: `${text("path")}, ${text("attack")}` },
+    { kind: "face-line", text: `${text("face")}, ${text("loft")}` },
+    { kind: "start", text: `${text("azimuth")}, ${text("launch")}` },
+  ];
 }
 
-function view(context: Context, title: string, directions: Direction[], layout: Layout): TemplateResult {
-  const { formatter, state, equipment } = context;
-  const [club, face, start] = directions;
-  const radius = equipment.balls[state.ball].columns.ball_radius / MILLIMETRE;
-  const normal = [Math.cos(face.angle), Math.sin(face.angle)] as const;
-  const contact = [-radius * normal[0], -radius * normal[1]] as const;
-  /** A point of the face, away from the impact point. */
-  const onFace = (at: number): [number, number] =>
-    layout.place(contact[0] - at * normal[1], contact[1] + at * normal[0]);
-  const from = (origin: readonly [number, number], angle: number, length: number): [number, number] =>
-    layout.place(origin[0] + length * Math.cos(angle), origin[1] + length * Math.sin(angle));
-  const segment = (kind: string, [x1, y1]: [number, number], [x2, y2]: [number, number]): TemplateResult =>
-    svg`<line class=${kind} x1=${x1} y1=${y1} x2=${x2} y2=${y2}></line>` as TemplateResult;
-  const [least, most] = [-layout.size / 2 - layout.struck, layout.size / 2 - layout.struck].map(
-    (at) => at / MILLIMETRE,
+/** The moments that have a name. */
+function momentsOf(shot: Shot): [name: string, time: number][] {
+  const contact = contactTime(shot);
+  const end: [string, number][] = contact ? [["Separation", contact]] : [];
+  return [["Before", -REACH], ["First touch", 0], ...end, ["After", REACH]];
+}
+
+function momentWords(shot: Shot, moment: number): string {
+  const contact = contactTime(shot);
+  if (moment < 0) return "before first touch";
+  if (moment === 0) return "at first touch";
+  if (Math.abs(moment - contact) < ROUNDED) return "at separation";
+  return moment < contact ? "in contact" : "after the ball has left";
+}
+
+function goTo({ formatter, actions }: Context, time: number, going: string | null): void {
+  const value = Number(formatter.units.fromSi(time, "us").toFixed(0));
+  actions.change({ kind: "settings", settings: { moment: value === 0 ? null : { value, unit: "us" } } }, going);
+}
+
+let playing = 0;
+
+/** Goes through the whole impact in slow motion, or from moment to moment where less motion is wanted. */
+function play(context: Context, shot: Shot): void {
+  const begun = performance.now();
+  playing += 1;
+  const own = playing;
+  const moments = momentsOf(shot);
+  const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  let shown = -1;
+  const next = (now: number): void => {
+    if (own !== playing || !document.querySelector('[data-stage="head"]')) return;
+    const passed = Math.max(0, now - begun) / 1e3;
+    const step = Math.min(Math.floor(passed / STEP), moments.length - 1);
+    const share = Math.min(passed / SLOWED, 1);
+    if (!isStill) goTo(context, (2 * share - 1) * REACH, "moment");
+    else if (step !== shown) goTo(context, moments[step][1], "moment");
+    shown = step;
+    if (isStill ? step < moments.length - 1 : share < 1) requestAnimationFrame(next);
+    else context.actions.settle();
+  };
+  requestAnimationFrame(next);
+}
+
+/** Draws the picture when the page has been drawn. */
+export function setHead(context: Context): void {
+  const { model, state, equipment, description } = context;
+  const shot = model.good;
+  if (!shot) return;
+  const club = equipment.clubs[state.club];
+  const { inputs } = strike(context);
+  const moment = settingSi(context, "moment");
+  const view = choiceSetting(context, "head_view");
+  const values: Values = Object.fromEntries(description.inputs.map(({ name }, i) => [name, inputs[i]]));
+  setStage("head", [shot, state.club, state.hand, moment, view, ...inputs], (stage) =>
+    drawHead(stage, {
+      club: state.club,
+      kind: club.kind,
+      outline: club.outline,
+      inputs: values,
+      outputs: shot.values,
+      moment,
+      view,
+    }),
   );
-  const words = directions.map(({ kind, name, angle }) => ({
-    kind,
-    text: `${formatter.quantity(name).label} ${formatter.text(name, angle, state.system)}`,
-  }));
-  const centre = layout.place(0, 0);
-  return html`
-    <figure>
-      <figcaption>${title}</figcaption>
-      <svg
-        viewBox=${`${-HALF} ${-HALF} ${2 * HALF} ${2 * HALF}`}
-        role="img"
-        aria-label=${`${title}: ${words.map(({ text }) => text).join(", ")}`}
-      >
-        ${segment("target", from([0, 0], 0, -HALF * 1.2), from([0, 0], 0, HALF * 1.2))}
-        <circle class="ball" cx=${centre[0]} cy=${centre[1]} r=${radius}></circle>
-        ${segment("blade", onFace(least), onFace(most))}
-        ${segment("direction path", from(contact, club.angle, -PATH_BEFORE), from(contact, club.angle, AFTER))}
-        ${segment("direction face-line", from(contact, face.angle, 0), from(contact, face.angle, AFTER))}
-        ${segment("direction start", from([0, 0], start.angle, 0), from([0, 0], start.angle, START))}
-      </svg>
-      <ul class="legend">
-        ${words.map(({ kind, text }) => html`<li><i class=${`direction ${kind}`}></i>${text}</li>`)}
-      </ul>
-    </figure>
-  `;
 }

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, type Scene, strike } from "../../context";
 import type { Failure } from "../../core/types";
 import { outputOf } from "../../state/store";
-import { atImpact } from "./at-impact";
+import { atImpact, setHead } from "./at-impact";
 import { deliveryPanel } from "./delivery";
 import { equipmentPanel } from "./equipment-panel";
 import { facePanel } from "./face";
@@ -17,6 +17,7 @@ import { DELIVERY } from "./words";
 export const shotScene: Scene = {
   view,
   wanted: (context) => [{ kind: "slopes", input: strike(context) }],
+  drawn: setHead,
 };
 
 function view(context: Context): TemplateResult {
@@ -25,9 +26,9 @@ function view(context: Context): TemplateResult {
     <div class=${failure ? "shot stale" : "shot"}>
       <p class="failure" role="alert">${failure ? failureText(context, failure) : nothing}</p>
       ${headline(context)}
-      <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)} ${atImpact(context)}</div>
+      <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}</div>
       <div class="results">
-        <div class="pictures">${flightPanel(context)} ${whatIfPanel(context)}</div>
+        <div class="pictures">${atImpact(context)} ${flightPanel(context)} ${whatIfPanel(context)}</div>
         ${numbersPanel(context)}
       </div>
     </div>
