@@ -157,6 +157,12 @@ export async function load(source, progress = () => true) {
       });
     },
 
+    /** Pressure of the standard atmosphere at an altitude (Pa, m). */
+    pressureAtAltitude: (altitude) => core.clubface_pressure_at_altitude(altitude),
+
+    /** Density of moist air (kg/m3) by temperature (K), pressure (Pa) and relative humidity (0 to 1). */
+    airDensity: (temperature, pressure, humidity) => core.clubface_air_density(temperature, pressure, humidity),
+
     /** One flight with its derivatives: {values, jacobian: a row an output, by the inputs}. */
     flightSensitivity(inputs) {
       const count = description.flight_outputs.length;

@@ -77,3 +77,15 @@ pub unsafe extern "C" fn clubface_trajectory(inputs: *const f64) -> *mut Clubfac
         Ok(computed)
     })
 }
+
+/// Returns the pressure of the standard atmosphere at an altitude above the sea, Pa; the altitude in m.
+#[unsafe(no_mangle)]
+pub extern "C" fn clubface_pressure_at_altitude(altitude: f64) -> f64 {
+    flight::air::pressure_at_altitude(altitude)
+}
+
+/// Returns the density of moist air, kg/m3: temperature in K, pressure in Pa, humidity relative to saturation, 0 to 1.
+#[unsafe(no_mangle)]
+pub extern "C" fn clubface_air_density(temperature: f64, pressure: f64, humidity: f64) -> f64 {
+    flight::air::density(temperature, pressure, humidity)
+}

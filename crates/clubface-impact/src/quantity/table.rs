@@ -197,6 +197,12 @@ pub const QUANTITIES: &[Quantity] = &[
     entry("pressure", "p", PRESSURE, "air pressure", "air pressure at the course (default: standard sea level)"),
     entry("humidity", "h_r", DIMENSIONLESS, "humidity", "relative humidity over liquid water, 0 to 1").read("%", 0),
     entry("altitude", "z", LENGTH, "altitude", "height of the course above sea level").digits(0),
+    entry("air_density", "rho", DENSITY, "air density", "density of moist air by temperature, pressure and humidity")
+        .digits(3),
+    entry("wind_speed", "w", SPEED, "wind speed", "speed of a level wind, the same at all heights"),
+    entry("wind_from", "psi_w", ANGLE, "wind from",
+        "direction from which a level wind comes: 0 from the target, a headwind; 180 deg a tailwind")
+        .sign("from the right of the target line is positive").sides("left", "right").digits(0),
     entry("wind_x", "w_x", SPEED, "tailwind", "wind velocity along the target line, the same at all heights")
         .sign("tailwind is positive").sides("headwind", "tailwind"),
     entry("wind_y", "w_y", SPEED, "vertical wind", "vertical wind velocity")
