@@ -22,6 +22,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import RuleWarning
+from clubface.simulation.flight import GROUNDS
 from clubface.simulation.inputs import equipment, parameter_set
 from clubface.simulation.results import inputs
 from clubface.support.files import builtin_names
@@ -112,7 +113,7 @@ def described_golfer(each: Golfer) -> dict[str, Any]:
 
 
 def equipment_data() -> dict[str, Any]:
-    """Return clubs, balls, golfers, parameter sets, and which set and face belong to a model, club and ball."""
+    """Return clubs, balls, golfers, grounds, parameter sets, and which set and face belong to a model, club and ball."""
     clubs = {name: club(name) for name in builtin_names("clubs")}
     balls = {name: ball(name) for name in builtin_names("balls")}
     order = sorted(clubs, key=lambda name: (clubs[name].description.count("measured") > 0, clubs[name].loft))
@@ -143,6 +144,7 @@ def equipment_data() -> dict[str, Any]:
         },
         "balls": {name: described_ball(each) for name, each in balls.items()},
         "golfers": {name: described_golfer(golfer(name)) for name in builtin_names("golfers")},
+        "grounds": {name: dict(values) for name, values in GROUNDS.items()},
         "sets": [sets[key] for key in set_places],
         "faces": [list(face) for face in faces],
         "choices": choices,

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context, Scene } from "./context";
 import { choiceOf } from "./parts/choice";
+import { conditionsLine } from "./parts/conditions";
 import { SCENES } from "./scenes/scenes";
 import { THEMES } from "./state/state";
 
@@ -10,7 +11,7 @@ import { THEMES } from "./state/state";
 export function app(context: Context, scene: Scene | null): TemplateResult {
   return html`
     <a class="skip" href="#main" @click=${skip}>To the shot</a>
-    ${header(context)} ${notices(context)}
+    ${header(context)} ${conditionsLine(context)} ${notices(context)}
     <main id="main" tabindex="-1">${scene ? scene.view(context) : html`<p aria-busy="true">The scene is loading …</p>`}</main>
     <footer>
       <p>

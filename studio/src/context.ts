@@ -6,6 +6,7 @@ import type { Description, Strike, Values } from "./core/types";
 import { type Chosen, type Equipment, strikeOf, usualValue } from "./equipment/equipment";
 import type { Formatter } from "./quantities/formatter";
 import type { Amount } from "./quantities/units";
+import { flightConditions } from "./state/conditions";
 import type { Settings } from "./state/settings";
 import type { Change, State } from "./state/state";
 import type { Mistake, Model } from "./state/store";
@@ -58,10 +59,11 @@ export function delivered(context: Context, name: string): number {
   return amount ? formatter.units.toSi(amount) : usualValue(equipment, state, name);
 }
 
-/** The strike of the state; `changes` replace club, ball or model, `values` inputs in SI. */
+/** The strike of the state in its wind, air and ground; `changes` replace club, ball or model, `values` inputs in SI. */
 export function strike(context: Context, changes: Partial<Chosen> = {}, values: Values = {}): Strike {
-  const { description, equipment, state } = context;
-  return strikeOf(description, equipment, { ...state, ...changes }, { ...deliveryOf(context), ...values });
+  const { description, equipment, state, formatter } = context;
+  const struck = strikeOf(description, equipment, { ...state, ...changes }, { ...deliveryOf(context), ...values });
+  return { ...struck, flight: flightConditions(state, equipment, formatter.units) };
 }
 
 /** The words that were chosen for a setting, or are usual. */

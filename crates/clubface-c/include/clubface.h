@@ -168,6 +168,12 @@ ClubfaceResult *clubface_flight_sensitivity(const double *inputs,
 // `inputs` holds as many numbers as there are flight inputs.
 ClubfaceResult *clubface_trajectory(const double *inputs);
 
+// Returns the pressure of the standard atmosphere at an altitude above the sea, Pa; the altitude in m.
+double clubface_pressure_at_altitude(double altitude);
+
+// Returns the density of moist air, kg/m3: temperature in K, pressure in Pa, humidity relative to saturation, 0 to 1.
+double clubface_air_density(double temperature, double pressure, double humidity);
+
 // Returns how many columns there are, of `CLUBFACE_COLUMNS_INPUTS` and so on.
 size_t clubface_count(uint32_t columns);
 

@@ -29,6 +29,8 @@ export interface LoadedCore {
   ): Batch & { derivatives: Float64Array[][] };
   history(model: string, inputs: number[], parameters: number[], tolerance?: number): Record<string, CoreArray>;
   flights(inputs: Columns, rows: number): Batch;
+  pressureAtAltitude(altitude: number): number;
+  airDensity(temperature: number, pressure: number, humidity: number): number;
   flightSensitivity(inputs: number[]): Derivatives;
   dispersion(setup: object, count: number, landings?: number): { text: Dispersion; arrays: Record<string, CoreArray> };
   simulate(description: object): { text: Simulated; arrays: Record<string, CoreArray> };

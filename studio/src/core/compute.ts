@@ -43,11 +43,17 @@ const failure = ({ input, message }: Failure): Failure => ({ input, message });
 const byName = (variables: Variable[], columns: Float64Array[]): Values =>
   Object.fromEntries(variables.map(({ name }, i) => [name, columns[i][0]]));
 
+/** Air, wind and ground as the core takes them: an altitude becomes the pressure there. */
+export function conditionsOf(core: LoadedCore, { altitude, ...given }: Values): Values {
+  return altitude === undefined ? given : { pressure: core.pressureAtAltitude(altitude), ...given };
+}
+
 /** The inputs of the flight: the launch, the ball of the strike, and what its air and ground are. */
 export function flightInputs(core: LoadedCore, strike: Strike, launch: Values): number[] {
   const struck = core.description.inputs.map(({ name }) => name);
+  const conditions = conditionsOf(core, strike.flight);
   return core.description.flight_inputs.map((input) => {
-    if (input.name in strike.flight) return strike.flight[input.name];
+    if (input.name in conditions) return conditions[input.name];
     if (input.name in launch) return launch[input.name];
     const place = struck.indexOf(input.name);
     return place >= 0 ? strike.inputs[place] : (input.default ?? Number.NaN);

@@ -104,7 +104,7 @@ export interface Strike {
   model: string;
   inputs: number[];
   parameters: number[];
-  /** Inputs of the flight that are not as usual, such as wind, in SI by their names. */
+  /** Inputs of the flight that are not as usual, such as wind, in SI by their names; or `altitude` for the pressure. */
   flight: Values;
 }
 

@@ -61,6 +61,8 @@ export interface Equipment {
   clubs: Record<string, ClubEntry>;
   balls: Record<string, BallEntry>;
   golfers: Record<string, GolferEntry>;
+  /** Inputs of a flight in SI by the names of grounds. */
+  grounds: Record<string, Values>;
   sets: SetEntry[];
   faces: [characteristicTime: number, includedTime: number][];
   choices: Record<string, Record<string, Record<string, Choices>>>;

@@ -1,6 +1,7 @@
 /** The scenes in the order of the page's head: a new one is a folder and an entry here. */
 
 import type { SceneEntry } from "../context";
+import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
 import { modelsScene } from "./models/models-scene";
 import { shotSettings } from "./shot/settings";
@@ -11,5 +12,5 @@ export const SCENES: readonly SceneEntry[] = [
   { name: "models", title: "Models side by side", load: () => modelsScene },
 ];
 
-/** The settings of all scenes. */
-export const SETTINGS: Settings = Object.assign({}, ...SCENES.map(({ settings = {} }) => settings));
+/** The settings of all scenes, and the conditions that hold for every one of them. */
+export const SETTINGS: Settings = Object.assign({}, CONDITIONS, ...SCENES.map(({ settings = {} }) => settings));
