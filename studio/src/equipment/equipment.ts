@@ -54,8 +54,16 @@ export interface GolferEntry {
 /** Places of the parameter set and of the face by the name of the published set, "" for the usual one. */
 type Choices = Record<string, [set: number, face: number]>;
 
+/** Where the names of shots begin: of the start [rad], and of the curve over the carry. */
+export interface ShapeLimits {
+  straight_start: number;
+  straight_curve: number;
+  big_curve: number;
+}
+
 export interface Equipment {
   version: string;
+  shot_shape: ShapeLimits;
   defaults: { model: string; ball: string; club: string };
   inputs: string[];
   clubs: Record<string, ClubEntry>;

@@ -2,9 +2,11 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
+import { handSign } from "../../equipment/equipment";
 import { line, scale, ticks } from "../../parts/axes";
 import { sideOf } from "../../quantities/formatter";
 import { type Drawing, LEFT } from "./flight-panel";
+import { curveOf, shapeOf } from "./shot-shape";
 
 const TOP = 24;
 const BOTTOM = 36;
@@ -16,7 +18,7 @@ const LEAST_SIDE = 12;
 const REACH = 0.35;
 
 export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
-  const { model, state, formatter } = context;
+  const { model, state, formatter, equipment } = context;
   const { width, zoom, along, alongTicks, path, landing, rest, unit } = drawing;
   const values = model.good?.values ?? {};
   const end = (angle: number, length: number): [number, number] => [length * Math.cos(angle), length * Math.sin(angle)];
@@ -25,7 +27,14 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
     face: end(delivered(context, "face"), REACH * landing[0]),
     start: end(values.azimuth, landing[0]),
   };
-  const shown = [...path.map(([, , right]) => right), rest[1], ...Object.values(ends).map(([, right]) => right)];
+  // Where the ball would be beside its landing if it had not curved.
+  const onStart = end(values.azimuth, landing[0] * Math.cos(values.azimuth) + landing[1] * Math.sin(values.azimuth));
+  const shown = [
+    ...path.map(([, , right]) => right),
+    rest[1],
+    onStart[1],
+    ...Object.values(ends).map(([, right]) => right),
+  ];
   const [least, most] = [Math.min(-LEAST_SIDE, ...shown) * 1.1, Math.max(LEAST_SIDE, ...shown) * 1.1];
   const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, (most - least) * along.size));
   const height = TOP + inner + BOTTOM;
@@ -36,12 +45,14 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   const { sides } = formatter.quantity("side");
   /** "L" or "R" behind a distance, as the first letters of the core's words for its sides. */
   const letter = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
+  const shape = shapeOf(values, equipment.shot_shape, handSign(state)) || "shot that does not fly";
   const label =
-    `The flight from above: the ball starts ${formatter.text("azimuth", values.azimuth, state.system)} and lands ` +
+    `The flight from above, a ${shape}: the ball starts ${formatter.text("azimuth", values.azimuth, state.system)}, ` +
+    `curves ${formatter.text("curve", curveOf(values), state.system)} and lands ` +
     `${formatter.text("side", values.side, state.system)} after ${formatter.text("carry", values.carry, state.system)}.`;
   return html`
     <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
-      <text class="title" x="0" y="13">From above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
+      <text class="title" x="0" y="13">From above: ${shape}${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
       ${alongTicks.map(
         (tick) => svg`
           <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
@@ -55,6 +66,7 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
       <path class="direction start" d=${line([at([0, 0]), at(ends.start)])}></path>
       <path class="direction path" d=${line([at([0, 0]), at(ends.path)])}></path>
       <path class="direction face-line" d=${line([at([0, 0]), at(ends.face)])}></path>
+      <path class="curve" d=${line([at(onStart), at(landing)])}></path>
       <path class="ball-path" d=${line(path.map(([x, , z]) => at([x, z])))}></path>
       <path class="roll" d=${line([at(landing), at(rest)])}></path>
       <circle class="landing" cx=${at(landing)[0]} cy=${at(landing)[1]} r="4"></circle>
@@ -66,6 +78,7 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
       <li><i class="direction start"></i>start ${formatter.text("azimuth", values.azimuth, state.system)}</li>
       <li><i class="direction path"></i>path ${formatter.text("path", delivered(context, "path"), state.system)}</li>
       <li><i class="direction face-line"></i>face ${formatter.text("face", delivered(context, "face"), state.system)}</li>
+      <li><i class="curve"></i>curve ${formatter.text("curve", curveOf(values), state.system)}</li>
       <li><i class="roll"></i>bounce and roll</li>
     </ul>
   `;

@@ -177,7 +177,7 @@ function move({ three }: Stage, { head, ball, spun, mark, arrows, words }: Drawn
 
 /** Distance from which the head is seen [m], and the point that is looked at. */
 const FAR = 0.46;
-const MIDDLE: Vector = [0.04, 0.01, 0];
+const MIDDLE: Vector = [0.04, 0.02, 0];
 
 /** Turns the camera to the side from which the head is to be seen. */
 function look({ camera, controls }: Stage, { view, inputs: { hand } }: Picture): void {

@@ -2,15 +2,18 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { handSign } from "../../equipment/equipment";
 import { gap } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
+import { curveOf, shapeOf } from "./shot-shape";
 
 const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
-export function headline({ model, state, formatter }: Context): TemplateResult {
+export function headline({ model, state, formatter, equipment }: Context): TemplateResult {
   const shot = model.good;
   if (!shot) return outputOf(model, "shot") ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
   const { system } = state;
+  const shape = shapeOf(shot.values, equipment.shot_shape, handSign(state));
   const text = (name: string): string => formatter.text(name, shot.values[name], system);
   return html`
     <section class="headline" aria-label="The shot in short">
@@ -24,8 +27,9 @@ export function headline({ model, state, formatter }: Context): TemplateResult {
         })}
       </dl>
       <p aria-live="polite">
-        The ball starts ${text("azimuth")} of the target, rises to ${text("apex")} and lands ${text("side")} after
-        ${text("carry")}.
+        The ball starts ${text("azimuth")} of the target, rises to ${text("apex")}, curves
+        ${formatter.text("curve", curveOf(shot.values), system)} and lands ${text("side")} after
+        ${text("carry")}${shape ? html`: a <b class="shape">${shape}</b>.` : "."}
       </p>
     </section>
   `;

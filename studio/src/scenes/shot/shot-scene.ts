@@ -5,6 +5,7 @@ import { type Context, type Scene, strike } from "../../context";
 import type { Failure } from "../../core/types";
 import { outputOf } from "../../state/store";
 import { atImpact, setHead } from "./at-impact";
+import { spinPanel } from "./ball-spin";
 import { deliveryPanel } from "./delivery";
 import { equipmentPanel } from "./equipment-panel";
 import { facePanel } from "./face";
@@ -28,7 +29,9 @@ function view(context: Context): TemplateResult {
       ${headline(context)}
       <div class="controls">${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}</div>
       <div class="results">
-        <div class="pictures">${atImpact(context)} ${flightPanel(context)} ${whatIfPanel(context)}</div>
+        <div class="pictures">
+          <div class="meeting">${atImpact(context)} ${spinPanel(context)}</div>
+          ${flightPanel(context)} ${whatIfPanel(context)}</div>
         ${numbersPanel(context)}
       </div>
     </div>
