@@ -7,6 +7,7 @@ the monitor and sends launches to a simulator.
 from __future__ import annotations
 
 import json
+import re
 import selectors
 import socket
 import time
@@ -16,26 +17,13 @@ from typing import Any, NamedTuple, Self
 
 from clubface.errors import InputError, LinkError
 from clubface.results.notes import Note
-from clubface.shots.open_connect_messages import (
-    FAILED,
-    OK,
-    PLAYER,
-    Broken,
-    Message,
-    MessageError,
-    ObjectStream,
-    from_json,
-    heartbeat,
-    player,
-    recorded as recorded,
-    reply,
-    to_json,
-)
+from clubface.shots.messages import Broken, Message, MessageError, ObjectStream, recorded as recorded
+from clubface.shots.open_connect_messages import FAILED, OK, PLAYER, from_json, heartbeat, player, reply, to_json
 from clubface.shots.plausibility import shown
 
 __all__ = [
-    "MOST_CLIENTS", "Listener", "Message", "MessageError", "Reply", "Sender", "from_json", "heartbeat", "recorded",
-    "to_json",
+    "MOST_CLIENTS", "OPEN_CONNECT", "Dialect", "Listener", "Message", "MessageError", "Reply", "Sender", "from_json",
+    "heartbeat", "recorded", "to_json",
 ]  # fmt: skip
 
 LOOPBACK = "127.0.0.1"
@@ -44,6 +32,8 @@ PORT = 921
 MOST_CLIENTS = 8
 TICK = 0.05
 """Longest wait before the clock and the request to stop are looked at [s]."""
+NO_ANSWER = "did not answer"
+"""How the message about a shot begins that may have arrived all the same."""
 PARTIAL = 5.0
 """Time after which a message that has begun and not ended is given up [s]."""
 SILENT = 10.0
@@ -58,6 +48,44 @@ def check_port(port: int, lowest: int) -> None:
         raise InputError("port", port, f"a whole number from {lowest} to 65535")
 
 
+class Dialect(NamedTuple):
+    """How monitors and simulators talk over a socket in one protocol.
+
+    Attributes
+    ----------
+    name
+        Of the protocol.
+    port
+        Its usual port.
+    read
+        From a JSON object to the message in it; raises :class:`MessageError`.
+    answer
+        What a message is answered with, None for nothing.
+    refusal
+        The answer to a message that cannot be used, for which the reason is given.
+    ending
+        What stands behind an answer.
+    """
+
+    name: str
+    port: int
+    read: Callable[[Mapping[str, Any]], Message]
+    answer: Callable[[Message], dict[str, Any] | None]
+    refusal: Callable[[str], dict[str, Any]]
+    ending: bytes = b""
+
+
+OPEN_CONNECT = Dialect(
+    "open-connect",
+    PORT,
+    from_json,
+    lambda message: reply(OK, "Shot received successfully") if message.kind == "shot" else None,
+    lambda reason: reply(FAILED, reason),
+)
+_WEB = re.compile(rb"(?:GET|HEAD|POST|PUT|DELETE|OPTIONS|PATCH|CONNECT|TRACE) ")
+"""How what a browser sends begins: a page on the web must not make up shots."""
+
+
 class _Client:
     """One connection."""
 
@@ -66,7 +94,7 @@ class _Client:
         self.name = name
         self.stream = ObjectStream()
         self.heard = self.spoke = time.monotonic()
-        self.has_spoken = False
+        self.has_spoken = self.has_begun = False
         self.reported: set[tuple[str, float] | Note] = set()
         """Values that were not taken, each reported once: a monitor without spin sends its zero with every shot."""
 
@@ -98,6 +126,8 @@ class Listener:
     on_problem
         Called with a sentence for bytes that are not a message, for values that no shot can have, and when a monitor
         connects or leaves.
+    dialect
+        The protocol.
 
     Raises
     ------
@@ -114,8 +144,10 @@ class Listener:
         club: str = "",
         keep: Callable[[Message], object] | None = None,
         on_problem: Callable[[str], object] | None = None,
+        dialect: Dialect = OPEN_CONNECT,
     ) -> None:
         check_port(port, 0)
+        self._dialect = dialect
         self._player = player(hand, club) if hand is not None else None
         self._keep = keep or (lambda message: None)
         self._report = on_problem or (lambda message: None)
@@ -201,16 +233,20 @@ class Listener:
             self._leave(client, "left in the middle of a message" if client.stream.is_partial else "left")
             return
         client.heard = time.monotonic()
+        if not client.has_begun and _WEB.match(data):
+            self._leave(client, "is a web page and no monitor, and is disconnected")
+            return
+        client.has_begun = True
         for received in client.stream.feed(data):
             if not isinstance(received, Broken):
                 client.spoke, client.has_spoken = client.heard, True
             try:
                 if isinstance(received, Broken):
                     raise MessageError(received.reason)
-                message = from_json(received)
+                message = self._dialect.read(received)
             except MessageError as error:
                 self._report(f"{client.name}: {error}")
-                self._answer(client, reply(FAILED, str(error)))
+                self._answer(client, self._dialect.refusal(str(error)))
                 continue
             new = {each: shown(*each) for each in message.impossible.items() if each not in client.reported}
             client.reported |= set(new)
@@ -224,15 +260,16 @@ class Listener:
                 try:
                     self._keep(message)
                 except BaseException:
-                    self._answer(client, reply(FAILED, "the shot could not be kept"))
+                    self._answer(client, self._dialect.refusal("the shot could not be kept"))
                     raise
-                self._answer(client, reply(OK, "Shot received successfully"))
+            if (answer := self._dialect.answer(message)) is not None:
+                self._answer(client, answer)
             yield message
 
     def _answer(self, client: _Client, answer: dict[str, Any]) -> None:
         """Send an answer; a client that does not read is dropped rather than waited for."""
         try:
-            client.connection.sendall(json.dumps(answer).encode())
+            client.connection.sendall(json.dumps(answer).encode() + self._dialect.ending)
         except OSError as error:
             self._leave(client, f"was lost: {error.strerror or error}")
 
@@ -262,7 +299,7 @@ class Listener:
             if client.stream.is_partial and now - client.heard > PARTIAL:
                 client.stream.drop()
                 self._report(f"{client.name}: a message did not end within {PARTIAL:g} s")
-                self._answer(client, reply(FAILED, "the message did not end"))
+                self._answer(client, self._dialect.refusal("the message did not end"))
 
 
 class Reply(NamedTuple):
@@ -339,7 +376,7 @@ class Sender:
             for answer in self._receive(left):
                 if answer.code != PLAYER:
                     return answer
-        raise LinkError(self._address, f"did not answer shot {self._number} within {self._timeout:g} s")
+        raise LinkError(self._address, f"{NO_ANSWER} shot {self._number} within {self._timeout:g} s")
 
     def heartbeat(self, *, is_ready: bool = True) -> None:
         """Tell the simulator that the monitor is there; the simulator does not answer."""

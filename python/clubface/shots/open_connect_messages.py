@@ -7,31 +7,32 @@ right for either hand, the horizontal impact is positive towards the toe in mm, 
 and the closure rate is in deg/s. Clients must send a number, so a zero of club speed, loft or closure rate, or zeros of
 both impact offsets, mean not measured. So does a value that no golf shot can have. Total spin and spin axis are
 required, backspin and sidespin are not.
-
-The stream of bytes has no separators and may be cut anywhere, so that the end of each JSON object is found here.
 """
 
 from __future__ import annotations
 
-import json
 import math
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any
 
-import numpy as np
-
-from clubface.errors import AssumptionWarning, ClubfaceError, InputError, shortened
+from clubface.errors import AssumptionWarning, InputError, shortened
 from clubface.results.notes import Note, note
-from clubface.shots.plausibility import impossible, impossible_note, within_turn
+from clubface.shots.messages import (
+    LARGEST as LARGEST,
+    LARGEST_VALUE,
+    Broken as Broken,
+    Message,
+    MessageError,
+    ObjectStream as ObjectStream,
+    number_of,
+    numbers_of,
+    recorded as recorded,
+    shot_message,
+)
 from clubface.simulation.launch import Launch
-from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, complete, parts
+from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, parts
 from clubface.support.checks import check_choice, warn_once
 from clubface.units import from_si, parse, to_si, unit
-
-if TYPE_CHECKING:
-    from clubface.shots.recorded import RecordedShots
 
 __all__ = [
     "FAILED", "LARGEST", "OK", "PLAYER", "Broken", "Message", "MessageError", "ObjectStream", "from_json", "heartbeat",
@@ -69,53 +70,8 @@ CARRY_UNITS = {
     **dict.fromkeys(("meters", "metres", "meter", "metre", "m"), "m"),
 }
 """What ``Units`` may say, and the unit of the carry that it means."""
-LARGEST_NUMBER = 1e9
-"""No number of a message comes near it, but for what stands for a value that was not measured."""
-LARGEST_VALUE = 1e39
-"""The greatest number that such a value can be, of four bytes, is 3.4e38."""
 OK, PLAYER, FAILED = 200, 201, 501
 HANDS = {"right": "RH", "left": "LH"}
-
-
-LISTED = 10
-"""Notes of messages that are repeated of a session, the most frequent ones."""
-
-
-class MessageError(ClubfaceError, ValueError):
-    """A message that is no shot, heartbeat or status; its text names the field at fault and is sent back."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Message:
-    """The content of a message of a launch monitor, in SI units.
-
-    Attributes
-    ----------
-    kind
-        "shot", "heartbeat" or "status".
-    device, shot_number
-        Name and shot number that the sender gives.
-    delivery
-        Inputs of an impact by name; empty if the club was not measured.
-    launch
-        Quantities of the launch by name; empty without ball data.
-    impossible
-        The values of both that no shot can have, and which therefore are in neither.
-    notes
-        What else of the message was not taken, and why.
-    is_ready, sees_ball
-        The state that the monitor reports; None if it reports none.
-    """
-
-    kind: str
-    device: str
-    shot_number: int
-    delivery: Mapping[str, float] = field(default_factory=dict)
-    launch: Mapping[str, float] = field(default_factory=dict)
-    impossible: Mapping[str, float] = field(default_factory=dict)
-    notes: tuple[Note, ...] = ()
-    is_ready: bool | None = None
-    sees_ball: bool | None = None
 
 
 def from_json(data: Mapping[str, Any]) -> Message:
@@ -142,46 +98,26 @@ def from_json(data: Mapping[str, Any]) -> Message:
     version = str(data.get("APIversion", VERSION)).strip()
     if version.partition(".")[0] != VERSION:
         raise MessageError(f"APIversion is {version[:20]!r}; it must be {VERSION!r}")
-    notes: list[Note] = []
-    launch: dict[str, float] = {}
-    delivery: dict[str, float] = {}
-    wrong: dict[str, float] = {}
-    if flags["IsHeartBeat"]:
-        kind = "heartbeat"
-    elif flags["ContainsBallData"] or flags["ContainsClubData"]:
-        kind = "shot"
-        ball, club = (
-            _part(data, name, notes) if flags[flag] else {}
-            for name, flag in (("BallData", "ContainsBallData"), ("ClubData", "ContainsClubData"))
-        )
-        delivery = _delivery(club or {}, notes)
-        if flags["ContainsBallData"] and (ball is not None or not delivery):
-            launch = _launch(_object(data, "BallData"), _carry_unit(data, notes), notes)
-        if not launch and not delivery:
-            raise MessageError("; ".join(["ClubData holds nothing but zeros", *map(str, notes)]))
-        wrong = impossible(delivery | launch)
-        launch, delivery = (
-            {name: value for name, value in each.items() if name not in wrong} for each in (launch, delivery)
-        )
-        if not launch and not delivery:
-            raise MessageError(f"no shot can have such values: {', '.join(wrong)}")
-        launch = _whole(launch, notes)
-    else:
-        kind = "status"
-    number = _number(data, "ShotNumber", "") if kind == "shot" or "ShotNumber" in data else 0.0
+    state = {"is_ready": flags["LaunchMonitorIsReady"], "sees_ball": flags["LaunchMonitorBallDetected"]}
+    is_shot = not flags["IsHeartBeat"] and bool(flags["ContainsBallData"] or flags["ContainsClubData"])
+    number = number_of(data, "ShotNumber", "") if is_shot or "ShotNumber" in data else 0.0
     if number < 0.0:
         raise MessageError("ShotNumber must be 0 or more")
-    return Message(
-        kind=kind,
-        device=device.strip(),
-        shot_number=int(number),
-        delivery=delivery,
-        launch=launch,
-        impossible=wrong,
-        notes=tuple(notes),
-        is_ready=flags["LaunchMonitorIsReady"],
-        sees_ball=flags["LaunchMonitorBallDetected"],
+    known = {"device": device.strip(), "shot_number": int(number), **state}
+    if not is_shot:
+        return Message(kind="heartbeat" if flags["IsHeartBeat"] else "status", **known)
+    notes: list[Note] = []
+    launch: dict[str, float] = {}
+    ball, club = (
+        _part(data, name, notes) if flags[flag] else {}
+        for name, flag in (("BallData", "ContainsBallData"), ("ClubData", "ContainsClubData"))
     )
+    delivery = _delivery(club or {}, notes)
+    if flags["ContainsBallData"] and (ball is not None or not delivery):
+        launch = _launch(_object(data, "BallData"), _carry_unit(data, notes), notes)
+    if not launch and not delivery:
+        raise MessageError("; ".join(["ClubData holds nothing but zeros", *map(str, notes)]))
+    return shot_message(delivery=delivery, launch=launch, notes=notes, **known)
 
 
 def _options(data: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -203,10 +139,10 @@ def _part(data: Mapping[str, Any], name: str, notes: list[Note]) -> Mapping[str,
 
 def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[Note]) -> dict[str, float]:
     needed = ("Speed", "HLA", "VLA")
-    given = {name: _number(ball, name, "BallData.", LARGEST_VALUE) for name in needed}
+    given = {name: number_of(ball, name, "BallData.", LARGEST_VALUE) for name in needed}
     if not given["Speed"] > 0.0:
         raise MessageError("BallData.Speed must be above 0")
-    given |= _numbers(ball, [name for name in BALL if name not in needed], "BallData.", notes)
+    given |= numbers_of(ball, [name for name in BALL if name not in needed], "BallData.", notes)
     back, side, total, axis = (given.get(name) for name in ("BackSpin", "SideSpin", "TotalSpin", "SpinAxis"))
     if back == 0.0 == side and total is not None:
         given = {name: value for name, value in given.items() if name not in ("BackSpin", "SideSpin")}
@@ -218,17 +154,8 @@ def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[Note]) 
     return _si(given, BALL | {"CarryDistance": ("carry", carry_unit or "yd")})
 
 
-def _whole(launch: Mapping[str, float], notes: list[Note]) -> dict[str, float]:
-    """Return a launch with all that follows of its spin, and directions within half a turn."""
-    spins = complete({name: np.array([launch[name]]) for name in SPINS if name in launch})
-    notes += [*(each.note for each in spins.contradictions), *spins.notes]
-    known = {name: float(values[0]) for name, values in spins.values.items() if values[0] == values[0]}
-    rest = {name: float(within_turn(name, value)) for name, value in launch.items() if name not in SPINS}
-    return rest | known
-
-
 def _delivery(club: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
-    given = _numbers(club, CLUB, "ClubData.", notes)
+    given = numbers_of(club, CLUB, "ClubData.", notes)
     if given.get("Speed", 0.0) < 0.0:
         notes.append(note("message-speed-negative", value=given.pop("Speed")))
     if not any(given.values()):
@@ -236,19 +163,6 @@ def _delivery(club: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
     result = {name: value for name, value in _si(given, CLUB).items() if value or name not in NEVER_ZERO}
     if not result.get("toe") and not result.get("high"):
         result = {name: value for name, value in result.items() if name not in ("toe", "high")}
-    return result
-
-
-def _numbers(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note]) -> dict[str, float]:
-    """Return the fields that hold a number; a note says which hold something else. Null is not measured."""
-    result = {}
-    for name in names:
-        if data.get(name) is None:
-            continue
-        try:
-            result[name] = _number(data, name, where, LARGEST_VALUE)
-        except MessageError:
-            notes.append(note("message-field-no-number", field=f"{where}{name}", value=shortened(repr(data[name]), 40)))
     return result
 
 
@@ -274,18 +188,6 @@ def _flag(options: Mapping[str, Any], name: str) -> bool | None:
     return result
 
 
-def _number(data: Mapping[str, Any], name: str, where: str, largest: float = LARGEST_NUMBER) -> float:
-    result = data.get(name)
-    try:
-        is_none = isinstance(result, bool) or result is None or (isinstance(result, str) and "_" in result)
-        number = math.nan if is_none else float(result)  # pyright: ignore[reportArgumentType]
-    except (TypeError, ValueError, OverflowError):
-        number = math.nan
-    if not abs(number) < largest:
-        raise MessageError(f"{where}{name} must be a number" if result is not None else f"{where}{name} is missing")
-    return number
-
-
 def _carry_unit(data: Mapping[str, Any], notes: list[Note]) -> str | None:
     """Return the unit of the carry; None, with a note, where the message names one that the protocol does not have."""
     units = data.get("Units")
@@ -293,138 +195,6 @@ def _carry_unit(data: Mapping[str, Any], notes: list[Note]) -> str | None:
     if result is None:
         notes.append(note("message-units", value=shortened(repr(units), 40)))
     return result
-
-
-def recorded(messages: Iterable[Message], *, hand: str | None = None) -> RecordedShots:
-    """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers.
-
-    Notes count the values that no shot can have, and say what else of the messages was not taken.
-    """
-    from clubface.shots.recorded import RecordedShots
-
-    shots = [each for each in messages if each.kind == "shot"]
-
-    def columns(parts_of_shots: Sequence[Mapping[str, float]]) -> dict[str, Any]:
-        names = dict.fromkeys(name for each in parts_of_shots for name in each)
-        return {name: np.array([each.get(name, math.nan) for each in parts_of_shots]) for name in names}
-
-    wrong: dict[str, list[float]] = {}
-    for each in shots:
-        for name, value in each.impossible.items():
-            wrong.setdefault(name, []).append(value)
-    notes = Counter(remark for each in shots for remark in each.notes)
-    return RecordedShots(
-        deliveries=columns([each.delivery for each in shots]),
-        launches=columns([each.launch for each in shots]),
-        hand=None if hand is None else np.array([hand] * len(shots), dtype=object),
-        rows=np.array([each.shot_number for each in shots], dtype=np.int64),
-        source="Open Connect",
-        format="open-connect",
-        notes=(
-            *(impossible_note(name, len(values), len(shots), values[0]) for name, values in wrong.items()),
-            *(each.of(in_shots=count, of_shots=len(shots)) for each, count in notes.most_common(LISTED)),
-            *([note("messages-more", more=len(notes) - LISTED)] if len(notes) > LISTED else []),
-        ),
-    )
-
-
-LARGEST = 65_536
-"""Bytes of a message; one of Open Connect has less than 2000."""
-DEEPEST = 16
-"""Objects in objects; Open Connect has two."""
-_SPACE = b" \t\r\n\x00"
-_QUOTE, _ESCAPE = ord('"'), ord("\\")
-_OPEN, _CLOSE = b"{[", b"}]"
-
-
-class Broken(NamedTuple):
-    """Bytes that are not a message, and the reason."""
-
-    reason: str
-
-
-class ObjectStream:
-    """Collects bytes and returns the JSON objects in them, each as soon as its last brace has arrived."""
-
-    def __init__(self) -> None:
-        self._held = bytearray()
-        self.drop()
-
-    def drop(self) -> None:
-        """Discard an unfinished message; the next bytes begin a new one."""
-        self._held.clear()
-        self._seen = 0
-        self._depth = 0
-        self._in_text = False
-        self._escaped = False
-        self._in_garbage = False
-
-    @property
-    def is_partial(self) -> bool:
-        """Whether a message has begun and not ended."""
-        return self._depth > 0
-
-    def feed(self, data: bytes) -> list[dict[str, Any] | Broken]:
-        """Return the messages that ``data`` completes, and a :class:`Broken` for bytes that are not a message."""
-        self._held += data
-        result: list[dict[str, Any] | Broken] = []
-        while self._seen < len(self._held):
-            byte = self._held[self._seen]
-            self._seen += 1
-            if self._depth == 0:
-                self._between(byte, result)
-            elif self._in_text:
-                self._text(byte)
-            elif byte == _QUOTE:
-                self._in_text = True
-            elif byte in _OPEN:
-                self._depth += 1
-            elif byte in _CLOSE:
-                self._depth -= 1
-                if self._depth == 0:
-                    result.append(_parsed(bytes(self._held[: self._seen])))
-                    self._cut()
-            if self._seen > LARGEST or self._depth > DEEPEST:
-                result.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
-                rest = bytes(self._held[self._seen :])
-                self.drop()
-                self._in_garbage = True
-                self._held += rest
-        return result
-
-    def _between(self, byte: int, result: list[dict[str, Any] | Broken]) -> None:
-        if byte == _OPEN[0]:
-            self._depth = 1
-            self._in_garbage = False
-            del self._held[: self._seen - 1]
-            self._seen = 1
-            return
-        if byte not in _SPACE and not self._in_garbage:
-            self._in_garbage = True
-            result.append(Broken(f"no JSON object begins with {chr(byte)!r}"))
-        self._cut()
-
-    def _text(self, byte: int) -> None:
-        if self._escaped:
-            self._escaped = False
-        elif byte == _ESCAPE:
-            self._escaped = True
-        elif byte == _QUOTE:
-            self._in_text = False
-
-    def _cut(self) -> None:
-        del self._held[: self._seen]
-        self._seen = 0
-
-
-def _parsed(text: bytes) -> dict[str, Any] | Broken:
-    try:
-        result = json.loads(text.decode("utf-8"))
-    except UnicodeDecodeError:
-        return Broken("not UTF-8 text")
-    except (ValueError, RecursionError) as error:
-        return Broken(f"not JSON: {error}")
-    return result if isinstance(result, dict) else Broken("no JSON object")
 
 
 def to_json(

@@ -35,6 +35,11 @@ SENTENCES = {
         "the median attack angle of irons and wedges is {attack} upwards, where players hit them down: is the sign of "
         "attack turned in this file?"
     ),
+    "launch-from-club-data": (
+        "the ball of {made} of {shots:n shot} was not measured: its launch is computed from the club data by the model "
+        "{model}, with usual values for what the monitor does not measure"
+    ),
+    "launch-refused": ("the model makes no launch of the club data of {refused:n shot}"),
     "loft-and-face-computed": (
         "dynamic loft and face angle were computed from the ball, not measured: I w / (m R v_t) is one number from "
         "shot to shot, {ratio:.3f} ± {ratio_scatter:.3f} in {shots:n shot} of {club}"
@@ -65,6 +70,7 @@ SENTENCES = {
         "the median dynamic loft is {delivered_loft}, the static loft of {club} {static_loft}: is this the right club?"
     ),
     "message-field-no-number": "{field} is {value}, which is no number: taken as not measured",
+    "message-field-no-unit": "{field} is {value}, which is no number with its unit: taken as not measured",
     "message-part-missing": "{part} is missing",
     "message-speed-negative": "ClubData.Speed is {value:g}, which is below 0: taken as not measured",
     "message-units": "Units is {value} and must be Yards or Meters: the carry is taken as not measured",
@@ -88,6 +94,10 @@ SENTENCES = {
         "the club's motion stays as measured in {lacking} of {shots:n shot}, which lack the closure rate"
     ),
     "not-utf-8": "the file is not UTF-8: read as {encoding}",
+    "paths-in-still-air": (
+        "ways through the air, and what is computed of a flight, are for still air of 25 °C at sea level"
+    ),
+    "paths-of-first-shots": "the ways of the first {drawn} of {shots:n shot} are drawn",
     "placeholders-for-nothing": (
         "numbers that programs write for nothing measured count as not measured: {column} in {wrong} of "
         "{shots:n shot}, such as {value:.10g} {unit}"
@@ -111,6 +121,9 @@ SENTENCES = {
     "session-partly-measured": "{quantity} was not measured in every shot: {counts}",
     "sheet-read": "the sheet {sheet} was read and {others} not: save each as a file of its own",
     "shots-in-earlier-file": "{left} of {shots:n shot} are in an earlier file too, and were left out",
+    "shots-without-path": (
+        "{without} of {shots:n shot} have no way through the air, which takes ball speed, both angles and the spin"
+    ),
     "sign-one-turned": (
         "the sign of {quantity} disagrees with {others:and} from shot to shot: is one of them turned in this file?"
     ),

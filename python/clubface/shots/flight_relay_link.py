@@ -1,0 +1,170 @@
+"""Flight Relay over a WebSocket, as the controller: connected to a device, or listening for devices that connect.
+
+Most devices and bridges listen, and clubface connects to them; some connect to who listens. A web page is refused,
+which any browser would otherwise let make up shots.
+"""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+from urllib.parse import urlsplit
+
+from clubface.errors import InputError, LinkError
+from clubface.shots.flight_relay import PATH, ShotCollector, critical_alert, start_message, text_to_object
+from clubface.shots.messages import LARGEST, Message, MessageError
+from clubface.shots.open_connect import LOOPBACK, MOST_CLIENTS, check_port
+
+__all__ = ["FlightRelayClient", "FlightRelayListener"]
+
+TICK = 0.2
+"""Longest wait before the clock and the request to stop are looked at [s]."""
+AGAIN = 2.0
+"""Time between two tries to reach a device [s]."""
+PATIENCE = 10.0
+"""Time within which a device must answer the beginning [s]."""
+Keep = Callable[[Message], object]
+Report = Callable[[str], object]
+
+
+class _Link:
+    """What both ways of connecting share."""
+
+    def __init__(self, keep: Keep, on_problem: Report, on_message: Keep) -> None:
+        self._keep, self._report, self._on_message = keep, on_problem, on_message
+        self._stopped = threading.Event()
+
+    def _converse(self, socket: Any, name: str) -> None:
+        """Hear a device out until the connection or the link ends."""
+        from websockets.exceptions import ConnectionClosed
+
+        collector, waited = ShotCollector(), 0.0
+        try:
+            socket.send(json.dumps(start_message()))
+            while not self._stopped.is_set():
+                try:
+                    text = socket.recv(timeout=TICK)
+                except TimeoutError:
+                    waited += TICK
+                    if not collector.has_begun and waited > PATIENCE:
+                        socket.send(json.dumps(critical_alert("no answer to start")))
+                        self._report(f"{name} did not answer and is disconnected")
+                        return
+                else:
+                    if (data := text_to_object(text)) is not None:
+                        self._take(collector.feed(data), name)
+                self._take(collector.overdue(), name)
+        except ConnectionClosed:
+            pass
+        finally:
+            self._take(collector.rest(), name)
+
+    def _take(self, messages: list[Message | MessageError], name: str) -> None:
+        for each in messages:
+            if isinstance(each, MessageError):
+                self._report(f"{name}: {each}")
+                continue
+            if each.kind == "shot":
+                self._keep(each)
+            self._on_message(each)
+
+
+class FlightRelayListener(_Link):
+    """Listens for devices that open the connection, on this machine.
+
+    Parameters
+    ----------
+    port
+        The port. 0 takes a free one, which is then the attribute ``port``.
+    keep
+        Called with every shot, before ``on_message``, which is called with every message; both on threads.
+    on_problem
+        Called with a sentence for what cannot be used, and when a device connects or leaves.
+
+    Raises
+    ------
+    LinkError
+        The port is taken or not allowed.
+    """
+
+    def __init__(self, port: int, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
+        from websockets.sync.server import serve
+
+        super().__init__(keep, on_problem, on_message)
+        check_port(port, 0)
+        self._places = threading.BoundedSemaphore(MOST_CLIENTS)
+        try:
+            # Browsers name the page that connects as the origin; monitors name none.
+            self._server = serve(self._serve, LOOPBACK, port, origins=[None], max_size=LARGEST, compression=None)
+        except OSError as error:
+            raise LinkError(f"{LOOPBACK}:{port}", f"cannot be listened on: {error.strerror or error}") from None
+        self.port: int = self._server.socket.getsockname()[1]
+        threading.Thread(target=self._server.serve_forever, name="flight-relay", daemon=True).start()
+
+    def _serve(self, socket: Any) -> None:
+        name = "{}:{}".format(*socket.remote_address[:2])
+        if not self._places.acquire(blocking=False):
+            socket.send(json.dumps(critical_alert(f"{MOST_CLIENTS} devices are connected")))
+            self._report(f"{name} was turned away: {MOST_CLIENTS} devices are connected")
+            return
+        try:
+            self._report(f"{name} connected")
+            self._converse(socket, name)
+            self._report(f"{name} left")
+        finally:
+            self._places.release()
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._stopped.set()
+        self._server.shutdown()
+
+
+class FlightRelayClient(_Link):
+    """Connects to a device or a bridge, again and again until it is there, on a thread of its own.
+
+    Parameters
+    ----------
+    address
+        As in ``ws://localhost:5880/frp``; the path may be left out.
+    keep, on_problem, on_message
+        As of :class:`FlightRelayListener`.
+    """
+
+    def __init__(self, address: str, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
+        super().__init__(keep, on_problem, on_message)
+        parts = urlsplit(address)
+        if parts.scheme not in ("ws", "wss") or not parts.hostname:
+            raise InputError("flight_relay", address, "an address such as ws://localhost:5880/frp, or a port")
+        self.address = address if parts.path.strip("/") else f"{parts.scheme}://{parts.netloc}{PATH}"
+        self._thread = threading.Thread(target=self._run, name="flight-relay", daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        from websockets.exceptions import InvalidHandshake
+        from websockets.sync.client import connect
+
+        while not self._stopped.is_set():
+            with (
+                suppress(OSError, InvalidHandshake, TimeoutError),
+                connect(
+                    self.address,
+                    max_size=LARGEST,
+                    compression=None,
+                    open_timeout=PATIENCE,
+                    close_timeout=1.0,
+                    proxy=None,
+                ) as socket,
+            ):
+                self._report(f"connected to {self.address}")
+                self._converse(socket, self.address)
+                self._report(f"{self.address} left")
+            self._stopped.wait(AGAIN)
+
+    def close(self) -> None:
+        """End the connection."""
+        self._stopped.set()
+        self._thread.join(5.0)

@@ -1,0 +1,280 @@
+"""What launch monitors send over a socket, whatever their protocol: messages, numbers in them, and their framing.
+
+A stream of bytes may be cut anywhere, so that the end of each JSON object is found here.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from clubface.errors import ClubfaceError, shortened
+from clubface.results.notes import Note, note
+from clubface.shots.plausibility import impossible, impossible_note, within_turn
+from clubface.simulation.spin import SPINS, complete
+
+if TYPE_CHECKING:
+    from clubface.shots.recorded import RecordedShots
+
+__all__ = [
+    "LARGEST", "LARGEST_VALUE", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "number_of",
+    "numbers_of", "recorded", "shot_message",
+]  # fmt: skip
+
+
+LARGEST_NUMBER = 1e9
+"""No number of a message comes near it, but for what stands for a value that was not measured."""
+LARGEST_VALUE = 1e39
+"""The greatest number that such a value can be, of four bytes, is 3.4e38."""
+PROTOCOLS = {"open-connect": "Open Connect", "flight-relay": "Flight Relay", "opengolfsim": "OpenGolfSim"}
+"""The protocols, as people write them."""
+LISTED = 10
+"""Notes of messages that are repeated of a session, the most frequent ones."""
+
+
+class MessageError(ClubfaceError, ValueError):
+    """A message that is no shot, heartbeat or status; its text names the field at fault and is sent back."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Message:
+    """The content of a message of a launch monitor, in SI units.
+
+    Attributes
+    ----------
+    kind
+        "shot", "heartbeat" or "status".
+    device, shot_number
+        Name and shot number that the sender gives; 0 where it gives none.
+    delivery
+        Inputs of an impact by name; empty if the club was not measured.
+    launch
+        Quantities of the launch by name; empty without ball data.
+    impossible
+        The values of both that no shot can have, and which therefore are in neither.
+    notes
+        What else of the message was not taken, and why.
+    is_ready, sees_ball
+        The state that the monitor reports; None if it reports none.
+    identity
+        What tells the shot from all others of any monitor, where the protocol has that.
+    """
+
+    kind: str
+    device: str
+    shot_number: int = 0
+    delivery: Mapping[str, float] = field(default_factory=dict)
+    launch: Mapping[str, float] = field(default_factory=dict)
+    impossible: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[Note, ...] = ()
+    is_ready: bool | None = None
+    sees_ball: bool | None = None
+    identity: str = ""
+
+
+def shot_message(
+    *,
+    device: str,
+    shot_number: int,
+    delivery: Mapping[str, float],
+    launch: Mapping[str, float],
+    notes: Sequence[Note] = (),
+    identity: str = "",
+    is_ready: bool | None = None,
+    sees_ball: bool | None = None,
+) -> Message:
+    """Return the message of a shot, without the values that no shot can have, and with all that follows of its spin.
+
+    Raises
+    ------
+    MessageError
+        Nothing was measured, or nothing is left.
+    """
+    if not launch and not delivery:
+        raise MessageError("; ".join(["the message holds no value of a shot", *map(str, notes)]))
+    wrong = impossible({**delivery, **launch})
+    launch, delivery = (
+        {name: value for name, value in each.items() if name not in wrong} for each in (launch, delivery)
+    )
+    if not launch and not delivery:
+        raise MessageError(f"no shot can have such values: {', '.join(wrong)}")
+    remarks = list(notes)
+    launch = _whole(launch, remarks)
+    return Message(
+        kind="shot", device=device, shot_number=shot_number, delivery=delivery, launch=launch, impossible=wrong,
+        notes=tuple(remarks), identity=identity, is_ready=is_ready, sees_ball=sees_ball,
+    )  # fmt: skip
+
+
+def _whole(launch: Mapping[str, float], notes: list[Note]) -> dict[str, float]:
+    """Return a launch with all that follows of its spin, and directions within half a turn."""
+    spins = complete({name: np.array([launch[name]]) for name in SPINS if name in launch})
+    notes += [*(each.note for each in spins.contradictions), *spins.notes]
+    known = {name: float(values[0]) for name, values in spins.values.items() if values[0] == values[0]}
+    rest = {name: float(within_turn(name, value)) for name, value in launch.items() if name not in SPINS}
+    return rest | known
+
+
+def numbers_of(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note]) -> dict[str, float]:
+    """Return the fields that hold a number; a note says which hold something else. Null is not measured."""
+    result = {}
+    for name in names:
+        if data.get(name) is None:
+            continue
+        try:
+            result[name] = number_of(data, name, where, LARGEST_VALUE)
+        except MessageError:
+            notes.append(note("message-field-no-number", field=f"{where}{name}", value=shortened(repr(data[name]), 40)))
+    return result
+
+
+def number_of(data: Mapping[str, Any], name: str, where: str, largest: float = LARGEST_NUMBER) -> float:
+    """Return a field that must hold a number; texts that are numbers count."""
+    result = data.get(name)
+    try:
+        is_none = isinstance(result, bool) or result is None or (isinstance(result, str) and "_" in result)
+        number = math.nan if is_none else float(result)  # pyright: ignore[reportArgumentType]
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not abs(number) < largest:
+        raise MessageError(f"{where}{name} must be a number" if result is not None else f"{where}{name} is missing")
+    return number
+
+
+def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: str = "open-connect") -> RecordedShots:
+    """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers.
+
+    ``protocol`` is what they came over. Notes count the values that no shot can have, and say what else of the messages
+    was not taken.
+    """
+    from clubface.shots.recorded import RecordedShots
+
+    shots = [each for each in messages if each.kind == "shot"]
+
+    def columns(parts_of_shots: Sequence[Mapping[str, float]]) -> dict[str, Any]:
+        names = dict.fromkeys(name for each in parts_of_shots for name in each)
+        return {name: np.array([each.get(name, math.nan) for each in parts_of_shots]) for name in names}
+
+    wrong: dict[str, list[float]] = {}
+    for each in shots:
+        for name, value in each.impossible.items():
+            wrong.setdefault(name, []).append(value)
+    notes = Counter(remark for each in shots for remark in each.notes)
+    return RecordedShots(
+        deliveries=columns([each.delivery for each in shots]),
+        launches=columns([each.launch for each in shots]),
+        hand=None if hand is None else np.array([hand] * len(shots), dtype=object),
+        rows=np.array([each.shot_number for each in shots], dtype=np.int64),
+        source=PROTOCOLS.get(protocol, protocol),
+        format=protocol,
+        notes=(
+            *(impossible_note(name, len(values), len(shots), values[0]) for name, values in wrong.items()),
+            *(each.of(in_shots=count, of_shots=len(shots)) for each, count in notes.most_common(LISTED)),
+            *([note("messages-more", more=len(notes) - LISTED)] if len(notes) > LISTED else []),
+        ),
+    )
+
+
+LARGEST = 65_536
+"""Bytes of a message; one of Open Connect has less than 2000."""
+DEEPEST = 16
+"""Objects in objects; Open Connect has two."""
+_SPACE = b" \t\r\n\x00"
+_QUOTE, _ESCAPE = ord('"'), ord("\\")
+_OPEN, _CLOSE = b"{[", b"}]"
+
+
+class Broken(NamedTuple):
+    """Bytes that are not a message, and the reason."""
+
+    reason: str
+
+
+class ObjectStream:
+    """Collects bytes and returns the JSON objects in them, each as soon as its last brace has arrived."""
+
+    def __init__(self) -> None:
+        self._held = bytearray()
+        self.drop()
+
+    def drop(self) -> None:
+        """Discard an unfinished message; the next bytes begin a new one."""
+        self._held.clear()
+        self._seen = 0
+        self._depth = 0
+        self._in_text = False
+        self._escaped = False
+        self._in_garbage = False
+
+    @property
+    def is_partial(self) -> bool:
+        """Whether a message has begun and not ended."""
+        return self._depth > 0
+
+    def feed(self, data: bytes) -> list[dict[str, Any] | Broken]:
+        """Return the messages that ``data`` completes, and a :class:`Broken` for bytes that are not a message."""
+        self._held += data
+        result: list[dict[str, Any] | Broken] = []
+        while self._seen < len(self._held):
+            byte = self._held[self._seen]
+            self._seen += 1
+            if self._depth == 0:
+                self._between(byte, result)
+            elif self._in_text:
+                self._text(byte)
+            elif byte == _QUOTE:
+                self._in_text = True
+            elif byte in _OPEN:
+                self._depth += 1
+            elif byte in _CLOSE:
+                self._depth -= 1
+                if self._depth == 0:
+                    result.append(_parsed(bytes(self._held[: self._seen])))
+                    self._cut()
+            if self._seen > LARGEST or self._depth > DEEPEST:
+                result.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
+                rest = bytes(self._held[self._seen :])
+                self.drop()
+                self._in_garbage = True
+                self._held += rest
+        return result
+
+    def _between(self, byte: int, result: list[dict[str, Any] | Broken]) -> None:
+        if byte == _OPEN[0]:
+            self._depth = 1
+            self._in_garbage = False
+            del self._held[: self._seen - 1]
+            self._seen = 1
+            return
+        if byte not in _SPACE and not self._in_garbage:
+            self._in_garbage = True
+            result.append(Broken(f"no JSON object begins with {chr(byte)!r}"))
+        self._cut()
+
+    def _text(self, byte: int) -> None:
+        if self._escaped:
+            self._escaped = False
+        elif byte == _ESCAPE:
+            self._escaped = True
+        elif byte == _QUOTE:
+            self._in_text = False
+
+    def _cut(self) -> None:
+        del self._held[: self._seen]
+        self._seen = 0
+
+
+def _parsed(text: bytes) -> dict[str, Any] | Broken:
+    try:
+        result = json.loads(text.decode("utf-8"))
+    except UnicodeDecodeError:
+        return Broken("not UTF-8 text")
+    except (ValueError, RecursionError) as error:
+        return Broken(f"not JSON: {error}")
+    return result if isinstance(result, dict) else Broken("no JSON object")

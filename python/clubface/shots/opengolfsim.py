@@ -1,0 +1,128 @@
+"""The messages of OpenGolfSim's Developer API, which monitors send to the simulator, a JSON object a line over TCP.
+
+The fields are those of help.opengolfsim.com, *Shot Data API*: ``ballSpeed`` in mph, or in m/s where ``unit`` is metric,
+angles in degrees and ``spinSpeed`` in rpm. ``spinAxis`` is positive to the right, as the example of the page says, and
+``horizontalLaunchAngle`` is taken so too. There is no club data and no number of a shot. The page names no answers; the
+simulator sends ``{"status": 200}``, or 400 with an error.
+"""
+
+from __future__ import annotations
+
+import json
+import socket
+from collections.abc import Mapping
+from typing import Any
+
+from clubface.errors import InputError, LinkError
+from clubface.results.notes import Note
+from clubface.shots.messages import LARGEST_VALUE, Message, MessageError, number_of, numbers_of, shot_message
+from clubface.shots.open_connect import Dialect
+from clubface.units import from_si, to_si
+
+__all__ = ["OPENGOLFSIM", "PORT", "OpenGolfSimSender", "from_json", "to_json"]
+
+PORT = 3111
+DEVICE = "OpenGolfSim"
+"""What a monitor is called that gives no name."""
+UNITS = {"imperial": "mph", "metric": "m/s"}
+FIELDS = {
+    "ballSpeed": ("ball_speed", "mph"),
+    "verticalLaunchAngle": ("launch", "deg"),
+    "horizontalLaunchAngle": ("azimuth", "deg"),
+    "spinSpeed": ("total_spin", "rpm"),
+    "spinAxis": ("spin_axis", "deg"),
+}
+"""The quantity and unit of each field of a shot."""
+NEEDED = ("ballSpeed", "verticalLaunchAngle", "horizontalLaunchAngle")
+
+
+def from_json(data: Mapping[str, Any]) -> Message:
+    """Return the message in a JSON object.
+
+    Raises
+    ------
+    MessageError
+        It is neither a shot nor the state of a device; the text names the field at fault.
+    """
+    kind = data.get("type")
+    if kind == "device":
+        status = data.get("status")
+        if status not in ("ready", "busy"):
+            raise MessageError("status must be ready or busy")
+        return Message(kind="status", device=DEVICE, is_ready=status == "ready")
+    if kind != "shot":
+        raise MessageError("type must be shot or device")
+    shot = data.get("shot")
+    if not isinstance(shot, Mapping):
+        raise MessageError("shot is missing" if shot is None else "shot must be an object")
+    unit = data.get("unit", "imperial")
+    if not isinstance(unit, str) or unit not in UNITS:
+        raise MessageError("unit must be imperial or metric")
+    notes: list[Note] = []
+    given = {name: number_of(shot, name, "shot.", LARGEST_VALUE) for name in NEEDED}
+    if not given["ballSpeed"] > 0.0:
+        raise MessageError("shot.ballSpeed must be above 0")
+    given |= numbers_of(shot, [name for name in FIELDS if name not in NEEDED], "shot.", notes)
+    if given.get("spinSpeed") == 0.0 == given.get("spinAxis", 0.0):  # as of a monitor that measures none
+        given = {name: value for name, value in given.items() if not name.startswith("spin")}
+    fields = FIELDS | {"ballSpeed": ("ball_speed", UNITS[unit])}
+    launch = {fields[name][0]: to_si(value, fields[name][1]) for name, value in given.items()}
+    return shot_message(device=DEVICE, shot_number=0, delivery={}, launch=launch, notes=notes)
+
+
+def to_json(launch: Mapping[str, float]) -> dict[str, Any]:
+    """Return the message of a shot; the launch is in SI, with ``ball_speed`` and ``launch`` at the least.
+
+    Raises
+    ------
+    InputError
+        Ball speed or launch angle is missing.
+    """
+    for name in ("ball_speed", "launch"):
+        if name not in launch:
+            raise InputError(name, None, "given, since a message to a simulator needs it")
+    values = {"azimuth": 0.0, "total_spin": 0.0, "spin_axis": 0.0, **launch}
+    shot = {name: float(from_si(values[quantity], unit)) for name, (quantity, unit) in FIELDS.items()}
+    return {"type": "shot", "unit": "imperial", "shot": shot}
+
+
+OPENGOLFSIM = Dialect(
+    "opengolfsim",
+    PORT,
+    from_json,
+    lambda message: {"status": 200},
+    lambda reason: {"status": 400, "error": reason},
+    b"\n",
+)
+
+
+class OpenGolfSimSender:
+    """Sends shots to the simulator on this machine; no answer is waited for, as the page names none.
+
+    Raises
+    ------
+    LinkError
+        Nobody listens there, or the connection was lost.
+    """
+
+    def __init__(self, port: int = PORT, *, host: str = "127.0.0.1", timeout: float = 5.0) -> None:
+        self._address = f"{host}:{port}"
+        try:
+            self._socket = socket.create_connection((host, port), timeout)
+        except OSError as error:
+            raise LinkError(self._address, f"cannot be reached: {error.strerror or error}") from None
+        self._write({"type": "device", "status": "ready"})
+
+    def send(self, launch: Mapping[str, float]) -> None:
+        """Send a launch."""
+        self._write(to_json(launch))
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._socket.close()
+
+    def _write(self, message: dict[str, Any]) -> None:
+        try:
+            self._socket.sendall(json.dumps(message, allow_nan=False).encode() + b"\n")
+        except OSError as error:
+            raise LinkError(self._address, f"was lost: {error.strerror or error}") from None
