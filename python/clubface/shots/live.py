@@ -1,0 +1,297 @@
+"""Live shots: each is on the disk before anyone sees it, and a killed server goes on with all of them.
+
+A file of live shots has one JSON object a line: a shot as it came, in SI, or what the player chose for those that
+follow, such as the club. A line that was cut off by the end of a process was never acknowledged; the next process takes
+it away, and nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from clubface.equipment.clubs import CLUB_NAMES
+from clubface.equipment.described import HANDS
+from clubface.errors import FileError
+from clubface.jobs.lock import Lock
+from clubface.results.notes import Note
+from clubface.results.result import Result
+from clubface.shots.messages import PROTOCOLS, Message, recorded
+from clubface.shots.recorded import RecordedShots
+from clubface.shots.shot_list import CompletedShots, completed, shot_list_result
+from clubface.simulation.results import inputs
+from clubface.support.checks import check_choice
+from clubface.support.files import unreadable, unwritable
+
+__all__ = ["LiveShot", "LiveShots", "Player", "live_result", "live_shots"]
+
+LARGEST = 200_000_000
+"""Bytes of a file of live shots: some hundred thousand shots."""
+
+
+class Player(NamedTuple):
+    """What the player chose: a built-in club and a hand, of which the monitor says nothing."""
+
+    club: str = "driver"
+    hand: str = "right"
+
+
+class LiveShot(NamedTuple):
+    """A shot that a monitor sent.
+
+    Attributes
+    ----------
+    number
+        Its place among all shots of the file, from 1.
+    received
+        When it came, ISO text in UTC.
+    protocol
+        What it came over.
+    player
+        The club and the hand that were chosen then.
+    message
+        What the monitor sent.
+    """
+
+    number: int
+    received: str
+    protocol: str
+    player: Player
+    message: Message
+
+
+class LiveShots:
+    """The shots of a file, to which more come while monitors are listened to.
+
+    Parameters
+    ----------
+    path
+        The file; it is made where there is none.
+
+    Raises
+    ------
+    FileError
+        Another process writes it, it cannot be written, or it is no file of live shots.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.path = Path(path)
+        self._shots: list[LiveShot] = []
+        self._identities: set[str] = set()
+        self._listeners: list[Callable[[], object]] = []
+        self._changed = threading.RLock()
+        self._player = Player()
+        self._lock = Lock(Path(f"{path}.lock"), self.path)
+        try:
+            self.damaged = self._read()
+            self._file = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+        except OSError as error:
+            self._lock.close()
+            raise unwritable(self.path, error) from None
+        except BaseException:
+            self._lock.close()
+            raise
+
+    @property
+    def shots(self) -> Sequence[LiveShot]:
+        """All shots, in the order in which they came."""
+        with self._changed:
+            return tuple(self._shots)
+
+    def since(self, number: int) -> Sequence[LiveShot]:
+        """Return the shots after one of a number."""
+        with self._changed:
+            return tuple(self._shots[max(number, 0) :])
+
+    @property
+    def player(self) -> Player:
+        """What the player has chosen for the shots to come."""
+        return self._player
+
+    def choose(self, club: str, hand: str) -> None:
+        """Take another club or hand for the shots to come."""
+        check_choice("club", club, CLUB_NAMES)
+        check_choice("hand", hand, HANDS)
+        with self._changed:
+            self._append({"club": club, "hand": hand})
+            self._player = Player(club, hand)
+        self._tell()
+
+    def keep(self, message: Message, protocol: str) -> LiveShot | None:
+        """Bring a shot to the disk, and then let all know of it; return None for one that was sent before.
+
+        Raises
+        ------
+        FileError
+            It cannot be written; the shot is then not among those that are shown.
+        """
+        with self._changed:
+            if self._is_known(message, protocol):
+                return None
+            received = datetime.now(UTC).isoformat(timespec="milliseconds")
+            shot = LiveShot(len(self._shots) + 1, received, protocol, self._player, message)
+            self._append(_record(shot))
+            self._add(shot)
+        self._tell()
+        return shot
+
+    def subscribe(self, listener: Callable[[], object]) -> Callable[[], None]:
+        """Call a function after every change, on whichever thread made it; return what ends that."""
+        with self._changed:
+            self._listeners.append(listener)
+
+        def end() -> None:
+            with self._changed:
+                if listener in self._listeners:
+                    self._listeners.remove(listener)
+
+        return end
+
+    def close(self) -> None:
+        """Let go of the file."""
+        os.close(self._file)
+        self._lock.close()
+
+    def _tell(self) -> None:
+        for each in tuple(self._listeners):
+            each()
+
+    def _add(self, shot: LiveShot) -> None:
+        self._shots.append(shot)
+        if shot.message.identity:
+            self._identities.add(shot.message.identity)
+
+    def _is_known(self, message: Message, protocol: str) -> bool:
+        """Whether a monitor sends a shot again, as of one whose acknowledgement was lost."""
+        if message.identity:
+            return message.identity in self._identities
+        if message.shot_number == 0:
+            return False
+        last = next((each for each in reversed(self._shots) if each.message.device == message.device), None)
+        return last is not None and last.protocol == protocol and _same(last.message, message)
+
+    def _append(self, record: Mapping[str, Any]) -> None:
+        line = json.dumps(record, allow_nan=False, ensure_ascii=False).encode("utf-8", "replace") + b"\n"
+        size = os.fstat(self._file).st_size
+        try:
+            if os.write(self._file, line) != len(line):
+                raise OSError(28, os.strerror(28))
+            os.fsync(self._file)
+        except OSError as error:
+            os.ftruncate(self._file, size)  # half a line would spoil the next one
+            raise unwritable(self.path, error) from None
+
+    def _read(self) -> list[int]:
+        """Read what is there, and return the lines that are damaged, from 1; they stay in the file."""
+        try:
+            with open(self.path, "rb") as file:
+                content = file.read(LARGEST + 1)
+        except FileNotFoundError:
+            return []
+        except OSError as error:
+            raise unreadable(str(self.path), error) from None
+        if len(content) > LARGEST:
+            raise FileError(str(self.path), None, "this file is too large; begin a new one")
+        *lines, torn = content.split(b"\n")
+        damaged = []
+        for number, line in enumerate(lines, 1):
+            if not line.strip():
+                continue
+            try:
+                self._restore(json.loads(line))
+            except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+                damaged.append(number)
+        if content and not self._shots and self._player == Player() and (damaged or torn[:1] != b"{"):
+            raise FileError(str(self.path), 1, "this is no file of live shots; give the name of a new one")
+        if torn:
+            os.truncate(self.path, len(content) - len(torn))
+        return damaged
+
+    def _restore(self, record: Mapping[str, Any]) -> None:
+        player = Player(record["club"], record["hand"])
+        check_choice("club", player.club, CLUB_NAMES)
+        check_choice("hand", player.hand, HANDS)
+        if "received" not in record:
+            self._player = player
+            return
+        check_choice("protocol", record["protocol"], PROTOCOLS)
+        message = Message(
+            kind="shot", device=str(record["device"]), shot_number=int(record["shot_number"]),
+            delivery=_numbers(record["delivery"]), launch=_numbers(record["launch"]),
+            impossible=_numbers(record["impossible"]), identity=str(record["identity"]),
+            notes=tuple(Note(str(code), dict(data)) for code, data in record["notes"]),
+        )  # fmt: skip
+        for each in message.notes:
+            str(each)  # one without its sentence is damaged
+        self._player = player
+        self._add(LiveShot(len(self._shots) + 1, str(record["received"]), record["protocol"], player, message))
+
+
+def _record(shot: LiveShot) -> dict[str, Any]:
+    message = shot.message
+    return {
+        "received": shot.received, "protocol": shot.protocol, "device": message.device,
+        "shot_number": message.shot_number, "identity": message.identity, **shot.player._asdict(),
+        "delivery": dict(message.delivery), "launch": dict(message.launch), "impossible": dict(message.impossible),
+        "notes": [[each.code, dict(each.data)] for each in message.notes],
+    }  # fmt: skip
+
+
+def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
+    result = {str(name): float(value) for name, value in values.items()}
+    if not all(map(math.isfinite, result.values())):
+        raise ValueError
+    return result
+
+
+def _same(one: Message, other: Message) -> bool:
+    return (one.shot_number, one.delivery, one.launch) == (other.shot_number, other.delivery, other.launch)
+
+
+def live_shots(shots: Sequence[LiveShot]) -> RecordedShots:
+    """Return live shots as recorded ones; there must be one at least."""
+    parts = []
+    for protocol in dict.fromkeys(each.protocol for each in shots):
+        chosen = [each for each in shots if each.protocol == protocol]
+        parts.append((chosen, recorded([each.message for each in chosen], protocol=protocol)))
+    names = dict.fromkeys(name for _, part in parts for name in (*part.deliveries, *part.launches))
+    columns = {name: np.full(len(shots), np.nan) for name in names}
+    first = shots[0].number
+    for chosen, part in parts:
+        places = [each.number - first for each in chosen]
+        for name, values in (part.deliveries | part.launches).items():
+            columns[name][places] = values
+    delivered = {name: values for name, values in columns.items() if name in inputs()}
+
+    def texts(values: list[str]) -> Any:
+        return np.array(values, dtype=object)
+
+    return RecordedShots(
+        deliveries=delivered,
+        launches={name: values for name, values in columns.items() if name not in delivered},
+        clubs=texts([each.player.club for each in shots]),
+        hand=texts([each.player.hand for each in shots]),
+        dates=texts([each.received for each in shots]),
+        rows=np.array([each.number for each in shots], dtype=np.int64),
+        source=" and ".join(PROTOCOLS[each] for each in dict.fromkeys(one.protocol for one in shots)),
+        format="live",
+        notes=tuple(dict.fromkeys(note for _, part in parts for note in part.notes)),
+    )
+
+
+def live_result(shots: Sequence[LiveShot]) -> Result:
+    """Return successive live shots one by one, with what is computed of them."""
+    return shot_list_result(live_shots(shots), first=shots[0].number, title="Live shots")
+
+
+def completed_shot(shot: LiveShot) -> CompletedShots:
+    """Return one live shot with what is computed of it."""
+    return completed(live_shots([shot]))
