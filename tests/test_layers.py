@@ -19,6 +19,7 @@ FLOORS = (
     ("fem", "validation"),
     ("inference", "capture"),
     ("design", "studies", "plots"),
+    ("studio",),
     ("cli", "__main__"),
     ("clubface",),
 )

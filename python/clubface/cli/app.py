@@ -63,6 +63,7 @@ COMMANDS = {
     "capture": "capture",
     "optimise": "optimise",
     "study": "study",
+    "studio": "studio",
     "schema": "schema",
 }
 """The module of each command, in the order of the help."""

@@ -11,23 +11,7 @@ from contextlib import suppress
 from typing import Any
 
 from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line
-
-EXTRAS = {
-    "typer": "cli",
-    "rich": "cli",
-    "matplotlib": "plots",
-    "pandas": "tables",
-    "xarray": "tables",
-    "pyarrow": "tables",
-    "openpyxl": "excel",
-    "meshlane": "fem",
-    "ezc3d": "capture",
-    "pymoo": "fit",
-    "scipy": "fit",
-    "distributed": "cluster",
-    "dask": "cluster",
-}
-"""The extra of the package that brings each optional library."""
+from clubface.support.extras import missing_extra
 
 
 class Interrupted(BaseException):
@@ -76,7 +60,7 @@ def report(error: BaseException) -> int:
     if isinstance(error, ClubfaceError):
         print_note(str(error))
         return 2
-    if isinstance(error, ModuleNotFoundError) and _library(error) in EXTRAS:
+    if isinstance(error, ModuleNotFoundError) and missing_extra(error) is not None:
         return missing_library(error)
     if isinstance(error, OSError):
         if error.filename is None:  # files are written and read under their names
@@ -103,15 +87,11 @@ def let_go_of_output() -> None:
 
 def missing_library(error: ModuleNotFoundError) -> int:
     """Tell which extra brings a library that is not installed; return the exit status."""
-    library = _library(error)
-    if library not in EXTRAS:
+    message = missing_extra(error)
+    if message is None:
         raise error
-    print_note(f"this needs {library}, which is not installed: pip install 'clubface[{EXTRAS[library]}]'")
+    print_note(message)
     return 2
-
-
-def _library(error: ModuleNotFoundError) -> str:
-    return (error.name or "").partition(".")[0]
 
 
 def _misused(error: Any) -> int:

@@ -1,0 +1,68 @@
+"""``clubface studio``: the studio in the browser, with the files, studies and live shots of this machine."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from clubface.cli import options, output
+from clubface.cli.failures import print_note
+from clubface.errors import InputError
+
+if TYPE_CHECKING:
+    from clubface.studio.live import LiveSession
+
+FLIGHT_RELAY = "ws://localhost:5880/frp"
+app = typer.Typer(add_completion=False)
+
+
+@app.command()
+@options.takes(
+    options.group(None, {
+        "port": (int, 8642, "NUMBER", "Port on this machine; 0 takes a free one."),
+        "studies": (str | None, None, "FOLDER", "Folder in which the stores of studies lie, to look at them."),
+        "open": (bool, False, None, "Open it in the browser."),
+        "site": (str | None, None, "FOLDER", "Folder of another built studio."),
+    }),
+    options.group("Live shots", {
+        "live": (str | None, None, "FILE", "Take live shots of launch monitors, and keep all of them in this file."),
+        "open_connect": (int, 921, "PORT", "Where monitors of GSPro Open Connect find the studio."),
+        "opengolfsim": (int, 3111, "PORT", "Where monitors of OpenGolfSim find the studio."),
+        "flight_relay": (str, FLIGHT_RELAY, "ADDRESS|PORT", "A device of Flight Relay, or the port it connects to."),
+        "simulator": (options.Texts, None, "NAME:PORT", "Send launches on, to open-connect:PORT or opengolfsim:PORT."),
+    }),
+)  # fmt: skip
+def studio(**texts: Any) -> None:
+    """Serve the studio on this machine: files of monitors, golfers, fittings, studies, live shots."""
+    from clubface.shots.live_links import simulator_address
+    from clubface.studio.serve import serve
+
+    live, studies = texts["live"], texts["studies"]
+    if studies is not None and not Path(studies).is_dir():
+        raise InputError("--studies", studies, "a folder")
+    if live is None and texts["simulator"]:
+        raise InputError("--simulator", texts["simulator"][0], "leave it out without --live")
+    if live is not None:
+        output.check_target("--live", live, (".jsonl",))
+    links = {
+        "listen": {"open-connect": texts["open_connect"], "opengolfsim": texts["opengolfsim"]},
+        "flight_relay": int(relay) if (relay := texts["flight_relay"]).isdecimal() else relay,
+        "simulators": [simulator_address(each) for each in texts["simulator"] or ()],
+    }
+
+    def on_start(address: str, session: LiveSession | None) -> None:
+        for each in [] if session is None else session.links.states:
+            print_note(f"{each.protocol}: {each.problem or each.address}")
+        print(address, flush=True)
+        print_note("open this address in a browser; Ctrl-C ends")
+        if texts["open"]:
+            import webbrowser
+
+            webbrowser.open(address)
+
+    serve(
+        port=texts["port"], site=texts["site"], studies=studies, live=live, on_start=on_start,
+        **({} if live is None else links),
+    )  # fmt: skip

@@ -1,0 +1,78 @@
+"""The application: the site, and under ``api/`` what the package answers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Mount, Route
+
+from clubface.design.golfer import golfers
+from clubface.design.optimisation.study import JUDGED
+from clubface.equipment.clubs import CLUB_NAMES
+from clubface.errors import ClubfaceError
+from clubface.shots.monitors import FORMATS
+from clubface.studio.answers import document, mistake, refusal
+from clubface.studio.files import file_routes
+from clubface.studio.fittings import BALLS, fitting_routes
+from clubface.studio.guard import Guard
+from clubface.studio.jobs import StudioJobs
+from clubface.studio.live import LiveSession, live_routes
+from clubface.studio.site import site_routes
+from clubface.studio.studies import study_routes
+from clubface.studio.uploads import LARGEST, TooLargeError, Uploads
+from clubface.support.version import __version__
+
+__all__ = ["make_application"]
+
+EXPECTED = (ClubfaceError, ModuleNotFoundError, MemoryError)
+"""Errors that say what a person can do; all others are printed too."""
+
+
+def make_application(site: Path, token: str, *, studies: Path | None = None, live: LiveSession | None = None) -> Guard:
+    """Return the application.
+
+    Parameters
+    ----------
+    site
+        The folder of the built site.
+    token
+        What the address must hold.
+    studies
+        The folder of the stores of studies, None for no studies.
+    live
+        Live shots, None for none.
+    """
+    uploads, jobs = Uploads(), StudioJobs()
+
+    async def offers(request: Request) -> Response:
+        """Return what there is to be asked."""
+        return document({
+            "clubface": __version__, "studies": studies is not None, "live": live is not None,
+            "largest_file": LARGEST, "formats": [*FORMATS], "clubs": [*CLUB_NAMES], "balls": [*BALLS],
+            "golfers": [*golfers()], "objectives": [*JUDGED],
+        })  # fmt: skip
+
+    async def nothing(request: Request) -> Response:
+        return refusal(404, request.url.path, "there is nothing under this address")
+
+    async def failed(request: Request, error: Exception) -> Response:
+        return mistake(error)
+
+    async def too_large(request: Request, error: Exception) -> Response:
+        return mistake(error, 413)
+
+    async def not_so(request: Request, error: Exception) -> Response:
+        status = error.status_code if isinstance(error, HTTPException) else 404
+        return refusal(status, request.url.path, "nothing is answered under this address in this way")
+
+    api = [
+        Route("/", offers), *file_routes(uploads), *fitting_routes(uploads, jobs), *study_routes(studies),
+        *live_routes(live), Route("/{path:path}", nothing),
+    ]  # fmt: skip
+    handlers = {HTTPException: not_so, TooLargeError: too_large, **dict.fromkeys(EXPECTED, failed), Exception: failed}
+    routes = [Mount("/api", routes=api), *site_routes(site)]
+    return Guard(Starlette(routes=routes, exception_handlers=handlers), token)

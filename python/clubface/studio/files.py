@@ -1,0 +1,133 @@
+"""``api/files``: a monitor's file becomes shots, a report and a golfer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, PlainTextResponse, Response
+from starlette.routing import Route
+
+from clubface.design.golfer import golfers, to_toml
+from clubface.design.golfer_estimate import Estimate, estimate_golfer
+from clubface.design.golfer_result import golfer_result
+from clubface.design.player_loft import player_loft_notes
+from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
+from clubface.errors import InputError
+from clubface.inference.player_report import player_result
+from clubface.present.document import as_html, file_name
+from clubface.present.report import report_blocks
+from clubface.results.result import Result
+from clubface.shots.measured import ready_shots
+from clubface.shots.recorded import RecordedShots
+from clubface.shots.recorded_result import shots_result
+from clubface.shots.session_summary import session_result
+from clubface.shots.shot_list import shot_list_result
+from clubface.studio.answers import answer
+from clubface.studio.uploads import Uploads, bare_name, body_of
+from clubface.support.checks import check_choice
+
+__all__ = ["estimated", "file_routes", "report_page", "saved"]
+
+REPORT_HEADERS = {
+    "content-security-policy": "sandbox allow-downloads; default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+}
+"""Of a report, which has neither scripts nor anything from elsewhere."""
+
+
+def file_routes(uploads: Uploads) -> list[Route]:
+    """Return the routes of files."""
+
+    async def add(request: Request) -> Response:
+        """Read a file, whose bytes are the body; answer as ``clubface monitor read --json`` does."""
+        content = await body_of(request)
+        name = bare_name(request.query_params.get("name", ""))
+        options = {key: request.query_params.get(key) or None for key in ("format", "hand")}
+        units = _pairs(request.query_params.getlist("unit"))
+        identity, upload = await run_in_threadpool(uploads.add, name, content, {**options, "units": units})
+        result = await run_in_threadpool(upload.compute, shots_result)
+        return answer(result, 201, {"location": f"api/files/{identity}"})
+
+    def shown(compute: Callable[[RecordedShots], Result]) -> Callable[[Request], Any]:
+        async def show(request: Request) -> Response:
+            upload = uploads.get(request.path_params["file"])
+            return answer(await run_in_threadpool(upload.compute, compute))
+
+        return show
+
+    async def report(request: Request) -> Response:
+        """Return the report of ``clubface monitor report``."""
+        upload = uploads.get(request.path_params["file"])
+        page = await run_in_threadpool(upload.compute, lambda shots: report_page(_player(shots)))
+        return saved(page, f"{file_name(upload.name)}.html", request, HTMLResponse, REPORT_HEADERS)
+
+    async def golfer(request: Request) -> Response:
+        """Return the golfer of ``clubface golfer estimate``."""
+        upload, asked = uploads.get(request.path_params["file"]), request.query_params
+        return answer(await run_in_threadpool(upload.compute, lambda shots: _golfer(shots, asked)))
+
+    async def golfer_file(request: Request) -> Response:
+        """Return the file of that golfer."""
+        upload, asked = uploads.get(request.path_params["file"]), request.query_params
+        player, _ = await run_in_threadpool(upload.compute, lambda shots: estimated(shots, asked))
+        return saved(to_toml(player.golfer), "golfer.toml", request, PlainTextResponse, {})
+
+    return [
+        Route("/files", add, methods=["POST"]),
+        Route("/files/{file}", shown(shots_result)),
+        Route("/files/{file}/shots", shown(shot_list_result)),
+        Route("/files/{file}/summary", shown(session_result)),
+        Route("/files/{file}/report", report),
+        Route("/files/{file}/golfer", golfer),
+        Route("/files/{file}/golfer.toml", golfer_file),
+    ]
+
+
+def report_page(result: Result) -> str:
+    """Return the report on a result as a page."""
+    return as_html(list(report_blocks(result)))
+
+
+def saved(text: str, name: str, request: Request, kind: Any, headers: Mapping[str, str]) -> Response:
+    """Return a text to be shown, or to be saved under a name where ``save`` is asked for."""
+    saved = {"content-disposition": f'attachment; filename="{name}"'} if "save" in request.query_params else {}
+    return kind(text, headers={**headers, **saved})
+
+
+def _player(shots: RecordedShots) -> Result:
+    result = player_result(shots, loft_notes=player_loft_notes)
+    return result.replace(provenance=result.provenance.with_files())
+
+
+def _own_club(name: str | None) -> Club | None:
+    """Return a club that comes with the package; the browser names no file."""
+    if not name:
+        return None
+    check_choice("club", name, CLUB_NAMES)
+    return club_named(name)
+
+
+def estimated(shots: RecordedShots, asked: Mapping[str, Any]) -> tuple[Estimate, Club]:
+    """Return the golfer of the shots of one club, and the club; ``asked`` may name ``club``, ``only`` and ``like``."""
+    ready = ready_shots(shots, club=_own_club(asked.get("club")), only=asked.get("only") or None)
+    like = asked.get("like") or None
+    if like is not None:
+        check_choice("like", like, golfers())
+    return estimate_golfer(ready, name=asked.get("name") or "my golfer", like=like), ready.club
+
+
+def _golfer(shots: RecordedShots, asked: Mapping[str, Any]) -> Result:
+    player, club = estimated(shots, asked)
+    return golfer_result(player.golfer, club, player)
+
+
+def _pairs(texts: list[str]) -> dict[str, str]:
+    result = {}
+    for each in texts:
+        name, sign, unit = each.partition("=")
+        if not sign:
+            raise InputError("unit", each, "a name and a unit, as in speed=mph")
+        result[name.strip()] = unit.strip()
+    return result

@@ -1,0 +1,121 @@
+"""``api/live``: the shots that monitors send, as they come, to every open tab."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
+
+from clubface.errors import InputError
+from clubface.present.files import csv_text
+from clubface.results.result import Result
+from clubface.results.table import table, text
+from clubface.shots.live import LiveShots, live_result
+from clubface.shots.live_links import LiveLinks
+from clubface.studio.answers import answer, document
+from clubface.studio.events import Signal, event, event_stream
+from clubface.studio.files import saved
+from clubface.studio.fittings import asked_of
+from clubface.studio.uploads import body_of
+
+__all__ = ["LiveSession", "live_routes"]
+
+AT_ONCE = 200
+"""Shots of an event at most."""
+MOST_TEXT = 1000
+"""Bytes of what a person chooses."""
+
+
+class LiveSession:
+    """Live shots, the connections they come over, and what tells of changes of either."""
+
+    def __init__(self, shots: LiveShots, **links: Any) -> None:
+        self.shots, self.signal = shots, Signal()
+        shots.subscribe(self.signal.set)
+        self.links = LiveLinks(shots, on_change=self.signal.set, **links)
+        if shots.damaged:
+            lines = ", ".join(map(str, shots.damaged[:10]))
+            self.links.remark(f"damaged lines of {shots.path.name} are passed over: {lines}")
+
+    def close(self) -> None:
+        """End all connections, and let go of the file."""
+        self.links.close()
+        self.shots.close()
+
+    def state(self) -> dict[str, Any]:
+        """Return connections, what happened on them last, and what the player has chosen."""
+        return {
+            "count": len(self.shots.shots),
+            "file": self.shots.path.name,
+            **self.shots.player._asdict(),
+            "links": [each._asdict() for each in self.links.states],
+            "remarks": [each._asdict() for each in self.links.remarks],
+        }
+
+
+def live_routes(session: LiveSession | None) -> list[Route]:
+    """Return the routes of live shots."""
+
+    def opened() -> LiveSession:
+        if session is None:
+            raise InputError("live", None, "given at the start: clubface studio --live FILE")
+        return session
+
+    async def every(request: Request) -> Response:
+        return answer(await run_in_threadpool(_result, opened()))
+
+    async def state(request: Request) -> Response:
+        return document(opened().state())
+
+    async def choose(request: Request) -> Response:
+        """Take the club and the hand of the shots to come."""
+        live, asked = opened(), asked_of(await body_of(request, MOST_TEXT))
+        club, hand = (str(asked.get(key, getattr(live.shots.player, key))) for key in ("club", "hand"))
+        await run_in_threadpool(live.shots.choose, club, hand)
+        return document(live.state())
+
+    async def csv(request: Request) -> Response:
+        shown = await run_in_threadpool(_result, opened())
+        return saved(csv_text(shown.table("shots")), "live-shots.csv", request, _Csv, {})
+
+    async def events(request: Request) -> Response:
+        """Return all shots after that of ``Last-Event-ID`` or ``after``, and then those that come."""
+        live = opened()
+        last = request.headers.get("last-event-id") or request.query_params.get("after") or "0"
+        seen = int(last) if last.isascii() and last.isdecimal() and len(last) < 10 else 0
+        if seen > len(live.shots.shots):  # those of another file
+            seen = 0
+        last_state: dict[str, Any] | None = None
+
+        def news() -> tuple[list[str], bool]:
+            nonlocal seen, last_state
+            events_so_far = []
+            while new := live.shots.since(seen)[:AT_ONCE]:
+                seen = new[-1].number
+                events_so_far.append(event("shots", live_result(new).to_dict(), seen))
+            if (now := live.state()) != last_state:
+                last_state = now
+                events_so_far.append(event("state", now))
+            return events_so_far, False
+
+        return event_stream(live.signal, news)
+
+    return [
+        Route("/live", every),
+        Route("/live/state", state),
+        Route("/live/player", choose, methods=["POST"]),
+        Route("/live/shots.csv", csv),
+        Route("/live/events", events),
+    ]
+
+
+class _Csv(Response):
+    media_type = "text/csv"
+
+
+def _result(live: LiveSession) -> Result:
+    shots = live.shots.shots
+    return live_result(shots) if shots else Result("shot-list", "Live shots", (table("shots", text("shot", [])),))

@@ -1,0 +1,83 @@
+"""The server: on 127.0.0.1 alone, until Ctrl-C."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import uvicorn
+
+from clubface.errors import LinkError
+from clubface.shots.live import LiveShots
+from clubface.shots.open_connect import LOOPBACK, check_port
+from clubface.studio.app import make_application
+from clubface.studio.guard import new_token
+from clubface.studio.live import LiveSession
+from clubface.studio.site import site_folder
+
+__all__ = ["PORT", "serve"]
+
+PORT = 8642
+LAST_WORDS = 2
+"""Seconds that open connections, such as those of live shots, have at the end."""
+
+
+def serve(
+    *,
+    port: int = PORT,
+    site: str | None = None,
+    studies: str | None = None,
+    live: str | None = None,
+    on_start: Callable[[str, LiveSession | None], object],
+    **links: Any,
+) -> None:
+    """Serve the studio until the process is told to end.
+
+    Parameters
+    ----------
+    port
+        The port. 0 takes a free one.
+    site, studies
+        The folder of the built site, and that of studies.
+    live
+        The file of live shots.
+    on_start
+        Called with the address to open, and the live shots where there are any, once both are there.
+    links
+        The connections of live shots, as :class:`clubface.shots.live_links.LiveLinks` takes them.
+
+    Raises
+    ------
+    LinkError
+        The port is taken.
+    FileError
+        There is no built site, or a folder or file cannot be used.
+    """
+    check_port(port, 0)
+    folder = site_folder(site)
+    listening = _listen(port)
+    session = None
+    try:
+        session = None if live is None else LiveSession(LiveShots(live), **links)
+        token = new_token()
+        stores = None if studies is None else Path(studies)
+        application = make_application(folder, token, studies=stores, live=session)
+        config = uvicorn.Config(
+            application, log_level="warning", access_log=False, lifespan="off", ws="none", server_header=False,
+            timeout_graceful_shutdown=LAST_WORDS, http="h11",
+        )  # fmt: skip
+        on_start(f"http://{LOOPBACK}:{listening.getsockname()[1]}/{token}/", session)
+        uvicorn.Server(config).run([listening])
+    finally:
+        listening.close()
+        if session is not None:
+            session.close()
+
+
+def _listen(port: int) -> socket.socket:
+    try:
+        return socket.create_server((LOOPBACK, port), backlog=64)
+    except OSError as error:
+        raise LinkError(f"{LOOPBACK}:{port}", f"cannot be listened on: {error.strerror}; give another port") from None
