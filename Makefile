@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-figures study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-figures golden-shots study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -114,6 +114,9 @@ studio-test: studio-build ## the studio in Debian's Chromium (CHROMIUM=/path of 
 studio-figures: studio-build ## the pictures of docs/studio.md, drawn again in Chromium
 	SCREENSHOTS=screenshots npm --prefix studio run --silent screenshots
 	$(PYTHON) docs/figures/studio.py studio/screenshots/docs
+
+golden-shots: dev ## the shots that Rust, Python, the command line and the studio must compute alike, computed again
+	$(PYTHON) scripts/golden_shots.py
 
 bench: dev ## speed, printed next to the computed results
 	cargo bench $(RUST_TESTED)

@@ -115,6 +115,8 @@ async function start(page: HTMLElement): Promise<void> {
     lanes.want([{ kind: "shot", input: strike(context) }, ...(scene?.wanted?.(context) ?? [])]);
   }
 
+  /** The address that was written or read last: another one has been typed, and is read in a moment. */
+  let known = location.hash;
   let isWriting = false;
   function writeAddress(): void {
     if (isWriting) return;
@@ -122,7 +124,9 @@ async function start(page: HTMLElement): Promise<void> {
     setTimeout(() => {
       isWriting = false;
       const link = toLink(made.state, linked);
-      if (link !== location.hash) history.replaceState(null, "", link);
+      if (link === known || location.hash !== known) return;
+      history.replaceState(null, "", link);
+      known = location.hash;
     }, ADDRESS_INTERVAL);
   }
 
@@ -138,7 +142,8 @@ async function start(page: HTMLElement): Promise<void> {
   };
 
   addEventListener("hashchange", () => {
-    const { state, problems } = fromLink(location.hash, linked);
+    known = location.hash;
+    const { state, problems } = fromLink(known, linked);
     if (toLink(state, linked) === toLink(made.state, linked)) return;
     made.change({ kind: "all", state });
     made.note({ notices: problems });
