@@ -34,10 +34,11 @@ const usualSystem = (): System => (/-(US|GB|IE|CA)$/.test(navigator.language) ? 
 
 async function start(page: HTMLElement): Promise<void> {
   let store: Store | undefined;
+  /** Whether drawing waits for what the page is computing. */
+  let isHeld = false;
   const observer: Observer = {
-    answered(slot, kind, output, milliseconds, isLatest) {
+    answered(slot, kind, output, milliseconds) {
       store?.receive(slot, kind, { output, failure: "", share: null, milliseconds });
-      if (slot === "shot" && isLatest) measure.answered();
     },
     progressed(slot, share) {
       const result = store?.model.results[slot];
@@ -65,10 +66,10 @@ async function start(page: HTMLElement): Promise<void> {
   const first = fromLink(location.hash, linked);
   const loaded = new Map<string, Scene>();
   const made = new Store(first.state, equipment, (model, isNewState) => {
-    draw(model);
-    if (!isNewState) return;
-    compute();
-    writeAddress();
+    if (isNewState) {
+      follow();
+      writeAddress();
+    } else if (!isHeld) draw(model);
   });
   store = made;
   page.replaceChildren();
@@ -90,8 +91,7 @@ async function start(page: HTMLElement): Promise<void> {
       scene.then(
         (each) => {
           loaded.set(name, each);
-          draw(made.model);
-          compute();
+          follow();
         },
         (error: unknown) => made.note({ notices: [`${entry.title} cannot be loaded: ${String(error)}`] }),
       );
@@ -112,7 +112,19 @@ async function start(page: HTMLElement): Promise<void> {
   function compute(): void {
     const context = contextOf(made.model);
     const scene = sceneOf(context.state.scene);
-    lanes.want([{ kind: "shot", input: strike(context) }, ...(scene?.wanted?.(context) ?? [])]);
+    lanes.want([{ kind: "shot", input: strike(context), lane: "page" }, ...(scene?.wanted?.(context) ?? [])]);
+  }
+
+  /** Computes what is wanted, and draws once with all that was there at once. */
+  function follow(): void {
+    isHeld = true;
+    try {
+      compute();
+    } finally {
+      isHeld = false;
+    }
+    draw(made.model);
+    measure.answered();
   }
 
   /** The address that was written or read last: another one has been typed, and is read in a moment. */
@@ -150,8 +162,9 @@ async function start(page: HTMLElement): Promise<void> {
   });
   watchKeys(actions);
   measure.onWidths((widths) => made.note({ widths }));
+  isHeld = true;
   made.note({ notices: first.problems });
-  compute();
+  follow();
   writeAddress();
 }
 

@@ -1,6 +1,8 @@
-/** The page's side of the workers: each lane is one worker, which starts when it is first needed. */
+/** Where the core computes: on the page itself, or in lanes of one worker each, which starts when it is first needed. */
 
-import type { Input, Kind, Output } from "./computations";
+import { type LoadedCore, load } from "clubface-core";
+import { compute, type Input, type Kind, type Output } from "./computations";
+import { fetchFile } from "./fetch-file";
 import type { Reply, Request } from "./messages";
 import type { Description } from "./types";
 
@@ -8,8 +10,10 @@ import type { Description } from "./types";
 export type CoreFile = "shots" | "elements";
 
 /** Workers: for what follows a slider, for what takes tenths of a second, and for two cases of finite elements. */
-export type LaneName = "quick" | "batch" | "elements" | "other-elements";
-const FILES: Record<LaneName, CoreFile> = {
+type WorkerName = "quick" | "batch" | "elements" | "other-elements";
+/** "page" is for what takes less time than a worker takes to answer: it is there when the page is drawn. */
+export type LaneName = WorkerName | "page";
+const FILES: Record<WorkerName, CoreFile> = {
   quick: "shots",
   batch: "shots",
   elements: "elements",
@@ -27,8 +31,7 @@ export interface Wanted<K extends Kind = Kind> {
 
 /** What the page is told. */
 export interface Observer {
-  /** `isLatest` is false where the same slot already waits for another input. */
-  answered(slot: string, kind: Kind, output: Output<Kind>, milliseconds: number, isLatest: boolean): void;
+  answered(slot: string, kind: Kind, output: Output<Kind>, milliseconds: number): void;
   progressed(slot: string, share: number): void;
   failed(slot: string, kind: Kind, message: string): void;
 }
@@ -48,7 +51,31 @@ const taskOf = ({ kind, input, slot = kind }: Wanted): Task => ({
   key: JSON.stringify([kind, input]),
 });
 
-class Lane {
+/** Computes on the page, at once. */
+class PageLane {
+  private readonly done = new Map<string, string>();
+
+  constructor(
+    private readonly core: LoadedCore,
+    private readonly observer: Observer,
+  ) {}
+
+  want(tasks: Task[]): void {
+    for (const { slot, kind, input, key } of tasks) {
+      if (this.done.get(slot) === key) continue;
+      this.done.set(slot, key);
+      const begun = performance.now();
+      try {
+        const output = compute(this.core, kind, input, () => undefined);
+        this.observer.answered(slot, kind, output, performance.now() - begun);
+      } catch (error) {
+        this.observer.failed(slot, kind, error instanceof Error ? error.message : String(error));
+      }
+    }
+  }
+}
+
+class WorkerLane {
   private worker: Worker | null = null;
   private isReady = false;
   private busy: Task | null = null;
@@ -57,10 +84,8 @@ class Lane {
   private readonly done = new Map<string, string>();
 
   constructor(
-    private readonly wasm: string,
+    private readonly wasm: string | WebAssembly.Module,
     private readonly observer: Observer,
-    private readonly described: (description: Description) => void = () => undefined,
-    private readonly broken: (message: string) => void = () => undefined,
   ) {}
 
   start(): void {
@@ -107,7 +132,6 @@ class Lane {
   private receive(reply: Reply): void {
     if (reply.kind === "ready") {
       this.isReady = true;
-      this.described(reply.description);
     } else if (reply.kind === "progress") {
       this.observer.progressed(reply.slot, reply.share);
       return;
@@ -117,54 +141,48 @@ class Lane {
       if (task) this.done.set(task.slot, task.key);
       if (reply.kind === "answer") {
         const { slot, computation, output, milliseconds } = reply;
-        const isLatest = !this.waiting.some((each) => each.slot === slot);
-        this.observer.answered(slot, computation, output, milliseconds, isLatest);
+        this.observer.answered(slot, computation, output, milliseconds);
       } else if (task) this.observer.failed(task.slot, task.kind, reply.message);
-      else this.broken(reply.message);
+      else for (const { slot, kind } of this.waiting) this.observer.failed(slot, kind, reply.message);
     }
     this.send();
   }
 }
 
 export class Lanes {
-  private readonly lanes = new Map<LaneName, Lane>();
+  private readonly workers = new Map<WorkerName, WorkerLane>();
 
   private constructor(
-    private readonly files: Record<CoreFile, string>,
+    private readonly page: PageLane,
+    private readonly files: Record<CoreFile, string | WebAssembly.Module>,
     private readonly observer: Observer,
   ) {}
 
-  /** Starts the first worker and waits for the core's description of itself. */
-  static start(
+  /** Loads the core of the page, which the workers for shots get as it was compiled. */
+  static async start(
     files: Record<CoreFile, string>,
     observer: Observer,
   ): Promise<{ lanes: Lanes; description: Description }> {
-    const lanes = new Lanes(files, observer);
-    return new Promise((resolve, reject) => {
-      const quick = new Lane(
-        files[FILES.quick],
-        observer,
-        (description) => resolve({ lanes, description }),
-        (message) => reject(new Error(message)),
-      );
-      lanes.lanes.set("quick", quick);
-      quick.start();
-    });
+    const module = await WebAssembly.compile(await (await fetchFile(files.shots)).arrayBuffer());
+    const core = await load(module);
+    const lanes = new Lanes(new PageLane(core, observer), { ...files, shots: module }, observer);
+    return { lanes, description: core.description };
   }
 
   /** Has everything computed that the page shows; what is not in the list is not computed any more. */
   want(all: Wanted[]): void {
-    for (const name of Object.keys(FILES) as LaneName[]) {
+    for (const name of Object.keys(FILES) as WorkerName[]) {
       const tasks = all.filter(({ lane = "quick" }) => lane === name).map(taskOf);
-      const lane = this.lanes.get(name) ?? (tasks.length ? this.open(name) : undefined);
-      lane?.want(tasks);
+      const worker = this.workers.get(name) ?? (tasks.length ? this.open(name) : undefined);
+      worker?.want(tasks);
     }
+    this.page.want(all.filter(({ lane }) => lane === "page").map(taskOf));
   }
 
-  private open(name: LaneName): Lane {
-    const lane = new Lane(this.files[FILES[name]], this.observer);
-    lane.endsEarly = FILES[name] === "elements";
-    this.lanes.set(name, lane);
-    return lane;
+  private open(name: WorkerName): WorkerLane {
+    const worker = new WorkerLane(this.files[FILES[name]], this.observer);
+    worker.endsEarly = FILES[name] === "elements";
+    this.workers.set(name, worker);
+    return worker;
   }
 }

@@ -13,13 +13,13 @@ let report: (share: number) => void = () => undefined;
 
 const reply = (message: Reply): void => postMessage(message);
 
-async function start(wasm: string): Promise<void> {
-  const response = await fetchFile(wasm);
-  core = await load(await response.arrayBuffer(), (time, duration) => {
+async function start(wasm: string | WebAssembly.Module): Promise<void> {
+  const source = typeof wasm === "string" ? await (await fetchFile(wasm)).arrayBuffer() : wasm;
+  core = await load(source, (time, duration) => {
     report(duration > 0 ? time / duration : 0);
     return true;
   });
-  reply({ kind: "ready", description: core.description });
+  reply({ kind: "ready" });
 }
 
 function answer(loaded: LoadedCore, { slot, computation, input }: Extract<Request, { kind: "compute" }>): void {

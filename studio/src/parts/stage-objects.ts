@@ -58,8 +58,12 @@ export function point(three: Three, group: Group, from: Vector, towards: Vector)
 /** Pixels of a canvas for one of the screen. */
 const SHARP = 2;
 
+/** Height of the picture on the screen [px]. */
+export const heightOf = ({ three, renderer }: Stage): number => renderer.getSize(new three.Vector2()).y || 1;
+
 /** A word, as high as the letters of the page from wherever it is seen. */
-export function word({ three, camera, renderer, colour }: Stage, text: string, ink: Color): Sprite {
+export function word(stage: Stage, text: string, ink: Color): Sprite {
+  const { three, camera, colour } = stage;
   const letters = 0.85 * rootSize();
   const canvas = document.createElement("canvas");
   const font = `600 ${letters * SHARP}px system-ui, "DejaVu Sans", sans-serif`;
@@ -86,7 +90,7 @@ export function word({ three, camera, renderer, colour }: Stage, text: string, i
     new three.SpriteMaterial({ map, sizeAttenuation: false, depthTest: false, transparent: true }),
   );
   const seen = 2 * Math.tan((camera.fov * Math.PI) / 360);
-  const pixels = renderer.domElement.clientHeight || 1;
+  const pixels = heightOf(stage);
   sprite.scale.set((seen * width) / SHARP / pixels, (seen * height) / SHARP / pixels, 1);
   sprite.renderOrder = 2;
   return sprite;

@@ -19,14 +19,18 @@ const NUMBER = /^\s*([+-−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s
 
 export class Units {
   private readonly bySpelling = new Map<string, Unit>();
+  private readonly bySymbol = new Map<string, Unit>();
+  private readonly printed = new Map<string, string>();
 
   constructor(private readonly description: Pick<Description, "units">) {
-    for (const unit of description.units)
+    for (const unit of description.units) {
+      this.bySymbol.set(unit.symbol, unit);
       for (const spelling of [unit.symbol, ...unit.spellings]) this.bySpelling.set(plain(spelling), unit);
+    }
   }
 
   unit(symbol: string): Unit {
-    const unit = this.bySpelling.get(plain(symbol));
+    const unit = this.bySymbol.get(symbol) ?? this.bySpelling.get(plain(symbol));
     if (!unit) throw new Error(`${symbol}: no such unit`);
     return unit;
   }
@@ -69,8 +73,11 @@ export class Units {
 
   /** A unit as people write it: ° for deg, µs for us, nothing for 1. */
   symbol(symbol: string): string {
-    const { spellings } = this.unit(symbol);
     if (symbol === "1") return "";
-    return spellings.find((spelling) => /[°µ]/.test(spelling)) ?? symbol;
+    const known = this.printed.get(symbol);
+    if (known !== undefined) return known;
+    const printed = this.unit(symbol).spellings.find((spelling) => /[°µ]/.test(spelling)) ?? symbol;
+    this.printed.set(symbol, printed);
+    return printed;
   }
 }

@@ -1,7 +1,7 @@
 """Write what the package gives for strikes and shots that the unit tests of the studio compare with their own results.
 
-``python studio/tests/unit/stored.py`` writes, next to itself, ``poses.json``, where a contact model has head and ball at
-first touch, and ``shapes.json``, curves and names of shots.
+``python studio/tests/unit/stored.py`` writes, next to itself, ``poses.json``, where a contact model has head and ball
+at first touch, and ``shapes.json``, curves and names of shots.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 import type { BufferGeometry, Group, Mesh, Object3D, Sprite } from "three";
 import type { Values } from "../../core/types";
 import type { Stage, Three } from "../../parts/stage";
-import { arrow, empty, point, tube, word } from "../../parts/stage-objects";
+import { arrow, empty, heightOf, point, tube, word } from "../../parts/stage-objects";
 import { direction, plus, times, unit, type Vector } from "../../parts/vectors";
 import { faceForward, faceNormal, poseAt } from "./head-pose";
 import { headShape, type Surface } from "./head-shape";
@@ -51,7 +51,7 @@ const drawn = new WeakMap<Stage, Drawn>();
 export function drawHead(stage: Stage, picture: Picture): void {
   const { inputs, view } = picture;
   const ink = stage.colour("--ink").getHexString();
-  const key = JSON.stringify([picture.club, inputs.ball_radius, ink, stage.renderer.domElement.clientHeight]);
+  const key = JSON.stringify([picture.club, inputs.ball_radius, ink, heightOf(stage)]);
   const before = drawn.get(stage);
   const current = before?.key === key ? before : build(stage, picture, key, before);
   drawn.set(stage, current);

@@ -17,7 +17,7 @@ import { DELIVERY } from "./words";
 
 export const shotScene: Scene = {
   view,
-  wanted: (context) => [{ kind: "slopes", input: strike(context) }],
+  wanted: (context) => [{ kind: "slopes", input: strike(context), lane: slopesLane(context) }],
   drawn: setHead,
 };
 
@@ -36,6 +36,11 @@ function view(context: Context): TemplateResult {
       </div>
     </div>
   `;
+}
+
+/** Derivatives of a contact that lasts take longer than a frame, those of an impulse less than a millisecond. */
+function slopesLane({ state, description }: Context): "page" | "quick" {
+  return description.models.find(({ name }) => name === state.model)?.kind === "contact" ? "quick" : "page";
 }
 
 function failureText({ model }: Context, { input, message }: Failure): string {
