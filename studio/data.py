@@ -11,17 +11,25 @@ import math
 import sys
 import warnings
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from clubface import _core
+from clubface import _core, fem
 from clubface.design.face_surface import outline_of
 from clubface.design.golfer import MIRRORED, Golfer, golfer
-from clubface.equipment.balls import DEFAULT_BALL, Ball, ball
+from clubface.equipment.balls import DEFAULT_BALL, FRICTION_LIMITS, Ball, ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import RuleWarning
+from clubface.fem.backend import HOW
+from clubface.fem.balls import ball_names
+from clubface.fem.case import case
+from clubface.fem.heads.driver import DriverHead
+from clubface.fem.heads.read import design_of, head_names
+from clubface.fem.paper import ANGLE, FRICTION as REFERENCE_FRICTION, REFERENCE_SPEED
+from clubface.fem.settings import SAFETIES
 from clubface.simulation.flight import GROUNDS
 from clubface.simulation.inputs import equipment, parameter_set
 from clubface.simulation.results import inputs
@@ -32,6 +40,11 @@ from clubface.units import from_si
 from clubface.validation.tour import Average, averages
 
 DESCRIBED = ("quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs")
+
+SHOWN, FRAMES = 600e-6, 121
+"""Time that most contacts do not exceed [s], and the shapes that are kept in it, one in 5 us."""
+MILLISECOND_FRAMES = 201
+"""The same for a millisecond."""
 
 
 class Numbered(dict[Any, int]):
@@ -114,7 +127,7 @@ def described_golfer(each: Golfer) -> dict[str, Any]:
 
 
 def equipment_data() -> dict[str, Any]:
-    """Return clubs, balls, golfers, grounds, parameter sets, and which set and face belong to a model, club and ball."""
+    """Return clubs, balls, golfers, grounds, parameter sets, and which set and face belong to model, club and ball."""
     clubs = {name: club(name) for name in builtin_names("clubs")}
     balls = {name: ball(name) for name in builtin_names("balls")}
     order = sorted(clubs, key=lambda name: (clubs[name].description.count("measured") > 0, clubs[name].loft))
@@ -150,6 +163,67 @@ def equipment_data() -> dict[str, Any]:
         "sets": [sets[key] for key in set_places],
         "faces": [list(face) for face in faces],
         "choices": choices,
+        "elements": elements_data(),
+    }
+
+
+def meshed_ball(made: fem.Ball) -> dict[str, Any]:
+    """Return a ball of pieces as the finite elements take it, and its columns as the input of a shot."""
+    return {"values": made.values(), "columns": made.rigid.inputs(), "elements": made.elements}
+
+
+def coarser(made: fem.Ball) -> fem.Ball:
+    """Return a ball with half as many elements along every edge."""
+    pieces = tuple(replace(piece, layers=-(-piece.layers // 2)) for piece in made.pieces)
+    return replace(made, cube=2 * (made.cube // 4), pieces=pieces)
+
+
+def elements_data() -> dict[str, Any]:
+    """Return what the finite elements take: meshed balls, heads of shells, how to run, and published cases."""
+    balls = {name: fem.ball(name) for name in ball_names()}
+    designs = {name: design_of(name) for name in head_names()}
+    heads = {name: each for name, each in designs.items() if isinstance(each, DriverHead)}
+    paper = case("paper")
+    return {
+        "balls": {
+            name: {
+                "friction": each.friction,
+                "pieces": [piece.name for piece in each.pieces],
+                "meshes": {"coarse": meshed_ball(coarser(each)), "fine": meshed_ball(each)},
+            }
+            for name, each in balls.items()
+        },
+        "heads": {
+            name: {
+                "label": each.name,
+                "values": {"driver": each.values()},
+                "columns": finite({key: value for key, value in each.mesh().club.inputs().items() if key != "hand"}),
+                "elements": each.mesh().elements,
+            }
+            for name, each in heads.items()
+        },
+        "runs": {
+            "contact": replace(HOW, duration=SHOWN, frames=FRAMES, threads=1).values(),
+            "millisecond": fem.Settings(frames=MILLISECOND_FRAMES, threads=1).values(),
+        },
+        "safeties": list(SAFETIES),
+        "friction_limits": FRICTION_LIMITS,
+        "cases": {
+            "paper": {
+                "label": "Roh and Lee",
+                "ball": "paper",
+                "against": "paper",
+                "friction": paper.friction,
+                "delivery": dict(paper.delivery),
+            },
+            "reference": {
+                "label": "Reference case",
+                "ball": "reference",
+                "against": "plane",
+                "friction": REFERENCE_FRICTION,
+                "delivery": {"speed": REFERENCE_SPEED, "loft": ANGLE},
+            },
+        },
     }
 
 

@@ -183,6 +183,12 @@ export async function load(source, progress = () => true) {
     dispersion: (setup, count, landings = 0) =>
       lend([JSON.stringify(setup)], ([at]) => call("clubface_dispersion", at, count, landings, 1)),
 
+    /** Mesh of a described ball: {text: mass, inertia, ...; arrays: nodes, elements, piece}. */
+    ballMesh: (ball) => lend([JSON.stringify(ball)], ([at]) => call("clubface_fem_ball", at)),
+
+    /** A described head that deforms: {text: mass, centre, inertia; arrays: nodes, face}. */
+    headMesh: (head) => lend([JSON.stringify(head)], ([at]) => call("clubface_fem_head", at)),
+
     /** Impact by finite elements of a described case: {text: summary, arrays}. */
     simulate: (description) => lend([JSON.stringify(description)], ([at]) => call("clubface_fem", at, 0, 0)),
   };

@@ -18,6 +18,8 @@ export interface Actions {
   redo(): void;
   type(name: string, text: string): void;
   mistake(name: string, mistake: Mistake): void;
+  /** Keeps something for the moment; see the model. */
+  keep(transient: Record<string, string>): void;
   dismiss(): void;
 }
 

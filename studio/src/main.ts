@@ -40,6 +40,9 @@ async function start(page: HTMLElement): Promise<void> {
     answered(slot, kind, output, milliseconds) {
       store?.receive(slot, kind, { output, failure: "", share: null, milliseconds });
     },
+    begun(slot, kind) {
+      store?.receive(slot, kind, { failure: "", share: null });
+    },
     progressed(slot, share) {
       const result = store?.model.results[slot];
       if (result) store?.receive(slot, result.kind, { share });
@@ -150,6 +153,10 @@ async function start(page: HTMLElement): Promise<void> {
     type: (name: string, text: string): void => made.note({ typing: { name, text } }),
     mistake: (name: string, mistake: Mistake): void =>
       made.note({ mistakes: { ...made.model.mistakes, [name]: mistake }, typing: null }),
+    keep(transient: Record<string, string>): void {
+      made.note({ transient: { ...made.model.transient, ...transient } });
+      compute();
+    },
     dismiss: (): void => made.note({ notices: [] }),
   };
 

@@ -33,6 +33,8 @@ export interface LoadedCore {
   airDensity(temperature: number, pressure: number, humidity: number): number;
   flightSensitivity(inputs: number[]): Derivatives;
   dispersion(setup: object, count: number, landings?: number): { text: Dispersion; arrays: Record<string, CoreArray> };
+  ballMesh(ball: object): { arrays: Record<string, CoreArray> };
+  headMesh(head: object): { arrays: Record<string, CoreArray> };
   simulate(description: object): { text: Simulated; arrays: Record<string, CoreArray> };
   trajectory(inputs: number[]): Record<string, CoreArray>;
 }

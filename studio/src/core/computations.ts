@@ -2,6 +2,7 @@
 
 import type { LoadedCore } from "clubface-core";
 import { compareModels, computeShot, computeSlopes } from "./compute";
+import { simulateElements } from "./elements";
 
 /** Takes the share that is done of a computation that takes long. */
 export type Report = (share: number) => void;
@@ -10,6 +11,7 @@ export const COMPUTATIONS = {
   shot: computeShot,
   slopes: computeSlopes,
   comparison: compareModels,
+  elements: simulateElements,
 };
 
 export type Kind = keyof typeof COMPUTATIONS;

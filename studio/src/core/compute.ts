@@ -40,6 +40,10 @@ function computeModel(core: LoadedCore, strike: Strike): Computed {
 
 const failure = ({ input, message }: Failure): Failure => ({ input, message });
 
+/** Values of one shot by the names of its outputs. */
+export const outputValues = (variables: Variable[], values: ArrayLike<number>): Values =>
+  Object.fromEntries(variables.map(({ name }, i) => [name, values[i]]));
+
 const byName = (variables: Variable[], columns: Float64Array[]): Values =>
   Object.fromEntries(variables.map(({ name }, i) => [name, columns[i][0]]));
 
@@ -49,7 +53,7 @@ export function conditionsOf(core: LoadedCore, { altitude, ...given }: Values): 
 }
 
 /** The inputs of the flight: the launch, the ball of the strike, and what its air and ground are. */
-export function flightInputs(core: LoadedCore, strike: Strike, launch: Values): number[] {
+export function flightInputs(core: LoadedCore, strike: Pick<Strike, "inputs" | "flight">, launch: Values): number[] {
   const struck = core.description.inputs.map(({ name }) => name);
   const conditions = conditionsOf(core, strike.flight);
   return core.description.flight_inputs.map((input) => {

@@ -27,11 +27,15 @@ export interface Wanted<K extends Kind = Kind> {
   /** Where the result goes, of which there is one; the name of the computation unless given. */
   slot?: string;
   lane?: LaneName;
+  /** How long the input must stay as it is before it is computed [ms], once something was computed for this slot. */
+  rest?: number;
 }
 
 /** What the page is told. */
 export interface Observer {
   answered(slot: string, kind: Kind, output: Output<Kind>, milliseconds: number): void;
+  /** A computation that takes long has begun. */
+  begun(slot: string, kind: Kind): void;
   progressed(slot: string, share: number): void;
   failed(slot: string, kind: Kind, message: string): void;
 }
@@ -42,12 +46,14 @@ interface Task {
   input: Input<Kind>;
   /** The input as text, by which a task is known again. */
   key: string;
+  rest: number;
 }
 
-const taskOf = ({ kind, input, slot = kind }: Wanted): Task => ({
+const taskOf = ({ kind, input, slot = kind, rest = 0 }: Wanted): Task => ({
   slot,
   kind,
   input,
+  rest,
   key: JSON.stringify([kind, input]),
 });
 
@@ -82,6 +88,9 @@ class WorkerLane {
   private waiting: Task[] = [];
   /** The latest input of each slot that was computed. */
   private readonly done = new Map<string, string>();
+  /** The latest input of each slot that rests, and from when on it may be computed [ms]. */
+  private readonly due = new Map<string, { key: string; at: number }>();
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly wasm: string | WebAssembly.Module,
@@ -101,7 +110,22 @@ class WorkerLane {
     const isBusyWith = (task: Task): boolean => this.busy?.slot === task.slot && this.busy.key === task.key;
     if (this.busy && this.endsEarly && !tasks.some(isBusyWith)) this.stop();
     this.waiting = tasks.filter((task) => !isBusyWith(task) && this.done.get(task.slot) !== task.key);
+    const now = performance.now();
+    for (const { slot, key, rest } of tasks) {
+      const before = this.due.get(slot);
+      if (before?.key !== key) this.due.set(slot, { key, at: before ? now + rest : now });
+      else if (!rest) before.at = now;
+    }
     this.send();
+  }
+
+  /** Takes the first task off the list; none where it must rest, after which it is sent. */
+  private next(): Task | undefined {
+    const wait = (this.due.get(this.waiting[0]?.slot)?.at ?? 0) - performance.now();
+    clearTimeout(this.timer);
+    if (wait <= 0) return this.waiting.shift();
+    this.timer = setTimeout(() => this.send(), wait);
+    return undefined;
   }
 
   /** Whether a task takes so long that ending its worker is the quicker way to the next. */
@@ -123,10 +147,11 @@ class WorkerLane {
       if (this.waiting.length) this.start();
       return;
     }
-    const next = this.isReady && !this.busy ? this.waiting.shift() : undefined;
+    const next = this.isReady && !this.busy ? this.next() : undefined;
     if (!next) return;
     this.busy = next;
     this.post({ kind: "compute", slot: next.slot, computation: next.kind, input: next.input });
+    if (this.endsEarly) this.observer.begun(next.slot, next.kind);
   }
 
   private receive(reply: Reply): void {

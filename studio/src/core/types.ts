@@ -77,6 +77,13 @@ export interface Dispersion {
 /** Summary of a simulated impact, as `clubface_fem` in the C header describes it. */
 export interface Simulated {
   launch: number[] | null;
+  ball_velocity: number[];
+  ball_spin: number[];
+  /** Directions at first touch, a row each: normal, up the face, towards the toe. */
+  axes: number[][];
+  /** Rotation from the axes of the nodes to world axes, by rows. */
+  attitude: number[][];
+  over_edge: boolean;
   stopped: string | null;
   nodes: [ball: number, all: number];
   steps: number;

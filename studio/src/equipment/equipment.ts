@@ -1,6 +1,7 @@
 /** Clubs, balls and parameter sets as `data.py` writes them, and the inputs of a strike made of them. */
 
 import type { Description, Strike, Values } from "../core/types";
+import type { ElementsData } from "./elements";
 
 export type AmountPair = [value: number, unit: string];
 
@@ -74,6 +75,7 @@ export interface Equipment {
   sets: SetEntry[];
   faces: [characteristicTime: number, includedTime: number][];
   choices: Record<string, Record<string, Record<string, Choices>>>;
+  elements: ElementsData;
 }
 
 export const HANDS = ["right", "left"] as const;

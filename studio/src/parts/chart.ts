@@ -33,6 +33,8 @@ const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3], [14, 4], [4, 4]];
 
 interface Drawn {
   plot: uPlot;
+  /** Where the upright line stands [SI]. */
+  mark: { place: number | undefined };
   frame: Element;
   /** What it was drawn from: it is drawn anew where one of them is another. */
   inputs: readonly unknown[];
@@ -113,9 +115,15 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
   const ink = style.getPropertyValue("--ink");
   const labels = chart.lines.map(({ label }) => label).join("\n");
   const arrays = chart.lines.flatMap(({ x, y }) => [x, y]);
-  const inputs = [width, rem, state.system, ink, chart.title, chart.mark, labels, ...arrays];
+  const inputs = [width, rem, state.system, ink, chart.title, labels, ...arrays];
   const before = drawn.get(chart.name);
-  if (before?.inputs.length === inputs.length && before.inputs.every((input, i) => input === inputs[i])) return;
+  if (before?.inputs.length === inputs.length && before.inputs.every((input, i) => input === inputs[i])) {
+    if (before.mark.place !== chart.mark) {
+      before.mark.place = chart.mark;
+      before.plot.redraw(false);
+    }
+    return;
+  }
   before?.plot.destroy();
   const [across, upwards] = [chart.x, chart.y].map(({ quantity }) => formatter.reading(quantity, state.system).unit);
   const convert = (values: ArrayLike<number>, unit: string): number[] =>
@@ -123,10 +131,11 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
   const data = uPlot.join(chart.lines.map(({ x, y }) => [convert(x, across), convert(y, upwards)]));
   const axis = { stroke: ink, grid: { stroke: style.getPropertyValue("--line"), width: 1 }, font };
   const symbol = formatter.units.symbol(across);
-  const mark = (plot: uPlot): void => {
-    if (chart.mark === undefined) return;
+  const mark = { place: chart.mark };
+  const drawMark = (plot: uPlot): void => {
+    if (mark.place === undefined) return;
     const { ctx, bbox } = plot;
-    const at = plot.valToPos(formatter.units.fromSi(chart.mark, across), "x", true);
+    const at = plot.valToPos(formatter.units.fromSi(mark.place, across), "x", true);
     ctx.save();
     ctx.strokeStyle = ink;
     ctx.beginPath();
@@ -141,7 +150,7 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
       height: HEIGHT * rem,
       scales: { x: { time: false } },
       cursor: { y: false },
-      hooks: { draw: [mark] },
+      hooks: { draw: [drawMark] },
       axes: [
         {
           ...axis,
@@ -167,5 +176,5 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
     data,
     frame,
   );
-  drawn.set(chart.name, { plot, frame, inputs });
+  drawn.set(chart.name, { plot, mark, frame, inputs });
 }

@@ -17,7 +17,7 @@ export interface Field {
 }
 
 /** What a field shows and changes. */
-interface Source {
+export interface Source {
   /** Name of the quantity that gives unit, digits and meaning. */
   quantity: string;
   /** The amount as it was given; undefined where something stands for it. */
@@ -49,7 +49,8 @@ export function settingField(context: Context, field: Field): TemplateResult {
   });
 }
 
-function amountField(context: Context, { name, label, range, remark }: Field, source: Source): TemplateResult {
+/** A field of any amount. */
+export function amountField(context: Context, { name, label, range, remark }: Field, source: Source): TemplateResult {
   const { state, formatter, actions, model } = context;
   const { quantity, amount, si } = source;
   const { unit, digits } = formatter.reading(quantity, state.system);

@@ -3,12 +3,19 @@
 import type { SceneEntry } from "../context";
 import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
+import { elementsSettings } from "./elements/settings";
 import { modelsScene } from "./models/models-scene";
 import { shotSettings } from "./shot/settings";
 import { shotScene } from "./shot/shot-scene";
 
 export const SCENES: readonly SceneEntry[] = [
   { name: "shot", title: "Shot", settings: shotSettings, load: () => shotScene },
+  {
+    name: "elements",
+    title: "Impact by finite elements",
+    settings: elementsSettings,
+    load: () => import("./elements/elements-scene").then(({ elementsScene }) => elementsScene),
+  },
   { name: "models", title: "Models side by side", load: () => modelsScene },
 ];
 

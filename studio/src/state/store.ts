@@ -34,6 +34,8 @@ export interface Model {
   mistakes: Record<string, Mistake>;
   /** The text that is being typed into a field, which results that arrive must not replace. */
   typing: { name: string; text: string } | null;
+  /** What a scene keeps for the moment, such as a picture that moves: in no link and no step back. */
+  transient: Record<string, string>;
   notices: string[];
   /** Widths of the pictures [px], by name. */
   widths: Record<string, number>;
@@ -63,6 +65,7 @@ export class Store {
       good: null,
       mistakes: {},
       typing: null,
+      transient: {},
       notices: [],
       widths: {},
     };

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from clubface import units
 from clubface.errors import InputError, TargetWarning
@@ -80,10 +81,10 @@ class DriverHead:
         if not low <= 1.0 <= high:
             raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")
 
-    def mesh(self) -> ShellHead:
-        """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
+    def values(self) -> dict[str, Any]:
+        """Return what the core takes."""
         target = self.target
-        values = {
+        return {
             "shape": dict(self.shape),
             "elements": list(self.elements),
             "thickness": {key: self.thickness[key] for key in WALLS},
@@ -98,7 +99,10 @@ class DriverHead:
                 "inertia": [target.get(key) for key in INERTIA],
             },
         }
-        meshed = in_thread(core.fem_driver, values)
+
+    def mesh(self) -> ShellHead:
+        """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
+        meshed = in_thread(core.fem_driver, self.values())
         report = {"scale": meshed["scale"], **dict(zip(self.trims, meshed["trims"], strict=True))}
         made = ShellHead(
             name=self.name,
@@ -112,7 +116,7 @@ class DriverHead:
             bulge=self.shape["bulge"],
             roll=self.shape["roll"],
             report=report,
-            asked=target,
+            asked=self.target,
         )
         self._warn_missed(made)
         return made
