@@ -138,6 +138,7 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
     const at = plot.valToPos(formatter.units.fromSi(mark.place, across), "x", true);
     ctx.save();
     ctx.strokeStyle = ink;
+    ctx.setLineDash([]);
     ctx.beginPath();
     ctx.moveTo(at, bbox.top);
     ctx.lineTo(at, bbox.top + bbox.height);

@@ -60,9 +60,12 @@ export const rising = (most: number): ColourScale => scaleOf(RISING, 0, most);
 /** From minus a value to the value, zero in the middle. */
 export const bothSides = (most: number): ColourScale => scaleOf(BOTH_SIDES, -most, most);
 
-/** The least round number that is not below a value: 1, 2 or 5 times a power of ten. */
+/** Steps of round numbers within a power of ten. */
+const ROUND = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
+
+/** The least round number that is not below a value. */
 export function roundUp(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
-  return [1, 2, 2.5, 5, 10].map((each) => each * power).find((each) => each >= value * (1 - 1e-9)) ?? 10 * power;
+  return (ROUND.find((each) => each * power >= value * (1 - 1e-9)) ?? 10) * power;
 }

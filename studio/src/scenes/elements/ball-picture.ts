@@ -1,6 +1,6 @@
 /** The deformed ball on the face in three dimensions: objects of the scene, made of an impact and set to a moment. */
 
-import type { BufferAttribute, BufferGeometry, Group, Matrix4 } from "three";
+import type { BufferAttribute, BufferGeometry, Group, Matrix4, Plane } from "three";
 import type { ElementsImpact } from "../../core/elements";
 import type { ColourScale } from "../../parts/colours";
 import type { Stage } from "../../parts/stage";
@@ -27,11 +27,17 @@ interface Ball {
   patchworks: Patchwork[];
   face: Patchwork | null;
   plate: Group | null;
+  /** The plane that cuts the face where the ball is cut. */
+  plane: Plane;
 }
 
-/** Distance of the camera in radii of the ball, and whence it looks: along the face, from a little above and behind. */
-const DISTANCE = 5.4;
-const FROM = [-0.18, 0.22, 1] as const;
+/** Outlines of elements, dark on every colour of a scale. */
+const EDGE = "#111";
+/** Distance of the camera in radii of the ball, and whence it looks: along the face, from a little above and in front. */
+const DISTANCE = 4.7;
+const FROM = [0.4, 0.22, 1] as const;
+/** Thickness with which a rigid face is drawn [m]. */
+const PLATE = 2.5e-3;
 
 export function setBall(stage: Stage, impact: ElementsImpact, frame: number, look: Look, isNew: boolean): void {
   const { scene } = stage;
@@ -41,7 +47,6 @@ export function setBall(stage: Stage, impact: ElementsImpact, frame: number, loo
   const ball = isSame && before ? before : makeBall(stage, impact, look);
   scene.userData.ball = ball;
   scene.userData.outline = look.outline;
-  paintEdges(stage);
   const values =
     look.colour === "speed"
       ? speeds(impact, frame)
@@ -54,6 +59,8 @@ export function setBall(stage: Stage, impact: ElementsImpact, frame: number, loo
   }
   if (ball.face && impact.face) place(ball.face, impact.face.places, impact.face.nodes, frame);
   if (ball.plate) ball.plate.matrix.copy(plateMatrix(stage, impact, frame));
+  const [x, y, z] = impact.centres.subarray(3 * frame, 3 * frame + 3);
+  ball.plane.constant = -ball.plane.normal.dot({ x, y, z });
 }
 
 function lookAt({ camera, controls }: Stage, impact: ElementsImpact): void {
@@ -84,22 +91,27 @@ function makeBall(stage: Stage, impact: ElementsImpact, look: Look): Ball {
     patchworks.push(patchwork(stage, section.corners, section.pieces));
   } else patchworks.push(patchwork(stage, surface.corners, surface.pieces));
   for (const { geometry } of patchworks) addTo(stage, geometry, { vertexColors: true }, 0.45);
+  const isHeelFar = impact.axes[2][2] > 0;
+  const plane = new three.Plane(new three.Vector3(...impact.axes[2]).multiplyScalar(isHeelFar ? -1 : 1), 0);
+  stage.renderer.localClippingEnabled = true;
+  const cut = { clippingPlanes: look.cut === "half" ? [plane] : [], color: stage.colour("--faint") };
   let [face, plate]: [Patchwork | null, Group | null] = [null, null];
   if (impact.face) {
     face = patchwork(stage, impact.face.corners, null);
-    addTo(stage, face.geometry, { color: stage.colour("--faint"), transparent: true, opacity: 0.35 }, 0.3);
+    addTo(stage, face.geometry, look.cut === "half" ? cut : { ...cut, transparent: true, opacity: 0.35 }, 0.3);
   } else {
     plate = new three.Group();
     plate.matrixAutoUpdate = false;
     const shape = new three.Shape(look.outline.map(([toe, up]) => new three.Vector2(toe, up)));
-    const geometry = new three.ShapeGeometry(shape);
-    const material = { transparent: true, opacity: 0.35, depthWrite: false, side: three.DoubleSide };
-    plate.add(new three.Mesh(geometry, new three.MeshBasicMaterial({ color: stage.colour("--faint"), ...material })));
+    const geometry = new three.ExtrudeGeometry(shape, { depth: PLATE, bevelEnabled: false }).translate(0, 0, -PLATE);
+    const isCut = look.cut === "half";
+    const material = { transparent: !isCut, opacity: isCut ? 1 : 0.35, depthWrite: isCut, side: three.DoubleSide };
+    plate.add(new three.Mesh(geometry, new three.MeshBasicMaterial({ ...cut, ...material })));
     const edge = new three.BufferGeometry().setFromPoints(shape.getPoints());
-    plate.add(new three.LineLoop(edge, new three.LineBasicMaterial({ color: stage.colour("--ink") })));
+    plate.add(new three.LineLoop(edge, new three.LineBasicMaterial({ ...cut, color: stage.colour("--ink") })));
     scene.add(plate);
   }
-  return { impact, cut: look.cut, patchworks, face, plate };
+  return { impact, cut: look.cut, patchworks, face, plate, plane };
 }
 
 function clear({ scene }: Stage): void {
@@ -128,6 +140,7 @@ function patchwork({ three }: Stage, corners: Uint32Array, pieces: Uint8Array | 
 }
 
 interface Paint {
+  clippingPlanes?: Plane[];
   vertexColors?: boolean;
   color?: import("three").Color;
   transparent?: boolean;
@@ -136,6 +149,7 @@ interface Paint {
 
 /** Adds quadrilaterals and the outlines of all of them. */
 function addTo({ scene, three }: Stage, geometry: BufferGeometry, paint: Paint, strength: number): void {
+  const { clippingPlanes = [] } = paint;
   const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, side: three.DoubleSide };
   const mesh = new three.Mesh(geometry, new three.MeshBasicMaterial({ ...paint, ...behind }));
   mesh.frustumCulled = false;
@@ -149,16 +163,12 @@ function addTo({ scene, three }: Stage, geometry: BufferGeometry, paint: Paint, 
   const outline = new three.BufferGeometry();
   outline.setAttribute("position", geometry.getAttribute("position"));
   outline.setIndex(new three.BufferAttribute(ends, 1));
-  const lines = new three.LineSegments(outline, new three.LineBasicMaterial({ transparent: true, opacity: strength }));
+  const lines = new three.LineSegments(
+    outline,
+    new three.LineBasicMaterial({ color: EDGE, transparent: true, opacity: strength, clippingPlanes }),
+  );
   lines.frustumCulled = false;
-  lines.userData.isEdge = true;
   scene.add(mesh, lines);
-}
-
-/** The outlines have the colour of text on the page, dark or light. */
-function paintEdges({ scene, three }: Stage): void {
-  for (const object of scene.children)
-    if (object.userData.isEdge && object instanceof three.LineSegments) object.material.color.set("#111");
 }
 
 function place({ geometry, corners }: Patchwork, places: Float32Array, nodes: number, frame: number): void {

@@ -72,7 +72,7 @@ function view(context: Context): TemplateResult {
 function results(context: Context, cases: NamedCase[], drawn: DrawnCase[]): TemplateResult {
   const impact = longest(drawn);
   const mark = impact ? momentOf(context, impact) : 0;
-  const charts = drawn.map(({ name, label, impact: each }) => ({ name, label: label || "force", impact: each }));
+  const charts = drawn.map(({ name, label, impact: each }) => ({ name, label: label || "this case", impact: each }));
   return html`
     <section aria-labelledby="ball-on-face">
       <h2 id="ball-on-face">The ball on the face</h2>
@@ -108,6 +108,7 @@ function spinInWords({ formatter, state }: Context, { impact, label }: DrawnCase
   return (
     `${whose} makes backspin for ${text("reversal_time", reversal_time)}, with up to ${text("tangential", tangential_max)}. ` +
     `Then the ball springs back along the face, and friction turns: with up to ${text("tangential", -tangential_min)} it takes ` +
-    `some of the ${text("backspin", spin_max)} back. The ball leaves with ${text("backspin", backspin)}.`
+    `${text("backspin", spin_max - backspin)} of the ${text("backspin", spin_max)} back. The ball leaves with ` +
+    `${text("backspin", backspin)}.`
   );
 }

@@ -6,11 +6,10 @@ import { choiceSetting } from "../../context";
 import type { ColourScale } from "../../parts/colours";
 import { join } from "../../quantities/formatter";
 import { caseInWords } from "./case-panel";
-import { type DrawnCase, scales } from "./drawn-case";
+import { type DrawnCase, SHAPE_COLOURS, scales } from "./drawn-case";
 import { TRACTIONS } from "./patch";
 import { patchCanvas, TITLES } from "./patch-pictures";
 import { isPlaying, startPlaying } from "./player";
-import { PICTURE_QUANTITY } from "./shape-pictures";
 
 /** Sizes of the sheet [px]. */
 const COLUMN = 800;
@@ -140,7 +139,7 @@ function drawSheet(canvas: HTMLCanvasElement, context: Context, cases: DrawnCase
     const stage = document.querySelector<HTMLCanvasElement>(`[data-stage="elements-${each.name}"] canvas`);
     if (stage) drawFitted(pen, stage, left, y, COLUMN - 2 * MARGIN, STAGE);
     y += STAGE + 6;
-    const [quantity, title] = PICTURE_QUANTITY[choiceSetting(context, "colour")] ?? [];
+    const [quantity, title] = SHAPE_COLOURS[choiceSetting(context, "colour")] ?? [];
     if (quantity) legend({ title, quantity, scale: shape }, left, y, COLUMN - 2 * MARGIN);
     y += 2 * LINE;
     TRACTIONS.forEach((name, k) => {

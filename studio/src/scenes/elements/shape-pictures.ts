@@ -7,19 +7,13 @@ import { colourLegend } from "../../parts/legend";
 import { setStage, stageFrame } from "../../parts/stage";
 import { type Look, pieceColour, setBall } from "./ball-picture";
 import { ballOf } from "./case";
-import { type DrawnCase, scales } from "./drawn-case";
+import { type DrawnCase, SHAPE_COLOURS, scales } from "./drawn-case";
 import { displacements, speeds, widths } from "./shape-fields";
-
-/** What the colours mean: the quantity that gives unit and digits, and a title. */
-export const PICTURE_QUANTITY: Record<string, [quantity: string, title: string]> = {
-  displacement: ["penetration", "Displacement about the mass centre"],
-  speed: ["ball_velocity", "Speed over the ground"],
-};
 
 export function shapePictures(context: Context, cases: DrawnCase[]): TemplateResult {
   const { shape } = scales(context, cases);
   const colour = choiceSetting(context, "colour");
-  const [quantity, title] = PICTURE_QUANTITY[colour] ?? [];
+  const [quantity, title] = SHAPE_COLOURS[colour] ?? [];
   return html`
     <div class="choices looks">
       ${settingChoice(context, {
