@@ -29,6 +29,7 @@ from clubface.fem.case import case
 from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.read import design_of, head_names
 from clubface.fem.paper import ANGLE, FRICTION as REFERENCE_FRICTION, REFERENCE_SPEED
+from clubface.fem.run import THROW_ANGLES, THROW_SPEEDS
 from clubface.fem.settings import SAFETIES
 from clubface.simulation.flight import GROUNDS
 from clubface.simulation.inputs import equipment, parameter_set
@@ -41,9 +42,9 @@ from clubface.validation.tour import Average, averages
 
 DESCRIBED = ("quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs")
 
-SHOWN, FRAMES = 600e-6, 121
-"""Time that most contacts do not exceed [s], and the shapes that are kept in it, one in 5 us."""
-MILLISECOND_FRAMES = 201
+SHOWN, FRAMES = 600e-6, 61
+"""Time that most contacts do not exceed [s], and the shapes that are kept in it, one in 10 us."""
+MILLISECOND_FRAMES = 101
 """The same for a millisecond."""
 
 
@@ -207,7 +208,7 @@ def elements_data() -> dict[str, Any]:
             "millisecond": fem.Settings(frames=MILLISECOND_FRAMES, threads=1).values(),
         },
         "safeties": list(SAFETIES),
-        "friction_limits": FRICTION_LIMITS,
+        "limits": {"friction": FRICTION_LIMITS, "thrown_speed": THROW_SPEEDS, "thrown_angle": THROW_ANGLES},
         "cases": {
             "paper": {
                 "label": "Roh and Lee",

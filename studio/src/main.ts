@@ -39,6 +39,8 @@ async function start(page: HTMLElement): Promise<void> {
   const observer: Observer = {
     answered(slot, kind, output, milliseconds) {
       store?.receive(slot, kind, { output, failure: "", share: null, milliseconds });
+      // What is wanted may follow from what was computed.
+      if (store && !isHeld) compute();
     },
     begun(slot, kind) {
       store?.receive(slot, kind, { failure: "", share: null });
@@ -49,7 +51,8 @@ async function start(page: HTMLElement): Promise<void> {
     },
     failed(slot, kind, message) {
       store?.receive(slot, kind, { failure: message, share: null });
-      store?.note({ notices: [`This cannot be computed: ${message}.`] });
+      // The scene of the finite elements says it where it shows how far they are.
+      if (kind !== "elements") store?.note({ notices: [`This cannot be computed: ${message}.`] });
     },
   };
   const [{ lanes, description }, response] = await Promise.all([

@@ -43,6 +43,11 @@ FRICTION = Parameter(
     "that of the ball, unless it is given; 0.3 to 0.4 are measured",
 )
 
+THROW_SPEEDS = (0.01, 150.0)
+"""Speeds at which a ball may be thrown [m/s]."""
+THROW_ANGLES = (0.0, units.parse("80 deg", "angle"))
+"""Angles between its velocity and the normal of the plane [rad]."""
+
 
 def simulate(
     ball: Ball, face: Mapping[str, Any], friction: float, *, how: Settings, progress: Progress | None = None
@@ -105,10 +110,10 @@ def case(ball: Ball, face: Mapping[str, Any], friction: float, how: Settings) ->
 def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
     """Return speed [m/s] and angle [rad] of a throw, checked."""
     v = units.parse(speed, "speed", name="speed")
-    if not 0.01 <= v <= 150.0:
+    if not THROW_SPEEDS[0] <= v <= THROW_SPEEDS[1]:
         raise InputError("speed", units.show(v, "m/s"), "0.01 to 150 m/s")
     incidence = units.parse(angle, "angle", name="angle")
-    if not 0.0 <= incidence <= units.parse("80 deg", "angle"):
+    if not THROW_ANGLES[0] <= incidence <= THROW_ANGLES[1]:
         raise InputError("angle", units.show(incidence, "deg"), "0 to 80 deg from the normal")
     return v, incidence
 

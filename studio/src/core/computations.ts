@@ -1,7 +1,7 @@
 /** What the workers compute: a new computation is a function of the core and its input, and one line here. */
 
 import type { LoadedCore } from "clubface-core";
-import { compareModels, computeShot, computeSlopes } from "./compute";
+import { compareModels, computeFlight, computeShot, computeSlopes } from "./compute";
 import { simulateElements } from "./elements";
 
 /** Takes the share that is done of a computation that takes long. */
@@ -10,6 +10,7 @@ export type Report = (share: number) => void;
 export const COMPUTATIONS = {
   shot: computeShot,
   slopes: computeSlopes,
+  flight: computeFlight,
   comparison: compareModels,
   elements: simulateElements,
 };

@@ -64,6 +64,17 @@ export function flightInputs(core: LoadedCore, strike: Pick<Strike, "inputs" | "
   });
 }
 
+/** A launch that was computed before, by the names of its outputs, with the ball of a strike and its conditions. */
+export interface Launched extends Pick<Strike, "inputs" | "flight"> {
+  launch: Values;
+}
+
+/** The flight of a launch; empty where it cannot be computed. */
+export function computeFlight(core: LoadedCore, { launch, ...strike }: Launched): Values {
+  const flight = core.flights(flightInputs(core, strike, launch), 1);
+  return flight.rejects.length ? {} : byName(core.description.flight_outputs, flight.outputs);
+}
+
 /** Derivatives of the flight by the inputs of the delivery: those of the flight times those of the launch. */
 export function computeSlopes(core: LoadedCore, strike: Strike): Slopes {
   const { inputs, outputs, flight_inputs, flight_outputs } = core.description;

@@ -1,7 +1,7 @@
 /** Impacts by finite elements: a case, and what the pages show of it. */
 
 import type { LoadedCore } from "clubface-core";
-import { flightInputs, outputValues } from "./compute";
+import { outputValues } from "./compute";
 import { drawnParts, type Quads } from "./element-shapes";
 import type { CoreArray, Simulated, Values } from "./types";
 
@@ -23,7 +23,7 @@ export interface ElementsImpact {
   /** The case that this is the impact of, as text. */
   key: string;
   summary: Simulated;
-  /** Launch and flight by their names; empty where there is none. */
+  /** The launch by the names of the outputs; empty where there is none. */
   launch: Values;
   /** Velocity and spin of the ball after a throw at a plane, along the normal, up the face and about the toe direction. */
   thrown: Values;
@@ -146,14 +146,7 @@ function centresOf(
 
 function launchOf(core: LoadedCore, face: ElementsCase["described"]["face"], summary: Simulated): Values {
   if (!("head" in face) || !summary.launch || summary.stopped !== null) return {};
-  const launch = outputValues(core.description.outputs, summary.launch);
-  const flight = core.flights(flightInputs(core, { inputs: face.head.inputs, flight: {} }, launch), 1);
-  if (flight.rejects.length) return launch;
-  const flown = outputValues(
-    core.description.flight_outputs,
-    flight.outputs.map(([value]) => value),
-  );
-  return { ...launch, ...flown };
+  return outputValues(core.description.outputs, summary.launch);
 }
 
 function thrownOf({ axes, ball_velocity, ball_spin }: Simulated): Values {

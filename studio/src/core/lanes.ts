@@ -81,6 +81,9 @@ class PageLane {
   }
 }
 
+/** How long a worker that has taken much memory is kept without a task [ms]: memory of a core never shrinks. */
+const KEPT = 3000;
+
 class WorkerLane {
   private worker: Worker | null = null;
   private isReady = false;
@@ -91,6 +94,7 @@ class WorkerLane {
   /** The latest input of each slot that rests, and from when on it may be computed [ms]. */
   private readonly due = new Map<string, { key: string; at: number }>();
   private timer: ReturnType<typeof setTimeout> | undefined;
+  private idle: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly wasm: string | WebAssembly.Module,
@@ -132,6 +136,7 @@ class WorkerLane {
   endsEarly = false;
 
   private stop(): void {
+    clearTimeout(this.idle);
     this.worker?.terminate();
     this.worker = null;
     this.isReady = false;
@@ -149,6 +154,7 @@ class WorkerLane {
     }
     const next = this.isReady && !this.busy ? this.next() : undefined;
     if (!next) return;
+    clearTimeout(this.idle);
     this.busy = next;
     this.post({ kind: "compute", slot: next.slot, computation: next.kind, input: next.input });
     if (this.endsEarly) this.observer.begun(next.slot, next.kind);
@@ -171,6 +177,7 @@ class WorkerLane {
       else for (const { slot, kind } of this.waiting) this.observer.failed(slot, kind, reply.message);
     }
     this.send();
+    if (this.endsEarly && !this.busy && !this.waiting.length) this.idle = setTimeout(() => this.stop(), KEPT);
   }
 }
 

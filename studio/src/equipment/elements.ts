@@ -37,6 +37,7 @@ export interface ElementsData {
   heads: Record<string, MeshedHead>;
   runs: Record<RunName, Record<string, number | string | boolean | null>>;
   safeties: (number | null)[];
-  friction_limits: [number, number];
+  /** What friction, and speed and angle of a thrown ball may be, in SI. */
+  limits: Record<"friction" | "thrown_speed" | "thrown_angle", [least: number, most: number]>;
   cases: Record<string, PublishedCase>;
 }

@@ -7,7 +7,7 @@ import { settingChoice } from "../../parts/choice";
 import { amountField, type Field } from "../../parts/field";
 import { deliveryField } from "../shot/delivery";
 import { DELIVERY } from "../shot/words";
-import { type CaseName, given, type Setup } from "./case";
+import { type CaseName, given, problemOf, type Setup } from "./case";
 import { type Progress, type ShownCase, startCase, stopCase } from "./impacts";
 import { elementCount } from "./numbers";
 import { facesOf, SECOND_SAME } from "./settings";
@@ -28,6 +28,9 @@ export function caseInWords(context: Context, { ball, against, friction, speed, 
   const head = equipment.elements.heads[against]?.label ?? equipment.clubs[state.club].label;
   return `${head}, ball ${made}, ${text("speed", speed)}, loft ${rest}`;
 }
+
+/** What stands here of the delivery. */
+export const OWN_FIELDS = ["speed", "loft"];
 
 export function casePanel(context: Context, cases: ShownCase[]): TemplateResult {
   const { equipment } = context;
@@ -63,7 +66,7 @@ export function casePanel(context: Context, cases: ShownCase[]): TemplateResult 
           ],
         })}
       </div>
-      ${deliveryField(context, "speed")} ${deliveryField(context, "loft")}
+      ${OWN_FIELDS.map((name) => deliveryField(context, name))}
       ${frictionField(context, "friction", "Friction", first.setup, "that of the ball")}
       ${status(context, first)}
       ${second ? secondFields(context, second) : nothing}
@@ -159,10 +162,11 @@ function status(context: Context, shown: ShownCase): TemplateResult {
 const CASE: Record<CaseName, string> = { first: "first", second: "second" };
 
 function inWords(context: Context, shown: ShownCase, progress: Progress): string | TemplateResult {
-  const { impact } = shown;
+  const { impact, setup } = shown;
+  const problem = problemOf(context, setup);
   switch (progress.kind) {
     case "impossible":
-      return withBalls(context, shown.setup);
+      return problem ? `This case cannot be computed: ${problem}.` : withBalls(context, shown.setup);
     case "stopped":
       return shown.isCurrent ? "Stopped: this is the coarse mesh." : "Stopped: what is shown is the case before.";
     case "failed":

@@ -70,12 +70,31 @@ function loftOf(context: Context, against: string): number {
 export const ballOf = ({ equipment }: Context, { ball }: Setup): MeshedBall | undefined =>
   equipment.elements.balls[ball];
 
-/** The case of a setup; null where the ball is not described by its pieces. */
+/** Why a setup can be no case, "" where it can; that the ball has no pieces is said elsewhere. */
+export function problemOf({ equipment, formatter, state }: Context, setup: Setup): string {
+  const { limits } = equipment.elements;
+  const isPlane = setup.against === "plane";
+  const checked: [quantity: string, value: number, limit: keyof typeof limits, applies: boolean][] = [
+    ["friction", setup.friction, "friction", true],
+    ["speed", setup.speed, "thrown_speed", isPlane],
+    ["loft", Math.abs(setup.loft), "thrown_angle", isPlane],
+  ];
+  const wrong = checked.find(([, value, limit, applies]) => {
+    const [least, most] = limits[limit];
+    return applies && !(value >= least && value <= most);
+  });
+  if (!wrong) return "";
+  const [quantity, value, limit] = wrong;
+  const [given, least, most] = [value, ...limits[limit]].map((each) => formatter.text(quantity, each, state.system));
+  return `${formatter.quantity(quantity).label} ${given}; it must be from ${least} to ${most}`;
+}
+
+/** The case of a setup; null where the ball is not described by its pieces, or a value is out of its limits. */
 export function caseOf(context: Context, setup: Setup, mesh: MeshName): ElementsCase | null {
   const { equipment, state } = context;
   const { runs, safeties, heads } = equipment.elements;
   const meshed = ballOf(context, setup)?.meshes[mesh];
-  if (!meshed) return null;
+  if (!meshed || problemOf(context, setup)) return null;
   const head = heads[setup.against];
   const inputs = (): number[] => strikeAgainst(context, setup, meshed.columns).inputs;
   const face: ElementsCase["described"]["face"] =

@@ -3,10 +3,11 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context, Scene } from "../../context";
 import { chartFrame } from "../../parts/chart";
-import { deliveryPanel } from "../shot/delivery";
+import { deliveryField } from "../shot/delivery";
 import { equipmentPanel } from "../shot/equipment-panel";
 import { facePanel } from "../shot/face";
-import { caseInWords, casePanel } from "./case-panel";
+import { FURTHER, MAIN } from "../shot/words";
+import { caseInWords, casePanel, OWN_FIELDS } from "./case-panel";
 import { elementCharts } from "./charts";
 import { type DrawnCase, drawnCase } from "./drawn-case";
 import "./elements.css";
@@ -59,7 +60,12 @@ function view(context: Context): TemplateResult {
         ${casePanel(context, cases)}
         <details class="strike">
           <summary>Change the strike</summary>
-          ${equipmentPanel(context)} ${deliveryPanel(context)} ${facePanel(context)}
+          ${equipmentPanel(context)}
+          <section aria-labelledby="delivery">
+            <h2 id="delivery">The rest of the delivery</h2>
+            ${[...MAIN, ...FURTHER].filter((name) => !OWN_FIELDS.includes(name)).map((name) => deliveryField(context, name))}
+          </section>
+          ${facePanel(context)}
         </details>
       </div>
       <div class="results">

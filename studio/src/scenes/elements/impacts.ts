@@ -3,9 +3,10 @@
 import { type Context, choiceSetting } from "../../context";
 import { caseKey, type ElementsCase, type ElementsImpact } from "../../core/elements";
 import type { LaneName, Wanted } from "../../core/lanes";
+import type { Strike } from "../../core/types";
 import { MESHES, type MeshName } from "../../equipment/elements";
 import { outputOf, type Result } from "../../state/store";
-import { CASES, type CaseName, caseOf, type Setup, setupOf, strikeAgainst } from "./case";
+import { ballOf, CASES, type CaseName, caseOf, type Setup, setupOf, strikeAgainst } from "./case";
 
 /** How long a slider rests before its case is computed [ms]. */
 const REST = 700;
@@ -13,6 +14,7 @@ const LANES: Record<CaseName, LaneName> = { first: "elements", second: "other-el
 
 const slotOf = (name: CaseName, mesh: MeshName): string => `elements-${name}-${mesh}`;
 export const besideSlot = (name: CaseName): string => `beside-${name}`;
+export const flightSlot = (name: CaseName): string => `elements-${name}-flight`;
 
 /** The cases that are shown, one or two. */
 export const casesOf = (context: Context): CaseName[] =>
@@ -21,6 +23,9 @@ export const casesOf = (context: Context): CaseName[] =>
 /** The meshes that are computed, one after the other. */
 const meshesOf = (context: Context): MeshName[] =>
   MESHES.filter((mesh) => mesh === "coarse" || choiceSetting(context, "mesh") === "fine");
+
+/** What a flight takes of a strike. */
+const flown = ({ inputs, flight }: Strike): Pick<Strike, "inputs" | "flight"> => ({ inputs, flight });
 
 /** A case by its text, for what is kept of it for the moment. */
 const textOf = (input: ElementsCase | null): string => (input ? caseKey(input) : "");
@@ -31,7 +36,18 @@ export function wantedImpacts(context: Context): Wanted[] {
     const setup = setupOf(context, name);
     const inputs = meshesOf(context).map((mesh) => ({ mesh, input: caseOf(context, setup, mesh) }));
     const beside: Wanted[] =
-      setup.against === "plane" ? [] : [{ kind: "shot", input: strikeAgainst(context, setup), slot: besideSlot(name) }];
+      setup.against === "plane"
+        ? []
+        : [{ kind: "shot", input: strikeAgainst(context, setup), slot: besideSlot(name), lane: "page" }];
+    const struck = strikeAgainst(context, setup, ballOf(context, setup)?.meshes.fine.columns);
+    const { impact } = shownCase(context, name);
+    if (impact?.launch.ball_speed !== undefined)
+      beside.push({
+        kind: "flight",
+        input: { ...flown(struck), launch: impact.launch },
+        slot: flightSlot(name),
+        lane: "page",
+      });
     const last = textOf(inputs[inputs.length - 1].input);
     if (transient[`stopped-${name}`] === last) return beside;
     const rest = transient[`at-once-${name}`] === last ? 0 : REST;

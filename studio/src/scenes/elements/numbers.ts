@@ -6,7 +6,7 @@ import type { ElementsImpact } from "../../core/elements";
 import type { Values } from "../../core/types";
 import { outputOf } from "../../state/store";
 import { ballOf } from "./case";
-import { besideSlot, type ShownCase } from "./impacts";
+import { besideSlot, flightSlot, type ShownCase } from "./impacts";
 
 const LAUNCH = [
   "ball_speed",
@@ -47,8 +47,9 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
   const launched = shown.filter(({ setup }) => setup.against !== "plane");
   const thrown = shown.filter(({ setup }) => setup.against === "plane");
   const launches = launched.flatMap(({ name, label, impact }) => {
+    const flight = outputOf(context.model, "flight", flightSlot(name)) ?? {};
     const beside = outputOf(context.model, "shot", besideSlot(name));
-    const columns = [{ label: named("finite elements", label, shown), values: impact.launch }];
+    const columns = [{ label: named("finite elements", label, shown), values: { ...impact.launch, ...flight } }];
     if (beside && !beside.failure)
       columns.push({ label: named(`${beside.model}, rigid head`, label, shown), values: beside.values });
     return columns;

@@ -8,7 +8,7 @@ import { given } from "./case";
 import { frameAt } from "./shape-fields";
 
 /** Time that a shape stays [ms]; with reduced motion there are few of them, which stay for longer. */
-const STAY = 40;
+const STAY = 60;
 const STILL = { stay: 600, shapes: 8 };
 const PLAYING = "elements-playing";
 
