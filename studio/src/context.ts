@@ -7,6 +7,7 @@ import { type Chosen, type Equipment, strikeOf, usualValue } from "./equipment/e
 import type { Formatter } from "./quantities/formatter";
 import type { Amount } from "./quantities/units";
 import { flightConditions } from "./state/conditions";
+import type { Session } from "./state/session";
 import type { Settings } from "./state/settings";
 import type { Change, State } from "./state/state";
 import type { Mistake, Model } from "./state/store";
@@ -21,6 +22,10 @@ export interface Actions {
   /** Keeps something for the moment; see the model. */
   keep(transient: Record<string, string>): void;
   dismiss(): void;
+  /** Says a sentence at the head of the page. */
+  notice(text: string): void;
+  /** Changes what the package has answered. */
+  session(change: (session: Session) => Partial<Session>): void;
 }
 
 export interface Context {

@@ -21,6 +21,7 @@ import { type Mistake, type Model, Store } from "./state/store";
 import "./style/page.css";
 import "./style/controls.css";
 import "./style/pictures.css";
+import "./style/sessions.css";
 import "./style/shot.css";
 import "./style/print.css";
 
@@ -28,6 +29,9 @@ const root = document.querySelector<HTMLElement>("#studio");
 
 /** Milliseconds between two changes of the address, of which browsers allow a hundred in half a minute. */
 const ADDRESS_INTERVAL = 300;
+
+/** Where the Python package answers, where it serves the page: `clubface studio` says so in the head of the page. */
+const api = document.querySelector<HTMLMetaElement>('meta[name="clubface-api"]')?.content ?? null;
 
 /** Yards and miles where golfers use them. */
 const usualSystem = (): System => (/-(US|GB|IE|CA)$/.test(navigator.language) ? "golf" : "metric");
@@ -71,12 +75,17 @@ async function start(page: HTMLElement): Promise<void> {
   };
   const first = fromLink(location.hash, linked);
   const loaded = new Map<string, Scene>();
-  const made = new Store(first.state, equipment, (model, isNewState) => {
-    if (isNewState) {
-      follow();
-      writeAddress();
-    } else if (!isHeld) draw(model);
-  });
+  const made = new Store(
+    first.state,
+    equipment,
+    (model, isNewState) => {
+      if (isNewState) {
+        follow();
+        writeAddress();
+      } else if (!isHeld) draw(model);
+    },
+    api,
+  );
   store = made;
   page.replaceChildren();
 
@@ -161,6 +170,8 @@ async function start(page: HTMLElement): Promise<void> {
       compute();
     },
     dismiss: (): void => made.note({ notices: [] }),
+    notice: (text: string): void => made.note({ notices: [...made.model.notices, text] }),
+    session: (change): void => made.note({ session: { ...made.model.session, ...change(made.model.session) } }),
   };
 
   addEventListener("hashchange", () => {
@@ -183,7 +194,7 @@ if (root) {
     root.textContent = `The studio cannot start: ${error instanceof Error ? error.message : String(error)}`;
     root.setAttribute("role", "alert");
   });
-  if ("serviceWorker" in navigator && import.meta.env.PROD) {
+  if ("serviceWorker" in navigator && import.meta.env.PROD && api === null) {
     void navigator.serviceWorker.register("sw.js");
   }
 }

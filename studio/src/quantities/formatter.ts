@@ -26,6 +26,11 @@ export class Formatter {
     this.quantities = new Map(description.quantities.map((each) => [each.name, each]));
   }
 
+  /** Whether the core describes a quantity; the package has some of its own. */
+  knows(name: string): boolean {
+    return this.quantities.has(name);
+  }
+
   quantity(name: string): Quantity {
     const result = this.quantities.get(name);
     if (!result) throw new Error(`${name}: no such quantity`);

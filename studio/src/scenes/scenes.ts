@@ -5,6 +5,7 @@ import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
 import { elementsSettings } from "./elements/settings";
 import { modelsScene } from "./models/models-scene";
+import { sessionsSettings } from "./sessions/settings";
 import { shotSettings } from "./shot/settings";
 import { shotScene } from "./shot/shot-scene";
 
@@ -17,6 +18,12 @@ export const SCENES: readonly SceneEntry[] = [
     load: () => import("./elements/elements-scene").then(({ elementsScene }) => elementsScene),
   },
   { name: "models", title: "Models side by side", load: () => modelsScene },
+  {
+    name: "sessions",
+    title: "Your shots",
+    settings: sessionsSettings,
+    load: () => import("./sessions/sessions-scene").then(({ sessionsScene }) => sessionsScene),
+  },
 ];
 
 /** The settings of all scenes, and the conditions that hold for every one of them. */

@@ -3,6 +3,7 @@
 import type { Kind, Output } from "../core/computations";
 import type { Shot } from "../core/types";
 import type { Equipment } from "../equipment/equipment";
+import { initialSession, type Session } from "./session";
 import { type Change, changed, type State } from "./state";
 import { begin, redo, settle, step, type Timeline, undo } from "./undo";
 
@@ -39,6 +40,8 @@ export interface Model {
   notices: string[];
   /** Widths of the pictures [px], by name. */
   widths: Record<string, number>;
+  /** What the Python package has answered, where it serves the page. */
+  session: Session;
 }
 
 /** The latest output of a computation; `slot` is its kind unless it was wanted under another name. */
@@ -58,6 +61,7 @@ export class Store {
     state: State,
     private readonly equipment: Equipment,
     private readonly observe: (model: Model, isNewState: boolean) => void,
+    api: string | null = null,
   ) {
     this.model = {
       timeline: begin(state),
@@ -68,6 +72,7 @@ export class Store {
       transient: {},
       notices: [],
       widths: {},
+      session: initialSession(api),
     };
   }
 

@@ -1,0 +1,163 @@
+/** Shots on a range, from the side and from above, one colour a club. */
+
+import { html, nothing, svg, type TemplateResult } from "lit-html";
+import type { Context } from "../../context";
+import { line, type Scale, scale, ticks } from "../../parts/axes";
+import { rootSize } from "../../parts/measure";
+import { sideOf } from "../../quantities/formatter";
+import { clubsOf, landing, type ShotRow } from "./shot-rows";
+
+const LEFT = 44;
+const RIGHT = 16;
+const TOP = 24;
+const BOTTOM = 36;
+const USUAL_WIDTH = 640;
+const USUAL_LETTERS = 16;
+const HEIGHTS = { side: [70, 190], above: [140, 360] } as const;
+/** Least distance to either side of the target line, in the unit of the picture. */
+const LEAST_SIDE = 12;
+/** Colours of clubs; those after them begin again. */
+const COLOURS = 6;
+
+interface Range {
+  context: Context;
+  rows: readonly ShotRow[];
+  width: number;
+  zoom: number;
+  along: Scale;
+  alongTicks: number[];
+  unit: string;
+  convert(metres: number): number;
+  series(club: string): number;
+}
+
+/** `name` tells the pictures of a page apart. */
+export function rangePicture(context: Context, name: string, rows: readonly ShotRow[]): TemplateResult {
+  const drawn = rows.filter((row) => landing(row) !== null);
+  return html`<div data-sized=${name} class="range">
+    ${
+      drawn.length
+        ? pictures(context, name, drawn)
+        : html`<p class="remark">No shot has a way through the air to draw.</p>`
+    }
+  </div>`;
+}
+
+function pictures(context: Context, name: string, rows: readonly ShotRow[]): TemplateResult {
+  const { model, state, formatter } = context;
+  const { unit } = formatter.reading("carry", state.system);
+  const convert = (metres: number): number => formatter.units.fromSi(metres, unit);
+  const zoom = rootSize() / USUAL_LETTERS;
+  const width = Math.max(260, (model.widths[name] ?? USUAL_WIDTH) / zoom);
+  const end = convert(Math.max(...rows.map((row) => landing(row)?.[0] ?? 0), 1)) * 1.06;
+  const clubs = clubsOf(rows);
+  const range: Range = {
+    context,
+    rows,
+    width,
+    zoom,
+    along: scale([0, end], [LEFT, width - RIGHT]),
+    alongTicks: ticks([0, end], Math.max(3, Math.min(10, width / 90))),
+    unit: formatter.units.symbol(unit),
+    convert,
+    series: (club) => (clubs.findIndex(([each]) => each === club) % COLOURS) + 1,
+  };
+  return html`
+    ${rows.some(({ way }) => way.length) ? fromSide(range) : nothing} ${fromAbove(range)}
+    <ul class="legend" aria-label="Clubs of the picture">
+      ${clubs.map(
+        ([club, shots]) => html`<li><i class=${`series-${range.series(club)}`}></i>${club || "shots"}, ${shots}</li>`,
+      )}
+    </ul>
+  `;
+}
+
+function fromSide(range: Range): TemplateResult {
+  const { context, rows, width, zoom, along, alongTicks, convert } = range;
+  const highest = convert(Math.max(1, ...rows.flatMap(({ way }) => way.map(([, high]) => high))));
+  const inner = Math.min(HEIGHTS.side[1], Math.max(HEIGHTS.side[0], highest * along.size));
+  const up = scale([0, highest], [TOP + inner, TOP]);
+  const ratio = up.size / along.size;
+  const apexes = rows.map(({ way }) => Math.max(0, ...way.map(([, high]) => high)));
+  const apex = context.formatter.text("apex", Math.max(...apexes), context.state.system);
+  return html`
+    <svg
+      class="view"
+      role="img"
+      aria-label=${`${rows.length} shots from the side; the highest rises to ${apex}.`}
+      width=${width * zoom}
+      height=${(TOP + inner + 12) * zoom}
+      viewBox=${`0 0 ${width} ${TOP + inner + 12}`}
+    >
+      <text class="title" x="0" y="13">From the side${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
+      ${alongTicks.map((tick) => svg`<line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>`)}
+      ${ticks([0, highest], 3).map(
+        (tick) => svg`<text class="tick" x=${LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,
+      )}
+      <line class="ground" x1=${LEFT} x2=${width} y1=${TOP + inner} y2=${TOP + inner}></line>
+      ${rows.map(({ way, ...row }) =>
+        path(
+          range,
+          row,
+          way.map(([x, y]) => [along.at(convert(x)), up.at(convert(y))]),
+        ),
+      )}
+    </svg>
+  `;
+}
+
+function fromAbove(range: Range): TemplateResult {
+  const { context, rows, width, zoom, along, alongTicks, convert, unit } = range;
+  const { state, formatter } = context;
+  const sides = rows.flatMap((row) => [landing(row)?.[1] ?? 0, ...row.way.map(([, , right]) => right)]).map(convert);
+  const [least, most] = [Math.min(-LEAST_SIDE, ...sides) * 1.1, Math.max(LEAST_SIDE, ...sides) * 1.1];
+  const inner = Math.min(HEIGHTS.above[1], Math.max(HEIGHTS.above[0], (most - least) * along.size));
+  const height = TOP + inner + BOTTOM;
+  const right = scale([least, most], [TOP, TOP + inner]);
+  const ratio = right.size / along.size;
+  const { sides: words } = formatter.quantity("side");
+  const letter = (tick: number): string => ` ${sideOf(words, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
+  const landings = rows.flatMap((row) => [landing(row) ?? []].filter((each) => each.length) as [number, number][]);
+  const text = (name: string, value: number): string => formatter.text(name, value, state.system);
+  const label =
+    `${rows.length} shots from above: they land after ${text("carry", Math.min(...landings.map(([x, z]) => Math.hypot(x, z))))} ` +
+    `to ${text("carry", Math.max(...landings.map(([x, z]) => Math.hypot(x, z))))}, ` +
+    `from ${text("side", Math.min(...landings.map(([, z]) => z)))} to ${text("side", Math.max(...landings.map(([, z]) => z)))}.`;
+  return html`
+    <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
+      <text class="title" x="0" y="13">From above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
+      ${alongTicks.map(
+        (tick) => svg`
+          <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
+          <text class="tick" x=${along.at(tick)} y=${TOP + inner + 15} text-anchor="middle">${tick}</text>`,
+      )}
+      ${ticks([least, most], 5).map(
+        (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
+          ${Math.abs(tick)}${letter(tick)}</text>`,
+      )}
+      <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
+      ${rows.map(({ way, ...row }) =>
+        path(
+          range,
+          row,
+          way.map(([x, , z]) => [along.at(convert(x)), right.at(convert(z))]),
+        ),
+      )}
+      ${rows.map((row) => spot(range, row, right))}
+      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance to the target, ${unit}</text>
+    </svg>
+  `;
+}
+
+const marks = ({ context, series }: Range, { club, shot, mishit }: Omit<ShotRow, "way">): string =>
+  `series-${series(club)}${mishit ? " off" : ""}${context.model.session.marked === shot ? " marked" : ""}`;
+
+const path = (range: Range, row: Omit<ShotRow, "way">, points: [number, number][]): TemplateResult =>
+  svg`<path class=${`way ${marks(range, row)}`} d=${line(points)}></path>` as TemplateResult;
+
+function spot(range: Range, row: ShotRow, right: Scale): TemplateResult {
+  const [x, z] = landing(row) ?? [0, 0];
+  const isMarked = range.context.model.session.marked === row.shot;
+  return svg`<circle class=${`spot ${marks(range, row)}`} data-shot=${row.shot} cx=${range.along.at(range.convert(x))}
+    cy=${right.at(range.convert(z))} r=${isMarked ? 6 : 3.5}><title>${row.club} ${row.shot}</title></circle>` as TemplateResult;
+}
