@@ -25,7 +25,7 @@ RUST_MUTANTS := --package clubface-math --package clubface-impact --package club
 NODE := $(shell command -v npm >/dev/null && node -p 'const [major, minor] = process.versions.node.split("."); +major > 20 || (+major === 20 && +minor > 18)' 2>/dev/null)
 STUDIO_PACKAGES := studio/node_modules/.package-lock.json
 STUDIO_DATA := studio/generated/equipment.json
-STUDIO_DATA_SOURCES := studio/data.py $(shell find python/clubface -name '*.py' -o -name '*.toml' -o -name '*.csv')
+STUDIO_DATA_SOURCES := $(wildcard studio/*.py) $(shell find python/clubface -name '*.py' -o -name '*.toml' -o -name '*.csv')
 WASM := target/wasm32-unknown-unknown/release/clubface.wasm
 STUDIO_CORE := studio/generated/clubface.wasm studio/generated/clubface-fem.wasm
 STUDIO_CHECKED := $(if $(filter true,$(NODE)),$(STUDIO_PACKAGES) $(STUDIO_DATA))

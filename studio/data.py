@@ -15,6 +15,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from certainty import certainty_data, kind_of
+from equations import equations_data
+
 from clubface import _core, fem
 from clubface.design.face_surface import outline_of
 from clubface.design.golfer import MIRRORED, Golfer, golfer
@@ -79,6 +82,7 @@ def described_club(each: Club, columns: Mapping[str, float]) -> dict[str, Any]:
     return {
         "label": each.name,
         "kind": each.kind,
+        "published_kind": kind_of(each),
         "description": each.description,
         "typical": tour_delivery(each),
         "outline": [[round(float(number), 6) for number in corner] for corner in outline.corners],
@@ -128,7 +132,7 @@ def described_golfer(each: Golfer) -> dict[str, Any]:
 
 
 def equipment_data() -> dict[str, Any]:
-    """Return clubs, balls, golfers, grounds, parameter sets, and which set and face belong to model, club and ball."""
+    """Return what can be chosen, which set and face belong to a model, club and ball, and what is known of numbers."""
     clubs = {name: club(name) for name in builtin_names("clubs")}
     balls = {name: ball(name) for name in builtin_names("balls")}
     order = sorted(clubs, key=lambda name: (clubs[name].description.count("measured") > 0, clubs[name].loft))
@@ -163,6 +167,11 @@ def equipment_data() -> dict[str, Any]:
         "grounds": {name: dict(values) for name, values in GROUNDS.items()},
         "sets": [sets[key] for key in set_places],
         "faces": [list(face) for face in faces],
+        "numbers": {
+            "explained": [entry["name"] for entry in (*_core.outputs(), *_core.flight_outputs())],
+            **equations_data(),
+            "certainty": certainty_data(),
+        },
         "choices": choices,
         "elements": elements_data(),
     }

@@ -2,6 +2,7 @@
 
 import type { LoadedCore } from "clubface-core";
 import { compareModels, computeFlight, computeShot, computeSlopes } from "./compute";
+import { computeContributions } from "./contributions";
 import { simulateElements } from "./elements";
 
 /** Takes the share that is done of a computation that takes long. */
@@ -11,6 +12,7 @@ export const COMPUTATIONS = {
   shot: computeShot,
   slopes: computeSlopes,
   flight: computeFlight,
+  contributions: computeContributions,
   comparison: compareModels,
   elements: simulateElements,
 };

@@ -75,28 +75,32 @@ export function computeFlight(core: LoadedCore, { launch, ...strike }: Launched)
   return flight.rejects.length ? {} : byName(core.description.flight_outputs, flight.outputs);
 }
 
-/** Derivatives of the flight by the inputs of the delivery: those of the flight times those of the launch. */
-export function computeSlopes(core: LoadedCore, strike: Strike): Slopes {
+/** Derivatives of launch and flight by the inputs of the delivery; none where there is no shot. */
+export const computeSlopes = (core: LoadedCore, strike: Strike): Slopes => slopesAndValues(core, strike)?.slopes ?? {};
+
+/** The same with launch and flight; those of the flight are its derivatives by the launch times those of the launch. */
+export function slopesAndValues(core: LoadedCore, strike: Strike): { slopes: Slopes; values: Values } | null {
   const { inputs, outputs, flight_inputs, flight_outputs } = core.description;
+  const all = outputs.map((_, place) => place);
+  const by = inputs.flatMap(({ group }, place) => (group === "delivery" ? [place] : []));
+  const launch = core.sensitivities(strike.model, strike.inputs, strike.parameters, 1, all, by);
+  if (launch.rejects.length) return null;
+  const values = byName(outputs, launch.outputs);
+  const flown = core.flightSensitivity(flightInputs(core, strike, values));
   const passedOn = flight_inputs.flatMap(({ name }, column) => {
     const place = outputs.findIndex((output) => output.name === name);
     return place < 0 ? [] : [{ column, place }];
   });
-  const launched = passedOn.map(({ place }) => place);
-  const by = inputs.flatMap(({ group }, place) => (group === "delivery" ? [place] : []));
-  const launch = core.sensitivities(strike.model, strike.inputs, strike.parameters, 1, launched, by);
-  if (launch.rejects.length) return {};
-  const values = byName(
-    launched.map((place) => outputs[place]),
-    launch.outputs,
-  );
-  const { jacobian } = core.flightSensitivity(flightInputs(core, strike, values));
-  const slope = (row: Float64Array, j: number): number =>
-    passedOn.reduce((sum, { column }, k) => sum + row[column] * launch.derivatives[k][j][0], 0);
-  return Object.fromEntries(
-    flight_outputs.map(({ name }, i) => [
-      name,
-      Object.fromEntries(by.map((place, j) => [inputs[place].name, slope(jacobian[i], j)])),
-    ]),
-  );
+  const chained = (row: Float64Array, j: number): number =>
+    passedOn.reduce((sum, { column, place }) => sum + row[column] * launch.derivatives[place][j][0], 0);
+  const slopesOf = (slope: (j: number) => number): Values =>
+    Object.fromEntries(by.map((place, j) => [inputs[place].name, slope(j)]));
+  const slopes: Slopes = Object.fromEntries([
+    ...outputs.map(({ name }, i) => [name, slopesOf((j) => launch.derivatives[i][j][0])]),
+    ...flight_outputs.map(({ name }, i) => [name, slopesOf((j) => chained(flown.jacobian[i], j))]),
+  ]);
+  flight_outputs.forEach(({ name }, i) => {
+    values[name] = flown.values[i];
+  });
+  return { slopes, values };
 }

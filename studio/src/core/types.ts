@@ -132,7 +132,7 @@ export interface Shot extends Computed {
   path: Float64Array;
 }
 
-/** Derivatives of outputs of the flight by inputs of the delivery, by their names. */
+/** Derivatives of outputs of launch and flight by inputs of the delivery, by their names. */
 export type Slopes = Record<string, Values>;
 
 export interface History {

@@ -1,6 +1,7 @@
 /** Clubs, balls and parameter sets as `data.py` writes them, and the inputs of a strike made of them. */
 
 import type { Description, Strike, Values } from "../core/types";
+import type { Tree } from "../quantities/tree";
 import type { ElementsData } from "./elements";
 
 export type AmountPair = [value: number, unit: string];
@@ -8,6 +9,8 @@ export type AmountPair = [value: number, unit: string];
 export interface ClubEntry {
   label: string;
   kind: string;
+  /** Kind of club as published figures tell them apart. */
+  published_kind: string;
   description: string;
   /** Speed and attack angle of the tour average. */
   typical: Record<"speed" | "attack", AmountPair>;
@@ -55,6 +58,45 @@ export interface GolferEntry {
 /** Places of the parameter set and of the face by the name of the published set, "" for the usual one. */
 type Choices = Record<string, [set: number, face: number]>;
 
+/** One comparison with published figures: errors in SI, or shares of the published values. */
+export interface PublishedComparison {
+  title: string;
+  quantity: string;
+  /** The quantity as which the errors are read, or `share`. */
+  reads_as: string;
+  /** A word of the certainties. */
+  certainty: string;
+  /** Places of the sources. */
+  sources: number[];
+  figures: number;
+  /** How many of them are within the tolerance; null where there is none. */
+  within: number | null;
+  tolerance: number | null;
+  /** Mean of the magnitudes of the errors, their mean, and the largest; null where it is not published. */
+  size: number;
+  bias: number | null;
+  worst: number | null;
+}
+
+/** Places of comparisons by kind of club and output. */
+type ComparisonPlaces = Record<string, Record<string, number[]>>;
+
+/** What is known of the numbers of a shot: equations, and how sure they are. */
+export interface Numbers {
+  /** Names of the numbers that can be explained. */
+  explained: string[];
+  /** Values of equations that are no columns of the core. */
+  terms: Record<string, { symbol: string; label: string; quantity: string }>;
+  equations: Record<string, { title: string; tree: Tree }[]>;
+  certainty: {
+    certainties: Record<string, string>;
+    models: Record<string, ComparisonPlaces>;
+    flights: ComparisonPlaces;
+    rows: PublishedComparison[];
+    sources: string[];
+  };
+}
+
 /** Where the names of shots begin: of the start [rad], and of the curve over the carry. */
 export interface ShapeLimits {
   straight_start: number;
@@ -65,6 +107,7 @@ export interface ShapeLimits {
 export interface Equipment {
   version: string;
   shot_shape: ShapeLimits;
+  numbers: Numbers;
   defaults: { model: string; ball: string; club: string };
   inputs: string[];
   clubs: Record<string, ClubEntry>;

@@ -5,11 +5,13 @@ import type { Context } from "../../context";
 import { handSign } from "../../equipment/equipment";
 import { gap } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
+import { numberButton } from "./explanation/explanation";
 import { curveOf, shapeOf } from "./shot-shape";
 
 const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
-export function headline({ model, state, formatter, equipment }: Context): TemplateResult {
+export function headline(context: Context): TemplateResult {
+  const { model, state, formatter, equipment } = context;
   const shot = model.good;
   if (!shot) return outputOf(model, "shot") ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
   const { system } = state;
@@ -21,7 +23,7 @@ export function headline({ model, state, formatter, equipment }: Context): Templ
         ${FIRST.map((name) => {
           const { number, unit, side } = formatter.show(name, shot.values[name], system);
           return html`<div>
-            <dt>${formatter.quantity(name).label}</dt>
+            <dt>${numberButton(context, name, formatter.quantity(name).label)}</dt>
             <dd><b>${number}</b>${gap(unit) ? html` <span>${unit}</span>` : unit} <i>${side}</i></dd>
           </div>`;
         })}

@@ -4,6 +4,7 @@ import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { Variable } from "../../core/types";
 import { gap, printedSymbol } from "../../quantities/formatter";
+import { numberButton } from "./explanation/explanation";
 
 /** The output that is 1 where a flight leaves the range of the aerodynamic data. */
 const OUTSIDE = "outside_fit";
@@ -34,7 +35,8 @@ export function numbersPanel(context: Context): TemplateResult {
   `;
 }
 
-function table({ model, state, formatter }: Context, title: string, variables: Variable[]): TemplateResult {
+function table(context: Context, title: string, variables: Variable[]): TemplateResult {
+  const { model, state, formatter } = context;
   const values = model.good?.values ?? {};
   return html`
     <table>
@@ -48,7 +50,9 @@ function table({ model, state, formatter }: Context, title: string, variables: V
           const { symbol, label } = formatter.quantity(name);
           const [letter, index] = printedSymbol(symbol);
           return html`<tr>
-            <th scope="row">${label} <span class="symbol">${letter}<sub>${index}</sub></span></th>
+            <th scope="row" data-explains=${name}>
+              ${numberButton(context, name, html`${label} <span class="symbol">${letter}<sub>${index}</sub></span>`)}
+            </th>
             <td data-quantity=${name} data-value=${String(values[name])}>
               <b>${number}</b>${gap(unit)}${unit} ${side}
             </td>

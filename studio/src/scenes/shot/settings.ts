@@ -12,5 +12,7 @@ export const VIEWS: readonly (readonly [view: string, title: string])[] = [
 
 export const shotSettings: Settings = {
   head_view: { kind: "choice", options: VIEWS.map(([view]) => view), usual: "corner" },
+  /** The number that is explained. */
+  number: { kind: "choice", options: ({ numbers }) => ["", ...numbers.explained], usual: "" },
   moment: { kind: "amount", quantity: "contact_time", usual: { value: 0, unit: "us" } },
 };

@@ -2,12 +2,15 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, type Scene, strike } from "../../context";
+import type { Wanted } from "../../core/lanes";
 import type { Failure } from "../../core/types";
 import { outputOf } from "../../state/store";
 import { atImpact, setHead } from "./at-impact";
 import { spinPanel } from "./ball-spin";
 import { deliveryPanel } from "./delivery";
 import { equipmentPanel } from "./equipment-panel";
+import { contributionsInput } from "./explanation/contributions";
+import { explained, explanation } from "./explanation/explanation";
 import { facePanel } from "./face";
 import { flightPanel } from "./flight-panel";
 import { headline } from "./headline";
@@ -17,7 +20,14 @@ import { DELIVERY } from "./words";
 
 export const shotScene: Scene = {
   view,
-  wanted: (context) => [{ kind: "slopes", input: strike(context), lane: slopesLane(context) }],
+  wanted: (context) => {
+    const struck = strike(context);
+    const lane = slopesLane(context);
+    const slopes: Wanted = { kind: "slopes", input: struck, lane };
+    return explained(context)
+      ? [slopes, { kind: "contributions", input: contributionsInput(context, struck), lane }]
+      : [slopes];
+  },
   drawn: setHead,
 };
 
@@ -34,6 +44,7 @@ function view(context: Context): TemplateResult {
           ${flightPanel(context)} ${whatIfPanel(context)}</div>
         ${numbersPanel(context)}
       </div>
+      ${explanation(context)}
     </div>
   `;
 }
