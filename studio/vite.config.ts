@@ -10,6 +10,6 @@ export default defineConfig({
   resolve: { alias: { "clubface-core": core } },
   server: { fs: { allow: [".."] } },
   worker: { format: "es" },
-  build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 300 },
+  build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 400 },
   plugins: [offline()],
 });

@@ -4,7 +4,7 @@ import { html, type TemplateResult } from "lit-html";
 import type { Color, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 import type { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
-export type Three = typeof import("three");
+export type Three = typeof import("./three");
 
 /** Axes of the world: x to the target, y up, z to the right [m]. */
 export interface Stage {
@@ -71,7 +71,7 @@ export function endStages(): void {
 function makeStage(frame: HTMLElement): Kept {
   let ended = false;
   let finish = (): void => undefined;
-  const stage = Promise.all([import("three"), import("three/addons/controls/OrbitControls.js")]).then(
+  const stage = Promise.all([import("./three"), import("three/addons/controls/OrbitControls.js")]).then(
     ([three, { OrbitControls }]): Stage => {
       const renderer = new three.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
       renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
