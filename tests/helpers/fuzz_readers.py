@@ -10,7 +10,7 @@ import tempfile
 import zipfile
 from collections.abc import Callable
 from contextlib import chdir, suppress
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
@@ -35,7 +35,11 @@ from clubface.inference.prior import Prior
 from clubface.jobs import Job, Store
 from clubface.jobs.table import Place, Row, run_table
 from clubface.schema import Document
+from clubface.shots import opengolfsim
+from clubface.shots.flight_relay import ShotCollector, text_to_object
 from clubface.shots.formats import mapping_of
+from clubface.shots.live import LiveShots, live_result
+from clubface.shots.messages import Message
 from clubface.shots.open_connect_messages import Broken, MessageError, ObjectStream, from_json, recorded
 from clubface.shots.prediction import predict
 from clubface.shots.reading import read_shots
@@ -375,19 +379,66 @@ def _swing(path: Path) -> None:
         assert each.reason
 
 
-def _messages(path: Path) -> None:
+def _messages(path: Path, read: Callable[..., Message] = from_json) -> None:
     stream, result = ObjectStream(), []
     data = path.read_bytes()
     for start in range(0, len(data), 4096):
         for each in stream.feed(data[start : start + 4096]):
             if not isinstance(each, Broken):
                 with suppress(MessageError):
-                    result.append(from_json(each))
+                    result.append(read(each))
     shots = [each for each in result if each.kind == "shot"]
     if shots:
         recorded(shots)
 
 
+def _frames(path: Path) -> None:
+    """Read frames of Flight Relay, one a line."""
+    collector, result = ShotCollector(), []
+    for line in path.read_bytes().splitlines():
+        if (data := text_to_object(line)) is not None:
+            result += collector.feed(data)
+    result += collector.rest()
+    shots = [each for each in result if isinstance(each, Message) and each.kind == "shot"]
+    if shots:
+        recorded(shots, protocol="flight-relay")
+
+
+def _live(path: Path) -> None:
+    live = LiveShots(path)
+    try:
+        if live.shots:
+            live_result(live.shots)
+    finally:
+        live.close()
+
+
+def _live_files() -> list[bytes]:
+    with tempfile.TemporaryDirectory(prefix="clubface-fuzz-") as within:
+        path = Path(within) / "live.jsonl"
+        live = LiveShots(path)
+        live.keep(from_json(MESSAGE), "open-connect")
+        live.choose("7-iron", "left")
+        live.keep(from_json(MESSAGE | {"ShotNumber": 2}), "open-connect")
+        live.close()
+        return [path.read_bytes()]
+
+
+OPENGOLFSIM = b"""\
+{"type": "shot", "unit": "metric", "shot": {"ballSpeed": 60.5, "verticalLaunchAngle": 15.4,
+ "horizontalLaunchAngle": -2.1, "spinSpeed": 3021, "spinAxis": -0.5}}
+"""
+FLIGHT_RELAY = b"""\
+{"kind": "init", "version": "0.1.0"}
+{"device": "E1", "event": {"kind": "shot_trigger", "key": {"shot_id": "a", "shot_number": 4}}}
+{"device": "E1", "event": {"kind": "ball_flight", "key": {"shot_id": "a", "shot_number": 4}, "ball": \
+{"launch_speed": "67.2mps", "launch_azimuth": -1.3, "launch_elevation": 14.2, "carry_distance": "180.5m", \
+"backspin_rpm": 3200, "sidespin_rpm": -450}}}
+{"device": "E1", "event": {"kind": "club_path", "key": {"shot_id": "a", "shot_number": 4}, "club": \
+{"club_speed": "42.1mps", "path": -2.1, "face_angle": 1.2}}}
+{"device": "E1", "event": {"kind": "face_impact", "key": {"shot_id": "a"}, "impact": {"lateral": "0.31in"}}}
+{"device": "E1", "event": {"kind": "shot_finished", "key": {"shot_id": "a", "shot_number": 4}}}
+"""
 CHECKPOINT = {"set of shots": "these"}
 VALUES = "values.jsonl"
 """Where the values of a store are."""
@@ -526,6 +577,9 @@ READERS = {
     "c3d": Reader("c3d", read_c3d, lambda: [(_made("swings") / "calibration.c3d").read_bytes()], 6),
     "swing": Reader("c3d", _swing, lambda: [(_made("swings") / "swing-001.c3d").read_bytes()], 1),
     "messages": Reader("json", _messages, lambda: [json.dumps(MESSAGE).encode() * 2], 4),
+    "opengolfsim": Reader("json", partial(_messages, read=opengolfsim.from_json), lambda: [OPENGOLFSIM * 2], 2),
+    "flight-relay": Reader("json", _frames, lambda: [FLIGHT_RELAY], 2),
+    "live": Reader("jsonl", _live, _live_files, 2),
     "checkpoint": Reader("json", _checkpoint, _checkpoints, 2),
     "sweep": Reader("csv", _sweep, _sweeps, 2),
     "resumed-prediction": _resumed("prediction", "parts/*.csv", _go_on),
