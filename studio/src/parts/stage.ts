@@ -78,7 +78,7 @@ function makeStage(frame: HTMLElement): Kept {
       const { domElement } = renderer;
       domElement.tabIndex = 0;
       domElement.setAttribute("aria-label", "Turn by dragging or the arrow keys, zoom by the wheel or + and -");
-      frame.replaceChildren(domElement);
+      if (!ended) frame.replaceChildren(domElement);
       const scene = new three.Scene();
       const camera = new three.PerspectiveCamera(40, 1, 0.001, 1000);
       const controls = new OrbitControls(camera, domElement);
@@ -92,6 +92,7 @@ function makeStage(frame: HTMLElement): Kept {
         });
       };
       controls.addEventListener("change", redraw);
+      domElement.addEventListener("webglcontextrestored", redraw);
       turnByKeys(domElement, camera, controls, redraw);
       const resize = (): void => {
         const { clientWidth: width, clientHeight: height } = frame;

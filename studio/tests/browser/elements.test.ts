@@ -247,6 +247,10 @@ describe("a second case", () => {
     await page.locator(".status[data-case-name='second'][data-status='done']").waitFor();
     await page.locator("[data-stage='elements-second'] canvas").waitFor();
     expect(await page.locator("[data-patch^='second-']").count()).toBe(2);
+    const lost = await page
+      .locator("[data-stage] canvas")
+      .evaluateAll((all) => all.map((canvas) => (canvas as HTMLCanvasElement).getContext("webgl2")?.isContextLost()));
+    expect(lost).toEqual([false, false]);
     const label = await page.locator("[data-chart='elements-spin']").getAttribute("aria-label");
     const [first, second] = [...(label ?? "").matchAll(/to (\d+) rpm/g)].map(([, number]) => Number(number));
     expect(second).toBeGreaterThan(1.2 * first);

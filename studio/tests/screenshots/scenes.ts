@@ -14,6 +14,7 @@ const SHOT = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1d
 /** Each scene by its link, and by what it shows when it is whole. */
 const SCENES: Record<string, [link: string, ready: string]> = {
   shot: [SHOT, "[data-quantity]"],
+  elements: [SHOT.replace("#", "#scene=elements&moment=260us&"), ".status[data-status='done'][data-mesh='fine']"],
   models: [SHOT.replace("#", "#scene=models&"), ".models td"],
 };
 const SIZES = { 360: 740, 390: 844, 1440: 900, 3840: 2160 };

@@ -1,6 +1,7 @@
 /** Impact by finite elements: the ball as it deforms on the face, what acts between them, and how exact it is. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
 import type { Context, Scene } from "../../context";
 import { chartFrame } from "../../parts/chart";
 import { deliveryField } from "../shot/delivery";
@@ -93,7 +94,13 @@ function results(context: Context, cases: NamedCase[], drawn: DrawnCase[]): Temp
     <section aria-labelledby="over-time">
       <h2 id="over-time">Over time</h2>
       ${drawn.map((each) => html`<p>${spinInWords(context, each)}</p>`)}
-      <div class="charts">${elementCharts(context, charts, mark).map((chart) => chartFrame(context, chart))}</div>
+      <div class="charts">
+        ${repeat(
+          elementCharts(context, charts, mark),
+          ({ name }) => name,
+          (chart) => chartFrame(context, chart),
+        )}
+      </div>
     </section>
     <section aria-labelledby="elements-numbers">
       <h2 id="elements-numbers">Numbers</h2>

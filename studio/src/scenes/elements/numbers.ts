@@ -57,6 +57,7 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
   const contact = shown.map(({ label, impact }) => ({ label: label || "value", values: summary(impact) }));
   return html`
     ${launches.length ? table(context, "Launch and flight, beside the chosen model", LAUNCH, launches) : nothing}
+    ${launches.length ? html`<p class="remark">The chosen model takes the head as rigid, and friction as its own parameters have it.</p>` : nothing}
     ${
       thrown.length
         ? table(

@@ -1,6 +1,7 @@
 /** Maps of pressure and shear on the face for each case, with legends, words and tables. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
 import type { Context } from "../../context";
 import { handSign } from "../../equipment/equipment";
 import { colourLegend } from "../../parts/legend";
@@ -16,9 +17,12 @@ export function patchPictures(context: Context, cases: DrawnCase[]): TemplateRes
   const side = handSign(context.state);
   return html`
     <div class="cases">
-      ${cases.map((each) => {
-        const points = patchAt(each.impact, each.moment);
-        return html`<div>
+      ${repeat(
+        cases,
+        ({ name }) => name,
+        (each) => {
+          const points = patchAt(each.impact, each.moment);
+          return html`<div>
           ${each.label ? html`<h3>${each.label}</h3>` : nothing}
           <div class="maps">
             ${TRACTIONS.map(
@@ -38,7 +42,8 @@ export function patchPictures(context: Context, cases: DrawnCase[]): TemplateRes
           <p>${forcesInWords(context, each, points)}</p>
           ${patchTable(context, points)}
         </div>`;
-      })}
+        },
+      )}
     </div>
     <div class="maps">
       ${colourLegend(context, { title: "Pressure", quantity: "stress", scale: patch.normal })}

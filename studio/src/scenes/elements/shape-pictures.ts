@@ -1,6 +1,7 @@
 /** The deforming ball of each case in three dimensions, with legend and table. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
+import { repeat } from "lit-html/directives/repeat.js";
 import { type Context, choiceSetting, delivered } from "../../context";
 import { settingChoice } from "../../parts/choice";
 import { colourLegend } from "../../parts/legend";
@@ -35,7 +36,9 @@ export function shapePictures(context: Context, cases: DrawnCase[]): TemplateRes
       })}
     </div>
     <div class="cases">
-      ${cases.map(
+      ${repeat(
+        cases,
+        ({ name }) => name,
         (each) => html`<figure class=${each.isCurrent ? "" : "stale"}>
           ${each.label ? html`<figcaption>${each.label}</figcaption>` : nothing}
           ${stageFrame(`elements-${each.name}`, shapeInWords(context, each))}
