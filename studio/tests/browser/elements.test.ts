@@ -13,6 +13,8 @@ const REFERENCE =
   "#scene=elements&club=driver&ball=reference&speed=35m/s&loft=11.5deg&against=plane&friction=0.35&follow=millisecond";
 /** A case that is there at once. */
 const COARSE = `${DRIVE}&mesh=coarse`;
+/** What a case may take on a machine that others share [ms]. */
+const PATIENCE = 110e3;
 const FIRST_SHAPE = ".elements:not([data-cases='0'])";
 const DONE = ".status[data-case-name='first'][data-status='done']";
 
@@ -46,6 +48,7 @@ beforeEach(async () => {
     locale: "en-US",
     acceptDownloads: true,
   });
+  context.setDefaultTimeout(PATIENCE);
 });
 
 /** Values of the first column of a table by the names of their quantities. */
@@ -322,6 +325,7 @@ describe("for everyone", () => {
   test("a narrow page does not scroll sideways", async () => {
     await context.close();
     context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
+    context.setDefaultTimeout(PATIENCE);
     const { page } = await open(context, `${site.address}${COARSE}&second=on`, DONE);
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     expect(width).toBeLessThanOrEqual(360);

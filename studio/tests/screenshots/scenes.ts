@@ -37,6 +37,7 @@ describe.each(Object.entries(SCENES))("%s", (name, [link, ready]) => {
     for (const theme of ["light", "dark"] as const)
       test(`${width} px, ${theme}`, { timeout: 120_000 }, async () => {
         const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, locale: "en-US" });
+        context.setDefaultTimeout(100e3);
         const { page } = await open(context, site.address + link, ready);
         await page.waitForTimeout(500);
         await page.screenshot({ path: join(FOLDER, `${name}-${width}-${theme}.png`), fullPage: true });

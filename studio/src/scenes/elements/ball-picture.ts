@@ -34,7 +34,7 @@ interface Ball {
 /** Outlines of elements, dark on every colour of a scale. */
 const EDGE = "#111";
 /** Distance of the camera in radii of the ball, and whence it looks: along the face, from a little above and in front. */
-const DISTANCE = 4.7;
+const DISTANCE = 4.3;
 const FROM = [0.4, 0.22, 1] as const;
 /** Thickness with which a rigid face is drawn [m]. */
 const PLATE = 2.5e-3;

@@ -45,16 +45,16 @@ export function casePanel(context: Context, cases: ShownCase[]): TemplateResult 
           name: "mesh",
           label: "Mesh",
           options: [
-            ["fine", "coarse, then fine"],
-            ["coarse", "coarse only"],
+            ["fine", "fine"],
+            ["coarse", "coarse"],
           ],
         })}
         ${settingChoice(context, {
           name: "follow",
           label: "Follow it",
           options: [
-            ["contact", "until the ball has left"],
-            ["millisecond", "for a millisecond"],
+            ["contact", "until it leaves"],
+            ["millisecond", "for 1000 µs"],
           ],
         })}
         ${settingChoice(context, {
