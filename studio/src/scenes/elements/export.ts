@@ -3,6 +3,7 @@
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { choiceSetting } from "../../context";
+import { handSign } from "../../equipment/equipment";
 import type { ColourScale } from "../../parts/colours";
 import { join } from "../../quantities/formatter";
 import { caseInWords } from "./case-panel";
@@ -148,6 +149,8 @@ function drawSheet(canvas: HTMLCanvasElement, context: Context, cases: DrawnCase
       if (map) drawFitted(pen, map, x, y, MAP, MAP);
       legend({ title: TITLES[name], quantity: "stress", scale: patch[name] }, x, y + MAP + 6, MAP);
     });
+    const toe = handSign(state) > 0 ? "right" : "left";
+    write(`The face from behind, its toe on the ${toe}; lines 5 mm apart`, left, y + MAP + 3 * LINE, 16);
   });
 }
 
