@@ -17,6 +17,7 @@ from typing import Any
 
 from certainty import certainty_data, kind_of
 from equations import equations_data
+from lesson_figures import lesson_figures
 
 from clubface import _core, fem
 from clubface.design.face_surface import outline_of
@@ -174,6 +175,7 @@ def equipment_data() -> dict[str, Any]:
         },
         "choices": choices,
         "elements": elements_data(),
+        "lessons": lesson_figures(),
     }
 
 

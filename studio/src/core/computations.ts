@@ -4,6 +4,7 @@ import type { LoadedCore } from "clubface-core";
 import { compareModels, computeFlight, computeShot, computeSlopes } from "./compute";
 import { computeContributions } from "./contributions";
 import { simulateElements } from "./elements";
+import { computeLessonCases, computeLessonCurves } from "./lessons";
 
 /** Takes the share that is done of a computation that takes long. */
 export type Report = (share: number) => void;
@@ -15,6 +16,8 @@ export const COMPUTATIONS = {
   contributions: computeContributions,
   comparison: compareModels,
   elements: simulateElements,
+  lessonCases: computeLessonCases,
+  lessonCurves: computeLessonCurves,
 };
 
 export type Kind = keyof typeof COMPUTATIONS;

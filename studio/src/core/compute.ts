@@ -4,7 +4,7 @@ import type { LoadedCore } from "clubface-core";
 import type { Comparison, Computed, Failure, History, Shot, Slopes, Strike, Values, Variable } from "./types";
 
 /** Tolerance of a step in histories that are drawn: close enough for a smooth line. */
-const DRAWN = 1e-8;
+export const DRAWN = 1e-8;
 
 export function computeShot(core: LoadedCore, strike: Strike): Shot {
   const computed = computeModel(core, strike);
@@ -28,7 +28,7 @@ export function compareModels(core: LoadedCore, strikes: Strike[]): Comparison {
 }
 
 /** Launch and flight of one strike, and why there is none. */
-function computeModel(core: LoadedCore, strike: Strike): Computed {
+export function computeModel(core: LoadedCore, strike: Strike): Computed {
   const { model } = strike;
   const launch = core.launches(model, strike.inputs, strike.parameters, 1);
   if (launch.rejects.length) return { model, values: {}, failure: failure(launch.rejects[0]) };

@@ -104,6 +104,19 @@ export interface ShapeLimits {
   big_curve: number;
 }
 
+/** Published figures that lessons name, in SI. */
+export interface LessonFigures {
+  rules: Record<string, { title: string; most: number; tolerance: number; source: string }>;
+  /** How far from path to face balls start, and the spread, by club. */
+  start_shares: { source: string; rows: Record<string, [share: number, spread: number]> };
+  /** Launch angle and spin of one wedge, by the covers of the balls. */
+  wedge_covers: { source: string; rows: Record<string, [launch: number, spin: number]> };
+  /** Spin over that of a rigid ball that rolls off the face, with lofts that a monitor computed from the ball. */
+  loft_ratio: { source: string; value: number };
+  /** Who says where on the head a monitor measures. */
+  club_data: { source: string };
+}
+
 export interface Equipment {
   version: string;
   shot_shape: ShapeLimits;
@@ -119,6 +132,7 @@ export interface Equipment {
   faces: [characteristicTime: number, includedTime: number][];
   choices: Record<string, Record<string, Record<string, Choices>>>;
   elements: ElementsData;
+  lessons: LessonFigures;
 }
 
 export const HANDS = ["right", "left"] as const;

@@ -71,12 +71,13 @@ export class Units {
     return { value, unit: unit.symbol };
   }
 
-  /** A unit as people write it: ° for deg, µs for us, nothing for 1. */
+  /** A unit as people write it: ° for deg, µs for us, cm² for cm2, nothing for 1. */
   symbol(symbol: string): string {
     if (symbol === "1") return "";
     const known = this.printed.get(symbol);
     if (known !== undefined) return known;
-    const printed = this.unit(symbol).spellings.find((spelling) => /[°µ]/.test(spelling)) ?? symbol;
+    const spelling = this.unit(symbol).spellings.find((each) => /[°µ]/.test(each)) ?? symbol;
+    const printed = spelling.replace(/(?<=[a-z])[23]/g, (power) => (power === "2" ? "²" : "³"));
     this.printed.set(symbol, printed);
     return printed;
   }

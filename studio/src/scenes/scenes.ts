@@ -4,6 +4,7 @@ import type { SceneEntry } from "../context";
 import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
 import { elementsSettings } from "./elements/settings";
+import { LEARN_SETTINGS } from "./learn/settings";
 import { modelsScene } from "./models/models-scene";
 import { sessionsSettings } from "./sessions/settings";
 import { shotSettings } from "./shot/settings";
@@ -23,6 +24,12 @@ export const SCENES: readonly SceneEntry[] = [
     title: "Your shots",
     settings: sessionsSettings,
     load: () => import("./sessions/sessions-scene").then(({ sessionsScene }) => sessionsScene),
+  },
+  {
+    name: "learn",
+    title: "Learn",
+    settings: LEARN_SETTINGS,
+    load: () => import("./learn/learn-scene").then(({ learnScene }) => learnScene),
   },
 ];
 

@@ -16,6 +16,7 @@ const SCENES: Record<string, [link: string, ready: string]> = {
   shot: [SHOT, "[data-quantity]"],
   elements: [SHOT.replace("#", "#scene=elements&moment=260us&"), ".status[data-status='done'][data-mesh='fine']"],
   models: [SHOT.replace("#", "#scene=models&"), ".models td"],
+  learn: [SHOT.replace("#", "#scene=learn&lesson=gear&"), ".answer data"],
 };
 const SIZES = { 360: 740, 390: 844, 1440: 900, 3840: 2160 };
 /** Widths whose first screen stands in the documentation, with the ending of its name. */

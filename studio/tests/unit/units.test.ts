@@ -61,6 +61,12 @@ describe("values as people read them", () => {
       for (const system of ["golf", "metric"] as const) expect(formatter.text(name, 0.1, system)).toMatch(/\d/);
   });
 
+  test("powers stand above", () => {
+    expect(formatter.units.symbol("g cm2")).toBe("g cm²");
+    expect(formatter.units.symbol("kg/m3")).toBe("kg/m³");
+    expect(formatter.units.symbol("m/s")).toBe("m/s");
+  });
+
   test("a degree sign follows its number at once", () => {
     expect(join("2.0", "°", "up")).toBe("2.0° up");
     expect(join("0.830", "")).toBe("0.830");

@@ -1,0 +1,88 @@
+/** Why it curves: the ball starts between path and face, and its axis is square to the plane of both. */
+
+import { html } from "lit-html";
+import type { Values } from "../../../core/types";
+import { curveOf } from "../../shot/shot-shape";
+import { crossing, type Lesson, spread } from "../lesson";
+import { dPlanePicture } from "../pictures/d-plane";
+import { flightsPicture } from "../pictures/flights";
+
+/** How far from the line of its start a ball lands, over its carry; to the right is positive. */
+const curveShare = (values: Values): number => curveOf(values) / values.carry;
+
+export const curve: Lesson = {
+  name: "curve",
+  title: "The ball starts near the face and curves away from the path",
+  chosen: { club: "driver", ball: "modern", model: "response" },
+  delivery: {
+    speed: { value: 100, unit: "mph" },
+    attack: { value: 0, unit: "deg" },
+    loft: { value: 13, unit: "deg" },
+  },
+  sliders: [
+    { setting: "curve_path", label: "Club path", range: ["-10 deg", "10 deg"], input: "path" },
+    { setting: "curve_face", label: "Face angle", range: ["-5 deg", "5 deg"], input: "face" },
+  ],
+  cases: (setup) => ({
+    now: { strike: setup.strike(), path: true },
+    straight: { strike: setup.strike({ values: { path: setup.at("curve_face") } }), path: true },
+  }),
+  curves: (setup) => ({
+    path: { strike: setup.strike(), by: "path", values: spread(-0.18, 0.18, 73) },
+  }),
+  tell: (found) => {
+    const { lessons, shot_shape } = found.context.equipment;
+    const { straight_curve: straight } = shot_shape;
+    const { start_shares: shares } = lessons;
+    const { values } = found.case("now");
+    const [path, face] = [found.at("curve_path"), found.at("curve_face")];
+    const delivery = found.setup.delivery;
+    const [published, spreadOfIt] = shares.rows.driver;
+    const share = 1 - (found.value("straight", "azimuth") - values.azimuth) / (face - path);
+    const over = found.curve("path");
+    const curves = over
+      ? Array.from(over.x, (_, i) =>
+          curveShare({ azimuth: over.y.azimuth[i], carry: over.y.carry[i], side: over.y.side[i] }),
+        )
+      : [];
+    const enough = crossing(over?.x ?? [], curves, -straight);
+    const curved = curveShare(values);
+    return {
+      text: html`
+        <p>
+          Path and face are two directions.
+          ${
+            Math.abs(face - path) > 0.01
+              ? html`The ball starts ${found.share(share, "share of the way from path to face")} of the way from path to face;`
+              : html`Where they agree the ball starts along both;`
+          }
+          motion capture found ${found.share(published, "published share")} ± ${found.share(spreadOfIt, "its spread")} for
+          drivers, a little less. And it has one spin, not two: it turns about an axis square to the plane of path and face,
+          the D-plane. A face right of the path tilts this axis to the right, and the ball banks that way like an aeroplane;
+          the axis is now ${found.say("spin_axis", values.spin_axis)}. So the face says where the ball starts, and the
+          difference of both where it curves.
+        </p>`,
+      pictures: [
+        dPlanePicture(found, {
+          path: { right: path, up: delivery.attack },
+          face: { right: face, up: delivery.loft },
+          start: { right: values.azimuth, up: values.launch },
+          spinAxis: values.spin_axis,
+        }),
+        flightsPicture(found, "curve", [
+          { kind: "faded", label: "path as the face", case: "straight" },
+          { kind: "yours", label: "yours", case: "now" },
+        ]),
+      ],
+      question: html`The face points right of the target. How far to the right must the path go until the ball draws: until
+      it curves left by more than ${found.share(straight, "limit of a straight shot")} of its carry?`,
+      now: html`Path ${found.say("path", path)}, face ${found.say("face", face)}: the ball curves
+      ${found.share(Math.abs(curved), "curve over carry")} of its carry to the ${curved < 0 ? "left" : "right"} and lands
+      ${found.say("side", values.side)}.`,
+      isSolved: face > 0 && curved < -straight,
+      answer: html`From ${found.say("path", enough)} on, with the face ${found.say("face", face)}: the path must be right of
+      the face, not only right of the target.`,
+      sources: [shares.source],
+    };
+  },
+};

@@ -1,0 +1,108 @@
+/** How spin is made: friction turns the ball, and turns round before the ball has left. */
+
+import { html } from "lit-html";
+import type { CoreArray } from "../../../core/types";
+import { chartFrame } from "../../../parts/chart";
+import { crossing, type Found, type Lesson, peak, spread } from "../lesson";
+
+/** Frictions that are drawn beside that of the slider. */
+const OTHERS = { slippery: 0.08, grippy: 0.35 } as const;
+/** Share of the greatest spin at which the question counts as answered. */
+const NEAR = 0.99;
+
+/** The moment at which friction turns from making spin to taking it [s]; NaN where it does not. */
+function reversal({ time, force_y }: Record<string, CoreArray>): number {
+  const least = force_y.values.indexOf(Math.min(...force_y.values));
+  return crossing(time.values.subarray(least), force_y.values.subarray(least));
+}
+
+function courseOfSpin(found: Found) {
+  const { history } = found.case("now");
+  if (!history) return html``;
+  const spins = history.ball_spin.values.filter((_, i) => i % 3 === 2);
+  const [turned, end] = [reversal(history), history.time.values.at(-1) ?? 0];
+  if (!(turned < 0.98 * end))
+    return html`At this friction the ball slides all the way, and the force never turns round. `;
+  return html`Here it does so after ${found.say("reversal_time", turned)} of ${found.say("contact_time", end)}, and brakes the
+  spin from ${found.say("spin_max", Math.max(...spins))} to ${found.say("backspin", found.value("now", "backspin"))}. `;
+}
+
+export const spin: Lesson = {
+  name: "spin",
+  title: "Friction makes the spin, then takes some of it back",
+  chosen: { club: "driver", ball: "modern", model: "rings" },
+  delivery: {
+    speed: { value: 100, unit: "mph" },
+    attack: { value: 0, unit: "deg" },
+    loft: { value: 13, unit: "deg" },
+  },
+  sliders: [{ setting: "spin_friction", label: "Friction of ball and face", range: ["0.02", "0.6"] }],
+  left: "The Shot scene has the friction of the ball; that of the slider stays here.",
+  cases: (setup) => ({
+    now: { strike: setup.strike({ parameters: { friction: setup.at("spin_friction") } }), history: true },
+    ...Object.fromEntries(
+      Object.entries(OTHERS).map(([name, friction]) => [
+        name,
+        { strike: setup.strike({ parameters: { friction } }), history: true },
+      ]),
+    ),
+  }),
+  curves: (setup) => {
+    const values = spread(0.02, 0.6, 59);
+    return {
+      rings: { strike: setup.strike(), by: "friction", values },
+      response: { strike: setup.strike({ chosen: { model: "response" } }), by: "friction", values },
+    };
+  },
+  tell: (found) => {
+    const friction = found.at("spin_friction");
+    const now = found.value("now", "backspin");
+    const [rings, response] = [found.curve("rings"), found.curve("response")];
+    const [best, most] = rings ? peak(rings.x, rings.y.backspin) : [Number.NaN, Number.NaN];
+    const least = rings?.y.backspin.at(-1) ?? Number.NaN;
+    const courses = Object.entries({ now: friction, ...OTHERS }).map(([name, value]) => ({
+      label: `friction ${found.text("friction", value)}${name === "now" ? " (slider)" : ""}`,
+      history: found.case(name).history,
+    }));
+    return {
+      text: html`
+        <p>
+          The face drags the ball's surface down, and the ball begins to turn backwards. Its shell is stretched along the
+          face, like a tyre in a bend. Before the ball leaves it springs back: friction turns round and pushes up the face.
+          ${courseOfSpin(found)}The more grip, the more is stretched and taken back, so that more friction can mean less spin.
+        </p>
+        <p>
+          Drawn is the contact model <code>rings</code>. Models of one impulse have no course of time, but
+          <code>response</code>, fitted to finite elements, falls alike.
+        </p>`,
+      pictures: [
+        chartFrame(found.context, {
+          name: "lesson-friction",
+          title: "Friction up the face; below zero it makes backspin",
+          x: { label: "time", quantity: "contact_time" },
+          y: { label: "friction up the face", quantity: "force_y" },
+          lines: courses.flatMap(({ label, history }) =>
+            history ? [{ label, x: history.time.values, y: history.force_y.values }] : [],
+          ),
+        }),
+        chartFrame(found.context, {
+          name: "lesson-spin",
+          title: "Backspin over friction",
+          x: { label: "friction", quantity: "friction" },
+          y: { label: "backspin", quantity: "backspin" },
+          lines: [
+            ...(rings ? [{ label: "rings", x: rings.x, y: rings.y.backspin }] : []),
+            ...(response ? [{ label: "response", x: response.x, y: response.y.backspin }] : []),
+          ],
+          mark: friction,
+        }),
+      ],
+      question: html`At which friction does this drive spin most? Take grip away until it does.`,
+      now: html`Friction ${found.say("friction", friction)}: the ball leaves with ${found.say("backspin", now)}.`,
+      isSolved: now >= NEAR * most,
+      answer: html`At about ${found.say("friction", best)}, with ${found.say("backspin", most)} by
+      <code>rings</code>. With less friction the ball slides throughout; with more, more is taken back:
+      ${found.say("backspin", least)} are left at ${found.say("friction", rings?.x.at(-1) ?? Number.NaN)}.`,
+    };
+  },
+};

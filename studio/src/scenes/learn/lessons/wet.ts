@@ -1,0 +1,89 @@
+/** Why wet wedges launch high: without grip the ball slides up the face. */
+
+import { html } from "lit-html";
+import { chartFrame } from "../../../parts/chart";
+import { crossing, type Lesson, spread } from "../lesson";
+import { anglesPicture } from "../pictures/angles";
+
+/** The share of the dry spin that is asked for, and how near to it. */
+const HALF = 0.5;
+const NEAR = 0.03;
+/** Launch angles that are alike on the page [rad]. */
+const ALIKE = 0.001;
+
+export const wet: Lesson = {
+  name: "wet",
+  title: "A wet wedge launches high because the ball slides",
+  chosen: { club: "sand-wedge", ball: "modern", model: "response" },
+  delivery: { speed: { value: 60, unit: "mph" }, attack: { value: -5, unit: "deg" } },
+  sliders: [
+    { setting: "wet_friction", label: "Friction of ball and face", range: ["0.05", "0.6"] },
+    { setting: "wet_loft", label: "Dynamic loft", range: ["20 deg", "60 deg"], input: "loft" },
+  ],
+  left: "The Shot scene has the friction of the ball; that of the slider stays here.",
+  cases: (setup) => {
+    const parameters = { friction: setup.at("wet_friction") };
+    const dry = { friction: setup.usual("wet_friction") };
+    const driver = {
+      chosen: { club: "driver" },
+      values: { loft: setup.usual("height_loft"), attack: 0, speed: setup.delivery.speed },
+    };
+    return {
+      now: { strike: setup.strike({ parameters }) },
+      dry: { strike: setup.strike({ parameters: dry }) },
+      driver: { strike: setup.strike({ ...driver, parameters }) },
+      dryDriver: { strike: setup.strike({ ...driver, parameters: dry }) },
+    };
+  },
+  curves: (setup) => ({ friction: { strike: setup.strike(), by: "friction", values: spread(0.05, 0.6, 56) } }),
+  tell: (found) => {
+    const { values } = found.case("now");
+    const [friction, loft] = [found.at("wet_friction"), found.at("wet_loft")];
+    const dry = (quantity: string): number => found.value("dry", quantity);
+    const { source, rows } = found.context.equipment.lessons.wedge_covers;
+    const over = found.curve("friction");
+    const answer = over ? crossing(over.x, over.y.backspin, HALF * dry("backspin")) : Number.NaN;
+    const share = values.backspin / dry("backspin");
+    const driver = found.value("driver", "launch") - found.value("dryDriver", "launch");
+    return {
+      text: html`
+        <p>
+          On so much loft the ball climbs the face unless friction holds it. Dry, with a friction of
+          ${found.say("friction", found.setup.usual("wet_friction"))}, this one starts ${found.say("launch", dry("launch"))}
+          with ${found.say("backspin", dry("backspin"))}. Water or grass between them, and it slides, starts nearer to where the
+          face points, and turns less: now ${found.say("launch", values.launch)}. A drive with that friction launches
+          ${Math.abs(driver) < ALIKE ? "as before" : found.difference("launch", driver, ["lower", "higher"])}.
+        </p>
+        <p>
+          Of 62 balls that a robot struck, those with urethane covers started
+          ${found.say("launch", rows.urethane[0])} with ${found.say("backspin", rows.urethane[1])}, and two that slid
+          ${found.say("launch", rows["two that slide"][0])} with ${found.say("backspin", rows["two that slide"][1])}. How low
+          the friction of a wet face is was not found in print, and no model here has grooves.
+        </p>`,
+      pictures: [
+        anglesPicture(found, {
+          attack: found.setup.delivery.attack,
+          loft,
+          launch: values.launch,
+          other: { launch: dry("launch"), label: "dry, it starts" },
+        }),
+        chartFrame(found.context, {
+          name: "lesson-wet",
+          title: "Backspin over friction, with this loft",
+          x: { label: "friction", quantity: "friction" },
+          y: { label: "backspin", quantity: "backspin" },
+          lines: over ? [{ label: "backspin", x: over.x, y: over.y.backspin }] : [],
+          mark: friction,
+        }),
+      ],
+      question: html`How slippery must the face be until half of the dry spin is gone?`,
+      now: html`Friction ${found.say("friction", friction)}: ${found.share(share, "spin over that of a dry face")} of the dry
+      spin, ${found.say("backspin", values.backspin)}.`,
+      isSolved: Math.abs(share - HALF) <= NEAR,
+      answer: html`A friction of about ${found.say("friction", answer)},
+      ${found.share(answer / found.setup.usual("wet_friction"), "friction over that of a dry face")} of the dry one. The ball
+      slides all the way up the face there, and its spin falls as friction does.`,
+      sources: [source],
+    };
+  },
+};

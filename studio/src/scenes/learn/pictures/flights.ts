@@ -1,0 +1,85 @@
+/** Several flights over one another, from above or from the side. */
+
+import { html, svg, type TemplateResult } from "lit-html";
+import { line, scale, ticks } from "../../../parts/axes";
+import { rootSize } from "../../../parts/measure";
+import { sideOf } from "../../../quantities/formatter";
+import type { Found } from "../lesson";
+
+export interface DrawnFlight {
+  /** Class of its line. */
+  kind: string;
+  label: string;
+  /** Name of its case. */
+  case: string;
+}
+
+const [LEFT, RIGHT, TOP, BOTTOM] = [44, 16, 10, 36];
+const LEAST_SIDE = 12;
+const [LEAST_HEIGHT, MOST_HEIGHT] = [110, 260];
+
+/** From above: the target is on the right, and what lies right of it is below. */
+export function flightsPicture(found: Found, name: string, flights: DrawnFlight[]): TemplateResult {
+  const { formatter, state, model } = found.context;
+  const { unit } = formatter.reading("carry", state.system);
+  const convert = (metres: number): number => formatter.units.fromSi(metres, unit);
+  const paths = flights.map((flight) => {
+    const { path } = found.case(flight.case);
+    const points = Array.from({ length: path.length / 3 }, (_, i) => [convert(path[3 * i]), convert(path[3 * i + 2])]);
+    return points as [number, number][];
+  });
+  const zoom = rootSize() / 16;
+  const width = Math.max(260, (model.widths[`flights-${name}`] ?? 480) / zoom);
+  const reach = Math.max(1, ...paths.flat().map(([along]) => along)) * 1.04;
+  const sideways = paths.flat().map(([, right]) => right);
+  const [least, most] = [Math.min(-LEAST_SIDE, ...sideways) * 1.1, Math.max(LEAST_SIDE, ...sideways) * 1.1];
+  const along = scale([0, reach], [LEFT, width - RIGHT]);
+  const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, (most - least) * along.size * 2));
+  const right = scale([least, most], [TOP, TOP + inner]);
+  const ratio = right.size / along.size;
+  const height = TOP + inner + BOTTOM;
+  const { sides } = formatter.quantity("side");
+  const side = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
+  const words = flights.map((flight) => ({
+    ...flight,
+    text:
+      `${flight.label}: starts ${found.text("azimuth", found.value(flight.case, "azimuth"))}, ` +
+      `lands ${found.text("side", found.value(flight.case, "side"))}`,
+  }));
+  return html`
+    <figure>
+      <figcaption>Flight from above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</figcaption>
+      <div data-sized=${`flights-${name}`}>
+        <svg
+          class="view"
+          role="img"
+          aria-label=${`Flight from above. ${words.map(({ text }) => text).join("; ")}.`}
+          width=${width * zoom}
+          height=${height * zoom}
+          viewBox=${`0 0 ${width} ${height}`}
+        >
+          ${ticks([0, reach], Math.max(3, width / 110)).map(
+            (tick) => svg`
+              <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
+              <text class="tick" x=${along.at(tick)} y=${TOP + inner + 15} text-anchor="middle">${tick}</text>`,
+          )}
+          ${ticks([least, most], 5).map(
+            (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
+              ${Math.abs(tick)}${side(tick)}</text>`,
+          )}
+          <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
+          ${flights.map(
+            ({ kind }, i) =>
+              svg`<path class=${`ball-path ${kind}`} d=${line(paths[i].map(([x, z]) => [along.at(x), right.at(z)]))}></path>`,
+          )}
+          <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">
+            distance to the target, ${formatter.units.symbol(unit)}
+          </text>
+        </svg>
+      </div>
+      <ul class="legend">
+        ${words.map(({ kind, text }) => html`<li><i class=${`ball-path ${kind}`}></i>${text}</li>`)}
+      </ul>
+    </figure>
+  `;
+}

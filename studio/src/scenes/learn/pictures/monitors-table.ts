@@ -1,0 +1,33 @@
+/** What two monitors say of one shot. */
+
+import { html, type TemplateResult } from "lit-html";
+import type { Found } from "../lesson";
+
+export interface Reported {
+  quantity: string;
+  radar: number;
+  camera: number;
+  /** Why they differ. */
+  why: string;
+}
+
+export const monitorsTable = (found: Found, rows: Reported[]): TemplateResult => html`
+  <figure>
+    <figcaption>One shot, two reports</figcaption>
+    <table>
+      <thead>
+        <tr><th scope="col">Quantity</th><th scope="col">One</th><th scope="col">Another</th><th scope="col">Why</th></tr>
+      </thead>
+      <tbody>
+        ${rows.map(
+          ({ quantity, radar, camera, why }) => html`<tr>
+            <th scope="row">${found.context.formatter.quantity(quantity).label}</th>
+            <td>${found.say(quantity, radar)}</td>
+            <td>${found.say(quantity, camera)}</td>
+            <td>${why}</td>
+          </tr>`,
+        )}
+      </tbody>
+    </table>
+  </figure>
+`;
