@@ -26,7 +26,9 @@ NODE := $(shell command -v npm >/dev/null && node -p 'const [major, minor] = pro
 STUDIO_PACKAGES := studio/node_modules/.package-lock.json
 STUDIO_DATA := studio/generated/equipment.json
 STUDIO_DATA_SOURCES := $(wildcard studio/*.py) $(shell find python/clubface -name '*.py' -o -name '*.toml' -o -name '*.csv')
-WASM := target/wasm32-unknown-unknown/release/clubface.wasm
+# The core for browsers in two parts: all but the finite elements, which is small, and everything.
+WASM := target/browser/clubface.wasm
+WASM_FEM := target/browser/clubface-fem.wasm
 STUDIO_CORE := studio/generated/clubface.wasm studio/generated/clubface-fem.wasm
 STUDIO_CHECKED := $(if $(filter true,$(NODE)),$(STUDIO_PACKAGES) $(STUDIO_DATA))
 
@@ -79,15 +81,21 @@ docs: dev ## the documentation as web pages in docs/_build
 notebooks: dev ## run the notebooks again and store what they print and draw
 	$(PYTHON) notebooks/run.py --update
 
-$(WASM): $(RUST_SOURCES)
+$(WASM): WASM_FEATURES :=
+$(WASM_FEM): WASM_FEATURES := fem
+# One after the other, since cargo writes both to the same place.
+$(WASM_FEM): $(WASM)
+$(WASM) $(WASM_FEM): $(RUST_SOURCES) .cargo/config.toml studio/build/wasm.mjs
 	rustup target add wasm32-unknown-unknown
-	cargo build --release --locked --package clubface-c --no-default-features --target wasm32-unknown-unknown
-	@touch $@
+	cargo build --profile wasm --locked --package clubface-c --no-default-features --features "$(WASM_FEATURES)" \
+		--target wasm32-unknown-unknown
+	@mkdir -p $(@D)
+	node studio/build/wasm.mjs target/wasm32-unknown-unknown/wasm/clubface.wasm $@
 
 wasm-check: build ## the core in WebAssembly: built, run in Node, compared with the package
 	@command -v node >/dev/null || { echo "wasm-check needs Node 20 or newer" >&2; exit 1; }
-	@$(MAKE) --no-print-directory $(WASM)
-	$(PYTHON) scripts/wasm_check.py $(WASM)
+	@$(MAKE) --no-print-directory $(WASM) $(WASM_FEM)
+	$(PYTHON) scripts/wasm_check.py $(WASM) $(WASM_FEM)
 
 $(STUDIO_PACKAGES): studio/package.json studio/package-lock.json
 	@npm --prefix studio ci --prefer-offline --no-audit --no-fund --loglevel error
@@ -96,9 +104,9 @@ $(STUDIO_PACKAGES): studio/package.json studio/package-lock.json
 $(STUDIO_DATA): $(VENV)/.build $(STUDIO_DATA_SOURCES)
 	@$(PYTHON) studio/data.py studio/generated
 
-$(STUDIO_CORE): studio/build/wasm.mjs $(WASM)
-	@mkdir -p studio/generated
-	node studio/build/wasm.mjs $(WASM) $@
+$(STUDIO_CORE): studio/generated/%.wasm: target/browser/%.wasm
+	@mkdir -p $(@D)
+	cp $< $@
 
 studio-build: build ## the studio, a site that computes in the browser, in studio/dist
 	@test "$(NODE)" = true || { echo "the studio needs Node 20.19 or newer and npm" >&2; exit 1; }

@@ -41,6 +41,7 @@ export async function load(source, progress = () => true) {
 
   /** Calls a function of the core: its text, and its arrays by name as {values, shape}. */
   function call(name, ...values) {
+    if (!core[name]) throw new Error(`${name} is not in this module; clubface-fem.wasm has the finite elements`);
     const result = core[name](...values);
     try {
       const failure = core.clubface_error(result);

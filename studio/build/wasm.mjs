@@ -1,6 +1,6 @@
-// Copies the core for the site without what only a debugger reads, and says what is in it.
+// Copies the core for browsers without what only a debugger reads, and says what is in it.
 //
-//     node build/wasm.mjs clubface.wasm generated/clubface.wasm
+//     node build/wasm.mjs clubface.wasm browser/clubface.wasm
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { brotliCompressSync, gzipSync } from "node:zlib";

@@ -19,6 +19,7 @@
 //! [`clubface_allocate`].
 
 mod dispersion;
+#[cfg(feature = "fem")]
 mod fem;
 mod flights;
 mod names;
@@ -27,6 +28,7 @@ mod rows;
 mod shots;
 
 pub use dispersion::*;
+#[cfg(feature = "fem")]
 pub use fem::*;
 pub use flights::*;
 pub use names::*;

@@ -1,5 +1,6 @@
 //! Results of computations: an error, or text and named arrays.
 
+#[cfg(feature = "fem")]
 use clubface_fem::FemError;
 use clubface_impact::ImpactError;
 use clubface_impact::columns::Reject;
@@ -21,6 +22,8 @@ pub enum ClubfaceKind {
     Uint32 = 2,
 }
 
+// Without finite elements all numbers are doubles.
+#[cfg_attr(not(feature = "fem"), allow(dead_code))]
 enum Values {
     Float64(Vec<f64>),
     Float32(Vec<f32>),
@@ -68,10 +71,12 @@ impl Computed {
         self.push(name, shape, Values::Float64(values));
     }
 
+    #[cfg(feature = "fem")]
     pub(crate) fn add_singles(&mut self, name: &str, shape: Vec<usize>, values: Vec<f32>) {
         self.push(name, shape, Values::Float32(values));
     }
 
+    #[cfg(feature = "fem")]
     pub(crate) fn add_indices(&mut self, name: &str, shape: Vec<usize>, values: Vec<u32>) {
         self.push(name, shape, Values::Uint32(values));
     }
@@ -98,6 +103,7 @@ impl From<ImpactError> for Failure {
     }
 }
 
+#[cfg(feature = "fem")]
 impl From<FemError> for Failure {
     fn from(error: FemError) -> Self {
         match error {

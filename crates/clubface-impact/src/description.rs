@@ -125,14 +125,17 @@ macro_rules! scalars {
     ($(#[$doc:meta])* $name:ident { $($field:ident $meaning:literal;)+ }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
+        #[repr(C)]
         pub struct $name<S> {
             $(#[doc = $meaning] pub $field: S,)+
         }
         impl<S: Copy> $crate::description::FromValues<S> for $name<S> {
             #[inline(always)]
             fn from_values(values: &[S]) -> Self {
-                let [$($field),+] = *values else { unreachable!("the number of values has been checked") };
-                Self { $($field),+ }
+                const COUNT: usize = [$(stringify!($field)),+].len();
+                assert!(values.len() == COUNT, "the number of values has been checked");
+                // SAFETY: in C's layout a struct of some values is their array. Hundreds of them are copied at once.
+                unsafe { values.as_ptr().cast::<Self>().read() }
             }
         }
     };
@@ -147,15 +150,20 @@ macro_rules! parameters {
         $crate::scalars! { $(#[$doc])* $name { $($field $meaning;)+ } }
         impl $name<()> {
             /// Its parameters, in order.
-            pub const PARAMETERS: &'static [$crate::description::Parameter] = &[$($crate::description::Parameter {
-                name: stringify!($field),
-                unit: $unit,
-                meaning: $meaning,
-                default: $default,
-                lower: $lower,
-                upper: $upper,
-                source: $source,
-            },)+];
+            pub const PARAMETERS: &'static [$crate::description::Parameter] = {
+                // One table, however many kernels point to it.
+                static TABLE: [$crate::description::Parameter; [$(stringify!($field)),+].len()] =
+                    [$($crate::description::Parameter {
+                        name: stringify!($field),
+                        unit: $unit,
+                        meaning: $meaning,
+                        default: $default,
+                        lower: $lower,
+                        upper: $upper,
+                        source: $source,
+                    },)+];
+                &TABLE
+            };
         }
     };
 }

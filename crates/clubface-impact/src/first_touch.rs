@@ -124,12 +124,27 @@ impl<S: Scalar> FirstTouch<S> {
     /// Launch from motions in face axes of first touch.
     #[inline(always)]
     pub fn launch(&self, ball: Motion<S>, club: Motion<S>) -> Launch<S> {
+        S::outline(ToWorld { touch: self, ball: &ball, club: &club })
+    }
+}
+
+struct ToWorld<'a, S> {
+    touch: &'a FirstTouch<S>,
+    ball: &'a Motion<S>,
+    club: &'a Motion<S>,
+}
+
+impl<S: Scalar> Computation for ToWorld<'_, S> {
+    type Output = Launch<S>;
+    #[inline(always)]
+    fn run(self) -> Launch<S> {
+        let Self { touch, ball, club } = self;
         Launch {
-            ball_velocity: self.world_velocity(ball.velocity),
-            ball_spin: self.world_spin(ball.spin),
-            club_velocity: self.world_velocity(club.velocity),
-            club_spin: self.world_spin(club.spin),
-            club_speed: self.speed,
+            ball_velocity: touch.world_velocity(ball.velocity),
+            ball_spin: touch.world_spin(ball.spin),
+            club_velocity: touch.world_velocity(club.velocity),
+            club_spin: touch.world_spin(club.spin),
+            club_speed: touch.speed,
             contact_time: S::from_f64(f64::NAN),
             peak_force: S::from_f64(f64::NAN),
         }

@@ -27,7 +27,8 @@ pub struct Kernels {
     info: ModelInfo,
     launches: Launches,
     derivatives: Derivatives,
-    history: Histories,
+    /// None for a model that does not follow the contact in time.
+    history: Option<Histories>,
 }
 
 impl Kernels {
@@ -35,7 +36,11 @@ impl Kernels {
     #[must_use]
     pub const fn for_model<M: Describe>() -> Self {
         assert!(M::INFO.parameters.len() <= MOST_PARAMETERS, "a model has too many parameters");
-        Self { info: M::INFO, launches: launches::<M>, derivatives: derivatives::<M>, history: history::<M> }
+        let history: Option<Histories> = match M::INFO.kind {
+            ModelKind::Impulse => None,
+            ModelKind::Contact => Some(history::<M>),
+        };
+        Self { info: M::INFO, launches: launches::<M>, derivatives: derivatives::<M>, history }
     }
 }
 
@@ -83,15 +88,15 @@ impl ImpactModel {
         accuracy: Accuracy,
     ) -> Result<Recorded, ImpactError> {
         let info = self.info();
-        if info.kind == ModelKind::Impulse {
+        let Some(history) = self.0.history else {
             let message = format!(
                 "{} is an impulse model: it does not follow the contact in time and so has no history",
                 info.name
             );
             return Err(ImpactError::new("model", message));
-        }
+        };
         self.check_count(parameters)?;
-        (self.0.history)(inputs, parameters, accuracy)
+        history(inputs, parameters, accuracy)
     }
 
     /// Checks that there are as many parameters as the model has.

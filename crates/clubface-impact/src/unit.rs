@@ -73,7 +73,7 @@ const PI: f64 = core::f64::consts::PI;
 
 /// All units, the SI unit of a dimension before its others.
 #[rustfmt::skip]
-pub const UNITS: &[Unit] = &[
+pub static UNITS: &[Unit] = &[
     multiple("speed", "m/s", "mps,m_s", (1.0, 1.0)),
     multiple("speed", "mph", "mi/h,MPH", (44704.0, 1e5)),
     multiple("speed", "km/h", "kmh,kph,km_h", (10.0, 36.0)),
@@ -164,7 +164,7 @@ macro_rules! dimensions {
             };
         )+
         /// All dimensions.
-        pub const DIMENSIONS: &[Dimension] = &[$($constant),+];
+        pub static DIMENSIONS: &[Dimension] = &[$($constant),+];
     };
 }
 

@@ -8,7 +8,7 @@ use super::state::*;
 use crate::first_touch::FirstTouch;
 use crate::giving_face::possible;
 use crate::impact::{Accuracy, Impact};
-use clubface_math::ode::{Control, DORMAND_PRINCE, Rosenbrock, integrate};
+use clubface_math::ode::{ChosenMethod, Control, integrate};
 use clubface_math::{Mask, Scalar};
 
 /// Steps after which a fast contact is given up; a drive takes about 50.
@@ -64,7 +64,7 @@ fn run_in<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize>(
         max_steps: FAST_STEPS,
     };
     let mut watch = Separation::new(&contact, recorder, start);
-    let outcome = match accuracy {
+    let method = match accuracy {
         Accuracy::Fast => {
             if layered(N) {
                 // A cover holds less than half of the ball's inertia, and its spin counts in the launch by that part.
@@ -72,15 +72,16 @@ fn run_in<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize>(
                     control.scale[i] = control.scale[i] * 2.0;
                 }
             }
-            integrate(&Rosenbrock, &contact, start, &control, &mut watch)
+            ChosenMethod::Rosenbrock
         }
         Accuracy::Tolerance(tolerance) => {
             control.tolerance = tolerance;
             control.first = crossing * 1e-3;
             control.max_steps = TIGHT_STEPS;
-            integrate(&DORMAND_PRINCE, &contact, start, &control, &mut watch)
+            ChosenMethod::DormandPrince
         }
     };
+    let outcome = integrate(&method, &contact, start, &control, &mut watch);
     let Separation { peak_force, time, last, .. } = watch;
     let (ball, club) = motions(touch, contact.core().map(|core| core.inertia), &last);
     let mut launch = touch.launch(ball, club);

@@ -13,6 +13,7 @@ use crate::first_touch::FirstTouch;
 use crate::impact::Impact;
 use crate::model::Describe;
 use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
+use clubface_math::pack::ONE_WIDTH;
 use clubface_math::{Computation, Kernel, Lanes, Mask, Scalar, dispatch};
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -20,7 +21,7 @@ use core::ops::Range;
 /// Computes `rows` into `outputs`, one slice an output, each as long as `rows`.
 pub fn launches<M: Describe>(shots: &Shots, rows: Range<usize>, outputs: &mut [&mut [f64]]) -> Vec<Reject> {
     // A pack costs more than one shot alone.
-    let packs = M::INFO.lanes && rows.len() > 1;
+    let packs = M::INFO.lanes && (ONE_WIDTH || rows.len() > 1);
     let kernel = Launches { model: PhantomData::<M>, shots, rows, outputs };
     if packs { dispatch(kernel) } else { kernel.run::<f64>() }
 }

@@ -3,7 +3,7 @@
 
 use crate::first_touch::{FirstTouch, Motion};
 use crate::giving_face::GivingFace;
-use clubface_math::{Mat3, Scalar, Vec3};
+use clubface_math::{Computation, Mat3, Scalar, Vec3};
 
 /// Coefficient of restitution of a shot: `cor + cor_slope * speed`, and never below zero, where the ball would leave
 /// through the face; more where the face of the club gives more than the one that `cor` includes.
@@ -41,35 +41,53 @@ pub fn solve<S: Scalar>(
     extra_mass: S,
     ball_offset: Vec3<S>,
 ) -> (Motion<S>, Motion<S>) {
-    let x = touch.normal;
-    let (y, z) = touch.tangents();
-    let club_mass = touch.club_mass + extra_mass;
-    let inverse_inertia = touch.inertia.inverse();
-    let club_arm = touch.contact;
-    let ball_arm = x * -(touch.ball.radius + ball_offset.x) - y * ball_offset.y - z * ball_offset.z;
+    S::outline(Equations { touch, restitution, extra_mass, ball_offset })
+}
 
-    // Velocity of the ball relative to the face at the contact point, before and (Eqs. 5, 8-11) after.
-    let before = touch.ball_spin.cross(ball_arm) - (touch.club_velocity + touch.club_spin.cross(club_arm));
-    let after = -(x * (restitution.normal * x.dot(before))
-        + y * (restitution.up * y.dot(before))
-        + z * (restitution.toe * z.dot(before)));
+/// The equations, a function of their own for all models.
+struct Equations<'a, S> {
+    touch: &'a FirstTouch<S>,
+    restitution: &'a Restitution<S>,
+    extra_mass: S,
+    ball_offset: Vec3<S>,
+}
 
-    // Relative velocity gained per impulse on the ball at the contact point (Eqs. 1-4, 6, 7).
-    let inverse_ball_inertia = touch.ball.inertia.recip();
-    let ball_cross = Mat3::cross(ball_arm);
-    let club_cross = Mat3::cross(club_arm);
-    let turning = (ball_cross * ball_cross).scale(-inverse_ball_inertia)
-        + (club_cross * (inverse_inertia * club_cross)).scale(-S::one());
-    let mobility = Mat3::diagonal(touch.ball.mass.recip() + club_mass.recip()) + turning;
-    let impulse = mobility.inverse() * (after - before);
+impl<S: Scalar> Computation for Equations<'_, S> {
+    type Output = (Motion<S>, Motion<S>);
+    #[inline(always)]
+    fn run(self) -> (Motion<S>, Motion<S>) {
+        let Self { touch, restitution, extra_mass, ball_offset } = self;
+        let x = touch.normal;
+        let (y, z) = touch.tangents();
+        let club_mass = touch.club_mass + extra_mass;
+        let inverse_inertia = touch.inertia.inverse();
+        let club_arm = touch.contact;
+        let ball_arm = x * -(touch.ball.radius + ball_offset.x) - y * ball_offset.y - z * ball_offset.z;
 
-    let ball = Motion {
-        velocity: impulse * touch.ball.mass.recip(),
-        spin: touch.ball_spin + ball_arm.cross(impulse) * inverse_ball_inertia,
-    };
-    let club = Motion {
-        velocity: touch.club_velocity - impulse * club_mass.recip(),
-        spin: touch.club_spin - inverse_inertia * club_arm.cross(impulse),
-    };
-    (ball, club)
+        // Velocity of the ball relative to the face at the contact point, before and (Eqs. 5, 8-11) after.
+        let before =
+            touch.ball_spin.cross(ball_arm) - (touch.club_velocity + touch.club_spin.cross(club_arm));
+        let after = -(x * (restitution.normal * x.dot(before))
+            + y * (restitution.up * y.dot(before))
+            + z * (restitution.toe * z.dot(before)));
+
+        // Relative velocity gained per impulse on the ball at the contact point (Eqs. 1-4, 6, 7).
+        let inverse_ball_inertia = touch.ball.inertia.recip();
+        let ball_cross = Mat3::cross(ball_arm);
+        let club_cross = Mat3::cross(club_arm);
+        let turning = (ball_cross * ball_cross).scale(-inverse_ball_inertia)
+            + (club_cross * (inverse_inertia * club_cross)).scale(-S::one());
+        let mobility = Mat3::diagonal(touch.ball.mass.recip() + club_mass.recip()) + turning;
+        let impulse = mobility.inverse() * (after - before);
+
+        let ball = Motion {
+            velocity: impulse * touch.ball.mass.recip(),
+            spin: touch.ball_spin + ball_arm.cross(impulse) * inverse_ball_inertia,
+        };
+        let club = Motion {
+            velocity: touch.club_velocity - impulse * club_mass.recip(),
+            spin: touch.club_spin - inverse_inertia * club_arm.cross(impulse),
+        };
+        (ball, club)
+    }
 }

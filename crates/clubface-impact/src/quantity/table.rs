@@ -16,9 +16,12 @@ const fn entry(
     Quantity::new(name, symbol, dimension, label, meaning)
 }
 
-/// All quantities.
+/// Number of quantities.
+const COUNT: usize = 174;
+
+/// All quantities: one table, which others point into.
 #[rustfmt::skip]
-pub const QUANTITIES: &[Quantity] = &[
+pub static QUANTITIES: [Quantity; COUNT] = [
     // Delivery.
     entry("speed", "v_c", SPEED, "club speed", "speed of the clubhead CG")
         .synonyms(&["club_speed", "clubhead_speed", "club_head_speed", "head_speed", "clubspeed", "swing_speed",

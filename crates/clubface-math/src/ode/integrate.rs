@@ -3,7 +3,7 @@
 use super::problem::{Attempt, Method, System};
 use super::rate::rate_of;
 use super::step_size::{Control, Last, error_norm};
-use crate::scalar::{Computation, Mask, Scalar};
+use crate::scalar::{Mask, Scalar};
 
 /// Sees every accepted step and says which lanes are done.
 pub trait Observer<S: Scalar, const N: usize> {
@@ -51,13 +51,13 @@ where
     let mut steps = 0;
     while steps < control.max_steps {
         steps += 1;
-        S::outline(Try { method, problem, y: &y, rate: &rate, h, attempt: &mut attempt });
-        let (accepted, factor) = if M::ERROR_ORDER == 0 {
+        method.attempt_into(problem, &y, &rate, h, &mut attempt);
+        let (accepted, factor) = if method.error_order() == 0 {
             (S::Mask::splat(true), S::one())
         } else {
             let error = error_norm(&attempt.error, &y, &attempt.y, control);
             let accepted = error.le(S::one());
-            (accepted, last.step_factor(error, accepted, M::ERROR_ORDER))
+            (accepted, last.step_factor(error, accepted, method.error_order()))
         };
         let accepted = accepted.and(finished.not());
         if accepted.any() {
@@ -75,21 +75,4 @@ where
         h = (h * factor).min(control.longest.primal());
     }
     Outcome { finished, steps }
-}
-
-struct Try<'a, M, P, S, const N: usize> {
-    method: &'a M,
-    problem: &'a P,
-    y: &'a [S; N],
-    rate: &'a [S; N],
-    h: S,
-    attempt: &'a mut Attempt<S, N>,
-}
-
-impl<M: Method<P, S, N>, P, S: Scalar, const N: usize> Computation for Try<'_, M, P, S, N> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        self.method.attempt_into(self.problem, self.y, self.rate, self.h, self.attempt);
-    }
 }

@@ -3,6 +3,7 @@
 //! A pack of shots advances together, but each lane accepts, rejects and sizes its own steps and is frozen once it
 //! has finished, so its result does not depend on its neighbours, bit for bit. Step sizes carry no derivatives.
 
+mod chosen_method;
 mod integrate;
 mod problem;
 mod rate;
@@ -10,6 +11,7 @@ mod rosenbrock;
 mod runge_kutta;
 mod step_size;
 
+pub use chosen_method::ChosenMethod;
 pub use integrate::{Observer, Outcome, integrate};
 pub use problem::{Attempt, Method, StiffSystem, System};
 pub use rosenbrock::Rosenbrock;

@@ -39,8 +39,9 @@ pub struct Attempt<S, const N: usize> {
 /// A one-step method for problem `P`.
 pub trait Method<P, S: Scalar, const N: usize> {
     /// Order of the error estimate, which sizes the steps; 0 for fixed steps.
-    const ERROR_ORDER: u32;
-    /// Tries a step of `h` seconds from state `y` with time derivative `rate`, and writes all of `attempt`.
+    fn error_order(&self) -> u32;
+    /// Tries a step of `h` seconds from state `y` with time derivative `rate`, and writes all of `attempt`: a function of
+    /// its own, however many places call it.
     fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>);
 
     /// A step tried.

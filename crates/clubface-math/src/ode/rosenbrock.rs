@@ -6,7 +6,7 @@
 
 use super::problem::{Attempt, Method, StiffSystem};
 use super::rate::{Room, rate_of};
-use crate::scalar::Scalar;
+use crate::scalar::{Computation, Scalar};
 
 /// ROS34PW2: order 3(2), four stages, stiffly accurate, a W-method (J. Rang and L. Angermann, BIT 45, 2005, 761-787).
 #[derive(Clone, Copy, Debug)]
@@ -100,7 +100,7 @@ where
         }
     }
     // SAFETY: all components were written.
-    let mut stage = problem.solve(solver, unsafe { right.read() });
+    let mut stage = S::outline(Solve { problem, solver, right: unsafe { right.read() } });
     if J > 0 {
         // SAFETY: as above.
         let coupled = unsafe { coupled.read() };
@@ -111,15 +111,55 @@ where
     stage
 }
 
+/// The linear equations of a stage, as a function of its own for all four.
+struct Solve<'a, P: StiffSystem<S, N>, S: Scalar, const N: usize> {
+    problem: &'a P,
+    solver: &'a P::Solver,
+    right: &'a [S; N],
+}
+
+impl<P: StiffSystem<S, N>, S: Scalar, const N: usize> Computation for Solve<'_, P, S, N> {
+    type Output = [S; N];
+    #[inline(always)]
+    fn run(self) -> [S; N] {
+        self.problem.solve(self.solver, self.right)
+    }
+}
+
 impl<P, S, const N: usize> Method<P, S, N> for Rosenbrock
 where
     S: Scalar,
     P: StiffSystem<S, N>,
 {
-    const ERROR_ORDER: u32 = 3;
+    #[inline(always)]
+    fn error_order(&self) -> u32 {
+        3
+    }
 
     #[inline(always)]
     fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>) {
+        S::outline(Try { problem, y, rate, h, attempt });
+    }
+}
+
+struct Try<'a, P, S, const N: usize> {
+    problem: &'a P,
+    y: &'a [S; N],
+    rate: &'a [S; N],
+    h: S,
+    attempt: &'a mut Attempt<S, N>,
+}
+
+impl<P, S, const N: usize> Computation for Try<'_, P, S, N>
+where
+    S: Scalar,
+    P: StiffSystem<S, N>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { problem, y, rate, h, attempt } = self;
         let jacobian = problem.linearize(y);
         let solver = problem.factor(&jacobian, h * GAMMA);
         // Written out stage by stage, so that the zeros of the tables cost nothing.

@@ -2,7 +2,7 @@
 
 use super::problem::{Attempt, Method, System};
 use super::rate::{Room, rate_into};
-use crate::scalar::Scalar;
+use crate::scalar::{Computation, Scalar};
 
 /// An explicit Runge-Kutta method of `STAGES` stages whose last stage is the derivative at the end of the step.
 #[derive(Clone, Copy, Debug)]
@@ -59,10 +59,37 @@ where
     S: Scalar,
     P: System<S, N>,
 {
-    const ERROR_ORDER: u32 = ORDER;
+    #[inline(always)]
+    fn error_order(&self) -> u32 {
+        ORDER
+    }
 
     #[inline(always)]
     fn attempt_into(&self, problem: &P, y: &[S; N], rate: &[S; N], h: S, attempt: &mut Attempt<S, N>) {
+        S::outline(Try { method: self, problem, y, rate, h, attempt });
+    }
+}
+
+struct Try<'a, P, S, const N: usize, const STAGES: usize, const ORDER: u32> {
+    method: &'a RungeKutta<STAGES, ORDER>,
+    problem: &'a P,
+    y: &'a [S; N],
+    rate: &'a [S; N],
+    h: S,
+    attempt: &'a mut Attempt<S, N>,
+}
+
+impl<P, S, const N: usize, const STAGES: usize, const ORDER: u32> Computation
+    for Try<'_, P, S, N, STAGES, ORDER>
+where
+    S: Scalar,
+    P: System<S, N>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { method, problem, y, rate, h, attempt } = self;
         let mut stages = [const { Room::<S, N>::new() }; STAGES];
         for n in 0..N {
             stages[0].write(n, rate[n]);
@@ -71,7 +98,7 @@ where
         for i in 1..STAGES {
             let mut weights = [h; STAGES];
             for j in 0..i {
-                weights[j] = h * self.weights[i][j];
+                weights[j] = h * method.weights[i][j];
             }
             // SAFETY: all stages before this one were written.
             unsafe {
@@ -85,7 +112,7 @@ where
         }
         let mut weights = [h; STAGES];
         for j in 0..STAGES {
-            weights[j] = h * self.error[j];
+            weights[j] = h * method.error[j];
         }
         // SAFETY: all stages were written.
         unsafe {

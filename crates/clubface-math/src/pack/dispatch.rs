@@ -25,6 +25,9 @@ pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
     result
 }
 
+/// Whether packs have one width, chosen when compiled, so that rows alone need no code of their own.
+pub const ONE_WIDTH: bool = cfg!(all(target_arch = "wasm32", target_feature = "simd128"));
+
 /// Runs a kernel with eight lanes (AVX-512), four (AVX2), two (WebAssembly's simd128) or one.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
@@ -44,7 +47,8 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 }
 
 /// Runs a kernel for `rows` rows with two packs at a time: of eight lanes, or of four where there are no more rows than
-/// these have; one pack in WebAssembly, or a row alone. A pack costs more than one row alone.
+/// these have; one pack in WebAssembly; else a row alone, since a pack costs more than one row.
+#[cfg_attr(not(target_arch = "x86_64"), allow(unused_variables))]
 pub fn dispatch_rows<K: RowsKernel>(rows: usize, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if rows > 8 && WIDEST.get() >= 16 && x86::has_eight() {
@@ -57,9 +61,8 @@ pub fn dispatch_rows<K: RowsKernel>(rows: usize, kernel: K) -> K::Output {
         return unsafe { x86::run_rows_by_four(kernel) };
     }
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    if rows > 1 {
-        return kernel.run::<F64x2>();
-    }
+    return kernel.run::<F64x2>();
+    #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
     kernel.run::<f64>()
 }
 

@@ -18,7 +18,7 @@ mod wasm;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use dispatch::{dispatch, dispatch_rows, with_lanes};
+pub use dispatch::{ONE_WIDTH, dispatch, dispatch_rows, with_lanes};
 pub use prefetch::prefetch;
 pub use traits::{Kernel, Lanes, Numbers, Pack, PackKernel, Part, Real, Row, RowsKernel};
 pub use twin::Twin;
