@@ -1,8 +1,12 @@
 //! A golfer as the distribution of deliveries, shot by shot.
 
-use crate::normal::deviate;
+use crate::normal::deviates;
 use crate::sequence::MOST_DIMENSIONS;
 use clubface_impact::ImpactError;
+use core::ops::Range;
+
+/// Shots drawn at a time.
+const BLOCK: usize = 128;
 
 /// The distribution of some values of a delivery: normal, with mishits that spread wider.
 #[derive(Clone, Debug)]
@@ -81,24 +85,49 @@ impl Golfer {
     /// Writes the deliveries that belong to numbers evenly distributed between 0 and 1: a column a dimension in, one a
     /// variable out, all as long.
     pub fn deliveries(&self, uniform: &[&[f64]], columns: &mut [&mut [f64]]) {
-        let count = self.mean.len();
-        let mut standard = [0.0; MOST_DIMENSIONS];
-        for row in 0..uniform[0].len() {
-            let wider = match uniform.get(count) {
-                Some(decides) if decides[row] < self.mishit_share => self.mishit_scale,
-                _ => 1.0,
-            };
-            for variable in 0..count {
-                let deviate = deviate(uniform[variable][row]) * wider;
-                standard[variable] = if self.mirrored[variable] { -deviate } else { deviate };
-            }
-            for variable in 0..count {
-                let root = &self.root[variable * count..];
-                let mut value = root[variable] * standard[variable];
-                for other in 0..variable {
-                    value += root[other] * standard[other];
+        let rows = uniform[0].len();
+        let mut standard = vec![[0.0; BLOCK]; self.mean.len()];
+        for first in (0..rows).step_by(BLOCK) {
+            self.block(uniform, columns, &mut standard, first..rows.min(first + BLOCK));
+        }
+    }
+
+    /// The same of some rows, at most [`BLOCK`]; `standard` takes their deviates.
+    fn block(
+        &self,
+        uniform: &[&[f64]],
+        columns: &mut [&mut [f64]],
+        standard: &mut [[f64; BLOCK]],
+        rows: Range<usize>,
+    ) {
+        let (count, size) = (self.mean.len(), rows.len());
+        for variable in 0..count {
+            let standard = &mut standard[variable][..size];
+            deviates(&uniform[variable][rows.clone()], standard);
+            if let Some(decides) = uniform.get(count) {
+                for (deviate, &decides) in standard.iter_mut().zip(&decides[rows.clone()]) {
+                    *deviate *= if decides < self.mishit_share { self.mishit_scale } else { 1.0 };
                 }
-                columns[variable][row] = value + self.mean[variable];
+            }
+            if self.mirrored[variable] {
+                for deviate in standard {
+                    *deviate = -*deviate;
+                }
+            }
+        }
+        for variable in 0..count {
+            let root = &self.root[variable * count..];
+            let column = &mut columns[variable][rows.clone()];
+            for (value, deviate) in column.iter_mut().zip(&standard[variable]) {
+                *value = root[variable] * deviate;
+            }
+            for other in 0..variable {
+                for (value, deviate) in column.iter_mut().zip(&standard[other]) {
+                    *value += root[other] * deviate;
+                }
+            }
+            for value in column {
+                *value += self.mean[variable];
             }
         }
     }

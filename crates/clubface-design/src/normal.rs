@@ -3,24 +3,74 @@
 // Constants are quoted with all their published digits.
 #![allow(clippy::excessive_precision)]
 
+use clubface_math::{Kernel, Lanes, Mask, Scalar, dispatch};
+
+/// Share away from one half up to which deviates come from the first of three formulas.
+const MIDDLE_REACHES: f64 = 0.425;
+
 /// The number below which the share `share` (between 0 and 1) of the standard normal distribution lies: M. J. Wichura,
 /// Algorithm AS 241 (PPND16), Appl. Statist. 37, 1988, 477-484; relative error about 1e-16.
 #[must_use]
 pub fn deviate(share: f64) -> f64 {
     let away = share - 0.5;
-    if away.abs() <= 0.425 {
-        let r = 0.180_625 - away * away;
-        return away * ratio(r, &MIDDLE);
+    if away.abs() <= MIDDLE_REACHES {
+        return middle(away);
     }
     let r = (-share.min(1.0 - share).ln()).sqrt();
     let size = if r <= 5.0 { ratio(r - 1.6, &TAIL) } else { ratio(r - 5.0, &FAR) };
     size.copysign(away)
 }
 
+/// Writes the deviates of many shares: most of them, those in the middle, in packs.
+pub fn deviates(shares: &[f64], deviates: &mut [f64]) {
+    dispatch(Deviates { shares, deviates });
+}
+
+struct Deviates<'a> {
+    shares: &'a [f64],
+    deviates: &'a mut [f64],
+}
+
+impl Kernel for Deviates<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Lanes>(self) {
+        let Self { shares, deviates } = self;
+        let whole = shares.len() / S::LANES * S::LANES;
+        for first in (0..whole).step_by(S::LANES) {
+            let away = S::from_slice(&shares[first..]) - 0.5;
+            middle(away).write_to(&mut deviates[first..]);
+            let inside = away.abs().le(S::from_f64(MIDDLE_REACHES));
+            if !inside.all() {
+                for lane in 0..S::LANES {
+                    if !inside.lane(lane) {
+                        deviates[first + lane] = deviate(shares[first + lane]);
+                    }
+                }
+            }
+        }
+        for row in whole..shares.len() {
+            deviates[row] = deviate(shares[row]);
+        }
+    }
+}
+
+/// The deviate of a share so far from one half, in the middle of the distribution.
+#[inline(always)]
+fn middle<S: Scalar>(away: S) -> S {
+    away * ratio(S::from_f64(0.180_625) - away * away, &MIDDLE)
+}
+
 /// A polynomial over another, coefficients from the constant up.
-fn ratio(x: f64, [over, under]: &[[f64; 8]; 2]) -> f64 {
-    let sum = |coefficients: &[f64; 8]| coefficients.iter().rev().fold(0.0, |sum, each| sum * x + each);
-    sum(over) / sum(under)
+#[inline(always)]
+fn ratio<S: Scalar>(x: S, [over, under]: &[[f64; 8]; 2]) -> S {
+    let (mut above, mut below) = (S::zero(), S::zero());
+    for i in (0..8).rev() {
+        above = above * x + over[i];
+        below = below * x + under[i];
+    }
+    above / below
 }
 
 const MIDDLE: [[f64; 8]; 2] = [

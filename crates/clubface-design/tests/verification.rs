@@ -2,7 +2,7 @@
 
 use clubface_design::dispersion::{LANDING, QUANTITIES, Shots};
 use clubface_design::golfer::Golfer;
-use clubface_design::normal::deviate;
+use clubface_design::normal::{deviate, deviates};
 use clubface_design::sequence::{MOST_DIMENSIONS, Sequence};
 use clubface_design::strokes::{Hole, LIES, StrokesTable};
 use clubface_design::tally::{Scale, Tally, forward};
@@ -103,6 +103,18 @@ fn deviates_are_those_of_tables() {
     }
     for share in [0.01, 0.1, 0.3] {
         assert!((deviate(share) + deviate(1.0 - share)).abs() < 1e-14);
+    }
+}
+
+/// In packs of any width, tails among the middle and rows that fill no pack included.
+#[test]
+fn deviates_side_by_side_are_those_alone_bit_for_bit() {
+    let shares: Vec<f64> = (0..1003).map(|i| (f64::from(i) + 0.5) / 1003.0).chain([1e-300, 0.5]).collect();
+    let expected: Vec<u64> = shares.iter().map(|&share| deviate(share).to_bits()).collect();
+    for lanes in [1, 4, 8] {
+        let mut values = vec![f64::NAN; shares.len()];
+        clubface_math::with_lanes(lanes, || deviates(&shares, &mut values));
+        assert!(values.iter().map(|value| value.to_bits()).eq(expected.iter().copied()), "{lanes} lanes");
     }
 }
 

@@ -65,7 +65,7 @@ impl<M: Describe> Kernel for Directions<'_, M> {
             check_approach(touch.approach().re())?;
             let model = M::Over::<Dual<S, WIDTH>>::from_values(parameters);
             let (touch, accuracy) = (&touch, shot.accuracy);
-            let impact = S::outline(Run { model, touch, accuracy, recorder: &mut Unrecorded });
+            let impact = S::outline(Run { model: &model, touch, accuracy, recorder: &mut Unrecorded });
             if !impact.separated.all() {
                 return Err(unseparated());
             }

@@ -51,11 +51,16 @@ impl<M: Describe> Kernel for Launches<'_, '_, M> {
                 faults: [const { None }; MOST_LANES],
                 rejects: Vec::new(),
             };
+            batch.read_fixed_parameters(rows.start);
+            let count = M::INFO.parameters.len();
+            let mut model = M::Over::<S>::from_values(&batch.parameters[..count]);
             for first in rows.clone().step_by(S::LANES) {
                 let used = S::LANES.min(rows.end - first);
                 let touch = S::outline(Prepare { batch: &mut batch, first, used });
-                let model = M::Over::<S>::from_values(&batch.parameters[..M::INFO.parameters.len()]);
-                let (touch, accuracy) = (&touch, shots.accuracy);
+                if batch.checks.parameters.is_none() {
+                    model = M::Over::<S>::from_values(&batch.parameters[..count]);
+                }
+                let (model, touch, accuracy) = (&model, &touch, shots.accuracy);
                 let impact = S::outline(Run { model, touch, accuracy, recorder: &mut Unrecorded });
                 let place = first - rows.start;
                 S::outline(Finish { batch: &mut batch, impact: &impact, first, used, place, outputs });
@@ -80,6 +85,21 @@ struct InPacks<'a, S: Scalar> {
     rejects: Vec<Reject>,
 }
 
+impl<S: Lanes> InPacks<'_, S> {
+    /// Reads parameters that are the same for all shots; those that are not good give way to the defaults.
+    fn read_fixed_parameters(&mut self, row: usize) {
+        if let Some(checked) = &self.checks.parameters {
+            let mut values: [f64; MOST_PARAMETERS] = gather(self.shots.parameters, row, 1);
+            if checked.is_err() {
+                values[..self.info.parameters.len()].copy_from_slice(&self.info.defaults());
+            }
+            for (parameter, value) in self.parameters.iter_mut().zip(values) {
+                *parameter = S::from_f64(value);
+            }
+        }
+    }
+}
+
 /// Reads and checks the shots of one pack.
 struct Prepare<'a, 'b, S: Scalar> {
     batch: &'a mut InPacks<'b, S>,
@@ -94,7 +114,10 @@ impl<S: Lanes> Computation for Prepare<'_, '_, S> {
         let Self { batch, first, used } = self;
         let InPacks { shots, info, checks, inputs, parameters, good, faults, .. } = batch;
         *inputs = gather(shots.inputs, first, used);
-        gather_into(parameters, shots.parameters, first, used);
+        let varied = checks.parameters.is_none();
+        if varied {
+            gather_into(parameters, shots.parameters, first, used);
+        }
         let touch = FirstTouch::from_inputs(inputs);
         let approach = touch.approach();
         *good = checks.good(inputs, info, parameters).and(approach.gt(S::zero()));
@@ -111,7 +134,9 @@ impl<S: Lanes> Computation for Prepare<'_, '_, S> {
         // A lane that cannot be computed takes a harmless shot, so that it does not hold up its pack.
         let bad = |lane: usize| faults[lane.min(used - 1)].is_some();
         replace(inputs, &HARMLESS, bad);
-        replace(parameters, &info.defaults(), bad);
+        if varied {
+            replace(parameters, &info.defaults(), bad);
+        }
         FirstTouch::from_inputs(inputs)
     }
 }

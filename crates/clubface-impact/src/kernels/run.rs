@@ -16,7 +16,7 @@ pub const MOST_PARAMETERS: usize = 152;
 
 /// The impact of a model, a function of its own for each kind of number.
 pub(super) struct Run<'a, M, S, R> {
-    pub(super) model: M,
+    pub(super) model: &'a M,
     pub(super) touch: &'a FirstTouch<S>,
     pub(super) accuracy: Accuracy,
     pub(super) recorder: &'a mut R,
@@ -45,7 +45,7 @@ pub fn history<M: Describe>(
     check_approach(touch.approach())?;
     let mut history = History::new(touch);
     let model = M::Over::<f64>::from_values(parameters);
-    let impact = Run { model, touch: &touch, accuracy, recorder: &mut history }.run();
+    let impact = Run { model: &model, touch: &touch, accuracy, recorder: &mut history }.run();
     if !impact.separated {
         return Err(unseparated());
     }
