@@ -173,6 +173,10 @@ export async function load(source, progress = () => true) {
       });
     },
 
+    /** Names of shots by their shape, such as "pull hook", from columns of launches and flights. */
+    shotShapes: (azimuth, curve, carry, hand = 1) =>
+      lend([azimuth, curve, carry], (places) => call("clubface_shot_shapes", ...places, azimuth.length, hand).text),
+
     /** Path of one flight: `time`, `position`, `velocity`, `spin` as {values, shape}. */
     trajectory: (inputs) =>
       lend([Float64Array.from(inputs)], ([from]) => call("clubface_trajectory", from).arrays),

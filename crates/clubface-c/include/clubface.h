@@ -15,7 +15,7 @@
    are in SI units and radians. Functions may be called from several threads at once. */
 
 // Number of this interface; it grows with every change that a compiled caller would notice.
-#define CLUBFACE_ABI 1
+#define CLUBFACE_ABI 2
 
 // Kind of the numbers of an array.
 enum ClubfaceKind
@@ -78,8 +78,8 @@ uint32_t clubface_abi(void);
 const char *clubface_version(void);
 
 // Describes everything that can be computed, as text: `quantities`, `units`, `dimensions`, `models` with their
-// parameters, and `inputs`, `outputs`, `flight_inputs`, `flight_outputs` in the order of the columns. A default that is
-// not a number is null.
+// parameters, and `inputs`, `outputs`, `flight_inputs`, `flight_outputs` in the order of the columns, `shot_shapes`.
+// A number that is not finite, such as the default of an input that has none, is null.
 ClubfaceResult *clubface_describe(void);
 
 // Returns `bytes` of memory, aligned for every kind of number, for hosts without an allocator of their own.
@@ -172,7 +172,21 @@ ClubfaceResult *clubface_trajectory(const double *inputs);
 double clubface_pressure_at_altitude(double altitude);
 
 // Returns the density of moist air, kg/m3: temperature in K, pressure in Pa, humidity relative to saturation, 0 to 1.
-double clubface_air_density(double temperature, double pressure, double humidity);
+double clubface_air_density(double temperature,
+                            double pressure,
+                            double humidity);
+
+// Names `rows` shots by their shape, as the text of the result: a list of names such as "pull hook", empty for a shot that
+// does not fly. `azimuth` (rad) and `curve` and `carry` (m) are columns of launches and flights; `hand` is 1 for a
+// right-handed player, -1 for a left-handed one. The limits between the names stand in the description.
+//
+// # Safety
+// The arrays hold `rows` numbers each.
+ClubfaceResult *clubface_shot_shapes(const double *azimuth,
+                                     const double *curve,
+                                     const double *carry,
+                                     size_t rows,
+                                     double hand);
 
 // Returns how many columns there are, of `CLUBFACE_COLUMNS_INPUTS` and so on.
 size_t clubface_count(uint32_t columns);

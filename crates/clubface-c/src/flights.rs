@@ -4,6 +4,7 @@ use crate::result::{ClubfaceResult, Computed, compute};
 use crate::rows::{check_rows, columns, numbers, numbers_out, run_rows};
 use clubface_impact::batch::CHUNK;
 use clubface_impact::error::all_inputs;
+use clubface_impact::flight::shot_shape::shot_shape;
 use clubface_impact::flight::{self, FlightBatch, INPUT_COUNT, OUTPUT_COUNT};
 
 /// Computes flights of `rows` launches. `inputs` are the columns of the flight inputs of the description, one after the
@@ -88,4 +89,33 @@ pub extern "C" fn clubface_pressure_at_altitude(altitude: f64) -> f64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn clubface_air_density(temperature: f64, pressure: f64, humidity: f64) -> f64 {
     flight::air::density(temperature, pressure, humidity)
+}
+
+/// Names `rows` shots by their shape, as the text of the result: a list of names such as "pull hook", empty for a shot that
+/// does not fly. `azimuth` (rad) and `curve` and `carry` (m) are columns of launches and flights; `hand` is 1 for a
+/// right-handed player, -1 for a left-handed one. The limits between the names stand in the description.
+///
+/// # Safety
+/// The arrays hold `rows` numbers each.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn clubface_shot_shapes(
+    azimuth: *const f64,
+    curve: *const f64,
+    carry: *const f64,
+    rows: usize,
+    hand: f64,
+) -> *mut ClubfaceResult {
+    compute(|| {
+        // SAFETY: the caller's promise.
+        let (azimuth, curve, carry) = unsafe {
+            (
+                numbers(azimuth, rows, "azimuth")?,
+                numbers(curve, rows, "curve")?,
+                numbers(carry, rows, "carry")?,
+            )
+        };
+        let names: Vec<&str> =
+            (0..rows).map(|row| shot_shape(azimuth[row], curve[row], carry[row], hand)).collect();
+        Computed::from_json(&names)
+    })
 }

@@ -39,7 +39,7 @@ use clubface_impact::describe::Tables;
 use std::ffi::c_char;
 
 /// Number of this interface; it grows with every change that a compiled caller would notice.
-pub const CLUBFACE_ABI: u32 = 1;
+pub const CLUBFACE_ABI: u32 = 2;
 
 /// Returns the number of the interface of the library, to be compared with [`CLUBFACE_ABI`] of the header.
 #[unsafe(no_mangle)]
@@ -54,8 +54,8 @@ pub extern "C" fn clubface_version() -> *const c_char {
 }
 
 /// Describes everything that can be computed, as text: `quantities`, `units`, `dimensions`, `models` with their
-/// parameters, and `inputs`, `outputs`, `flight_inputs`, `flight_outputs` in the order of the columns. A default that is
-/// not a number is null.
+/// parameters, and `inputs`, `outputs`, `flight_inputs`, `flight_outputs` in the order of the columns, `shot_shapes`.
+/// A number that is not finite, such as the default of an input that has none, is null.
 #[unsafe(no_mangle)]
 pub extern "C" fn clubface_describe() -> *mut ClubfaceResult {
     compute(|| Computed::from_json(&Tables::all()))

@@ -238,6 +238,23 @@ fn flights_and_their_paths_end_at_the_same_place() {
     assert!((landing[2] - outputs[1]).abs() < 1e-5);
 }
 
+#[test]
+fn shots_are_named_by_the_limits_of_the_description() {
+    let description = read(clubface_describe()).outcome.unwrap();
+    let shapes = &description["shot_shapes"];
+    let (start, curve) =
+        (shapes["straight_start"].as_f64().unwrap(), shapes["straight_curve"].as_f64().unwrap());
+    let (azimuth, curves) = ([0.0, 2.0 * start, 0.0], [0.0, -200.0 * 1.5 * curve, 1.0]);
+    let carry = [200.0, 200.0, f64::NAN];
+    let names = |hand| {
+        read(unsafe { clubface_shot_shapes(azimuth.as_ptr(), curves.as_ptr(), carry.as_ptr(), 3, hand) })
+    };
+    assert_eq!(names(1.0).outcome, Ok(json!(["straight shot", shapes["names"][2][1], ""])));
+    assert_eq!(names(-1.0).outcome, Ok(json!(["straight shot", "pull fade", ""])));
+    let missing = read(unsafe { clubface_shot_shapes(null_mut(), curves.as_ptr(), carry.as_ptr(), 3, 1.0) });
+    assert_eq!(missing.outcome.unwrap_err()["input"], "azimuth");
+}
+
 fn coarse_case() -> Value {
     json!({
         "ball": {

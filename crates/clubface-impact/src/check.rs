@@ -7,16 +7,12 @@ use crate::face_spring::{CHARACTERISTIC_TIMES, GUIDED_MASS};
 use crate::fault::{angle_fault, fault, shown};
 use crate::inertia_check::{ROUNDING, check_inertia};
 use crate::quantity::quantity;
-use crate::shot::{DELIVERY_COUNT, INPUT_COUNT, INPUTS, Shot};
+use crate::shot::{
+    DELIVERY_COUNT, HIGHEST_SPEED, INPUT_COUNT, INPUTS, LARGEST, LARGEST_LOFT, LARGEST_RATE, LARGEST_SPIN,
+    SMALLEST, Shot,
+};
 use clubface_math::{Mask, Scalar};
 use core::f64::consts::FRAC_PI_2;
-
-/// Largest loft, rad: beyond it the face no longer drives the ball forwards.
-pub const LARGEST_LOFT: f64 = 80.0 * core::f64::consts::PI / 180.0;
-
-/// Largest size of any input and its inverse, in SI units: far from all clubs, balls and swings, and safe from
-/// overflow.
-const LARGEST: f64 = 1e12;
 
 /// Checks the values of a shot, in the order of [`INPUTS`].
 ///
@@ -147,18 +143,11 @@ fn check_face_spring(club: &Club<f64>, included: f64) -> Result<(), ImpactError>
     Ok(())
 }
 
-/// Highest speed of a clubhead, m/s.
-const HIGHEST_SPEED: f64 = 150.0;
-/// Largest angular velocity of a clubhead about any axis, rad/s.
-const LARGEST_RATE: f64 = 1000.0;
-/// Largest angular velocity of a ball before impact about any axis, rad/s.
-const LARGEST_SPIN: f64 = 2000.0;
-
 /// The lanes whose delivery [`check_delivery`] lets pass: packs of good shots need no look at each.
 #[inline(always)]
 pub fn good_delivery<S: Scalar>(values: &[S; INPUT_COUNT]) -> S::Mask {
     let Shot { delivery: d, club, .. } = Shot::from_inputs(values);
-    let mut good = d.speed.ge(S::from_f64(LARGEST.recip())).and(d.speed.le(S::from_f64(HIGHEST_SPEED)));
+    let mut good = d.speed.ge(S::from_f64(SMALLEST)).and(d.speed.le(S::from_f64(HIGHEST_SPEED)));
     good = good.and(d.loft.abs().le(S::from_f64(LARGEST_LOFT)));
     for angle in [d.attack, d.path, d.face, d.lie] {
         good = good.and(angle.abs().lt(S::from_f64(FRAC_PI_2)));
@@ -281,7 +270,7 @@ pub fn check_parameters(info: &ModelInfo, values: &[f64]) -> Result<(), ImpactEr
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), ImpactError> {
-    if value >= LARGEST.recip() {
+    if value >= SMALLEST {
         Ok(())
     } else if value > 0.0 {
         Err(fault(name, value, "must be at least 1e-12; is the unit right?"))

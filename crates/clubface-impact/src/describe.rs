@@ -1,7 +1,7 @@
 //! Everything that can be computed, described for other languages: quantities, units, models, inputs and outputs.
 
-use crate::description::ModelInfo;
-use crate::flight::{self, FlightInput};
+use crate::description::{Bounds, ModelInfo};
+use crate::flight::{self, FlightInput, SHOT_SHAPES, ShotShapes};
 use crate::launch::OUTPUTS;
 use crate::quantity::{QUANTITIES, Quantity};
 use crate::registry;
@@ -29,6 +29,8 @@ pub struct Tables {
     pub flight_inputs: &'static [FlightInput],
     /// Outputs of a flight, in order.
     pub flight_outputs: Vec<Output>,
+    /// The shapes of shots and the limits between them.
+    pub shot_shapes: &'static ShotShapes,
 }
 
 /// An output: name, unit, and meaning with the sign.
@@ -47,6 +49,7 @@ impl Tables {
             outputs: OUTPUTS.iter().copied().map(Output).collect(),
             flight_inputs: &flight::INPUTS,
             flight_outputs: flight::OUTPUTS.iter().copied().map(Output).collect(),
+            shot_shapes: &SHOT_SHAPES,
         }
     }
 }
@@ -64,6 +67,15 @@ fn column<S: Serializer>(
     Ok(fields)
 }
 
+fn bounds<F: SerializeStruct>(fields: &mut F, allowed: Bounds) -> Result<(), F::Error> {
+    fields.serialize_field("lower", &allowed.lower)?;
+    fields.serialize_field("upper", &allowed.upper)
+}
+
+fn usual<F: SerializeStruct>(fields: &mut F, usual: Option<Bounds>) -> Result<(), F::Error> {
+    fields.serialize_field("usual", &usual.map(|each| (each.lower, each.upper)))
+}
+
 impl Serialize for Output {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         column(self.0, 0, serializer)?.end()
@@ -72,20 +84,23 @@ impl Serialize for Output {
 
 impl Serialize for Input {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = column(self.quantity, 2, serializer)?;
+        let mut fields = column(self.quantity, 6, serializer)?;
         fields.serialize_field("group", self.group)?;
         fields.serialize_field("differentiable", &self.differentiable)?;
+        bounds(&mut fields, self.bounds)?;
+        fields.serialize_field("half_of", &self.half_of)?;
+        usual(&mut fields, self.usual)?;
         fields.end()
     }
 }
 
 impl Serialize for FlightInput {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = column(self.quantity, 4, serializer)?;
+        let mut fields = column(self.quantity, 5, serializer)?;
         fields.serialize_field("group", self.group)?;
         fields.serialize_field("default", &self.default)?;
-        fields.serialize_field("lower", &self.bounds.lower)?;
-        fields.serialize_field("upper", &self.bounds.upper)?;
+        bounds(&mut fields, self.bounds)?;
+        usual(&mut fields, self.usual)?;
         fields.end()
     }
 }

@@ -1,5 +1,62 @@
 //! Descriptions of models: name, source, laws and a table of parameters.
 
+/// Least and greatest value, SI, both included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Bounds {
+    /// Least value.
+    pub lower: f64,
+    /// Greatest value.
+    pub upper: f64,
+}
+
+impl Bounds {
+    /// From the least to the greatest.
+    #[must_use]
+    pub const fn new(lower: f64, upper: f64) -> Self {
+        Self { lower, upper }
+    }
+
+    /// From minus a size to plus it.
+    #[must_use]
+    pub const fn within(size: f64) -> Self {
+        Self::new(-size, size)
+    }
+
+    /// Whether a value is within.
+    #[must_use]
+    pub fn contains(&self, value: f64) -> bool {
+        (self.lower..=self.upper).contains(&value)
+    }
+}
+
+/// Strikes for which a model is valid: bounds of one quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ValidRange {
+    /// An input, a parameter of the model, or `incidence`, the angle between the velocity of the clubhead and the normal
+    /// at the face centre.
+    pub name: &'static str,
+    /// What people call it.
+    pub label: &'static str,
+    /// The unit in which they read it.
+    pub reading: &'static str,
+    /// Its bounds.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub bounds: Bounds,
+}
+
+impl ValidRange {
+    /// Bounds of a quantity.
+    #[must_use]
+    pub const fn new(name: &'static str, label: &'static str, reading: &'static str, bounds: Bounds) -> Self {
+        Self { name, label, reading, bounds }
+    }
+}
+
+/// Outputs of an impact that has no length in time: models without one lack them.
+pub const TIMED_OUTPUTS: &[&str] = &["contact_time", "peak_force"];
+
 /// One parameter of a model.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -89,6 +146,14 @@ pub struct ModelInfo {
     /// The parameter that sets the restitution, if its default was fitted to a driver and so includes the driver's
     /// face; nothing if the defaults are of the ball alone.
     pub face_in: Option<&'static str>,
+    /// Outputs that it does not compute: they are NaN.
+    pub lacks: &'static [&'static str],
+    /// Whether a head that turns back turns the ball.
+    pub gear_effect: bool,
+    /// The ball whose coefficients the defaults are; nothing if they are of no ball in particular.
+    pub ball: Option<&'static str>,
+    /// Strikes for which it is valid with its defaults; nothing where it has no other limits than those of its inputs.
+    pub valid: &'static [ValidRange],
     /// Whether the shots of a pack may differ (a model that branches on values runs one shot at a time).
     #[cfg_attr(feature = "serde", serde(skip))]
     pub lanes: bool,

@@ -3,8 +3,11 @@
 use crate::ball::Ball;
 use crate::club::Club;
 use crate::delivery::Delivery;
+use crate::description::Bounds;
+use crate::face_spring::CHARACTERISTIC_TIMES;
 use crate::quantity::{Quantity, known};
 use clubface_math::Scalar;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 /// One scalar input of an impact.
 #[derive(Clone, Copy, Debug)]
@@ -15,18 +18,30 @@ pub struct Input {
     pub group: &'static str,
     /// Whether launch is differentiable with respect to it.
     pub differentiable: bool,
+    /// Allowed values. Club and ball must fit together besides: [`check`](crate::check::check) says what does not.
+    pub bounds: Bounds,
+    /// The input whose half bounds the size of this one, too.
+    pub half_of: Option<&'static str>,
+    /// Values that golf has, as far as a slider reaches.
+    pub usual: Option<Bounds>,
 }
 
-macro_rules! inputs {
-    ($($group:literal { $($name:ident $(($mark:ident))?)+ })+) => {
-        [$($(Input {
-            quantity: known(stringify!($name)),
-            group: $group,
-            differentiable: inputs!(@differentiable $($mark)?),
-        }),+),+]
-    };
-    (@differentiable) => { true };
-    (@differentiable constant) => { false };
+impl Input {
+    const fn new(name: &str, group: &'static str, bounds: Bounds) -> Self {
+        Self { quantity: known(name), group, differentiable: true, bounds, half_of: None, usual: None }
+    }
+
+    const fn usual(self, lower: f64, upper: f64) -> Self {
+        Self { usual: Some(Bounds::new(lower, upper)), ..self }
+    }
+
+    const fn half_of(self, name: &'static str) -> Self {
+        Self { half_of: Some(name), ..self }
+    }
+
+    const fn constant(self) -> Self {
+        Self { differentiable: false, ..self }
+    }
 }
 
 /// Number of inputs that describe the delivery: the first ones.
@@ -35,19 +50,83 @@ pub const DELIVERY_COUNT: usize = 14;
 /// Number of inputs.
 pub const INPUT_COUNT: usize = 35;
 
-/// All inputs, in the order of the columns of a batch; launch is not differentiated with respect to a `constant` one.
-pub const INPUTS: [Input; INPUT_COUNT] = inputs! {
-    "delivery" {
-        speed attack path loft face lie toe high closure pitch_rate lie_rate ball_backspin ball_sidespin
-        ball_riflespin
-    }
-    "club" {
-        club_mass cg_x cg_y cg_z ixx iyy izz ixy ixz iyz static_loft bulge roll face_width (constant)
-        face_height (constant) characteristic_time hand (constant)
-    }
-    "ball" { ball_mass ball_radius ball_inertia }
-    "parameters" { included_time (constant) }
-};
+/// Largest loft, rad: beyond it the face no longer drives the ball forwards.
+pub const LARGEST_LOFT: f64 = 80.0 * PI / 180.0;
+/// Highest speed of a clubhead, m/s.
+pub const HIGHEST_SPEED: f64 = 150.0;
+/// Largest angular velocity of a clubhead about any axis, rad/s.
+pub const LARGEST_RATE: f64 = 1000.0;
+/// Largest angular velocity of a ball before impact about any axis, rad/s.
+pub const LARGEST_SPIN: f64 = 2000.0;
+/// Largest size of any input, in SI units: far from all clubs, balls and swings, and safe from overflow.
+pub const LARGEST: f64 = 1e12;
+/// Least size of an input that must be above zero.
+pub const SMALLEST: f64 = 1.0 / LARGEST;
+
+const MPH: f64 = 44_704.0 / 1e5;
+const DEG: f64 = PI / 180.0;
+const RPM: f64 = PI / 30.0;
+const POSITIVE: Bounds = Bounds::new(SMALLEST, LARGEST);
+/// A radius of curvature: infinite where the face is flat.
+const RADIUS: Bounds = Bounds::new(SMALLEST, f64::INFINITY);
+const ANY: Bounds = Bounds::within(LARGEST);
+const ANGLES: Bounds = Bounds::within(FRAC_PI_2);
+const LOFTS: Bounds = Bounds::within(LARGEST_LOFT);
+const RATES: Bounds = Bounds::within(LARGEST_RATE);
+const SPINS: Bounds = Bounds::within(LARGEST_SPIN);
+/// A face that gives, or a rigid one.
+const TIMES: Bounds = Bounds::new(0.0, CHARACTERISTIC_TIMES[1]);
+
+const fn delivery(name: &str, bounds: Bounds) -> Input {
+    Input::new(name, "delivery", bounds)
+}
+
+const fn club(name: &str, bounds: Bounds) -> Input {
+    Input::new(name, "club", bounds)
+}
+
+const fn ball(name: &str) -> Input {
+    Input::new(name, "ball", POSITIVE)
+}
+
+/// All inputs, in the order of the columns of a batch.
+pub static INPUTS: [Input; INPUT_COUNT] = [
+    delivery("speed", Bounds::new(SMALLEST, HIGHEST_SPEED)).usual(20.0 * MPH, 140.0 * MPH),
+    delivery("attack", ANGLES).usual(-15.0 * DEG, 15.0 * DEG),
+    delivery("path", ANGLES).usual(-15.0 * DEG, 15.0 * DEG),
+    delivery("loft", LOFTS).usual(-5.0 * DEG, 75.0 * DEG),
+    delivery("face", ANGLES).usual(-15.0 * DEG, 15.0 * DEG),
+    delivery("lie", ANGLES).usual(-15.0 * DEG, 15.0 * DEG),
+    delivery("toe", ANY).half_of("face_width").usual(-0.040, 0.040),
+    delivery("high", ANY).half_of("face_height").usual(-0.025, 0.025),
+    delivery("closure", RATES).usual(-1000.0 * DEG, 5000.0 * DEG),
+    delivery("pitch_rate", RATES).usual(-2000.0 * DEG, 2000.0 * DEG),
+    delivery("lie_rate", RATES).usual(-2000.0 * DEG, 2000.0 * DEG),
+    delivery("ball_backspin", SPINS).usual(-3000.0 * RPM, 3000.0 * RPM),
+    delivery("ball_sidespin", SPINS).usual(-3000.0 * RPM, 3000.0 * RPM),
+    delivery("ball_riflespin", SPINS).usual(-3000.0 * RPM, 3000.0 * RPM),
+    club("club_mass", POSITIVE),
+    club("cg_x", ANY),
+    club("cg_y", ANY),
+    club("cg_z", ANY),
+    club("ixx", ANY),
+    club("iyy", ANY),
+    club("izz", ANY),
+    club("ixy", ANY),
+    club("ixz", ANY),
+    club("iyz", ANY),
+    club("static_loft", LOFTS),
+    club("bulge", RADIUS),
+    club("roll", RADIUS),
+    club("face_width", POSITIVE).constant(),
+    club("face_height", POSITIVE).constant(),
+    club("characteristic_time", TIMES),
+    club("hand", Bounds::within(1.0)).constant(),
+    ball("ball_mass"),
+    ball("ball_radius"),
+    ball("ball_inertia"),
+    Input::new("included_time", "parameters", TIMES).constant(),
+];
 
 /// A club, a ball and how they meet.
 #[derive(Clone, Copy, Debug)]

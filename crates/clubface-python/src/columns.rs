@@ -23,15 +23,18 @@ pub enum Values<'py> {
 
 /// Columns as the core takes them.
 pub fn columns<'a>(values: &'a [Values<'_>]) -> PyResult<Vec<Column<'a>>> {
-    values
-        .iter()
-        .map(|value| match value {
-            Values::Constant(constant) => Ok(Column::Constant(*constant)),
-            Values::Rows(rows) => rows.as_slice().map(Column::Values).map_err(|_| {
-                PyValueError::new_err("a column is not contiguous in memory; pass a copy of it")
-            }),
-        })
-        .collect()
+    values.iter().map(column).collect()
+}
+
+/// A column as the core takes it.
+pub fn column<'a>(values: &'a Values<'_>) -> PyResult<Column<'a>> {
+    match values {
+        Values::Constant(constant) => Ok(Column::Constant(*constant)),
+        Values::Rows(rows) => rows
+            .as_slice()
+            .map(Column::Values)
+            .map_err(|_| PyValueError::new_err("a column is not contiguous in memory; pass a copy of it")),
+    }
 }
 
 /// An error of the core as `ValueError(name, message)`.

@@ -11,8 +11,8 @@ pub fn describe<'py>(py: Python<'py>, value: &impl Serialize) -> PyResult<Bound<
     Ok(pythonize(py, value)?)
 }
 
-/// Every impact model: name, title, kind, summary, reference, laws, laws_without, face_in and parameters (name, unit,
-/// meaning, default, lower, upper, source).
+/// Every impact model: name, title, kind, summary, reference, laws, laws_without, face_in, lacks, gear_effect,
+/// ball, valid (name, lower, upper) and parameters (name, unit, meaning, default, lower, upper, source).
 #[pyfunction]
 pub fn models(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &Tables::all().models)
@@ -38,7 +38,8 @@ pub fn dimensions(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &Tables::all().dimensions)
 }
 
-/// Inputs of an impact, in the order of the columns: name, unit, meaning, group, differentiable.
+/// Inputs of an impact, in the order of the columns: name, unit, meaning, group, differentiable, lower, upper, half_of,
+/// usual (least and greatest value).
 #[pyfunction]
 pub fn inputs(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &Tables::all().inputs)
@@ -50,7 +51,7 @@ pub fn outputs(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &Tables::all().outputs)
 }
 
-/// Inputs of a flight, in order: name, unit, meaning, group, default, lower, upper.
+/// Inputs of a flight, in order: name, unit, meaning, group, default, lower, upper, usual.
 #[pyfunction]
 pub fn flight_inputs(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &Tables::all().flight_inputs)
@@ -60,6 +61,12 @@ pub fn flight_inputs(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 #[pyfunction]
 pub fn flight_outputs(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &Tables::all().flight_outputs)
+}
+
+/// The shapes of shots: names by start and curve, and the limits straight_start, straight_curve and big_curve.
+#[pyfunction]
+pub fn shot_shapes(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    describe(py, &Tables::all().shot_shapes)
 }
 
 /// Air pressure, Pa, at an altitude, m, of the standard atmosphere.

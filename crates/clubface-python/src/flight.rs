@@ -1,9 +1,10 @@
 //! Flights: batches, trajectories, derivatives.
 
-use crate::columns::{Computed, Derivatives, Values, arrays, columns, run_in_pieces, value_error};
+use crate::columns::{Computed, Derivatives, Values, arrays, column, columns, run_in_pieces, value_error};
 use clubface_impact::batch::CHUNK;
 use clubface_impact::columns::Column;
 use clubface_impact::error::all_inputs;
+use clubface_impact::flight::shot_shape::{curve_from, shot_shape};
 use clubface_impact::flight::{self, DIFFERENTIATED, FlightBatch, FlightSensitivities, OUTPUT_COUNT};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -68,4 +69,35 @@ pub fn fly_sensitivity<'py>(py: Python<'py>, inputs: Vec<f64>) -> PyResult<Deriv
     let result = all_inputs(&inputs).and_then(flight::sensitivity).map_err(|e| value_error(&e))?;
     let rows: Vec<Vec<f64>> = result.jacobian.iter().map(|row| row.to_vec()).collect();
     Ok((PyArray1::from_slice(py, &result.values), PyArray2::from_vec2(py, &rows)?))
+}
+
+/// What golfers call `n` shots: a list of names, empty for one that does not fly. Each column is a number or n numbers.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn shot_shape_names(
+    azimuth: Values<'_>,
+    curve: Values<'_>,
+    carry: Values<'_>,
+    hand: Values<'_>,
+    n: usize,
+) -> PyResult<Vec<&'static str>> {
+    let [azimuth, curve, carry, hand] = [&azimuth, &curve, &carry, &hand].map(column);
+    let (azimuth, curve, carry, hand) = (azimuth?, curve?, carry?, hand?);
+    Ok((0..n).map(|i| shot_shape(azimuth.at(i), curve.at(i), carry.at(i), hand.at(i))).collect())
+}
+
+/// How far `n` shots curve, m, from launch direction, carry and side. Each column is a number or n numbers.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn curves<'py>(
+    py: Python<'py>,
+    azimuth: Values<'py>,
+    carry: Values<'py>,
+    side: Values<'py>,
+    n: usize,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let [azimuth, carry, side] = [&azimuth, &carry, &side].map(column);
+    let (azimuth, carry, side) = (azimuth?, carry?, side?);
+    let values: Vec<f64> = (0..n).map(|i| curve_from(azimuth.at(i), carry.at(i), side.at(i))).collect();
+    Ok(PyArray1::from_vec(py, values))
 }

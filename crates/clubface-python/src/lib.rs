@@ -15,7 +15,7 @@ mod _core {
     #[pymodule_export]
     use crate::describe::{
         dimensions, flight_inputs, flight_outputs, inputs, models, outputs, pressure_at_altitude, quantities,
-        units,
+        shot_shapes, units,
     };
     #[pymodule_export]
     use crate::design::{
@@ -27,7 +27,7 @@ mod _core {
         fem_mesh, fem_sensitivity, fem_shear, fem_thickness_points, fem_variables, fem_yield_stress,
     };
     #[pymodule_export]
-    use crate::flight::{fly, fly_sensitivities, fly_sensitivity, trajectory};
+    use crate::flight::{curves, fly, fly_sensitivities, fly_sensitivity, shot_shape_names, trajectory};
     #[pymodule_export]
     use crate::impact::{check, history, impact, sensitivities, sensitivity};
 }

@@ -21,7 +21,6 @@ from clubface.simulation.flight import BALL, SPIN, VELOCITY, Flight, flight_colu
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import Variable, flight_inputs, flight_outputs, inputs, outputs
 from clubface.simulation.sensitivity import differentiated
-from clubface.simulation.shot_shape import curve
 from clubface.support.checks import check_choice
 
 CURVED = ("bulge", "roll")
@@ -104,8 +103,6 @@ class Line(NamedTuple):
 
 
 Array = NDArray[Any]
-CURVE_STEP = 1e-4
-"""Of launch direction [rad], carry and side [m] between which the slopes of the curve are taken."""
 STEP = 1e-8
 """s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
 
@@ -152,25 +149,14 @@ def flown(launch_slopes: tuple[Array, Array], point: Point, names: Sequence[str]
         **{name: float(values[places[name]]) for name in launched},
         **{name: point.inputs[name] for name in BALL},
     }
-    flight, jacobian = differentiated(columns)
+    _, jacobian = differentiated(columns)
     at = list(flight_inputs())
     chain = jacobian[:, [at.index(name) for name in launched]] @ by_names[[places[name] for name in launched]]
     for place, name in enumerate(names):
         if name in BALL:
             chain[:, place] += jacobian[:, at.index(name)]
-    rows = dict(zip(flight_outputs(), chain, strict=True)) | {"azimuth": by_names[places["azimuth"]]}
-    drawn = {"azimuth": float(values[places["azimuth"]]), "carry": flight["carry"], "side": flight["side"]}
-    rows["curve"] = sum(slope * rows[name] for name, slope in _slopes_of_curve(drawn).items())
+    rows = dict(zip(flight_outputs(), chain, strict=True))
     return np.array([rows[name] for name in FLOWN])
-
-
-def _slopes_of_curve(drawn: Mapping[str, float]) -> dict[str, float]:
-    """Return the slopes of the curve by what it follows from, by central differences: exact to 1e-9."""
-    slopes = {}
-    for name in drawn:
-        less, more = (curve(**{**drawn, name: drawn[name] + step}) for step in (-CURVE_STEP, CURVE_STEP))
-        slopes[name] = float(more - less) / (2.0 * CURVE_STEP)
-    return slopes
 
 
 def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tuple[Array, Array]]:

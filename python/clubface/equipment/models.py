@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
+from typing import NamedTuple
 
 from clubface.equipment import core
 from clubface.equipment.backends import MODULES, OWN
@@ -48,6 +49,29 @@ class Parameter:
     source: str
 
 
+class ValidRange(NamedTuple):
+    """Bounds of one quantity within which a model is valid.
+
+    Attributes
+    ----------
+    name
+        An input of a shot, a parameter, or ``incidence``, the angle between the velocity of the clubhead and the normal
+        at the face centre.
+    label
+        What people call it.
+    reading
+        The unit in which they read it.
+    lower, upper
+        Its bounds [SI], both included.
+    """
+
+    name: str
+    label: str
+    reading: str
+    lower: float
+    upper: float
+
+
 @dataclass(frozen=True)
 class Model:
     """One impact model.
@@ -73,6 +97,14 @@ class Model:
     face_in
         The parameter that tells the restitution, if its default was found with a driver and so includes the driver's
         face; None if the defaults describe the ball alone.
+    lacks
+        The outputs that it does not compute.
+    gear_effect
+        Whether a head that turns back turns the ball.
+    ball
+        The ball whose coefficients the defaults are; None if they are of no ball in particular.
+    valid
+        The strikes for which the defaults are valid.
     """
 
     name: str
@@ -84,6 +116,10 @@ class Model:
     laws_without: tuple[str, tuple[str, ...]] | None
     parameters: tuple[Parameter, ...]
     face_in: str | None = None
+    lacks: tuple[str, ...] = ()
+    gear_effect: bool = True
+    ball: str | None = None
+    valid: tuple[ValidRange, ...] = ()
 
     @property
     def laws_in_words(self) -> str:
@@ -120,6 +156,10 @@ def _registered() -> Mapping[str, Model]:
             laws_without=(without[0], tuple(without[1])) if without else None,
             parameters=parameters,
             face_in=entry["face_in"],
+            lacks=tuple(entry["lacks"]),
+            gear_effect=entry["gear_effect"],
+            ball=entry["ball"],
+            valid=tuple(ValidRange(**each) for each in entry["valid"]),
         )
     return Frozen(result)
 

@@ -22,7 +22,6 @@ Outside the range of a model or a parameter set, its error is not known.
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -31,7 +30,7 @@ from typing import Any, NamedTuple, Self, TypeVar
 
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
-from clubface.equipment.models import Model, Parameter, model, model_names
+from clubface.equipment.models import Model, Parameter, model, model_names, models
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.schema.document import Document
 from clubface.schema.place import Place
@@ -93,29 +92,15 @@ class Bounded(NamedTuple):
     unit: str
 
 
-QUANTITIES = {
-    "speed": Bounded("clubhead speed", "mph"),
-    "incidence": Bounded("angle between path and face normal", "deg"),
-    "friction": Bounded("friction", "1"),
-    "club_mass": Bounded("mass of the head", "g"),
-    "characteristic_time": Bounded("characteristic time", "us"),
-    "ball_backspin": Bounded("backspin before impact", "rpm"),
-    "ball_sidespin": Bounded("sidespin before impact", "rpm"),
-    "ball_riflespin": Bounded("riflespin before impact", "rpm"),
-}
+QUANTITIES = {each.name: Bounded(each.label, each.reading) for declared in models().values() for each in declared.valid}
 """What a range can be of: inputs of a shot, ``friction`` of the model's parameters, and ``incidence``, the angle
 between the velocity of the clubhead and the normal at the face centre."""
 
-RANGES: Mapping[str, Range] = {
-    "response": {
-        "speed": (10.0, 65.0),
-        "incidence": (0.0, math.radians(72.0)),
-        "friction": (0.05, 0.6),
-        "club_mass": (0.16, 5.0),
-        "characteristic_time": (0.0, 350e-6),
-        **dict.fromkeys(("ball_backspin", "ball_sidespin", "ball_riflespin"), (-100.0 * math.pi, 100.0 * math.pi)),
-    }
-}
+RANGES: Mapping[str, Range] = Frozen({
+    name: Frozen({each.name: (each.lower, each.upper) for each in declared.valid})
+    for name, declared in models().items()
+    if declared.valid
+})  # fmt: skip
 """Ranges by model: the strikes from which its parameters come for every ball. The strikes by finite elements to which
 ``response`` is fitted are made from its range. Places on the face are not bounded: off centre a head gives way more
 easily, and the small heads among the strikes do so as much as the built-in clubs 30 mm off the face centre."""

@@ -1,6 +1,7 @@
 """What the compiled core computes of impacts and flights; the one place where this room names it."""
 
 from clubface._core import (
+    curves as curves,
     flight_inputs as flight_inputs,
     flight_outputs as flight_outputs,
     fly as fly,
@@ -13,5 +14,7 @@ from clubface._core import (
     pressure_at_altitude as pressure_at_altitude,
     sensitivities as sensitivities,
     sensitivity as sensitivity,
+    shot_shape_names as shot_shape_names,
+    shot_shapes as shot_shapes,
     trajectory as trajectory,
 )

@@ -15,7 +15,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, overload
 
@@ -25,7 +24,6 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError, Wording
-from clubface.quantities import quantity
 from clubface.results.notes import Note
 from clubface.simulation import core
 from clubface.simulation.inputs import check_on_error, common_shape, hand_value, thread_count
@@ -41,8 +39,8 @@ from clubface.simulation.results import (
     index_of,
     translate_core_error,
 )
-from clubface.simulation.shot_shape import curve, shot_shape
-from clubface.support.checks import Frozen, check_choice, check_names
+from clubface.simulation.shot_shape import shot_shape
+from clubface.support.checks import check_choice, check_names
 from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
 
@@ -209,7 +207,7 @@ def flight_columns(
         parsed[name] = value
     shape = common_shape(varied)
     copies = sum(each.shape != shape for each in varied.values())
-    check_request(math.prod(shape), 8 * (len(_quantities()) + copies) + 2 * FAILED)  # once more, sorted
+    check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies) + 2 * FAILED)  # once more, sorted
     flat = {
         name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
         for name, value in parsed.items()
@@ -353,7 +351,7 @@ class Flight(Batch):
     @classmethod
     def quantities(cls) -> Mapping[str, Variable]:
         """Return the quantities by name, with unit and meaning."""
-        return _quantities()
+        return flight_outputs()
 
     @property
     def start(self) -> Any:
@@ -485,17 +483,7 @@ def fly(
         if new and on_error == "raise":
             value = columns.get(new[0][1])
             raise first_error(new, value if isinstance(value, float | None) else float(value[new[0][0]]), shape)
-    places = Flight._rows()
-    azimuth = np.arctan2(columns["velocity_z"], columns["velocity_x"])
-    curved = curve(azimuth, values[places["carry"]], values[places["side"]])
-    values = np.concatenate([values, curved[None]])
     return Flight(values, columns, shape, varied, launch if isinstance(launch, Launch) else None, problems)
-
-
-@cache
-def _quantities() -> Mapping[str, Variable]:
-    known = quantity("curve")
-    return Frozen({**flight_outputs(), "curve": Variable("curve", known.unit, f"{known.meaning}: {known.sign}")})
 
 
 def _sorted_problems(

@@ -16,7 +16,7 @@ from clubface import units
 from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.balls import DEFAULT_BALL, Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import DEFAULT_MODEL, models
+from clubface.equipment.models import DEFAULT_MODEL, Model, model as model_named, models
 from clubface.equipment.parameters import QUANTITIES, ParameterSet, ends_in_words
 from clubface.errors import InputError, RangeWarning
 from clubface.results.notes import Note
@@ -143,12 +143,8 @@ def backend_of(model: str) -> Backend:
     return import_module(MODULES[model]).BACKEND if model in MODULES else REDUCED
 
 
-WITHOUT_GEAR_EFFECT = ("jorgensen",)
-"""The models in which a head that turns back does not turn the ball."""
 OFF_CENTRE = "off centre"
 """What stands for a quantity where a ball is struck off the face centre by a model without gear effect."""
-FITTED_TO_A_BALL = ("response",)
-"""The models whose parameters are coefficients for the ball ``DEFAULT_BALL``, unless another ball has its own."""
 OTHER_BALL = "ball"
 """What stands for a quantity where a ball of other pieces has none."""
 ROUNDING = 1e-9
@@ -252,16 +248,17 @@ def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
             out &= launch.ball_speed.reshape(-1) > 0.0  # a shot that cannot be computed has its own message
             if out.any():
                 result[name] = (int(out.sum()), float(value[out][0]))
-    if launch.model in WITHOUT_GEAR_EFFECT and _any(launch.input("toe"), launch.input("high")):
+    described = model_named(launch.model)
+    if not described.gear_effect and _any(launch.input("toe"), launch.input("high")):
         result[OFF_CENTRE] = (1, 0.0)
-    if launch.model in FITTED_TO_A_BALL and launch.parameters.unchosen and _is_of_other_pieces(launch.ball):
+    if described.ball and launch.parameters.unchosen and _is_of_other_pieces(launch.ball, described):
         result[OTHER_BALL] = (1, 0.0)
     return result
 
 
-def _is_of_other_pieces(ball: Ball) -> bool:
-    """Return whether a ball is known to differ from that of the coefficients, and has none of its own."""
-    return ball.construction is not None and ball.name != DEFAULT_BALL and not ball.parameters.keys() & FITTED_TO_A_BALL
+def _is_of_other_pieces(ball: Ball, model: Model) -> bool:
+    """Return whether a ball is known to differ from that of a model's coefficients, and has none of its own."""
+    return ball.construction is not None and ball.name != model.ball and model.name not in ball.parameters
 
 
 def _value(launch: Launch, name: str) -> Any:

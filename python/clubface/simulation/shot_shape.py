@@ -1,15 +1,9 @@
-"""The shape of a shot: how far the ball curves from the line on which it starts, and what golfers call that.
+"""What golfers call a shot: start and curve in words, by the limits of the core.
 
-The *curve* is the distance of the landing from the line on which the ball starts. It is measured across that line, so
-that a shot which is turned to the left or right as a whole curves as much as before; wind is part of it. The names
-follow from start and curve alone: a push or pull starts off the target line, a draw or fade curves, a hook or slice
-curves much. Where the ball lands is stated as a number next to the name.
-
-The limits are those of Open Golf Coach 0.3 (https://docs.rs/crate/opengolfcoach/0.3.0, shot_classifier.rs), a public
-library that names the shots of simulators: a push or pull starts more than 3 degrees off the target line; a shot curves
-from 3 degrees of spin axis on, and much from 12 degrees on. Measured and computed flights have no spin axis that stands
-for wind and carry as well, so that the limits of the axis are taken as the curve they make, 0.7% of the carry for a
-degree of axis: it is 0.6 to 1.0% for the clubs of the tours with the flight of this package.
+The *curve* is the distance of the landing from the line on which the ball starts, across that line; wind is part of it.
+The names follow from start and curve alone: a push or pull starts off the target line, a draw or fade curves, a hook or
+slice curves much. The limits are those of Open Golf Coach, that of the spin axis as the curve that it makes; the core
+says more in ``crates/clubface-impact/src/flight/shot_shape.rs``.
 """
 
 from __future__ import annotations
@@ -19,13 +13,16 @@ from typing import Any
 
 import numpy as np
 
+from clubface.simulation import core
+
 __all__ = ["BIG_CURVE", "STRAIGHT_CURVE", "STRAIGHT_START", "curve", "shot_shape"]
 
-STRAIGHT_START = math.radians(3.0)
+_SHAPES = core.shot_shapes()
+STRAIGHT_START: float = _SHAPES["straight_start"]
 """Largest angle between the start and the target line that is no push or pull [rad]."""
-STRAIGHT_CURVE = 0.02
+STRAIGHT_CURVE: float = _SHAPES["straight_curve"]
 """Largest curve, as a share of the carry, that is neither draw nor fade: that of 3 degrees of spin axis."""
-BIG_CURVE = 0.085
+BIG_CURVE: float = _SHAPES["big_curve"]
 """Largest curve, as a share of the carry, that is no hook or slice: that of 12 degrees of spin axis."""
 
 
@@ -41,8 +38,9 @@ def curve(azimuth: Any, carry: Any, side: Any) -> Any:
     side
         Distance of the landing from the target line [m], right is positive. Numbers or arrays that broadcast.
     """
-    along = np.sqrt(np.maximum(np.square(carry) - np.square(side), 0.0))
-    return side * np.cos(azimuth) - along * np.sin(azimuth)
+    columns, shape = _columns(azimuth, carry, side)
+    values = core.curves(*columns, math.prod(shape)).reshape(shape)
+    return values if shape else float(values)
 
 
 def shot_shape(azimuth: Any, curve: Any, carry: Any, *, hand: Any = 1.0) -> Any:
@@ -59,16 +57,14 @@ def shot_shape(azimuth: Any, curve: Any, carry: Any, *, hand: Any = 1.0) -> Any:
     hand
         1 for a right-handed player, -1 for a left-handed one, whose push starts left and whose draw curves right.
     """
-    start, share = (
-        np.multiply(azimuth, hand),
-        np.multiply(curve, hand) / np.where(np.greater(carry, 0.0), carry, np.nan),
-    )
-    side = np.select([start < -STRAIGHT_START, start > STRAIGHT_START], ["pull", "push"], "")
-    bend = np.select(
-        [share < -BIG_CURVE, share < -STRAIGHT_CURVE, share > BIG_CURVE, share > STRAIGHT_CURVE],
-        ["hook", "draw", "slice", "fade"], "",
-    )  # fmt: skip
-    names = np.char.strip(np.char.add(np.char.add(side, " "), bend))
-    names = np.where(names == "", "straight shot", names)
-    names = np.where(np.isnan(start + share), "", names)
-    return names if names.ndim else str(names)
+    columns, shape = _columns(azimuth, curve, carry, hand)
+    names = core.shot_shape_names(*columns, math.prod(shape))
+    return np.array(names, dtype=str).reshape(shape) if shape else names[0]
+
+
+def _columns(*values: Any) -> tuple[list[Any], tuple[int, ...]]:
+    """Return numbers, or arrays as the core takes them, and the shape they broadcast to."""
+    arrays = [np.asarray(each, dtype=float) for each in values]
+    shape = np.broadcast_shapes(*(each.shape for each in arrays))
+    whole = (np.ascontiguousarray(np.broadcast_to(each, shape)).reshape(-1) if each.ndim else each for each in arrays)
+    return [each if each.ndim else float(each) for each in whole], shape

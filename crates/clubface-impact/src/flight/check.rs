@@ -47,7 +47,7 @@ pub(super) fn good<S: Scalar>(inputs: &[S; INPUT_COUNT]) -> S::Mask {
 
 fn check_range(input: &FlightInput, value: f64) -> Result<(), ImpactError> {
     let (lower, upper) = (input.bounds.lower, input.bounds.upper);
-    if (lower..=upper).contains(&value) {
+    if input.bounds.contains(value) {
         return Ok(());
     }
     let unit = if input.quantity.unit == "1" { String::new() } else { format!(" {}", input.quantity.unit) };

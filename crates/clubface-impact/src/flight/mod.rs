@@ -14,6 +14,7 @@ mod record;
 mod sensitivities;
 mod sensitivity;
 mod shot;
+pub mod shot_shape;
 pub mod trajectory;
 
 pub use batch::FlightBatch;
@@ -22,5 +23,6 @@ pub use record::{Track, trajectory};
 pub use sensitivities::{CHUNK as DIFFERENTIATED, FlightSensitivities};
 pub use sensitivity::{FlightSensitivity, sensitivity};
 pub use shot::{
-    Bounds, FlightInput, FlightShot, Flown, INPUT_COUNT, INPUTS, OUTPUT_COUNT, OUTPUTS, default_inputs, fly,
+    FlightInput, FlightShot, Flown, INPUT_COUNT, INPUTS, OUTPUT_COUNT, OUTPUTS, default_inputs, fly,
 };
+pub use shot_shape::{SHOT_SHAPES, ShotShapes};

@@ -2,20 +2,13 @@
 
 use super::air::{DEFAULT_HUMIDITY, DEFAULT_PRESSURE, DEFAULT_TEMPERATURE, density, viscosity};
 use super::ground::{Ground, run};
+use super::shot_shape::curve;
 use super::trajectory::{Air, Flight, Landing, fly_to_ground};
 use crate::ball::Ball;
+use crate::description::Bounds;
 use crate::quantity::{Quantity, known, quantities};
 use clubface_math::{Scalar, Vec3};
 use core::f64::consts::PI;
-
-/// Allowed values of an input.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// Smallest allowed value.
-    pub lower: f64,
-    /// Largest allowed value.
-    pub upper: f64,
-}
 
 /// One input of a flight.
 #[derive(Clone, Copy, Debug)]
@@ -28,17 +21,24 @@ pub struct FlightInput {
     pub default: f64,
     /// Allowed values.
     pub bounds: Bounds,
+    /// Values that golf has, as far as a slider reaches.
+    pub usual: Option<Bounds>,
 }
 
 macro_rules! inputs {
-    ($($group:literal { $($name:ident = $default:expr, $lower:literal ..= $upper:literal;)+ })+) => {
+    ($($group:literal {
+        $($name:ident = $default:expr, $lower:literal ..= $upper:literal $(, $least:literal ..= $most:literal)?;)+
+    })+) => {
         [$($(FlightInput {
             quantity: known(stringify!($name)),
             group: $group,
             default: $default,
-            bounds: Bounds { lower: $lower, upper: $upper },
+            bounds: Bounds::new($lower, $upper),
+            usual: inputs!(@usual $($least $most)?),
         }),+),+]
     };
+    (@usual) => { None };
+    (@usual $least:literal $most:literal) => { Some(Bounds::new($least, $most)) };
 }
 
 const NONE: f64 = f64::NAN;
@@ -46,8 +46,8 @@ const NONE: f64 = f64::NAN;
 /// Number of inputs.
 pub const INPUT_COUNT: usize = 20;
 
-/// All inputs, in the order of the columns of a batch.
-pub const INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
+/// All inputs, in the order of the columns of a batch: default, allowed values, and those that golf has.
+pub static INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
     "ball" {
         ball_mass = 0.0459, 0.001..=1.0;
         ball_radius = 0.0213, 0.005..=0.1;
@@ -62,28 +62,28 @@ pub const INPUTS: [FlightInput; INPUT_COUNT] = inputs! {
         spin_z = NONE, -3000.0..=3000.0;
     }
     "air" {
-        temperature = DEFAULT_TEMPERATURE, 233.15..=333.15;
-        pressure = DEFAULT_PRESSURE, 30e3..=120e3;
-        humidity = DEFAULT_HUMIDITY, 0.0..=1.0;
-        wind_x = 0.0, -60.0..=60.0;
-        wind_y = 0.0, -60.0..=60.0;
-        wind_z = 0.0, -60.0..=60.0;
+        temperature = DEFAULT_TEMPERATURE, 233.15..=333.15, 263.15..=318.15;
+        pressure = DEFAULT_PRESSURE, 30e3..=120e3, 65e3..=106e3;
+        humidity = DEFAULT_HUMIDITY, 0.0..=1.0, 0.0..=1.0;
+        wind_x = 0.0, -60.0..=60.0, -18.0..=18.0;
+        wind_y = 0.0, -60.0..=60.0, -3.0..=3.0;
+        wind_z = 0.0, -60.0..=60.0, -18.0..=18.0;
     }
     "ground" {
-        restitution_factor = 1.0, 0.01..=1.5;
-        ground_tilt = 12.3 * PI / 180.0, 0.0..=1.0;
-        ground_friction = 0.40, 0.01..=2.0;
-        rolling_friction = 0.131, 0.005..=2.0;
-        grass_length = 23.0, 1.0..=1e9;
+        restitution_factor = 1.0, 0.01..=1.5, 0.5..=1.5;
+        ground_tilt = 12.3 * PI / 180.0, 0.0..=1.0, 0.1..=0.4;
+        ground_friction = 0.40, 0.01..=2.0, 0.2..=0.6;
+        rolling_friction = 0.131, 0.005..=2.0, 0.06..=0.4;
+        grass_length = 23.0, 1.0..=1e9, 5.0..=100.0;
     }
 };
 
 /// Number of outputs.
-pub const OUTPUT_COUNT: usize = 10;
+pub const OUTPUT_COUNT: usize = 11;
 
 /// All outputs, in the order of [`Flown::outputs`].
 pub const OUTPUTS: [&Quantity; OUTPUT_COUNT] = quantities! {
-    carry side apex landing_angle flight_time landing_speed landing_spin total total_side outside_fit
+    carry side apex landing_angle flight_time landing_speed landing_spin total total_side outside_fit curve
 };
 
 /// Default of every input; the launch, which has none, is NaN.
@@ -134,6 +134,8 @@ impl<S: Scalar> FlightShot<S> {
 /// What became of a shot.
 #[derive(Clone, Copy, Debug)]
 pub struct Flown<S: Scalar> {
+    /// Launch velocity, m/s.
+    pub velocity: Vec3<S>,
     /// Landing.
     pub landing: Landing<S>,
     /// Place of rest, m.
@@ -157,6 +159,7 @@ impl<S: Scalar> Flown<S> {
             level(self.rest),
             self.rest.z,
             S::select(outside_fit, S::one(), S::zero()),
+            curve(self.velocity, position),
         ]
     }
 }
@@ -167,5 +170,5 @@ pub fn fly<S: Scalar>(shot: &FlightShot<S>, tolerance: f64) -> Flown<S> {
     let flight = Flight::new(&shot.ball, shot.spin, &shot.air);
     let landing = fly_to_ground(&flight, shot.velocity, tolerance, f64::INFINITY, |_, _| {});
     let rest = run(&shot.ball, &shot.ground, &flight, landing.position, landing.velocity, landing.spin);
-    Flown { landing, rest }
+    Flown { velocity: shot.velocity, landing, rest }
 }

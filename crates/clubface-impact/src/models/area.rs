@@ -41,6 +41,10 @@ impl Describe for Area<()> {
         laws: &[Law::Momentum, Law::AngularMomentum],
         laws_without: Some(("area_damping", &[Law::Energy, Law::FrictionCone])),
         face_in: Some("damping"),
+        lacks: &[],
+        gear_effect: true,
+        ball: None,
+        valid: &[],
         lanes: true,
         parameters: Area::PARAMETERS,
     };

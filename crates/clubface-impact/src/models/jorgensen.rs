@@ -2,7 +2,7 @@
 
 use super::impulse::{Restitution, restitution, solve};
 use crate::contact::Recorder;
-use crate::description::{Law, ModelInfo, ModelKind};
+use crate::description::{Law, ModelInfo, ModelKind, TIMED_OUTPUTS};
 use crate::first_touch::{FirstTouch, Motion};
 use crate::impact::{Accuracy, Impact};
 use crate::model::{Describe, Model};
@@ -34,6 +34,10 @@ impl Describe for Jorgensen<()> {
         laws: &[Law::Momentum],
         laws_without: None,
         face_in: Some("cor"),
+        lacks: TIMED_OUTPUTS,
+        gear_effect: false,
+        ball: None,
+        valid: &[],
         lanes: true,
         parameters: Jorgensen::PARAMETERS,
     };

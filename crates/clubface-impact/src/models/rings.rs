@@ -60,6 +60,10 @@ impl Describe for Rings<()> {
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         face_in: Some("damping"),
+        lacks: &[],
+        gear_effect: true,
+        ball: None,
+        valid: &[],
         lanes: false,
         parameters: Rings::PARAMETERS,
     };

@@ -3,7 +3,7 @@
 
 use super::impulse::{Restitution, restitution, solve};
 use crate::contact::Recorder;
-use crate::description::{Law, ModelInfo, ModelKind};
+use crate::description::{Law, ModelInfo, ModelKind, TIMED_OUTPUTS};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
 use crate::model::{Describe, Model};
@@ -35,6 +35,10 @@ impl Describe for Slip<()> {
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy],
         laws_without: None,
         face_in: Some("cor"),
+        lacks: TIMED_OUTPUTS,
+        gear_effect: true,
+        ball: None,
+        valid: &[],
         lanes: true,
         parameters: Slip::PARAMETERS,
     };

@@ -44,6 +44,10 @@ impl Describe for Volumetric<()> {
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         face_in: Some("damping"),
+        lacks: &[],
+        gear_effect: true,
+        ball: None,
+        valid: &[],
         lanes: true,
         parameters: Volumetric::PARAMETERS,
     };

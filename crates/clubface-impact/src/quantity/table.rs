@@ -17,7 +17,7 @@ const fn entry(
 }
 
 /// Number of quantities.
-const COUNT: usize = 174;
+const COUNT: usize = 177;
 
 /// All quantities: one table, which others point into.
 #[rustfmt::skip]

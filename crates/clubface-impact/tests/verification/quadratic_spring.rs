@@ -34,6 +34,10 @@ impl Describe for QuadraticSpring<()> {
         laws: &[Law::Momentum, Law::AngularMomentum, Law::Energy, Law::FrictionCone],
         laws_without: None,
         face_in: None,
+        lacks: &[],
+        gear_effect: true,
+        ball: None,
+        valid: &[],
         lanes: true,
         parameters: QuadraticSpring::PARAMETERS,
     };

@@ -1,10 +1,13 @@
 //! The table of quantities: one meaning a name, units that are known, columns and parameters that agree with it.
 
+use crate::shots::*;
+use clubface_impact::Accuracy;
+use clubface_impact::check::check;
 use clubface_impact::flight;
 use clubface_impact::launch::OUTPUTS;
 use clubface_impact::quantity::{QUANTITIES, quantity};
 use clubface_impact::registry;
-use clubface_impact::shot::INPUTS;
+use clubface_impact::shot::{DELIVERY_COUNT, INPUTS};
 use clubface_impact::unit::{DIMENSIONS, UNITS, unit};
 use std::collections::{HashMap, HashSet};
 
@@ -78,4 +81,74 @@ fn columns_say_what_positive_means() {
         ["speed", "loft"].contains(&input.quantity.name) != input.quantity.description().contains("positive")
     }));
     assert!(OUTPUTS.iter().all(|output| output.sides.is_none() || output.description().contains("positive")));
+}
+
+/// The bounds that are described are those that are checked: just outside, the input itself is at fault.
+#[test]
+fn a_value_outside_its_bounds_is_refused_by_its_name() {
+    for input in &INPUTS {
+        let (name, bounds) = (input.quantity.name, input.bounds);
+        for (end, outside) in [(bounds.lower, -1e-3), (bounds.upper, 1e-3)] {
+            if end.is_finite() {
+                let value = end + outside * end.abs().max(1e-3);
+                let error = check(&played(Club::Driver).with(&[(name, value)]).0).expect_err(name);
+                assert_eq!(error.input, name, "{value}: {}", error.message);
+            }
+        }
+        if let Some(whole) = input.half_of {
+            let shot = played(Club::Driver);
+            let value = shot.at(whole) / 2.0 * 1.001;
+            assert_eq!(check(&shot.with(&[(name, value)]).0).unwrap_err().input, name);
+        }
+    }
+}
+
+/// What a slider reaches is allowed, on a face that is wide enough.
+#[test]
+fn usual_values_are_allowed() {
+    let wide = played(Club::Driver).with(&[("face_width", 0.12), ("face_height", 0.06)]);
+    for input in &INPUTS[..DELIVERY_COUNT] {
+        let usual = input.usual.expect("deliveries have usual values");
+        assert!(usual.lower < usual.upper && input.bounds.contains(usual.lower));
+        for value in [usual.lower, usual.upper] {
+            assert_eq!(
+                check(&wide.with(&[(input.quantity.name, value)]).0),
+                Ok(()),
+                "{}",
+                input.quantity.name
+            );
+        }
+    }
+    for input in &flight::INPUTS {
+        if let Some(usual) = input.usual {
+            assert!(usual.lower < usual.upper, "{}", input.quantity.name);
+            assert!(
+                [usual.lower, usual.upper, input.default].iter().all(|&value| input.bounds.contains(value))
+            );
+            assert!(usual.contains(input.default), "{}", input.quantity.name);
+        }
+    }
+}
+
+/// A model lacks the outputs that it leaves NaN, and its valid range is of what it has.
+#[test]
+fn models_describe_what_they_lack_and_where_they_are_valid() {
+    for model in every_model() {
+        let info = model.info();
+        let launch = hit(model, &played(Club::Driver), &info.defaults(), Accuracy::Fast);
+        for (output, value) in OUTPUTS.iter().zip(launch.0) {
+            assert_eq!(value.is_nan(), info.lacks.contains(&output.name), "{} of {}", output.name, info.name);
+        }
+        for each in info.valid {
+            let of_model = info.parameters.iter().find(|parameter| parameter.name == each.name);
+            let input = INPUTS.iter().find(|input| input.quantity.name == each.name);
+            assert!(of_model.is_some() || input.is_some() || each.name == "incidence", "{}", each.name);
+            assert!(unit(each.reading).is_some() && each.bounds.lower < each.bounds.upper, "{}", each.name);
+            let bounds =
+                of_model.map(|p| (p.lower, p.upper)).or(input.map(|i| (i.bounds.lower, i.bounds.upper)));
+            let (lower, upper) = bounds.unwrap_or((0.0, f64::INFINITY));
+            assert!(lower <= each.bounds.lower && each.bounds.upper <= upper, "{}", each.name);
+        }
+    }
+    assert!(!RESPONSE.info().valid.is_empty());
 }

@@ -5,6 +5,7 @@ mod ground;
 mod numerics;
 mod physics;
 mod published;
+mod shot_shape;
 
 use clubface_impact::flight::trajectory::TOLERANCE;
 use clubface_impact::flight::{FlightShot, Flown, INPUT_COUNT, INPUTS, OUTPUTS, default_inputs, fly};
