@@ -44,7 +44,9 @@ from clubface.support.version import __version__
 from clubface.units import from_si
 from clubface.validation.tour import Average, averages
 
-DESCRIBED = ("quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs")
+DESCRIBED = (
+    "quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs", "shot_shapes",
+)  # fmt: skip
 
 SHOWN, FRAMES = 600e-6, 61
 """Time that most contacts do not exceed [s], and the shapes that are kept in it, one in 10 us."""
@@ -247,7 +249,7 @@ def description() -> dict[str, Any]:
             return {key: plain(item) for key, item in value.items()}
         if isinstance(value, list | tuple):
             return [plain(item) for item in value]
-        return None if isinstance(value, float) and math.isnan(value) else value
+        return None if isinstance(value, float) and not math.isfinite(value) else value
 
     return {name: plain(getattr(_core, name)()) for name in DESCRIBED}
 
