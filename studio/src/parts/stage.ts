@@ -52,11 +52,15 @@ export function setStage(name: string, inputs: readonly unknown[], set: (stage: 
   const made = old ?? makeStage(frame);
   made.inputs = all;
   if (!old) kept.set(name, made);
-  void made.stage.then((stage) => {
-    if (kept.get(name) !== made || made.inputs !== all) return;
-    set(stage, stage.scene.children.length === 0);
-    stage.redraw();
-  });
+  // Without WebGL the frame says so already.
+  void made.stage.then(
+    (stage) => {
+      if (kept.get(name) !== made || made.inputs !== all) return;
+      set(stage, stage.scene.children.length === 0);
+      stage.redraw();
+    },
+    () => undefined,
+  );
 }
 
 /** Ends the pictures whose frames are not on the page any more. */

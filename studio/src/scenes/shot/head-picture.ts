@@ -178,6 +178,8 @@ function move({ three }: Stage, { head, ball, spun, mark, arrows, words }: Drawn
 /** Distance from which the head is seen [m], and the point that is looked at. */
 const FAR = 0.46;
 const MIDDLE: Vector = [0.04, 0.02, 0];
+/** Width over height from which a picture is wide enough. */
+const WIDE = 1.7;
 
 /** Turns the camera to the side from which the head is to be seen. */
 function look({ camera, controls }: Stage, { view, inputs: { hand } }: Picture): void {
@@ -187,7 +189,9 @@ function look({ camera, controls }: Stage, { view, inputs: { hand } }: Picture):
     line: [-1, 0.12, 0],
     face: [0, 0.1, hand],
   };
+  // A narrow picture is seen from farther away, so that it holds as much from side to side.
+  const far = FAR * Math.max(1, WIDE / camera.aspect);
   controls.target.set(...MIDDLE);
-  camera.position.set(...plus(MIDDLE, times(unit(from[view] ?? from["corner"]), FAR)));
+  camera.position.set(...plus(MIDDLE, times(unit(from[view] ?? from["corner"]), far)));
   controls.update();
 }
