@@ -45,7 +45,8 @@ from clubface.units import from_si
 from clubface.validation.tour import Average, averages
 
 DESCRIBED = (
-    "quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs", "shot_shapes",
+    "quantities", "units", "dimensions", "models", "inputs", "outputs", "flight_inputs", "flight_outputs",
+    "shot_shapes",
 )  # fmt: skip
 
 SHOWN, FRAMES = 600e-6, 61
