@@ -22,6 +22,7 @@ from lesson_figures import lesson_figures
 from clubface import _core, fem
 from clubface.design.face_surface import outline_of
 from clubface.design.golfer import MIRRORED, Golfer, golfer
+from clubface.design.strokes import AT_REST, FAIRWAY_WIDTH, GREEN_RADIUS, ROUGH_WIDTH, as_lists
 from clubface.equipment.balls import DEFAULT_BALL, FRICTION_LIMITS, Ball, ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
@@ -132,7 +133,19 @@ def described_golfer(each: Golfer) -> dict[str, Any]:
             "mishit_scale": own.mishit_scale,
         }
 
-    return {"title": each.title, "club": each.club, "right": distribution(1), "left": distribution(-1)}
+    return {
+        "title": each.title,
+        "club": each.club,
+        "right": distribution(1),
+        "left": distribution(-1),
+        "sources": [[", ".join(figures), source] for source, figures in each.figures_by_source().items()],
+    }
+
+
+def described_hole() -> dict[str, Any]:
+    """Return what stands for the measures of a hole that are not given, and the strokes to hole out from each lie."""
+    tables = [dict(zip(("distance", "strokes"), as_lists(lie), strict=True)) for lie in AT_REST]
+    return {"fairway": FAIRWAY_WIDTH, "rough": ROUGH_WIDTH, "green": GREEN_RADIUS, "tables": tables}
 
 
 def equipment_data() -> dict[str, Any]:
@@ -168,6 +181,7 @@ def equipment_data() -> dict[str, Any]:
         },
         "balls": {name: described_ball(each) for name, each in balls.items()},
         "golfers": {name: described_golfer(golfer(name)) for name in builtin_names("golfers")},
+        "hole": described_hole(),
         "grounds": {name: dict(values) for name, values in GROUNDS.items()},
         "sets": [sets[key] for key in set_places],
         "faces": [list(face) for face in faces],

@@ -5,6 +5,7 @@ import { compareModels, computeFlight, computeShot, computeSlopes } from "./comp
 import { computeContributions } from "./contributions";
 import { simulateElements } from "./elements";
 import { computeLessonCases, computeLessonCurves } from "./lessons";
+import { computeAir, computeBag, computeDispersion } from "./range";
 
 /** Takes the share that is done of a computation that takes long. */
 export type Report = (share: number) => void;
@@ -18,6 +19,9 @@ export const COMPUTATIONS = {
   elements: simulateElements,
   lessonCases: computeLessonCases,
   lessonCurves: computeLessonCurves,
+  bag: computeBag,
+  dispersion: computeDispersion,
+  air: computeAir,
 };
 
 export type Kind = keyof typeof COMPUTATIONS;

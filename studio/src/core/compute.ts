@@ -8,9 +8,9 @@ export const DRAWN = 1e-8;
 
 export function computeShot(core: LoadedCore, strike: Strike): Shot {
   const computed = computeModel(core, strike);
-  if (computed.failure) return { ...computed, path: new Float64Array() };
-  const flight = flightInputs(core, strike, computed.values);
-  return { ...computed, path: core.trajectory(flight).position.values };
+  if (computed.failure) return { ...computed, path: new Float64Array(), times: new Float64Array() };
+  const { position, time } = core.trajectory(flightInputs(core, strike, computed.values));
+  return { ...computed, path: position.values, times: time.values };
 }
 
 export function compareModels(core: LoadedCore, strikes: Strike[]): Comparison {

@@ -130,6 +130,8 @@ export interface Computed {
 export interface Shot extends Computed {
   /** Positions of the ball in flight [m], x y z of each moment after one another. */
   path: Float64Array;
+  /** The moments [s]. */
+  times: Float64Array;
 }
 
 /** Derivatives of outputs of launch and flight by inputs of the delivery, by their names. */

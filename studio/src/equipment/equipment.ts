@@ -53,6 +53,16 @@ export interface GolferEntry {
   /** The shots with a club of either hand. */
   right: Distribution;
   left: Distribution;
+  /** Figures in words, and where they come from. */
+  sources: [figures: string, source: string][];
+}
+
+/** Usual measures of a hole [m], and the strokes to hole out from green, fairway, rough and recovery by distance [m]. */
+export interface HoleEntry {
+  fairway: number;
+  rough: number;
+  green: number;
+  tables: { distance: number[]; strokes: number[] }[];
 }
 
 /** Places of the parameter set and of the face by the name of the published set, "" for the usual one. */
@@ -126,6 +136,7 @@ export interface Equipment {
   clubs: Record<string, ClubEntry>;
   balls: Record<string, BallEntry>;
   golfers: Record<string, GolferEntry>;
+  hole: HoleEntry;
   /** Inputs of a flight in SI by the names of grounds. */
   grounds: Record<string, Values>;
   sets: SetEntry[];

@@ -17,6 +17,8 @@ export interface Stage {
   colour(variable: string): Color;
   /** Draws what has been changed with the next frame. */
   redraw(): void;
+  /** Takes the size of its frame, if that is another now. */
+  fit(): void;
 }
 
 interface Kept {
@@ -56,6 +58,7 @@ export function setStage(name: string, inputs: readonly unknown[], set: (stage: 
   void made.stage.then(
     (stage) => {
       if (kept.get(name) !== made || made.inputs !== all) return;
+      stage.fit();
       set(stage, stage.scene.children.length === 0);
       stage.redraw();
     },
@@ -100,7 +103,8 @@ function makeStage(frame: HTMLElement): Kept {
       turnByKeys(domElement, camera, controls, redraw);
       const resize = (): void => {
         const { clientWidth: width, clientHeight: height } = frame;
-        if (!width || !height) return;
+        const { x, y } = renderer.getSize(new three.Vector2());
+        if (!width || !height || (x === width && y === height)) return;
         renderer.setSize(width, height, false);
         camera.aspect = width / height;
         camera.updateProjectionMatrix();
@@ -118,7 +122,7 @@ function makeStage(frame: HTMLElement): Kept {
       if (ended) finish();
       const colour = (variable: string): Color =>
         new three.Color(getComputedStyle(frame).getPropertyValue(variable).trim() || "gray");
-      return { three, scene, camera, renderer, controls, colour, redraw };
+      return { three, scene, camera, renderer, controls, colour, redraw, fit: resize };
     },
   );
   stage.catch((error: unknown) => {

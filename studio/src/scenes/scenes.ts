@@ -4,6 +4,7 @@ import type { SceneEntry } from "../context";
 import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
 import { elementsSettings } from "./elements/settings";
+import { flightSettings } from "./flight/settings";
 import { LEARN_SETTINGS } from "./learn/settings";
 import { modelsScene } from "./models/models-scene";
 import { sessionsSettings } from "./sessions/settings";
@@ -17,6 +18,12 @@ export const SCENES: readonly SceneEntry[] = [
     title: "Impact by finite elements",
     settings: elementsSettings,
     load: () => import("./elements/elements-scene").then(({ elementsScene }) => elementsScene),
+  },
+  {
+    name: "flight",
+    title: "Flight",
+    settings: flightSettings,
+    load: () => import("./flight/flight-scene").then(({ flightScene }) => flightScene),
   },
   { name: "models", title: "Models side by side", load: () => modelsScene },
   {

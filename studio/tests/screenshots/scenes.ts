@@ -15,6 +15,7 @@ const SHOT = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1d
 const SCENES: Record<string, [link: string, ready: string]> = {
   shot: [SHOT, "[data-quantity]"],
   elements: [SHOT.replace("#", "#scene=elements&moment=260us&"), ".status[data-status='done'][data-mesh='fine']"],
+  flight: [SHOT.replace("#", "#scene=flight&wind=12mph&wind_from=60deg&"), "[data-stage=range] canvas"],
   models: [SHOT.replace("#", "#scene=models&"), ".models td"],
   learn: [SHOT.replace("#", "#scene=learn&lesson=gear&"), ".answer data"],
 };

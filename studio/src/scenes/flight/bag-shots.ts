@@ -1,0 +1,31 @@
+/** The clubs of a bag, each with the tour's delivery at the speed that goes with the player's driver. */
+
+import { type Context, choiceSetting, strike } from "../../context";
+import type { Strike } from "../../core/types";
+import type { Amount } from "../../quantities/units";
+import { wordsOf } from "../../state/settings";
+import { changed } from "../../state/state";
+
+const DRIVER = "driver";
+
+/** The clubs that were chosen, in the order of the equipment. */
+export function bagOf(context: Context): string[] {
+  const chosen = wordsOf(choiceSetting(context, "bag"));
+  return Object.keys(context.equipment.clubs).filter((club) => chosen.includes(club));
+}
+
+/** The speed that the player would have with the driver. */
+export function driverSpeed({ state, equipment }: Context): Amount {
+  const { speed } = changed(state, { kind: "club", club: DRIVER }, equipment).delivery;
+  return speed;
+}
+
+/** Each club's shot: speed and attack angle of the tour's club, scaled to the player's driver; square and centred. */
+export function bagStrikes(context: Context): { club: string; strike: Strike }[] {
+  const { state, equipment } = context;
+  const driving = { ...state, club: DRIVER, delivery: { speed: driverSpeed(context) } };
+  return bagOf(context).map((club) => {
+    const struck = changed(driving, { kind: "club", club }, equipment);
+    return { club, strike: strike({ ...context, state: struck }) };
+  });
+}

@@ -1,0 +1,92 @@
+/** A table of the clubs of a bag with the gaps between them, and the choice of the clubs. */
+
+import { html, type TemplateResult } from "lit-html";
+import type { Context } from "../../context";
+import { outputOf } from "../../state/store";
+import { bagOf, driverSpeed } from "./bag-shots";
+import { colourOf } from "./range-content";
+
+const COLUMNS = ["ball_speed", "launch", "total_spin", "apex", "landing_angle", "side", "total"];
+
+export function bagPanel(context: Context): TemplateResult {
+  const { equipment, actions, formatter, state } = context;
+  const chosen = bagOf(context);
+  const driven = formatter.text("speed", formatter.units.toSi(driverSpeed(context)), state.system);
+  const toggle = (club: string): void => {
+    const bag = chosen.includes(club) ? chosen.filter((each) => each !== club) : [...chosen, club];
+    actions.change({ kind: "settings", settings: { bag: bag.join(",") } });
+  };
+  return html`
+    <section aria-labelledby="bag">
+      <h2 id="bag">Gaps between the clubs</h2>
+      <p>
+        Every club as the tour delivers it: its own loft, the tour's attack angle, square and centred, at the speed that
+        goes with a driver at ${driven}. Another speed of the club above changes them all.
+      </p>
+      ${gapTable(context)}
+      <details>
+        <summary>Choose the clubs</summary>
+        <ul class="clubs">
+          ${Object.entries(equipment.clubs).map(
+            ([club, { label, description }]) => html`<li>
+              <label title=${description}>
+                <input type="checkbox" name=${`bag-${club}`} .checked=${chosen.includes(club)} @change=${() => toggle(club)} />
+                ${label}
+              </label>
+            </li>`,
+          )}
+        </ul>
+      </details>
+    </section>
+  `;
+}
+
+function gapTable(context: Context): TemplateResult {
+  const { model, state, formatter, equipment } = context;
+  const shots = outputOf(model, "bag");
+  if (!shots) return html`<p aria-busy="true">The clubs are being computed …</p>`;
+  const places = new Map(shots.map(({ club }, place) => [club, place]));
+  const longest = shots.filter(({ failure }) => !failure).sort((a, b) => b.values.carry - a.values.carry);
+  const failed = shots.filter(({ failure }) => failure);
+  const heading = (name: string): TemplateResult => {
+    const { label, meaning } = formatter.quantity(name);
+    const symbol = formatter.units.symbol(formatter.reading(name, state.system).unit);
+    return html`<th scope="col" title=${meaning}>${label}${symbol ? `,\u00a0${symbol}` : ""}</th>`;
+  };
+  const cell = (name: string, value: number): TemplateResult => {
+    const { number, side } = formatter.show(name, value, state.system);
+    return html`<td data-quantity=${name} data-value=${String(value)}>${number} ${side}</td>`;
+  };
+  return html`
+    <div class="scroll" tabindex="0" role="region" aria-label="Table of the clubs">
+      <table class="gaps">
+        <caption>From the longest carry to the shortest</caption>
+        <thead>
+          <tr>
+            <th scope="col">Club</th>
+            ${heading("carry")}
+            <th scope="col" title="how much farther it carries than the next club">Gap to the next</th>
+            ${COLUMNS.map(heading)}
+          </tr>
+        </thead>
+        <tbody>
+          ${longest.map(({ club, values }, i) => {
+            const next = longest[i + 1]?.values.carry;
+            return html`<tr data-club=${club}>
+              <th scope="row">
+                <i class="club-colour" style=${`background: var(${colourOf(places.get(club) ?? 0)})`}></i>
+                ${equipment.clubs[club].label}
+              </th>
+              ${cell("carry", values.carry)}
+              <td data-quantity="gap" data-value=${String(next === undefined ? Number.NaN : values.carry - next)}>
+                ${next === undefined ? "–" : formatter.show("carry", values.carry - next, state.system).number}
+              </td>
+              ${COLUMNS.map((name) => cell(name, values[name]))}
+            </tr>`;
+          })}
+        </tbody>
+      </table>
+    </div>
+    ${failed.map(({ club, failure }) => html`<p class="failure">${equipment.clubs[club].label}: ${failure?.message}</p>`)}
+  `;
+}

@@ -1,0 +1,78 @@
+/** The picture of the range with what flies on it, from where it is seen, and the button that plays it. */
+
+import { html, type TemplateResult } from "lit-html";
+import { type Context, choiceSetting } from "../../context";
+import { conditionsInWords } from "../../parts/conditions";
+import { stageFrame } from "../../parts/stage";
+import { takeGolfer } from "./golfer";
+import { contentOf } from "./range-content";
+import { played, RANGE } from "./range-picture";
+import { play } from "./range-play";
+import { FLYING, VIEWS } from "./settings";
+import { SIDE_STEP, STEP } from "./turf";
+
+export function rangePanel(context: Context): TemplateResult {
+  const { actions, state } = context;
+  const [flying, view] = [choiceSetting(context, "flying"), choiceSetting(context, "range_view")];
+  const fly = (name: string): void => {
+    if (name === "golfer" && !state.settings.golfer) takeGolfer(context, choiceSetting(context, "golfer"));
+    else actions.change({ kind: "settings", settings: { flying: name } });
+  };
+  const see = (name: string): void => {
+    if (name === view) played?.look();
+    else actions.change({ kind: "settings", settings: { range_view: name } });
+  };
+  const buttons = (
+    label: string,
+    all: readonly (readonly [name: string, title: string])[],
+    chosen: string,
+    choose: (name: string) => void,
+  ): TemplateResult => html`
+    <div class="segments" role="group" aria-label=${label}>
+      ${all.map(
+        ([name, title]) => html`
+          <button type="button" aria-pressed=${name === chosen} @click=${() => choose(name)}>${title}</button>
+        `,
+      )}
+    </div>
+  `;
+  return html`
+    <section class="range-panel" aria-labelledby="range">
+      <h2 id="range">Range</h2>
+      <div class="range-tools">
+        ${buttons("What flies", FLYING, flying, fly)} ${buttons("Seen", VIEWS, view, see)}
+        <button type="button" @click=${() => played && play(played)}>Play</button>
+      </div>
+      <div data-sized=${RANGE} class=${`seen-${view}`}>${stageFrame(RANGE, inWords(context))}</div>
+      <p class="remark">${legend(context)}</p>
+    </section>
+  `;
+}
+
+/** What the lines of the picture are. */
+function legend({ formatter, state }: Context): string {
+  const symbol = formatter.units.symbol(formatter.reading("carry", state.system).unit);
+  return (
+    `Lines every ${STEP} ${symbol} of distance and every ${SIDE_STEP} ${symbol} to either side of the target line; thin ` +
+    "behind the landing: bounce and roll. The picture is turned by dragging or the arrow keys, zoomed by the wheel or + and -."
+  );
+}
+
+/** What the picture shows, for who does not see it. */
+function inWords(context: Context): string {
+  const { formatter, state } = context;
+  const { flights, landings } = contentOf(context);
+  const text = (name: string, value: number): string => formatter.text(name, value, state.system);
+  const each = flights.map(
+    ({ name, values }) => `${name} carries ${text("carry", values.carry)}, ${text("side", values.side)}`,
+  );
+  const first = flights[0]?.values;
+  const one =
+    flights.length === 1
+      ? `, rises to ${text("apex", first.apex)}, comes down at ${text("landing_angle", first.landing_angle)} and rests ` +
+        `after ${text("total", first.total)}, ${text("total_side", first.total_side)}`
+      : "";
+  const dots = landings.length ? `; with the landings of ${landings.length / 2} shots` : "";
+  const conditions = conditionsInWords(context);
+  return `The range${conditions ? ` in ${conditions}` : ""}: ${each.join("; ")}${one}${dots}`;
+}
