@@ -17,9 +17,19 @@ export const learnScene: Scene = {
     const lesson = lessonOf(context);
     const setup = new Setup(context, lesson);
     const at = Object.fromEntries(lesson.sliders.map(({ setting }) => [setting, setup.at(setting)]));
-    const curves = lesson.curves?.(setup);
+    const [steady, curves] = [lesson.steady?.(setup), lesson.curves?.(setup)];
     return [
       { kind: "lessonCases", slot: `cases of ${lesson.name}`, input: { at, cases: lesson.cases(setup) } },
+      ...(steady
+        ? [
+            {
+              kind: "lessonCases",
+              slot: `steady of ${lesson.name}`,
+              input: { at: {}, cases: steady },
+              lane: "batch",
+            } as const,
+          ]
+        : []),
       ...(curves
         ? [{ kind: "lessonCurves", slot: `curves of ${lesson.name}`, input: curves, lane: "batch" } as const]
         : []),
@@ -87,7 +97,8 @@ function lessonView(context: Context, lesson: Lesson): TemplateResult {
   if (!results) return html`<p aria-busy="true">The lesson is being computed …</p>`;
   const failure = Object.values(results.cases).find((each) => each.failure)?.failure;
   const curves = outputOf(context.model, "lessonCurves", `curves of ${lesson.name}`) ?? {};
-  const told = failure ? null : lesson.tell(new Found(context, lesson, results, curves));
+  const steady = outputOf(context.model, "lessonCases", `steady of ${lesson.name}`)?.cases ?? {};
+  const told = failure ? null : lesson.tell(new Found(context, lesson, results, curves, steady));
   return html`
     <div class="lesson">
       <section class="told" aria-label="The claim">${told?.text ?? nothing}</section>

@@ -46,6 +46,8 @@ export interface Lesson {
   left?: string;
   /** Strikes that are computed while a slider moves. */
   cases(setup: Setup): Record<string, Case>;
+  /** Strikes that no slider moves, to compare with; they come a moment later. */
+  steady?(setup: Setup): Record<string, Case>;
   /** Curves that come a moment later. */
   curves?(setup: Setup): Record<string, Curve>;
   tell(found: Found): Told;
@@ -107,6 +109,7 @@ export class Found {
     lesson: Lesson,
     private readonly results: CasesResult,
     private readonly curves: Record<string, CurveResult>,
+    private readonly steady: Record<string, CaseResult>,
   ) {
     this.setup = new Setup(context, lesson);
   }
@@ -118,6 +121,11 @@ export class Found {
 
   case(name: string): CaseResult {
     return this.results.cases[name];
+  }
+
+  /** A strike that no slider moves. */
+  steadyCase(name: string): CaseResult | undefined {
+    return this.steady[name];
   }
 
   /** A quantity of a strike [SI]. */

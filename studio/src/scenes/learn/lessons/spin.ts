@@ -40,13 +40,14 @@ export const spin: Lesson = {
   left: "The Shot scene has the friction of the ball; that of the slider stays here.",
   cases: (setup) => ({
     now: { strike: setup.strike({ parameters: { friction: setup.at("spin_friction") } }), history: true },
-    ...Object.fromEntries(
+  }),
+  steady: (setup) =>
+    Object.fromEntries(
       Object.entries(OTHERS).map(([name, friction]) => [
         name,
         { strike: setup.strike({ parameters: { friction } }), history: true },
       ]),
     ),
-  }),
   curves: (setup) => {
     const values = spread(0.02, 0.6, 59);
     return {
@@ -60,10 +61,13 @@ export const spin: Lesson = {
     const [rings, response] = [found.curve("rings"), found.curve("response")];
     const [best, most] = rings ? peak(rings.x, rings.y.backspin) : [Number.NaN, Number.NaN];
     const least = rings?.y.backspin.at(-1) ?? Number.NaN;
-    const courses = Object.entries({ now: friction, ...OTHERS }).map(([name, value]) => ({
-      label: `friction ${found.text("friction", value)}${name === "now" ? " (slider)" : ""}`,
-      history: found.case(name).history,
-    }));
+    const courses = [
+      { label: `friction ${found.text("friction", friction)} (slider)`, history: found.case("now").history },
+      ...Object.entries(OTHERS).map(([name, value]) => ({
+        label: `friction ${found.text("friction", value)}`,
+        history: found.steadyCase(name)?.history,
+      })),
+    ];
     return {
       text: html`
         <p>

@@ -60,7 +60,7 @@ export function headPicture(found: Found, picture: HeadPicture): TemplateResult 
   const outline =
     `M${corners.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}` +
     `C${rear(0.56).join(" ")} ${rear(-0.56).join(" ")} ${first.join(" ")}Z`;
-  const box = isAbove ? ([-78, -100, 156, 190] as const) : ([-100, -78, 190, 130] as const);
+  const box = isAbove ? ([-78, -100, 156, 190] as const) : ([-100, -58, 190, 104] as const);
   return drawing(
     isAbove ? "Head and ball from above" : "Head and ball from the side",
     Object.values(words).join(", "),
