@@ -57,6 +57,13 @@ const taskOf = ({ kind, input, slot = kind, rest = 0 }: Wanted): Task => ({
   key: JSON.stringify([kind, input]),
 });
 
+/** The core, compiled while it comes where its server says what it is; browsers keep that for the next visit. */
+async function compileFile(address: string): Promise<WebAssembly.Module> {
+  const response = await fetchFile(address);
+  const isNamed = response.headers.get("content-type")?.startsWith("application/wasm");
+  return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
 /** Computes on the page, at once. */
 class PageLane {
   private readonly done = new Map<string, string>();
@@ -195,7 +202,7 @@ export class Lanes {
     files: Record<CoreFile, string>,
     observer: Observer,
   ): Promise<{ lanes: Lanes; description: Description }> {
-    const module = await WebAssembly.compile(await (await fetchFile(files.shots)).arrayBuffer());
+    const module = await compileFile(files.shots);
     const core = await load(module);
     const lanes = new Lanes(new PageLane(core, observer), { ...files, shots: module }, observer);
     return { lanes, description: core.description };
