@@ -194,6 +194,12 @@ export async function load(source, progress = () => true) {
     /** A described head that deforms: {text: mass, centre, inertia; arrays: nodes, face}. */
     headMesh: (head) => lend([JSON.stringify(head)], ([at]) => call("clubface_fem_head", at)),
 
+    /**
+     * A face struck everywhere: {text: quantities, face_area, centre, best, effective_area, forgiveness;
+     * arrays: toe, high, values, inside}. `setup` is described with `clubface_face_map` in the header.
+     */
+    faceMap: (setup) => lend([JSON.stringify(setup)], ([at]) => call("clubface_face_map", at, 1)),
+
     /** Impact by finite elements of a described case: {text: summary, arrays}. */
     simulate: (description) => lend([JSON.stringify(description)], ([at]) => call("clubface_fem", at, 0, 0)),
   };

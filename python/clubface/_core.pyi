@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
-from numpy import float64, uint32, uint64
+from numpy import bool_, float64, uint32, uint64
 from numpy.typing import NDArray
 
 Column: TypeAlias = float | NDArray[float64]
@@ -64,6 +64,35 @@ def hole_strokes(
     tables: Sequence[tuple[Sequence[float], Sequence[float]]],
 ) -> tuple[NDArray[uint32], NDArray[float64]]: ...
 def dispersion_quantities() -> tuple[list[tuple[str, float, float, int]], int]: ...
+def face_quantities() -> tuple[list[str], int]: ...
+def face_fine() -> int: ...
+
+class FaceOutline:
+    def __init__(self, corners: Sequence[Sequence[float]]) -> None: ...
+    def extent(self, toe: NDArray[float64]) -> tuple[NDArray[float64], NDArray[float64]]: ...
+    def holds(self, toe: NDArray[float64], high: NDArray[float64], slack: float = 1e-9) -> NDArray[bool_]: ...
+    def area(self) -> float: ...
+    def greatest(
+        self,
+        toe: Sequence[float],
+        high: Sequence[float],
+        values: NDArray[float64],
+        at: Callable[[NDArray[float64], NDArray[float64]], NDArray[float64]],
+    ) -> tuple[float, float, float] | None: ...
+    def area_above(
+        self,
+        toe: Sequence[float],
+        high: Sequence[float],
+        values: NDArray[float64],
+        least: float,
+        at: Callable[[NDArray[float64], NDArray[float64]], NDArray[float64]],
+    ) -> float: ...
+    def scatter(
+        self,
+        about: Sequence[float],
+        deviations: Sequence[float],
+        at: Callable[[NDArray[float64], NDArray[float64]], NDArray[float64]],
+    ) -> tuple[float, list[float], list[float], list[float]]: ...
 
 class ShotTally:
     def __init__(

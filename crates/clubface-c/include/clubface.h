@@ -93,11 +93,11 @@ void clubface_release(uint8_t *memory, size_t bytes);
 
 // Hits `count` shots of a golfer and sums up where they go.
 //
-// `text` is JSON: `model`, its `parameters`, `inputs` of an impact and `flight`, those of a flight, in their order; the
-// `golfer` with `variables` (names of inputs of the delivery), their `mean` and `covariance`, perhaps `mirrored`
-// (variables whose deviations change their sign), `mishit_share` and `mishit_scale`; perhaps a `hole` (`length`,
-// `fairway`, `rough`, `green`, and `tables` of `distance` and `strokes` for green, fairway, rough and recovery), `seed`,
-// `tolerance`, shares for `percentiles` and `ellipses`.
+// `text` is JSON: `model`, its `parameters`, `inputs` of an impact and `flight`, those of a flight, in their order (null
+// for infinite, and for what a shot replaces); the `golfer` with `variables` (names of inputs of the delivery), their
+// `mean` and `covariance`, perhaps `mirrored` (variables whose deviations change their sign), `mishit_share` and
+// `mishit_scale`; perhaps a `hole` (`length`, `fairway`, `rough`, `green`, and `tables` of `distance` and `strokes` for
+// green, fairway, rough and recovery), `seed`, `tolerance`, shares for `percentiles` and `ellipses`.
 //
 // The text of the result has `shots`, `lost`, `quantities` with `mean`, `spread` and `percentiles`, `ellipses`, and with
 // a hole `strokes` and `lies`; the array `landings` the places of the first `landings` shots, ahead and to the right.
@@ -109,6 +109,24 @@ ClubfaceResult *clubface_dispersion(const char *text,
                                     uint32_t count,
                                     size_t landings,
                                     size_t threads);
+
+// Strikes a face everywhere.
+//
+// `text` is JSON: `model`, its `parameters`, `inputs` of an impact and `flight`, those of a flight, in their order (null
+// for infinite, and for what the launch replaces); the `outline`, corners of a face that bulges outwards everywhere,
+// towards the toe and up it; a `grid` of two numbers of points over the box around it, or `points`, two lists of places.
+// Perhaps `tolerance`; `best`, quantities whose greatest values are searched; `share` of the greatest ball speed from
+// which a point counts as part of the effective face; and `scatter` of impacts: two standard `deviations` and the point
+// that they are `about`, the centre unless given.
+//
+// The text of the result has `quantities`, the `face_area`, values at the `centre`, and what was asked for: `best` by
+// names as `toe`, `high` and `value`, the `effective_area`, and `forgiveness` with the share of swings that `missed` the
+// face, and `mean`, `deviation` and `loss` by names. Arrays: places `toe` and `high`, the `values` by quantity, height
+// and place towards the toe, beyond the outline as well, and 1 where a point is `inside`. `threads`: 0 for one a core.
+//
+// # Safety
+// `text` ends with a null byte.
+ClubfaceResult *clubface_face_map(const char *text, size_t threads);
 
 // Simulates an impact. `case` describes ball, face, friction and run; see the documentation of the C interface.
 //

@@ -1,6 +1,7 @@
 //! Shots of a golfer, and where they go.
 
 use crate::result::{ClubfaceResult, Computed, Failure, compute, text_from};
+use crate::rows::or_infinite;
 use clubface_design::dispersion::{QUANTITIES, Shots};
 use clubface_design::golfer::Golfer;
 use clubface_design::strokes::{Hole, LIES, StrokesTable};
@@ -15,9 +16,9 @@ use std::ffi::c_char;
 #[serde(deny_unknown_fields)]
 struct Case {
     model: String,
-    inputs: Vec<f64>,
+    inputs: Vec<Option<f64>>,
     parameters: Vec<f64>,
-    flight: Vec<f64>,
+    flight: Vec<Option<f64>>,
     golfer: Player,
     #[serde(default)]
     hole: Option<Course>,
@@ -76,11 +77,11 @@ fn one() -> f64 {
 
 /// Hits `count` shots of a golfer and sums up where they go.
 ///
-/// `text` is JSON: `model`, its `parameters`, `inputs` of an impact and `flight`, those of a flight, in their order; the
-/// `golfer` with `variables` (names of inputs of the delivery), their `mean` and `covariance`, perhaps `mirrored`
-/// (variables whose deviations change their sign), `mishit_share` and `mishit_scale`; perhaps a `hole` (`length`,
-/// `fairway`, `rough`, `green`, and `tables` of `distance` and `strokes` for green, fairway, rough and recovery), `seed`,
-/// `tolerance`, shares for `percentiles` and `ellipses`.
+/// `text` is JSON: `model`, its `parameters`, `inputs` of an impact and `flight`, those of a flight, in their order (null
+/// for infinite, and for what a shot replaces); the `golfer` with `variables` (names of inputs of the delivery), their
+/// `mean` and `covariance`, perhaps `mirrored` (variables whose deviations change their sign), `mishit_share` and
+/// `mishit_scale`; perhaps a `hole` (`length`, `fairway`, `rough`, `green`, and `tables` of `distance` and `strokes` for
+/// green, fairway, rough and recovery), `seed`, `tolerance`, shares for `percentiles` and `ellipses`.
 ///
 /// The text of the result has `shots`, `lost`, `quantities` with `mean`, `spread` and `percentiles`, `ellipses`, and with
 /// a hole `strokes` and `lies`; the array `landings` the places of the first `landings` shots, ahead and to the right.
@@ -132,8 +133,8 @@ pub unsafe extern "C" fn clubface_dispersion(
             model,
             parameters: &case.parameters,
             accuracy: Accuracy::from_tolerance(case.tolerance)?,
-            inputs: *all_inputs(&case.inputs)?,
-            flight: *all_inputs(&case.flight)?,
+            inputs: *all_inputs(&or_infinite(&case.inputs))?,
+            flight: *all_inputs(&or_infinite(&case.flight))?,
             hole: hole.as_ref(),
             seed: case.seed,
         };

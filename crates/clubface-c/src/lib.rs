@@ -19,6 +19,7 @@
 //! [`clubface_allocate`].
 
 mod dispersion;
+mod face_map;
 #[cfg(feature = "fem")]
 mod fem;
 mod flights;
@@ -28,6 +29,7 @@ mod rows;
 mod shots;
 
 pub use dispersion::*;
+pub use face_map::*;
 #[cfg(feature = "fem")]
 pub use fem::*;
 pub use flights::*;

@@ -34,6 +34,11 @@ pub(crate) unsafe fn numbers_out<'a>(
     Ok(unsafe { from_raw_parts_mut(values, count) })
 }
 
+/// Numbers of JSON, which has no infinite ones: null stands for them.
+pub(crate) fn or_infinite(values: &[Option<f64>]) -> Vec<f64> {
+    values.iter().map(|value| value.unwrap_or(f64::INFINITY)).collect()
+}
+
 /// Columns of `rows` numbers each.
 pub(crate) fn columns(values: &[f64], rows: usize) -> Vec<Column<'_>> {
     values.chunks_exact(rows).map(Column::Values).collect()

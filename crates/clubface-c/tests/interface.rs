@@ -255,6 +255,60 @@ fn shots_are_named_by_the_limits_of_the_description() {
     assert_eq!(missing.outcome.unwrap_err()["input"], "azimuth");
 }
 
+#[test]
+fn a_map_of_a_face_is_the_launches_at_its_points() {
+    let model = named("slip").unwrap();
+    let inputs = shot(0, 9);
+    let mut case = json!({
+        "model": "slip", "parameters": model.info().defaults(), "inputs": inputs.to_vec(),
+        "flight": flight::default_inputs().map(|value| (!value.is_nan()).then_some(value)).to_vec(),
+        "outline": [[-0.04, -0.02], [0.04, -0.02], [0.03, 0.02], [-0.03, 0.02]], "grid": [5, 3],
+        "best": ["ball_speed", "carry"], "share": 0.98, "scatter": {"deviations": [0.01, 0.006]},
+    });
+    let map = |case: &Value| {
+        let text = c(&case.to_string());
+        read(unsafe { clubface_face_map(text.as_ptr(), 1) })
+    };
+    let answer = map(&case);
+    let text = answer.outcome.as_ref().unwrap();
+    let quantities: Vec<&str> =
+        text["quantities"].as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect();
+    let (_, shape, values) = answer.array("values");
+    assert_eq!(shape, &[quantities.len(), 3, 5]);
+    assert_eq!(answer.array("inside").2, [1, 1, 1, 1, 1, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0].map(f64::from));
+    let (toe, high) = (&answer.array("toe").2, &answer.array("high").2);
+    assert_eq!((toe.len(), high.len(), toe[0], high[2]), (5, 3, -0.04, 0.02));
+    let mut point = inputs;
+    for (name, value) in [("toe", toe[3]), ("high", high[1])] {
+        point[INPUTS.iter().position(|input| input.quantity.name == name).unwrap()] = value;
+    }
+    let (launch, _) = launches_by_core(model, &point, 1);
+    for (place, output) in clubface_impact::launch::OUTPUTS.iter().enumerate() {
+        if let Some(quantity) = quantities.iter().position(|name| *name == output.name) {
+            assert_eq!(values[quantity * 15 + 5 + 3].to_bits(), launch[place].to_bits(), "{}", output.name);
+        }
+    }
+    assert!(text["best"]["ball_speed"]["value"].as_f64() >= text["centre"]["ball_speed"].as_f64());
+    assert!((text["face_area"].as_f64().unwrap() - 0.0028).abs() < 1e-15);
+    assert!(text["effective_area"].as_f64().unwrap() > 1e-4);
+    assert!(text["forgiveness"]["loss"]["ball_speed"].as_f64().unwrap() > 0.0);
+
+    let mut refused = |key: &str, value: Value| {
+        let before = std::mem::replace(&mut case[key], value);
+        let error = map(&case).outcome.unwrap_err();
+        case[key] = before;
+        error["input"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(refused("best", json!(["cary"])), "best");
+    assert_eq!(refused("share", json!(1.5)), "share");
+    assert_eq!(refused("grid", json!([2, 9])), "grid");
+    assert_eq!(refused("points", json!([[0.0], [0.0]])), "grid");
+    assert_eq!(refused("outline", json!([[0.0, 0.0]])), "outline");
+    assert_eq!(refused("scatter", json!({"deviations": [0.0, 0.01]})), "spread");
+    assert_eq!(refused("parameters", json!([])), "parameters");
+    assert_eq!(refused("colour", json!("red")), "text");
+}
+
 fn coarse_case() -> Value {
     json!({
         "ball": {

@@ -2,6 +2,7 @@
 
 use crate::golfer::Golfer;
 use crate::sequence::Sequence;
+use crate::slices;
 use crate::strokes::{Hole, LIES};
 use crate::tally::{Scale, Tally, forward};
 use clubface_impact::batch::Batch;
@@ -195,8 +196,4 @@ impl Shots<'_> {
         }
         rejects.into_iter().next().map(|reject| reject.error)
     }
-}
-
-fn slices(columns: &mut [Vec<f64>]) -> Vec<&mut [f64]> {
-    columns.iter_mut().map(Vec::as_mut_slice).collect()
 }

@@ -3,6 +3,7 @@
 mod columns;
 mod describe;
 mod design;
+mod face_map;
 mod fem;
 mod flight;
 mod impact;
@@ -21,6 +22,8 @@ mod _core {
     use crate::design::{
         ShotTally, dispersion_quantities, golfer_deliveries, hole_strokes, quasi_random, strokes_at,
     };
+    #[pymodule_export]
+    use crate::face_map::{FaceOutline, face_fine, face_quantities};
     #[pymodule_export]
     use crate::fem::{
         FemImpact, fem_ball, fem_check_law, fem_driver, fem_head_properties, fem_impact, fem_iron, fem_laws,

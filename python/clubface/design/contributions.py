@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
+from clubface.design.core import face_quantities
 from clubface.equipment.backends import MODULES
 from clubface.equipment.models import reduced_model
 from clubface.errors import ClubfaceError, RunError
@@ -226,10 +227,9 @@ def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[A
     return np.array([result.values[name] for name in outputs()]), result.jacobian
 
 
-LAUNCHED: tuple[str, ...] = (
-    "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis",
-)  # fmt: skip
-FLOWN: tuple[str, ...] = ("carry", "side", "curve", "total", "total_side", "apex", "landing_angle")
+_NAMES, _LAUNCHED = face_quantities()
+LAUNCHED: tuple[str, ...] = tuple(_NAMES[:_LAUNCHED])
+FLOWN: tuple[str, ...] = tuple(_NAMES[_LAUNCHED:])
 QUANTITIES: tuple[str, ...] = (*LAUNCHED, *FLOWN)
 """In the order of all tables."""
 

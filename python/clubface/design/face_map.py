@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -28,12 +27,6 @@ from clubface.support.checks import check_choice, check_share, check_text, is_co
 
 if TYPE_CHECKING:
     import xarray
-
-
-NODES = 40
-"""Points of Gauss's rule across the face, and as many up it."""
-REACH = 6.0
-"""Standard deviations to each side that are counted."""
 
 
 class Forgiveness(NamedTuple):
@@ -79,38 +72,9 @@ def forgiveness(surface: Surface, outline: Outline, spread: tuple[Any, Any], toe
             raise InputError("spread", units.show(each, "mm"), f"above 0 and at most {units.show(most, 'mm', 3)}")
     if not outline.holds(*about):
         raise InputError("the point", ", ".join(units.show(each, "mm") for each in about), "on the face")
-    across, up, weights = _rule(outline, about, deviations)
-    table = surface.at(across, up)
-    good = np.isfinite(table).all(axis=0)
-    weights = np.where(good, weights, 0.0)
-    on_face = float(weights.sum())
-    table = np.where(good, table, 0.0)
-    mean = table @ weights / on_face
-    deviation = np.sqrt(np.maximum((table - mean[:, None]) ** 2 @ weights / on_face, 0.0))
-    middle = surface.at(np.array([about[0]]), np.array([about[1]]))[:, 0]
-    named = [dict(zip(QUANTITIES, map(float, each), strict=True)) for each in (mean, deviation, middle - mean)]
-    return Forgiveness(about[0], about[1], deviations[0], deviations[1], max(0.0, 1.0 - on_face), *named)
-
-
-def _rule(
-    outline: Outline, about: list[float], deviations: list[float]
-) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """Return points of the face and their weights, which add up to the share of swings that hit it."""
-    places, weights = np.polynomial.legendre.leggauss(NODES)
-    left = max(float(outline.least[0]), about[0] - REACH * deviations[0])
-    right = min(float(outline.greatest[0]), about[0] + REACH * deviations[0])
-    across = left + (right - left) * (0.5 + 0.5 * places)
-    by_toe = weights * 0.5 * (right - left) * _density(across, about[0], deviations[0])
-    low, top = outline.extent(across)
-    low = np.maximum(low, about[1] - REACH * deviations[1])
-    top = np.maximum(np.minimum(top, about[1] + REACH * deviations[1]), low)
-    up = low[:, None] + (top - low)[:, None] * (0.5 + 0.5 * places)
-    by_high = weights * 0.5 * (top - low)[:, None] * _density(up, about[1], deviations[1])
-    return np.repeat(across, NODES), up.reshape(-1), (by_toe[:, None] * by_high).reshape(-1)
-
-
-def _density(values: NDArray[Any], middle: float, deviation: float) -> NDArray[Any]:
-    return np.exp(-0.5 * ((values - middle) / deviation) ** 2) / (deviation * math.sqrt(2.0 * math.pi))
+    missed, *costs = outline.in_core().scatter(about, deviations, surface.at)
+    named = [dict(zip(QUANTITIES, each, strict=True)) for each in costs]
+    return Forgiveness(about[0], about[1], deviations[0], deviations[1], missed, *named)
 
 
 GRID = (101, 101)

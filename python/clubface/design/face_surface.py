@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
+from clubface.design import core
 from clubface.design.contributions import FLOWN, LAUNCHED, QUANTITIES
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club
@@ -217,33 +218,22 @@ class Outline(NamedTuple):
         """The upper and toe-side corner of the box around it [m]."""
         return self.corners.max(axis=0)
 
+    def in_core(self) -> core.FaceOutline:
+        """Return it as the core takes it."""
+        return core.FaceOutline(self.corners.tolist())
+
     def holds(self, toe: Any, high: Any, slack: float = 1e-9) -> NDArray[Any]:
         """Tell which points [m] are inside or on it."""
         toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
-        low, top = self.extent(toe)
-        return (
-            (toe >= self.least[0] - slack)
-            & (toe <= self.greatest[0] + slack)
-            & (high >= low - slack)
-            & (high <= top + slack)
-        )
+        return self.in_core().holds(toe.reshape(-1), high.reshape(-1), slack).reshape(toe.shape)
 
-    def extent(self, toe: Any) -> tuple[NDArray[Any], NDArray[Any]]:
+    def extent(self, toe: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the least and the greatest height of the face [m] at places towards the toe [m]."""
-        turned = np.roll(self.corners, -int(self.corners[:, 0].argmin()), axis=0)
-        last = int(turned[:, 0].argmax())
-        one, other = turned[: last + 1], np.concatenate([turned[last:], turned[:1]])[::-1]
-        sides = [np.interp(toe, each[:, 0], each[:, 1]) for each in (one, other)]
-        low, top = np.minimum(*sides), np.maximum(*sides)
-        for end in (self.least[0], self.greatest[0]):  # where a side may be upright
-            upright = self.corners[self.corners[:, 0] == end, 1]
-            low, top = np.where(toe == end, upright.min(), low), np.where(toe == end, upright.max(), top)
-        return low, top
+        return self.in_core().extent(toe)
 
     def area(self) -> float:
         """Return its area [m2]."""
-        x, y = self.corners.T
-        return float(abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2.0)
+        return self.in_core().area()
 
 
 def outline_of(club: Club) -> Outline:
@@ -277,17 +267,6 @@ def _of_mesh(club: Any) -> Outline:
     return Outline(np.clip(between.reshape(-1, 2), -limit, limit), "of its mesh")
 
 
-ZOOMS = 4
-"""Times that the neighbourhood of the greatest value is looked at more closely, each time by ``CLOSER``."""
-CLOSER = 5.0
-AROUND = 11
-"""Points along a side of such a neighbourhood."""
-PARTS = 8
-"""Into which each side of a cell is cut to measure an area, of a grid of ``FINE`` points or fewer."""
-FINE = 101
-"""Points along a side of the grid on which an area is measured, at least."""
-
-
 class Surface(Protocol):
     """What is known of a face beyond the points of a grid.
 
@@ -312,12 +291,22 @@ class Surface(Protocol):
         The neighbourhood of the greatest value of the box is looked at more and more closely.
         """
         toe, high, table = self.box()
-        values = np.where(self.outline.holds(*np.meshgrid(toe, high)), table[quantity], np.nan)
-        return _greatest(self, quantity, self.outline, toe, high, values)
+        best = self.outline.in_core().greatest(
+            toe.tolist(), high.tolist(), table[quantity], lambda across, up: self.at(across, up)[quantity]
+        )
+        if best is None:
+            raise RunError("no point of the face has a shot")
+        return best
 
     def area(self, quantity: int, least: float) -> float:
-        """Return the area [m2] of the face on which a quantity is at least so great."""
-        ...
+        """Return the area [m2] of the face on which a quantity is at least so great.
+
+        It is measured between the points of the box, or of a finer grid where they are few.
+        """
+        toe, high, table = self.box()
+        return self.outline.in_core().area_above(
+            toe.tolist(), high.tolist(), table[quantity], least, lambda across, up: self.at(across, up)[quantity]
+        )
 
     def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return places towards the toe and upwards [m], and the quantities over the whole box around the face.
@@ -341,14 +330,6 @@ class ComputedFace(Surface):
     def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
         """Return the quantities at points of the face."""
         return self._struck.at(toe, high)
-
-    def area(self, quantity: int, least: float) -> float:
-        """Measure it between the points of the grid, or of a finer one where that is coarse."""
-        if min(len(self._toe), len(self._high)) >= FINE:
-            return _area(self.outline, self._toe, self._high, self._table[quantity], least)
-        toe, high = _fine(self.outline)
-        values = self.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))[quantity]
-        return _area(self.outline, toe, high, values.reshape(len(high), len(toe)), least)
 
     def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return the grid."""
@@ -374,18 +355,15 @@ class Interpolated(Surface):
             raise RunError(
                 f"{known.sum()} points of the face with a shot are too few for a map; give a finer grid"
             ) from None
-        self._toe, self._high = _fine(outline)
+        count = core.face_fine()
+        ends = zip(outline.least, outline.greatest, strict=True)
+        self._toe, self._high = (np.linspace(least, greatest, count) for least, greatest in ends)
         fine = [each.reshape(-1) for each in np.meshgrid(self._toe, self._high)]
-        self._fine = self.at(*fine).reshape(len(QUANTITIES), FINE, FINE)
+        self._fine = self.at(*fine).reshape(len(QUANTITIES), count, count)
 
     def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
         """Return the quantities at points of the face."""
         return self._through(np.stack([toe, high], axis=1) / self._scale).T
-
-    def area(self, quantity: int, least: float) -> float:
-        """Measure it on a fine grid."""
-        toe, high, table = self.box()
-        return _area(self.outline, toe, high, table[quantity], least)
 
     def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Return a fine grid."""
@@ -399,50 +377,3 @@ def surface_of(
     if struck.takes_long:
         return Interpolated(outline, toe, high, table)
     return ComputedFace(struck, outline, toe, high, table)
-
-
-def _fine(outline: Outline) -> list[NDArray[Any]]:
-    """Return places towards the toe and upwards [m] over the box around a face."""
-    return [np.linspace(*ends, FINE) for ends in zip(outline.least, outline.greatest, strict=True)]
-
-
-def _greatest(
-    surface: Surface, quantity: int, outline: Outline, toe: NDArray[Any], high: NDArray[Any], values: NDArray[Any]
-) -> tuple[float, float, float]:
-    if not np.isfinite(values).any():
-        raise RunError("no point of the face has a shot")
-    up, across = np.unravel_index(np.nanargmax(values), values.shape)
-    point, best = (float(toe[across]), float(high[up])), float(values[up, across])
-    reach = (
-        np.array([np.ptp(toe) / (len(toe) - 1), np.ptp(high) / (len(high) - 1)])
-        if len(toe) > 1 < len(high)
-        else np.zeros(2)
-    )
-    for _ in range(ZOOMS):
-        near = [np.linspace(middle - width, middle + width, AROUND) for middle, width in zip(point, reach, strict=True)]
-        across, up = (each.reshape(-1) for each in np.meshgrid(*near))
-        inside = outline.holds(across, up)
-        values = np.where(inside, surface.at(across, up)[quantity], np.nan) if inside.any() else np.array([np.nan])
-        if np.isfinite(values).any() and np.nanmax(values) > best:
-            place = int(np.nanargmax(values))
-            point, best = (float(across[place]), float(up[place])), float(values[place])
-        reach = reach / CLOSER
-    return (*point, best)
-
-
-def _area(outline: Outline, toe: NDArray[Any], high: NDArray[Any], values: NDArray[Any], least: float) -> float:
-    """Return the area on which values over a grid, linear in between, are at least so great."""
-    if len(toe) < 2 or len(high) < 2:
-        return 0.0
-    # Of a fine grid the cells are small enough, and their parts would take a lot of memory.
-    parts = max(1, PARTS * FINE // max(values.shape))
-    share = (np.arange(parts) + 0.5) / parts
-    fine_toe = (toe[:-1, None] + share * np.diff(toe)[:, None]).reshape(-1)
-    fine_high = (high[:-1, None] + share * np.diff(high)[:, None]).reshape(-1)
-    between = values[:, :-1, None] * (1.0 - share) + values[:, 1:, None] * share
-    between = between.reshape(len(high), -1)
-    whole = between[:-1, None] * (1.0 - share[:, None]) + between[1:, None] * share[:, None]
-    whole = whole.reshape(-1, between.shape[1])
-    cells = np.outer(np.repeat(np.diff(high), parts), np.repeat(np.diff(toe), parts)) / parts**2
-    inside = outline.holds(fine_toe[None, :], fine_high[:, None])
-    return float(cells[inside & (whole >= least)].sum())
