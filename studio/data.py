@@ -20,6 +20,8 @@ from equations import equations_data
 from lesson_figures import lesson_figures
 
 from clubface import _core, fem
+from clubface.design.contributions import QUANTITIES
+from clubface.design.face_map import SHARE
 from clubface.design.face_surface import outline_of
 from clubface.design.golfer import MIRRORED, Golfer, golfer
 from clubface.design.strokes import AT_REST, FAIRWAY_WIDTH, GREEN_RADIUS, ROUGH_WIDTH, as_lists
@@ -90,7 +92,7 @@ def described_club(each: Club, columns: Mapping[str, float]) -> dict[str, Any]:
         "published_kind": kind_of(each),
         "description": each.description,
         "typical": tour_delivery(each),
-        "outline": [[round(float(number), 6) for number in corner] for corner in outline.corners],
+        "outline": outline.corners.tolist(),
         "outline_source": outline.origin,
         "columns": finite({name: columns[name] for name, entry in inputs().items() if entry.group == "club"}),
     }
@@ -180,6 +182,7 @@ def equipment_data() -> dict[str, Any]:
             for name in order
         },
         "balls": {name: described_ball(each) for name, each in balls.items()},
+        "face_map": {"quantities": list(QUANTITIES), "share": SHARE},
         "golfers": {name: described_golfer(golfer(name)) for name in builtin_names("golfers")},
         "hole": described_hole(),
         "grounds": {name: dict(values) for name, values in GROUNDS.items()},

@@ -1,6 +1,6 @@
 /** The glue to the core in WebAssembly: crates/clubface-c/clubface.js. */
 
-import type { CoreArray, Description, Dispersion, Reject, Simulated } from "./types";
+import type { CoreArray, Description, Dispersion, FaceMapSummary, Reject, Simulated } from "./types";
 
 export interface Batch {
   outputs: Float64Array[];
@@ -35,6 +35,7 @@ export interface LoadedCore {
   dispersion(setup: object, count: number, landings?: number): { text: Dispersion; arrays: Record<string, CoreArray> };
   ballMesh(ball: object): { arrays: Record<string, CoreArray> };
   headMesh(head: object): { arrays: Record<string, CoreArray> };
+  faceMap(setup: object): { text: FaceMapSummary; arrays: Record<string, CoreArray> };
   simulate(description: object): { text: Simulated; arrays: Record<string, CoreArray> };
   trajectory(inputs: number[]): Record<string, CoreArray>;
 }

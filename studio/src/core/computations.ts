@@ -4,6 +4,7 @@ import type { LoadedCore } from "clubface-core";
 import { compareModels, computeFlight, computeShot, computeSlopes } from "./compute";
 import { computeContributions } from "./contributions";
 import { simulateElements } from "./elements";
+import { mapFaces } from "./face-map";
 import { computeLessonCases, computeLessonCurves } from "./lessons";
 import { computeAir, computeBag, computeDispersion } from "./range";
 
@@ -22,6 +23,7 @@ export const COMPUTATIONS = {
   bag: computeBag,
   dispersion: computeDispersion,
   air: computeAir,
+  faceMap: mapFaces,
 };
 
 export type Kind = keyof typeof COMPUTATIONS;

@@ -74,6 +74,23 @@ export interface Dispersion {
   lies: Record<string, number | null>;
 }
 
+/** A point of the face towards the toe and up it [m], and a value there. */
+export interface FacePoint {
+  toe: number;
+  high: number;
+  value: number;
+}
+
+/** What is known of a face struck everywhere, as `clubface_face_map` in the C header describes it. */
+export interface FaceMapSummary {
+  quantities: string[];
+  face_area: number;
+  centre: Values;
+  best: Record<string, FacePoint | null>;
+  effective_area: number | null;
+  forgiveness: { missed: number; mean: Values; deviation: Values; loss: Values } | null;
+}
+
 /** Summary of a simulated impact, as `clubface_fem` in the C header describes it. */
 export interface Simulated {
   launch: number[] | null;

@@ -127,6 +127,13 @@ export interface LessonFigures {
   club_data: { source: string };
 }
 
+/** What maps of a face are of. */
+export interface FaceMapEntry {
+  quantities: string[];
+  /** Share of the best ball speed from which a point counts as part of the effective face. */
+  share: number;
+}
+
 export interface Equipment {
   version: string;
   shot_shape: ShapeLimits;
@@ -139,6 +146,7 @@ export interface Equipment {
   hole: HoleEntry;
   /** Inputs of a flight in SI by the names of grounds. */
   grounds: Record<string, Values>;
+  face_map: FaceMapEntry;
   sets: SetEntry[];
   faces: [characteristicTime: number, includedTime: number][];
   choices: Record<string, Record<string, Record<string, Choices>>>;

@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import { amountSetting, type Context, delivered } from "../context";
-import { sideOf } from "../quantities/formatter";
+import { join, sideOf } from "../quantities/formatter";
 import type { Amount } from "../quantities/units";
 import { measure } from "./measure";
 
@@ -14,6 +14,8 @@ export interface Field {
   range: readonly [number, number];
   /** What stands under the field, such as where its value comes from. */
   remark?: string;
+  /** What the amount means where it is no value of its quantity but a size, which has no sides. */
+  meaning?: string;
 }
 
 /** What a field shows and changes. */
@@ -50,7 +52,11 @@ export function settingField(context: Context, field: Field): TemplateResult {
 }
 
 /** A field of any amount. */
-export function amountField(context: Context, { name, label, range, remark }: Field, source: Source): TemplateResult {
+export function amountField(
+  context: Context,
+  { name, label, range, remark, meaning: size }: Field,
+  source: Source,
+): TemplateResult {
   const { state, formatter, actions, model } = context;
   const { quantity, amount, si } = source;
   const { unit, digits } = formatter.reading(quantity, state.system);
@@ -59,7 +65,10 @@ export function amountField(context: Context, { name, label, range, remark }: Fi
   const [least, most] = range.map((end) => formatter.units.fromSi(end, unit));
   const mistake = model.mistakes[name];
   const typed = model.typing?.name === name ? model.typing.text : undefined;
-  const { sides, meaning, sign } = formatter.quantity(quantity);
+  const described = formatter.quantity(quantity);
+  const sides = size ? null : described.sides;
+  const title = size ?? [described.meaning, described.sign].filter(Boolean).join(": ");
+  const spoken = size ? join(text, formatter.units.symbol(unit)) : formatter.text(quantity, si, state.system);
 
   const take = (event: Event): void => {
     const field = event.target as HTMLInputElement;
@@ -77,7 +86,7 @@ export function amountField(context: Context, { name, label, range, remark }: Fi
 
   return html`
     <div class="field" data-name=${name}>
-      <label for=${`text-${name}`} title=${[meaning, sign].filter(Boolean).join(": ")}>${label}</label>
+      <label for=${`text-${name}`} title=${title}>${label}</label>
       <span class="side">${sideOf(sides, value, digits)}</span>
       <span class="typed">
         <input
@@ -98,7 +107,7 @@ export function amountField(context: Context, { name, label, range, remark }: Fi
       <input
         type="range"
         aria-label=${`${label}, slider`}
-        aria-valuetext=${formatter.text(quantity, si, state.system)}
+        aria-valuetext=${spoken}
         min=${rounded(least, digits)}
         max=${rounded(most, digits)}
         step=${10 ** -digits}

@@ -6,6 +6,7 @@ import type { Settings } from "../state/settings";
 import { elementsSettings } from "./elements/settings";
 import { flightSettings } from "./flight/settings";
 import { LEARN_SETTINGS } from "./learn/settings";
+import { mapSettings } from "./map/settings";
 import { modelsScene } from "./models/models-scene";
 import { sessionsSettings } from "./sessions/settings";
 import { shotSettings } from "./shot/settings";
@@ -26,6 +27,12 @@ export const SCENES: readonly SceneEntry[] = [
     load: () => import("./flight/flight-scene").then(({ flightScene }) => flightScene),
   },
   { name: "models", title: "Models side by side", load: () => modelsScene },
+  {
+    name: "map",
+    title: "Face map",
+    settings: mapSettings,
+    load: () => import("./map/map-scene").then(({ mapScene }) => mapScene),
+  },
   {
     name: "sessions",
     title: "Your shots",

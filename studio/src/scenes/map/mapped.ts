@@ -1,0 +1,131 @@
+/** What is mapped: the clubs, the quantity, and the values that are shown of what was computed. */
+
+import { type Context, choiceSetting, delivered, settingSi, strike } from "../../context";
+import type { FaceMaps, MapDetails, MapInput, StruckFace } from "../../core/face-map";
+import type { Wanted } from "../../core/lanes";
+import { handSign } from "../../equipment/equipment";
+import { outputOf } from "../../state/store";
+import { type Field, type Place, rangeOf, refined, valueAt } from "./field";
+import { NO_CLUB } from "./settings";
+
+/** Points towards the toe and up the face: while a slider moves, and then. */
+const COARSE: [number, number] = [15, 11];
+const FINE: [number, number] = [41, 41];
+/** About as many points along a side are drawn. */
+const DRAWN = 161;
+
+/** The club, and the one whose map is taken from its own. */
+export function clubsOf(context: Context): string[] {
+  const other = choiceSetting(context, "map_minus");
+  return other === NO_CLUB || other === context.state.club ? [context.state.club] : [context.state.club, other];
+}
+
+/** A map is of the whole face, wherever the shot strikes it. */
+const facesOf = (context: Context): StruckFace[] =>
+  clubsOf(context).map((club) => ({
+    strike: strike(context, { club, parameters: setFor(context, club) }, { toe: 0, high: 0 }),
+    outline: context.equipment.clubs[club].outline,
+  }));
+
+/** A parameter set that was chosen belongs to the first club. */
+const setFor = ({ state }: Context, club: string): string => (club === state.club ? state.parameters : "");
+
+function detailsOf(context: Context): MapDetails {
+  return {
+    best: ["ball_speed", "carry"],
+    share: context.equipment.face_map.share,
+    about: [delivered(context, "toe"), delivered(context, "high")],
+    deviations: [settingSi(context, "strikes_toe"), settingSi(context, "strikes_high")],
+  };
+}
+
+/** A few points at once, then all of them, then what is searched and integrated over the face. */
+export function wantedMaps(context: Context): Wanted[] {
+  const faces = facesOf(context);
+  const map = (slot: string, grid: [number, number], details: MapDetails | null): Wanted => {
+    const input: MapInput = { faces, grid, details };
+    return { kind: "faceMap", input, slot, lane: "batch" };
+  };
+  return [map("map-first", COARSE, null), map("map", FINE, null), map("map-details", FINE, detailsOf(context))];
+}
+
+const facesKey = ({ input }: FaceMaps): string => JSON.stringify(input.faces);
+
+/** The newest map: that of all points unless a few of a newer one are known. */
+export function newestMaps({ model }: Context): FaceMaps | null {
+  const [first, whole] = [outputOf(model, "faceMap", "map-first"), outputOf(model, "faceMap", "map")];
+  if (!first || !whole) return whole ?? first;
+  return facesKey(first) === facesKey(whole) ? whole : first;
+}
+
+export const detailedMaps = ({ model }: Context): FaceMaps | null => outputOf(model, "faceMap", "map-details");
+
+/** A quantity over the face, as it is drawn. */
+export interface Shown {
+  maps: FaceMaps;
+  /** Name of the quantity. */
+  name: string;
+  isDifference: boolean;
+  /** Whether it has two sides, about 0. */
+  isDiverging: boolean;
+  /** What is known, and finer values in between. */
+  field: Field;
+  drawn: Field;
+  /** Least and greatest value on the face [SI]. */
+  range: [number, number];
+  /** The ball speed of the first club, and that at which its effective face ends. */
+  speed: Field;
+  /** Corners of the face, or of both faces. */
+  outlines: Place[][];
+  /** 1 where the toe is on the right. */
+  side: number;
+}
+
+let latest: { inputs: readonly unknown[]; shown: Shown | null } = { inputs: [], shown: null };
+
+/** The same object as long as nothing that it is made of changes. */
+export function shownMap(context: Context): Shown | null {
+  const maps = newestMaps(context);
+  const inputs = [maps, choiceSetting(context, "map"), handSign(context.state)];
+  if (inputs.some((input, i) => input !== latest.inputs[i])) latest = { inputs, shown: maps && made(context, maps) };
+  return latest.shown;
+}
+
+function made(context: Context, maps: FaceMaps): Shown | null {
+  const name = choiceSetting(context, "map");
+  const [first, second] = maps.faces;
+  const { toe, high } = maps;
+  const isOn = (place: number): boolean => maps.faces.every(({ inside }) => inside[place] === 1);
+  const values = second ? first.values[name].map((value, i) => value - second.values[name][i]) : first.values[name];
+  const field = { toe, high, values };
+  const range = rangeOf(values, isOn);
+  if (!range) return null;
+  const times = Math.max(1, Math.round((DRAWN - 1) / (Math.max(toe.length, high.length) - 1)));
+  const sides = context.formatter.quantity(name).sides;
+  return {
+    maps,
+    name,
+    isDifference: second !== undefined,
+    isDiverging: second !== undefined || (sides?.[0] === "left" && sides[1] === "right"),
+    field,
+    drawn: refined(field, times),
+    range,
+    speed: refined({ toe, high, values: first.values.ball_speed }, times),
+    outlines: maps.input.faces.map(({ outline }) => outline),
+    side: handSign(context.state),
+  };
+}
+
+/** Whether a point is on all outlines, which bulge outwards everywhere. */
+export const isOnFace = (outlines: Place[][], [toe, high]: Place): boolean =>
+  outlines.every((corners) => {
+    const turns = corners.map(([x, y], i) => {
+      const [u, v] = corners[(i + 1) % corners.length];
+      return (u - x) * (high - y) - (v - y) * (toe - x);
+    });
+    return turns.every((turn) => turn >= -1e-12) || turns.every((turn) => turn <= 1e-12);
+  });
+
+/** The value at a point of the face [SI]; NaN beside it. */
+export const shownAt = ({ field, outlines }: Shown, place: Place): number =>
+  isOnFace(outlines, place) ? valueAt(field, place) : Number.NaN;

@@ -1,0 +1,321 @@
+/** Maps of a face. */
+
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import type { Browser, BrowserContext, Page } from "playwright-core";
+import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import { open, pictureOf, Site, slide, startBrowser, violations } from "./site";
+
+const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
+const FIRST = "#scene=map&club=driver&speed=105mph&attack=2deg&loft=14deg&units=golf";
+const READY = "[data-loss=carry]";
+const CANVAS = ".map canvas";
+
+let site: Site;
+let browser: Browser;
+let context: BrowserContext;
+
+beforeAll(async () => {
+  [site, browser] = [await Site.start(), await startBrowser()];
+});
+afterAll(async () => {
+  await browser?.close();
+  await site?.stop();
+});
+beforeEach(async () => {
+  await context?.close();
+  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
+});
+
+/** Waits until all points are drawn. */
+const whole = (page: Page): Promise<void> => page.locator(`${CANVAS}[data-points="41x41"]`).waitFor();
+/** The words of an element, a space between them. */
+const wordsOf = async (page: Page, selector: string): Promise<string> =>
+  ((await page.locator(selector).textContent()) ?? "").replace(/\s+/g, " ").trim();
+const reading = (page: Page): Promise<string> => wordsOf(page, ".reading");
+const readValue = async (page: Page): Promise<number> =>
+  Number(await page.locator(".reading").getAttribute("data-value"));
+
+describe("the map", () => {
+  test("is drawn, changes with quantity, delivery, colours and theme, and says what it shows", async () => {
+    const { page, errors } = await open(context, site.address + FIRST, READY);
+    await whole(page);
+    const pictures = new Set([await pictureOf(page, CANVAS)]);
+    const colours = await page.locator(CANVAS).evaluate((canvas) => {
+      const { width, height } = canvas as HTMLCanvasElement;
+      const { data } = (canvas as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height) ?? {
+        data: [],
+      };
+      const seen = new Set<number>();
+      for (let i = 0; i < data.length; i += 40) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+      return seen.size;
+    });
+    expect(colours).toBeGreaterThan(8);
+    expect(await page.locator(CANVAS).getAttribute("aria-label")).toMatch(
+      /ball speed, mph: driver: from 1\d\d\.\d mph to 15\d\.\d mph; at the impact point, .*; at the sweet spot, 1\.\d mm heel, 4\.\d mm low: 15\d\.\d mph/,
+    );
+    await page.locator('select[name="map"]').selectOption("side");
+    await page.waitForURL(/map=side/);
+    await expect
+      .poll(() => page.locator(CANVAS).getAttribute("aria-label"))
+      .toMatch(/side, yd: driver: from .* left to .* right/);
+    pictures.add(await pictureOf(page, CANVAS));
+    await page.locator('select[name="map_style"]').selectOption("smooth");
+    pictures.add(await pictureOf(page, CANVAS));
+    await page.locator('select[name="theme"]').selectOption("dark");
+    await expect.poll(() => pictureOf(page, CANVAS)).not.toBe([...pictures].at(-1));
+    pictures.add(await pictureOf(page, CANVAS));
+    const before = await readValue(page);
+    await slide(page, "Face angle", "PageUp");
+    await expect.poll(() => readValue(page)).toBeGreaterThan(before);
+    await whole(page);
+    pictures.add(await pictureOf(page, CANVAS));
+    expect(pictures.size).toBe(5);
+    expect(errors).toEqual([]);
+  });
+
+  test("is read and struck by the keyboard, in steps that are undone", async () => {
+    const { page, errors } = await open(context, `${site.address}${FIRST}&map=carry`, READY);
+    await whole(page);
+    const atCentre = await readValue(page);
+    const drawn = await pictureOf(page, CANVAS);
+    await page.locator(".map .canvas").focus();
+    for (let i = 0; i < 3; i += 1) await page.keyboard.press("Shift+ArrowRight");
+    await page.keyboard.press("ArrowUp");
+    expect(await reading(page)).toMatch(/^Cursor, 15\.0 mm toe, 1\.0 mm high: \d+\.\d yd$/);
+    const atToe = await readValue(page);
+    expect(atToe).toBeLessThan(atCentre);
+    expect(await pictureOf(page, CANVAS)).not.toBe(drawn);
+    expect(page.url()).not.toContain("toe=");
+    await page.keyboard.press("Enter");
+    await page.waitForURL(/toe=15mm&high=1mm/);
+    await page.keyboard.press("Escape");
+    await expect.poll(() => reading(page)).toMatch(/^Impact point, 15\.0 mm toe, 1\.0 mm high/);
+    expect(await readValue(page)).toBeCloseTo(atToe, 12);
+    await page.keyboard.press("Control+z");
+    await expect.poll(() => reading(page)).toMatch(/^Impact point, 0\.0 mm/);
+    expect(await readValue(page)).toBe(atCentre);
+    expect(errors).toEqual([]);
+  });
+
+  test("has the toe on the right of a right-handed club and on the left of a left-handed one, where a press strikes", async () => {
+    const { page } = await open(context, site.address + FIRST, READY);
+    const press = async (): Promise<void> => {
+      await page.locator(CANVAS).scrollIntoViewIfNeeded();
+      const box = await page.locator(CANVAS).boundingBox();
+      if (!box) throw new Error("the map is not drawn");
+      await page.mouse.click(box.x + box.width * 0.75, box.y + box.height * 0.45);
+    };
+    await press();
+    await page.waitForURL(/toe=\d+(\.\d)?mm&high=\d(\.\d)?mm/);
+    await page.locator('select[name="hand"]').selectOption("left");
+    await whole(page);
+    await press();
+    await page.waitForURL(/toe=-\d+(\.\d)?mm/);
+    await page.mouse.move(5, 5);
+    expect(await reading(page)).toMatch(/^Impact point, .* mm heel/);
+  });
+
+  test("follows the cursor", async () => {
+    const { page } = await open(context, site.address + FIRST, READY);
+    await page.locator(CANVAS).scrollIntoViewIfNeeded();
+    const box = await page.locator(CANVAS).boundingBox();
+    if (!box) throw new Error("the map is not drawn");
+    const before = await pictureOf(page, CANVAS);
+    await page.mouse.move(box.x + box.width * 0.3, box.y + box.height * 0.5);
+    expect(await reading(page)).toMatch(/^Cursor, \d+\.\d mm heel, .*: 1\d\d\.\d mph$/);
+    expect(await pictureOf(page, CANVAS)).not.toBe(before);
+    await page.mouse.move(box.x + box.width * 0.3, box.y - 30);
+    expect(await reading(page)).toMatch(/^Impact point/);
+    expect(await pictureOf(page, CANVAS)).toBe(before);
+  });
+
+  test("is the difference of two clubs, whose figures stand side by side", async () => {
+    const { page, errors } = await open(context, site.address + FIRST, READY);
+    const before = await pictureOf(page, CANVAS);
+    await page.locator('select[name="map_minus"]').selectOption("3-wood");
+    await page.waitForURL(/map_minus=3-wood/);
+    await page.locator("h2", { hasText: "driver less 3-wood" }).waitFor();
+    await page.locator("[data-loss=carry]").nth(1).waitFor();
+    await whole(page);
+    expect(await pictureOf(page, CANVAS)).not.toBe(before);
+    expect(await reading(page)).toMatch(/[+-]\d+\.\d\d mph$/);
+    expect(await page.locator(".best thead th").allInnerTexts()).toEqual(["Of the face", "driver", "3-wood"]);
+    // The club itself has no difference.
+    await page.locator('select[name="club"]').selectOption("3-wood");
+    await page.locator("h2", { hasText: "Ball speed, mph: 3-wood" }).waitFor();
+    expect(errors).toEqual([]);
+  });
+});
+
+describe("forgiveness", () => {
+  test("is that of a golfer or of typed spreads: wider ones cost more", async () => {
+    const { page, errors } = await open(context, site.address + FIRST, READY);
+    await whole(page);
+    const loss = async (): Promise<number> =>
+      Number(await page.locator("[data-loss=carry]").getAttribute("data-value"));
+    const [before, picture] = [await loss(), await pictureOf(page, CANVAS)];
+    await page.locator('select[name="golfer"]').selectOption("bogey-driver");
+    await page.waitForURL(/strikes_toe=[\d.]+mm&strikes_high=[\d.]+mm/);
+    await expect.poll(loss).not.toBe(before);
+    const [golfer, ellipse] = [await loss(), await pictureOf(page, CANVAS)];
+    expect(golfer).toBeGreaterThan(before);
+    expect(ellipse).not.toBe(picture);
+    const typed = page.getByRole("textbox", { name: "Spread heel to toe" });
+    await typed.fill("0.2 in");
+    await typed.press("Enter");
+    await expect.poll(loss).toBeLessThan(golfer);
+    expect(await page.locator('select[name="golfer"]').inputValue()).toBe("own");
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Control+z");
+    await expect.poll(loss).toBe(golfer);
+    expect(await page.locator('select[name="golfer"]').inputValue()).toBe("bogey-driver");
+    expect(errors).toEqual([]);
+  });
+
+  test("is not there for an impact point beside the face, and the map stays", async () => {
+    const { page } = await open(context, `${site.address}${FIRST}&toe=52mm&high=26mm`, ".forgiveness .mistake");
+    expect(await wordsOf(page, ".forgiveness .mistake")).toContain("not on the face");
+    await whole(page);
+  });
+});
+
+describe("the page", () => {
+  test("shows a few points at once and all of them within 100 ms; printed, since machines differ", async () => {
+    const { page } = await open(context, site.address + FIRST, READY);
+    await whole(page);
+    const times: number[][] = [[], [], []];
+    for (let i = 0; i < 10; i += 1) {
+      await slide(page, "Club speed", i % 2 ? "ArrowLeft" : "ArrowRight");
+      await page.waitForTimeout(400);
+      const text = (await page.locator(".map .canvas").getAttribute("data-milliseconds")) ?? "";
+      for (const [place, time] of text.split(" ").entries()) times[place].push(Number(time));
+    }
+    const [first, all, details] = times.map((each) => [...each].sort((a, b) => a - b)[each.length >> 1].toFixed(0));
+    console.log(
+      `map of 15 by 11 points ${first} ms, of 41 by 41 with flights ${all} ms, ` +
+        `with sweet spot, area and forgiveness ${details} ms (medians of ${times[0].length})`,
+    );
+    expect(times.flat().every((time) => time > 0)).toBe(true);
+  });
+
+  test("fits a screen of 360 pixels", async () => {
+    await context.close();
+    context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
+    const { page, errors } = await open(context, site.address + FIRST, READY);
+    await whole(page);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
+    expect(errors).toEqual([]);
+  });
+
+  test.each(["light", "dark"] as const)("has no violation that axe finds (%s)", async (colorScheme) => {
+    await context.close();
+    context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
+    const { page } = await open(context, `${site.address}${FIRST}&map_minus=3-wood`, READY);
+    await whole(page);
+    expect(await violations(page)).toEqual([]);
+  });
+});
+
+interface Listed {
+  club: string;
+  model?: string;
+  ball?: string;
+  hand?: string;
+  minus?: string;
+  quantity: string;
+  spread: string;
+  delivery: Record<string, string>;
+}
+
+interface Computed {
+  points: Record<string, number>;
+  best: { sweet_spot: number[]; longest: number[]; effective_area: number; face_area: number }[];
+  scatter: { quantity: string; mean: number; deviation: number; loss: number }[];
+}
+
+/** Relative difference of a number on the page from that of the command line, as for shots. */
+const SAME = 1e-12;
+/** The same of areas and integrals, which sum thousands of numbers. */
+const SUMMED = 1e-11;
+/** What is a difference of large numbers is compared on their scale [SI]. */
+const SCALES: Record<string, number> = { side: 100, carry: 200, ball_speed: 70 };
+
+const linkOf = ({ delivery, quantity, minus, spread, ...chosen }: Listed): string => {
+  const [strikes_toe, strikes_high] = spread.split(" x ");
+  const entries = { scene: "map", ...chosen, ...delivery, map: quantity, strikes_toe, strikes_high };
+  return `#${Object.entries(minus ? { ...entries, map_minus: minus } : entries)
+    .map(([key, value]) => `${key}=${value.replace(" ", "")}`)
+    .join("&")}`;
+};
+
+/** Data of all elements of a kind. */
+const dataOf = (page: Page, selector: string): Promise<Record<string, string>[]> =>
+  page
+    .locator(selector)
+    .evaluateAll((all) => all.map((each) => ({ ...(each as HTMLElement).dataset }) as Record<string, string>));
+
+/** A place in mm, of which 0 has no sign. */
+const placeKey = (text: string): string => text.replace(/-0\.000/g, "0.000");
+
+/** Numbers of the page beside those of the command line: what, shown, expected, tolerance and scale. */
+type Pair = [what: string, shown: number, expected: number, tolerance: number, scale: number];
+
+async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Promise<Pair[]> {
+  const pairs: Pair[] = [];
+  const points = Object.fromEntries(Object.entries(expected.points).map(([key, value]) => [placeKey(key), value]));
+  const cells = await dataOf(page, "td[data-toe][data-quantity]");
+  expect(cells.length).toBeGreaterThan(40);
+  for (const { toe, high, value } of cells) {
+    const place = placeKey(`${toe} ${high}`);
+    pairs.push([`${quantity} at ${place}`, Number(value), points[place], SAME, SCALES[quantity] ?? 0]);
+  }
+  const [best, areas, faces] = await Promise.all(
+    ["td[data-best$=place]", "td[data-best=effective_area]", "td[data-best=face_area]"].map((each) =>
+      dataOf(page, each),
+    ),
+  );
+  for (const [club, figures] of expected.best.entries()) {
+    const places = [best[club], best[expected.best.length + club]].map(({ toe, high }) => [Number(toe), Number(high)]);
+    for (const [place, metres] of [...figures.sweet_spot, ...figures.longest].entries())
+      pairs.push([`best point ${place}`, places[place >> 1][place % 2], metres, SAME, 0.05]);
+    pairs.push(["effective area", Number(areas[club].value), figures.effective_area, SUMMED, 0]);
+    pairs.push(["face area", Number(faces[club].value), figures.face_area, SUMMED, 0]);
+  }
+  for (const kind of ["mean", "deviation", "loss"] as const)
+    for (const name of Object.keys(SCALES)) {
+      const shown = await dataOf(page, `td[data-${kind}=${name}]`);
+      const rows = expected.scatter.filter((row) => row.quantity === name);
+      expect(shown.length).toBe(rows.length);
+      for (const [club, row] of rows.entries())
+        pairs.push([`${kind} of ${name}`, Number(shown[club].value), row[kind], SUMMED, SCALES[name]]);
+    }
+  return pairs;
+}
+
+test("the numbers of five maps are those of the command line", async () => {
+  const listed = JSON.parse(readFileSync(path("maps.json"), "utf8")) as Listed[];
+  const python = process.env.PYTHON ?? "python3";
+  const printed = execFileSync(python, [path("maps.py")], { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  const expected = JSON.parse(printed) as Computed[];
+  const wrong: string[] = [];
+  let [compared, largest] = [0, 0];
+  for (const [i, each] of listed.entries()) {
+    const { page, errors } = await open(context, site.address + linkOf(each), READY);
+    await whole(page);
+    for (const [what, shown, value, tolerance, scale] of await pairsOf(page, each, expected[i])) {
+      const difference = Math.abs(shown - value) / Math.max(Math.abs(value), scale);
+      compared += 1;
+      largest = Math.max(largest, difference);
+      if (!(difference <= tolerance)) wrong.push(`${linkOf(each)}: ${what} ${shown}, by the command line ${value}`);
+    }
+    expect(errors).toEqual([]);
+    await page.close();
+  }
+  const most = largest.toExponential(1);
+  console.log(
+    `${compared} numbers of ${listed.length} maps compared with the command line, largest difference ${most}`,
+  );
+  expect(wrong).toEqual([]);
+});
