@@ -56,7 +56,7 @@ def computed(wanted: dict[str, Any]) -> dict[str, Any]:
         "best": [
             {
                 "sweet_spot": [1e-3 * row["sweet_spot_toe_mm"], 1e-3 * row["sweet_spot_high_mm"]],
-                "longest": [1e-3 * row["longest_carry_toe_mm"], 1e-3 * row["longest_carry_high_mm"]],
+                "longest": [1e-3 * row["longest_toe_mm"], 1e-3 * row["longest_high_mm"]],
                 "effective_area": 1e-6 * row["effective_area_mm2"], "face_area": 1e-6 * row["face_area_mm2"],
             }
             for row in best

@@ -13,7 +13,7 @@ export function bestPanel(context: Context): TemplateResult {
   return html`
     <section class="best" aria-labelledby="best">
       <h2 id="best">Sweet spot and effective face</h2>
-      <div class="scroll" tabindex="0" role="region" aria-label="Sweet spot and effective face">
+      <div class="scroll" tabindex="0" role="region" aria-label="Table of sweet spot and effective face">
         <table>
           <caption class="unseen">Sweet spot, longest carry and effective face</caption>
           <thead>
