@@ -43,6 +43,14 @@ for (const [model, parameters] of Object.entries(asked.models)) {
 const inAir = core.flightSensitivity(asked.flights.map((column) => column[0]));
 const flights = timed(() => core.flights(asked.flights, asked.flights[0].length), 3);
 
+const at = (variables, columns, name) => columns[variables.findIndex((each) => each.name === name)];
+const { flight_outputs: flownBy } = core.description;
+const starts = at(core.description.outputs, launches.standard.outputs, "azimuth");
+const shapes = core.shotShapes(
+  Float64Array.from(starts.filter((_, row) => !Number.isNaN(starts[row]))),
+  ...["curve", "carry"].map((name) => Float64Array.from(at(flownBy, flights.outputs, name))),
+);
+
 /** Arrays by name as JSON has them. */
 const plain = (arrays) =>
   Object.fromEntries(Object.entries(arrays).map(([name, { values, shape }]) => [name, { values: [...values], shape }]));
@@ -69,7 +77,7 @@ const { stopped } = (await load(elements, (time) => time < 1e-4)).simulate(asked
 process.stdout.write(
   JSON.stringify({
     dispersion: { ...dispersion.text, landings: [...dispersion.arrays.landings.values] },
-    description: core.description, launches, derivatives, chosen, flights, refusals, reference, seen, stopped,
+    description: core.description, launches, derivatives, chosen, flights, shapes, refusals, reference, seen, stopped,
     flight_derivatives: [Array.from(inAir.values), inAir.jacobian.map((row) => Array.from(row))],
     path: plain(path), history: plain(history),
     sizes: [bytes, elements].map((each) => [each.length, gzipSync(each, { level: 9 }).length]),

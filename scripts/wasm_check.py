@@ -16,6 +16,7 @@ import clubface
 from clubface import _core
 from clubface.design.strokes import AT_REST, as_lists
 from clubface.fem.run import case
+from clubface.simulation.shot_shape import shot_shape
 
 SHOTS = 300
 LARGEST = 400e3
@@ -77,6 +78,14 @@ def _launches_in_air(outputs: np.ndarray) -> list[list[float]]:
         else:
             columns.append(np.full(int(good.sum()), entry["default"]).tolist())
     return columns
+
+
+def _shapes(launches: np.ndarray, flights: np.ndarray) -> list[str]:
+    """Return the names of the shapes of shots from launches of a model and the flights of those that have a result."""
+    outputs, flown = ([each["name"] for each in variables] for variables in (_core.outputs(), _core.flight_outputs()))
+    good = ~np.isnan(launches[0])
+    azimuth = launches[outputs.index("azimuth")][good]
+    return list(shot_shape(azimuth, *(np.asarray(flights)[flown.index(name)] for name in ("curve", "carry"))))
 
 
 def _dispersion(models: dict[str, list[float]]) -> tuple[dict[str, Any], clubface.Dispersion]:
@@ -201,6 +210,9 @@ def main(module: str, fem: str) -> int:
     seconds = answer["flights"]["seconds"] / len(flights[0])
     good = difference <= TOLERANCES["flight"]
     report.line("flight", good, f"largest difference {difference:.1e}, {seconds * 1e6:.1f} us a flight")
+    shapes = _shapes(native["standard"][0], flown[0])
+    good = answer["shapes"] == shapes and len(set(shapes)) > 5
+    report.line("shapes", good, f"{len(shapes)} shots, {len(set(shapes))} names")
     first = [column[0] for column in inputs]
     paths = {
         "path": _core.trajectory([column[0] for column in flights]),

@@ -29,6 +29,8 @@ export interface LoadedCore {
   ): Batch & { derivatives: Float64Array[][] };
   history(model: string, inputs: number[], parameters: number[], tolerance?: number): Record<string, CoreArray>;
   flights(inputs: Columns, rows: number): Batch;
+  /** What golfers call shots, such as "pull hook"; "" of one that does not fly. */
+  shotShapes(azimuth: Float64Array, curve: Float64Array, carry: Float64Array, hand?: number): string[];
   pressureAtAltitude(altitude: number): number;
   airDensity(temperature: number, pressure: number, humidity: number): number;
   flightSensitivity(inputs: number[]): Derivatives;

@@ -31,11 +31,19 @@ export function compareModels(core: LoadedCore, strikes: Strike[]): Comparison {
 export function computeModel(core: LoadedCore, strike: Strike): Computed {
   const { model } = strike;
   const launch = core.launches(model, strike.inputs, strike.parameters, 1);
-  if (launch.rejects.length) return { model, values: {}, failure: failure(launch.rejects[0]) };
-  const values = byName(core.description.outputs, launch.outputs);
-  const flight = core.flights(flightInputs(core, strike, values), 1);
-  if (flight.rejects.length) return { model, values, failure: failure(flight.rejects[0]) };
-  return { model, values: { ...values, ...byName(core.description.flight_outputs, flight.outputs) }, failure: null };
+  if (launch.rejects.length) return { model, values: {}, shape: "", failure: failure(launch.rejects[0]) };
+  const launched = byName(core.description.outputs, launch.outputs);
+  const flight = core.flights(flightInputs(core, strike, launched), 1);
+  if (flight.rejects.length) return { model, values: launched, shape: "", failure: failure(flight.rejects[0]) };
+  const values = { ...launched, ...byName(core.description.flight_outputs, flight.outputs) };
+  return { model, values, shape: shapeOf(core, strike, values), failure: null };
+}
+
+/** What golfers call a shot, by its start and its curve. */
+function shapeOf(core: LoadedCore, strike: Strike, values: Values): string {
+  const [azimuth, curve, carry] = [values.azimuth, values.curve, values.carry].map((value) => Float64Array.of(value));
+  const hand = core.description.inputs.findIndex(({ name }) => name === "hand");
+  return core.shotShapes(azimuth, curve, carry, strike.inputs[hand])[0];
 }
 
 const failure = ({ input, message }: Failure): Failure => ({ input, message });

@@ -141,6 +141,8 @@ export interface Failure {
 export interface Computed {
   model: string;
   values: Values;
+  /** What golfers call the shot, such as "pull hook"; "" of one that does not fly. */
+  shape: string;
   failure: Failure | null;
 }
 

@@ -1,21 +1,19 @@
-"""Write what the package gives for strikes and shots that the unit tests of the studio compare with their own results.
+"""Write what the package gives for strikes that the unit tests of the studio compare with their own results.
 
 ``python studio/tests/unit/stored.py`` writes, next to itself, ``poses.json``, where a contact model has head and ball
-at first touch, and ``shapes.json``, curves and names of shots.
+at first touch.
 """
 
 from __future__ import annotations
 
 import json
 import math
-from itertools import product
 from pathlib import Path
 from typing import Any
 
 import clubface
 from clubface.errors import RangeWarning
 from clubface.simulation.results import inputs
-from clubface.simulation.shot_shape import curve, shot_shape
 from clubface.support.checks import without_warnings
 
 DELIVERIES: list[tuple[str, str, dict[str, str]]] = [
@@ -38,22 +36,10 @@ def strike(club: str, hand: str, delivery: dict[str, str]) -> dict[str, Any]:
     }
 
 
-def shapes() -> list[dict[str, Any]]:
-    """Return starts and landings of shots [SI] with their curves and names, for both hands."""
-    degrees, sides = (-6.0, -2.9, 0.0, 3.1, 5.0), (-40.0, -12.0, -1.0, 2.0, 17.0, 35.0)
-    result = []
-    for azimuth, side, hand in product(map(math.radians, degrees), sides, (1, -1)):
-        bent = float(curve(azimuth, 200.0, side))
-        name = shot_shape(azimuth, bent, 200.0, hand=hand)
-        result.append({"azimuth": azimuth, "carry": 200.0, "side": side, "hand": hand, "curve": bent, "name": name})
-    return result
-
-
 def main() -> None:
-    """Compute and write both."""
-    for name, values in (("poses", [strike(*each) for each in DELIVERIES]), ("shapes", shapes())):
-        text = "[\n" + ",\n".join(json.dumps(each) for each in values) + "\n]\n"
-        Path(__file__).with_name(f"{name}.json").write_text(text, encoding="utf-8")
+    """Compute and write them."""
+    text = "[\n" + ",\n".join(json.dumps(strike(*each)) for each in DELIVERIES) + "\n]\n"
+    Path(__file__).with_name("poses.json").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

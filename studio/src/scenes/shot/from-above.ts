@@ -2,11 +2,9 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
-import { handSign } from "../../equipment/equipment";
 import { line, scale, ticks } from "../../parts/axes";
 import { sideOf } from "../../quantities/formatter";
 import { type Drawing, LEFT } from "./flight-panel";
-import { curveOf, shapeOf } from "./shot-shape";
 
 const TOP = 24;
 const BOTTOM = 36;
@@ -18,7 +16,7 @@ const LEAST_SIDE = 12;
 const REACH = 0.35;
 
 export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
-  const { model, state, formatter, equipment } = context;
+  const { model, state, formatter } = context;
   const { width, zoom, along, alongTicks, path, landing, rest, unit } = drawing;
   const values = model.good?.values ?? {};
   const end = (angle: number, length: number): [number, number] => [length * Math.cos(angle), length * Math.sin(angle)];
@@ -45,10 +43,10 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   const { sides } = formatter.quantity("side");
   /** "L" or "R" behind a distance, as the first letters of the core's words for its sides. */
   const letter = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
-  const shape = shapeOf(values, equipment.shot_shape, handSign(state)) || "shot that does not fly";
+  const shape = model.good?.shape || "shot that does not fly";
   const label =
     `The flight from above, a ${shape}: the ball starts ${formatter.text("azimuth", values.azimuth, state.system)}, ` +
-    `curves ${formatter.text("curve", curveOf(values), state.system)} and lands ` +
+    `curves ${formatter.text("curve", values.curve, state.system)} and lands ` +
     `${formatter.text("side", values.side, state.system)} after ${formatter.text("carry", values.carry, state.system)}.`;
   return html`
     <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
@@ -78,7 +76,7 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
       <li><i class="direction start"></i>start ${formatter.text("azimuth", values.azimuth, state.system)}</li>
       <li><i class="direction path"></i>path ${formatter.text("path", delivered(context, "path"), state.system)}</li>
       <li><i class="direction face-line"></i>face ${formatter.text("face", delivered(context, "face"), state.system)}</li>
-      <li><i class="curve"></i>curve ${formatter.text("curve", curveOf(values), state.system)}</li>
+      <li><i class="curve"></i>curve ${formatter.text("curve", values.curve, state.system)}</li>
       <li><i class="roll"></i>bounce and roll</li>
     </ul>
   `;

@@ -2,20 +2,18 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
-import { handSign } from "../../equipment/equipment";
 import { gap } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { numberButton } from "./explanation/explanation";
-import { curveOf, shapeOf } from "./shot-shape";
 
 const FIRST = ["ball_speed", "launch", "total_spin", "carry", "side", "total"];
 
 export function headline(context: Context): TemplateResult {
-  const { model, state, formatter, equipment } = context;
+  const { model, state, formatter } = context;
   const shot = model.good;
   if (!shot) return outputOf(model, "shot") ? html`` : html`<p aria-busy="true">The first shot is being computed …</p>`;
   const { system } = state;
-  const shape = shapeOf(shot.values, equipment.shot_shape, handSign(state));
+  const { shape } = shot;
   const text = (name: string): string => formatter.text(name, shot.values[name], system);
   return html`
     <section class="headline" aria-label="The shot in short">
@@ -30,7 +28,7 @@ export function headline(context: Context): TemplateResult {
       </dl>
       <p aria-live="polite">
         The ball starts ${text("azimuth")} of the target, rises to ${text("apex")}, curves
-        ${formatter.text("curve", curveOf(shot.values), system)} and lands ${text("side")} after
+        ${text("curve")} and lands ${text("side")} after
         ${text("carry")}${shape ? html`: a <b class="shape">${shape}</b>.` : "."}
       </p>
     </section>

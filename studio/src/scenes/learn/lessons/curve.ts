@@ -2,13 +2,12 @@
 
 import { html } from "lit-html";
 import type { Values } from "../../../core/types";
-import { curveOf } from "../../shot/shot-shape";
 import { crossing, type Lesson, spread } from "../lesson";
 import { dPlanePicture } from "../pictures/d-plane";
 import { flightsPicture } from "../pictures/flights";
 
 /** How far from the line of its start a ball lands, over its carry; to the right is positive. */
-const curveShare = (values: Values): number => curveOf(values) / values.carry;
+const curveShare = ({ curve, carry }: Values): number => curve / carry;
 
 export const curve: Lesson = {
   name: "curve",
@@ -41,9 +40,7 @@ export const curve: Lesson = {
     const share = 1 - (found.value("straight", "azimuth") - values.azimuth) / (face - path);
     const over = found.curve("path");
     const curves = over
-      ? Array.from(over.x, (_, i) =>
-          curveShare({ azimuth: over.y.azimuth[i], carry: over.y.carry[i], side: over.y.side[i] }),
-        )
+      ? Array.from(over.x, (_, i) => curveShare({ curve: over.y.curve[i], carry: over.y.carry[i] }))
       : [];
     const enough = crossing(over?.x ?? [], curves, -straight);
     const curved = curveShare(values);
