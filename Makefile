@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-figures golden-shots study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden-shots study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -116,11 +116,19 @@ studio-build: build ## the studio, a site that computes in the browser, in studi
 studio: studio-build ## the same, served on http://localhost:4173
 	npm --prefix studio run --silent serve
 
+BROWSER = CHROMIUM=$$(scripts/find-browser.sh)
+
 studio-test: studio-build ## the studio in Debian's Chromium (CHROMIUM=/path of another): scenes, links, offline, numbers
-	PYTHON=$(CURDIR)/$(PYTHON) npm --prefix studio run --silent browser-test
+	@scripts/find-browser.sh >/dev/null
+	$(BROWSER) PYTHON=$(CURDIR)/$(PYTHON) npm --prefix studio run --silent browser-test
+
+studio-open: studio-build ## every scene opened in Chromium once: the short part of studio-test
+	@scripts/find-browser.sh >/dev/null
+	$(BROWSER) npm --prefix studio run --silent open-test
 
 studio-figures: studio-build ## the pictures of docs/studio.md, drawn again in Chromium
-	SCREENSHOTS=screenshots npm --prefix studio run --silent screenshots
+	@scripts/find-browser.sh >/dev/null
+	$(BROWSER) SCREENSHOTS=screenshots npm --prefix studio run --silent screenshots
 	$(PYTHON) docs/figures/studio.py studio/screenshots/docs
 
 golden-shots: dev ## the shots that Rust, Python, the command line and the studio must compute alike, computed again
