@@ -56,7 +56,7 @@ export function conditionsLine(context: Context): TemplateResult | typeof nothin
   return html`
     <aside class="conditions" aria-label="Conditions of the flight">
       <span>Flights in <b>${words}</b></span>
-      <button type="button" class="quiet" @click=${() => usualConditions(context)}>As usual</button>
+      <button type="button" class="quiet" @click=${() => usualConditions(context)}>Usual conditions</button>
     </aside>
   `;
 }

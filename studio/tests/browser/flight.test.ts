@@ -107,7 +107,7 @@ describe("the range", () => {
     await page.getByRole("button", { name: "Shot", exact: true }).click();
     await page.locator(".flight svg").first().waitFor();
     expect(await siValueOf(page, "side")).toBe(blown);
-    await page.getByRole("button", { name: "As usual" }).click();
+    await page.getByRole("button", { name: "Usual conditions" }).click();
     expect(await otherValue(page, "side", blown)).toBe(side);
     expect(errors).toEqual([]);
   });

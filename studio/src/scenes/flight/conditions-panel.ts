@@ -1,9 +1,9 @@
 /** Wind, air and ground, by sliders and by typing. */
 
-import { html, nothing, type TemplateResult } from "lit-html";
+import { html, type TemplateResult } from "lit-html";
 import { type Context, settingSi } from "../../context";
 import { settingChoice } from "../../parts/choice";
-import { conditionsInWords, usualConditions, windInWords } from "../../parts/conditions";
+import { windInWords } from "../../parts/conditions";
 import { type Field, settingField } from "../../parts/field";
 import { CONDITIONS, type Condition } from "../../state/conditions";
 import { outputOf } from "../../state/store";
@@ -45,11 +45,6 @@ export function conditionsPanel(context: Context): TemplateResult {
         options: Object.keys(equipment.grounds).map((name) => [name, name]),
       })}
       <p class="remark">${airInWords(context)}</p>
-      ${
-        conditionsInWords(context)
-          ? html`<button type="button" class="quiet" @click=${() => usualConditions(context)}>All as usual</button>`
-          : nothing
-      }
     </section>
   `;
 }

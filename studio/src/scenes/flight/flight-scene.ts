@@ -31,14 +31,14 @@ function view(context: Context): TemplateResult {
   const failure = outputOf(context.model, "shot")?.failure;
   const flying = choiceSetting(context, "flying");
   return html`
-    <div class=${failure ? "shot range stale" : "shot range"}>
+    <div class=${failure ? "range stale" : "range"}>
       <p class="failure" role="alert">
         ${failure ? `This flight cannot be computed. ${failure.input}: ${failure.message}.` : nothing}
       </p>
       ${headline(context)}
+      ${rangePanel(context)}
       <div class="controls">${conditionsPanel(context)} ${equipmentPanel(context)} ${deliveryPanel(context)}</div>
       <div class="results">
-        ${rangePanel(context)}
         ${flying === "clubs" ? bagPanel(context) : flying === "golfer" ? golferPanel(context) : flightNumbers(context)}
       </div>
     </div>

@@ -30,7 +30,7 @@ export function golferPanel(context: Context): TemplateResult {
   return html`
     <section aria-labelledby="golfer">
       <h2 id="golfer">Where a golfer's shots land</h2>
-      <div class="choices">
+      <div class="wide-choice">
         ${choiceOf({
           name: "golfer",
           label: "Golfer",

@@ -12,6 +12,8 @@ const TOWARDS: Record<View, (isHigh: boolean) => Vector> = {
   side: () => [0, 0.12, 1],
   above: (isHigh) => (isHigh ? [-1e-3, 1, 0] : [0, 1, 1e-3]),
 };
+/** How far the turf reaches beyond what flies over it, to either side [m]. */
+const EDGE = 11;
 /** Room for what is written at the edges, as shares of the picture. */
 const MARGIN: Record<View, number> = { behind: 1.06, side: 1.1, above: 1.14 };
 
@@ -24,7 +26,7 @@ const NEARER = [0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5];
 /** Sets the eye so that all corners of the extent are in the picture. */
 export function takeView(stage: Stage, view: View, { far, side, high }: Extent): void {
   const { camera, controls } = stage;
-  const [width, height] = view === "side" ? [0, high] : [side, view === "above" ? 0 : high];
+  const [width, height] = view === "side" ? [0, high] : view === "above" ? [side + EDGE, 0] : [side, high];
   // From behind the sides of the range may leave the picture before they come to what flies there.
   const widths = [view === "behind" ? Math.min(width, NARROW * far) : width, width];
   const corners = [0, far].flatMap((x, end) =>

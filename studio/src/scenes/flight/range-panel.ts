@@ -9,7 +9,7 @@ import { contentOf } from "./range-content";
 import { played, RANGE } from "./range-picture";
 import { play } from "./range-play";
 import { FLYING, VIEWS } from "./settings";
-import { SIDE_STEP, STEP } from "./turf";
+import { STEP } from "./turf";
 
 export function rangePanel(context: Context): TemplateResult {
   const { actions, state } = context;
@@ -53,8 +53,8 @@ export function rangePanel(context: Context): TemplateResult {
 function legend({ formatter, state }: Context): string {
   const symbol = formatter.units.symbol(formatter.reading("carry", state.system).unit);
   return (
-    `Lines every ${STEP} ${symbol} of distance and every ${SIDE_STEP} ${symbol} to either side of the target line; thin ` +
-    "behind the landing: bounce and roll. The picture is turned by dragging or the arrow keys, zoomed by the wheel or + and -."
+    `Lines every ${STEP} ${symbol}; thin behind the landing: bounce and roll. The picture is turned by dragging or the ` +
+    "arrow keys, zoomed by the wheel or + and -."
   );
 }
 

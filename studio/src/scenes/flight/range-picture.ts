@@ -2,6 +2,7 @@
 
 import type { Group, Object3D } from "three";
 import { type Context, choiceSetting, settingSi } from "../../context";
+import { rootSize } from "../../parts/measure";
 import { type Stage, setStage } from "../../parts/stage";
 import { arrow, empty, point, word } from "../../parts/stage-objects";
 import type { Vector } from "../../parts/vectors";
@@ -140,16 +141,22 @@ function post({ three, colour }: Stage, from: Vector, to: Vector, variable: stri
   return new three.Line(geometry, new three.LineBasicMaterial({ color: colour(variable) }));
 }
 
+/** Width of a picture that has room for the names of clubs, in letters of the page. */
+const ROOM = 35;
+
 /** Apex and carry of a single flight; the names of several, at their landings and at different heights. */
 function names(context: Context, stage: Stage, { flights, landings: dots }: Content, extent: Extent): Object3D[] {
   const { formatter, state } = context;
   const { far, side } = extent;
   const isFromSide = choiceSetting(context, "range_view") === "side";
+  // Names that stand side by side need room; the table has the colours, too.
+  const isSmall = stage.renderer.domElement.clientWidth < ROOM * rootSize();
   const text = (name: string, value: number): string => `${name} ${formatter.text(name, value, state.system)}`;
   return flights.flatMap(({ path, name, colour, values }, place) => {
     if (path.length < 2 || dots.length) return [];
     const landed = path[path.length - 1];
     if (flights.length > 1) {
+      if (isFromSide && isSmall) return [];
       const hand = place % 2 ? 1 : -1;
       const at: Vector = isFromSide
         ? [landed[0], far * (0.02 + 0.03 * (place % 4)), landed[2]]
@@ -193,14 +200,15 @@ function landings(stage: Stage, { landings: places, ellipses }: Content, { far }
   return [cloud, ...rings];
 }
 
-/** The wind as an arrow over the range, near the tee on the right. */
-function wind(context: Context, stage: Stage, { far, side }: Extent): Object3D[] {
+/** The wind as an arrow over the range, near the tee on the right, or from the side in the sky. */
+function wind(context: Context, stage: Stage, { far, side, high }: Extent): Object3D[] {
   const speed = settingSi(context, "wind");
   if (!speed) return [];
   const from = settingSi(context, "wind_from");
   const blowing = arrow(stage.three, { length: 0.07, radius: 1.6e-3, colour: stage.colour("--face") });
   const blows: Vector = [-Math.cos(from), 0, -Math.sin(from)];
-  const middle: Vector = [far * 0.12, far * 0.03, side * 0.6];
+  const isFromSide = choiceSetting(context, "range_view") === "side";
+  const middle: Vector = isFromSide ? [far * 0.85, high, 0] : [far * 0.12, far * 0.03, side * 0.6];
   const reach = far * 0.035;
   point(stage.three, blowing, [middle[0] - blows[0] * reach, middle[1], middle[2] - blows[2] * reach], blows);
   blowing.scale.setScalar(far);

@@ -16,7 +16,7 @@ export interface Marks {
 
 /** Distances between marks, in their unit. */
 export const STEP = 50;
-export const SIDE_STEP = 20;
+const SIDE_STEP = 20;
 /** What lies on the ground is drawn in this order, without depth. */
 const LAYERS = { turf: -10, stripe: -9, line: -8 };
 
@@ -51,8 +51,10 @@ export function layTurf(stage: Stage, group: Group, extent: Extent, { metres, sy
     return sprite;
   };
   // Distances stand on the left of the range, or on the right where that is below on the screen.
+  // On a narrow picture what is written beside the range stands on it.
+  const isNarrow = stage.camera.aspect < 1.3;
   const isAcross = view === "side" || (view === "above" && stage.camera.aspect >= 1);
-  const [marked, anchor] = isAcross ? [half, [0.5, 1] as const] : [-half, [1.05, 0.5] as const];
+  const [marked, anchor] = isAcross ? [half, [0.5, 1] as const] : [-half, [isNarrow ? -0.05 : 1.05, 0.5] as const];
   group.add(patch([near, far], [-half, half], "--turf", LAYERS.turf));
   for (let at = 0; at * metres < far; at += STEP) {
     const ends: [number, number] = [at * metres, Math.min((at + STEP) * metres, far)];
@@ -77,7 +79,7 @@ export function layTurf(stage: Stage, group: Group, extent: Extent, { metres, sy
     const [edge, anchor] =
       view === "side"
         ? [-half, [1.05, 0.5] as const]
-        : [Math.min(half, 0.65 * NARROW * extent.far), [-0.1, 0.5] as const];
+        : [Math.min(half, 0.65 * NARROW * extent.far), [isNarrow ? 1.2 : -0.1, 0.5] as const];
     group.add(line([0, 0, edge], [0, top * metres, edge], "--ink"));
     for (let at = step; at <= top; at += step) {
       const high = at * metres;
