@@ -388,6 +388,12 @@ fn what_cannot_be_computed_names_the_input() {
 }
 
 #[test]
+fn air_is_that_of_the_core() {
+    assert_eq!(clubface_pressure_at_altitude(1600.0), flight::air::pressure_at_altitude(1600.0));
+    assert_eq!(clubface_air_density(300.0, 9e4, 0.4), flight::air::density(300.0, 9e4, 0.4));
+}
+
+#[test]
 fn the_header_is_that_of_the_crate() {
     let config = cbindgen::Config::from_file(Path::new(HERE).join("cbindgen.toml")).unwrap();
     let mut made = Vec::new();
