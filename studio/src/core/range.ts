@@ -31,16 +31,11 @@ export function computeDispersion(
   { strike, count, landings, ...rest }: GolferShots,
 ): Dispersion & { landings: CoreArray } {
   const { model, inputs, parameters } = strike;
-  const launch = Object.fromEntries(core.description.outputs.map(({ name }) => [name, 0]));
-  const flight = flightInputs(core, strike, launch);
-  const setup = { model, inputs: inputs.map(finite), parameters, flight, ...rest };
+  // As JSON an infinite radius and the launch, which each shot has of its own, are null.
+  const setup = { model, inputs, parameters, flight: flightInputs(core, strike, {}), ...rest };
   const { text, arrays } = core.dispersion(setup, count, landings);
   return { ...text, landings: arrays.landings };
 }
-
-/** The greatest radius of a face that the core takes [m], next to which a flat one, which JSON does not have, is alike. */
-const FLAT = 1e12;
-const finite = (value: number): number => (value === Infinity ? FLAT : value);
 
 /** Pressure and density of the air that conditions of a flight mean, in SI. */
 export function computeAir(core: LoadedCore, conditions: Values): Values {
