@@ -38,8 +38,8 @@ def curve(azimuth: Any, carry: Any, side: Any) -> Any:
     side
         Distance of the landing from the target line [m], right is positive. Numbers or arrays that broadcast.
     """
-    columns, shape = _columns(azimuth, carry, side)
-    values = core.curves(*columns, math.prod(shape)).reshape(shape)
+    (start, distance, right), shape = _columns(azimuth, carry, side)
+    values = core.curves(start, distance, right, math.prod(shape)).reshape(shape)
     return values if shape else float(values)
 
 
@@ -57,8 +57,8 @@ def shot_shape(azimuth: Any, curve: Any, carry: Any, *, hand: Any = 1.0) -> Any:
     hand
         1 for a right-handed player, -1 for a left-handed one, whose push starts left and whose draw curves right.
     """
-    columns, shape = _columns(azimuth, curve, carry, hand)
-    names = core.shot_shape_names(*columns, math.prod(shape))
+    (start, bend, distance, sides), shape = _columns(azimuth, curve, carry, hand)
+    names = core.shot_shape_names(start, bend, distance, sides, math.prod(shape))
     return np.array(names, dtype=str).reshape(shape) if shape else names[0]
 
 
