@@ -88,6 +88,8 @@ class PageLane {
   }
 }
 
+/** How long a task may go on that nobody wants any more [ms], before its worker is ended for the next one. */
+const PATIENCE = 400;
 /** How long a worker that has taken much memory is kept without a task [ms]: memory of a core never shrinks. */
 const KEPT = 3000;
 
@@ -102,6 +104,7 @@ class WorkerLane {
   private readonly due = new Map<string, { key: string; at: number }>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private idle: ReturnType<typeof setTimeout> | undefined;
+  private ending: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly wasm: string | WebAssembly.Module,
@@ -119,7 +122,10 @@ class WorkerLane {
   /** Computes what is wanted and not computed yet, in this order; a task that nobody wants any more is ended. */
   want(tasks: Task[]): void {
     const isBusyWith = (task: Task): boolean => this.busy?.slot === task.slot && this.busy.key === task.key;
-    if (this.busy && this.endsEarly && !tasks.some(isBusyWith)) this.stop();
+    const isUnwanted = this.busy !== null && !tasks.some(isBusyWith);
+    if (!isUnwanted) this.cancelEnding();
+    else if (this.endsEarly) this.stop();
+    else this.ending ??= setTimeout(() => this.restart(), PATIENCE);
     this.waiting = tasks.filter((task) => !isBusyWith(task) && this.done.get(task.slot) !== task.key);
     const now = performance.now();
     for (const { slot, key, rest } of tasks) {
@@ -142,7 +148,20 @@ class WorkerLane {
   /** Whether a task takes so long that ending its worker is the quicker way to the next. */
   endsEarly = false;
 
+  /** Lets the task go on that was to be ended. */
+  private cancelEnding(): void {
+    clearTimeout(this.ending);
+    this.ending = undefined;
+  }
+
+  /** Ends the task, and goes on with those that wait. */
+  private restart(): void {
+    this.stop();
+    this.send();
+  }
+
   private stop(): void {
+    this.cancelEnding();
     clearTimeout(this.idle);
     this.worker?.terminate();
     this.worker = null;
@@ -176,6 +195,7 @@ class WorkerLane {
     } else {
       const task = this.busy;
       this.busy = null;
+      this.cancelEnding();
       if (task) this.done.set(task.slot, task.key);
       if (reply.kind === "answer") {
         const { slot, computation, output, milliseconds } = reply;

@@ -200,6 +200,17 @@ describe("the page", () => {
     expect(times.flat().every((time) => time > 0)).toBe(true);
   });
 
+  test("follows the delivery while a model that takes long still integrates over the last one", async () => {
+    const { page, errors } = await open(context, `${site.address}${FIRST}&model=rings`, CANVAS);
+    await whole(page);
+    const before = await readValue(page);
+    await slide(page, "Club speed", "PageUp");
+    await expect.poll(() => readValue(page), { timeout: 60_000 }).toBeGreaterThan(before);
+    // The figures of the first delivery were given up.
+    expect(await page.locator("[data-loss=carry]").count()).toBe(0);
+    expect(errors).toEqual([]);
+  });
+
   test("fits a screen of 360 pixels", async () => {
     await context.close();
     context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
@@ -237,8 +248,6 @@ interface Computed {
 
 /** Relative difference of a number on the page from that of the command line, as for shots. */
 const SAME = 1e-12;
-/** The same of areas and integrals, which sum thousands of numbers. */
-const SUMMED = 1e-11;
 /** What is a difference of large numbers is compared on their scale [SI]. */
 const SCALES: Record<string, number> = { side: 100, carry: 200, ball_speed: 70 };
 
@@ -259,17 +268,17 @@ const dataOf = (page: Page, selector: string): Promise<Record<string, string>[]>
 /** A place in mm, of which 0 has no sign. */
 const placeKey = (text: string): string => text.replace(/-0\.000/g, "0.000");
 
-/** Numbers of the page beside those of the command line: what, shown, expected, tolerance and scale. */
-type Pair = [what: string, shown: number, expected: number, tolerance: number, scale: number];
+/** Numbers of the page beside those of the command line: what, shown, expected and scale. */
+type Pair = [what: string, shown: number, expected: number, scale: number];
 
 async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Promise<Pair[]> {
   const pairs: Pair[] = [];
   const points = Object.fromEntries(Object.entries(expected.points).map(([key, value]) => [placeKey(key), value]));
   const cells = await dataOf(page, "td[data-toe][data-quantity]");
-  expect(cells.length).toBeGreaterThan(40);
+  expect(cells.length).toBeGreaterThan(20);
   for (const { toe, high, value } of cells) {
     const place = placeKey(`${toe} ${high}`);
-    pairs.push([`${quantity} at ${place}`, Number(value), points[place], SAME, SCALES[quantity] ?? 0]);
+    pairs.push([`${quantity} at ${place}`, Number(value), points[place], SCALES[quantity] ?? 0]);
   }
   const [best, areas, faces] = await Promise.all(
     ["td[data-best$=place]", "td[data-best=effective_area]", "td[data-best=face_area]"].map((each) =>
@@ -279,9 +288,9 @@ async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Pr
   for (const [club, figures] of expected.best.entries()) {
     const places = [best[club], best[expected.best.length + club]].map(({ toe, high }) => [Number(toe), Number(high)]);
     for (const [place, metres] of [...figures.sweet_spot, ...figures.longest].entries())
-      pairs.push([`best point ${place}`, places[place >> 1][place % 2], metres, SAME, 0.05]);
-    pairs.push(["effective area", Number(areas[club].value), figures.effective_area, SUMMED, 0]);
-    pairs.push(["face area", Number(faces[club].value), figures.face_area, SUMMED, 0]);
+      pairs.push([`best point ${place}`, places[place >> 1][place % 2], metres, 0.05]);
+    pairs.push(["effective area", Number(areas[club].value), figures.effective_area, 0]);
+    pairs.push(["face area", Number(faces[club].value), figures.face_area, 0]);
   }
   for (const kind of ["mean", "deviation", "loss"] as const)
     for (const name of Object.keys(SCALES)) {
@@ -289,7 +298,7 @@ async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Pr
       const rows = expected.scatter.filter((row) => row.quantity === name);
       expect(shown.length).toBe(rows.length);
       for (const [club, row] of rows.entries())
-        pairs.push([`${kind} of ${name}`, Number(shown[club].value), row[kind], SUMMED, SCALES[name]]);
+        pairs.push([`${kind} of ${name}`, Number(shown[club].value), row[kind], SCALES[name]]);
     }
   return pairs;
 }
@@ -304,11 +313,11 @@ test("the numbers of five maps are those of the command line", async () => {
   for (const [i, each] of listed.entries()) {
     const { page, errors } = await open(context, site.address + linkOf(each), READY);
     await whole(page);
-    for (const [what, shown, value, tolerance, scale] of await pairsOf(page, each, expected[i])) {
+    for (const [what, shown, value, scale] of await pairsOf(page, each, expected[i])) {
       const difference = Math.abs(shown - value) / Math.max(Math.abs(value), scale);
       compared += 1;
       largest = Math.max(largest, difference);
-      if (!(difference <= tolerance)) wrong.push(`${linkOf(each)}: ${what} ${shown}, by the command line ${value}`);
+      if (!(difference <= SAME)) wrong.push(`${linkOf(each)}: ${what} ${shown}, by the command line ${value}`);
     }
     expect(errors).toEqual([]);
     await page.close();

@@ -16,6 +16,7 @@ const SCENES: Record<string, [link: string, ready: string]> = {
   shot: [SHOT, "[data-quantity]"],
   elements: [SHOT.replace("#", "#scene=elements&moment=260us&"), ".status[data-status='done'][data-mesh='fine']"],
   flight: [SHOT.replace("#", "#scene=flight&wind=12mph&wind_from=60deg&"), "[data-stage=range] canvas"],
+  map: [SHOT.replace("#", "#scene=map&map=carry&"), "[data-loss=carry]"],
   models: [SHOT.replace("#", "#scene=models&"), ".models td"],
   learn: [SHOT.replace("#", "#scene=learn&lesson=gear&"), ".answer data"],
 };

@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { FaceValues } from "../../core/face-map";
-import { clubsOf, detailedMaps } from "./mapped";
+import { areDetailsOld, clubsOf, detailedMaps } from "./mapped";
 import { placeInWords } from "./scales";
 
 export function bestPanel(context: Context): TemplateResult {
@@ -11,7 +11,7 @@ export function bestPanel(context: Context): TemplateResult {
   const clubs = clubsOf(context);
   if (maps?.faces.length !== clubs.length) return html``;
   return html`
-    <section class="best" aria-labelledby="best">
+    <section class=${areDetailsOld(context) ? "best old" : "best"} aria-labelledby="best">
       <h2 id="best">Sweet spot and effective face</h2>
       <div class="scroll" tabindex="0" role="region" aria-label="Table of sweet spot and effective face">
         <table>

@@ -7,7 +7,7 @@ import { choiceOf } from "../../parts/choice";
 import { settingField } from "../../parts/field";
 import { join } from "../../quantities/formatter";
 import { deviationsOf } from "./golfer-spread";
-import { clubsOf, detailedMaps } from "./mapped";
+import { areDetailsOld, clubsOf, detailedMaps } from "./mapped";
 
 /** What is listed first; the rest stands in a second table. */
 const LISTED = ["ball_speed", "launch", "backspin", "sidespin", "azimuth", "carry", "side", "total"];
@@ -22,7 +22,7 @@ export function forgivenessPanel(context: Context): TemplateResult {
   const maps = detailedMaps(context);
   const clubs = clubsOf(context);
   return html`
-    <section class="forgiveness" aria-labelledby="forgiveness">
+    <section class=${areDetailsOld(context) ? "forgiveness old" : "forgiveness"} aria-labelledby="forgiveness">
       <h2 id="forgiveness">Forgiveness</h2>
       ${golferChoice(context)}
       ${settingField(context, {

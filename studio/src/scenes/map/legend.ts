@@ -2,10 +2,15 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
+import { rootSize } from "../../parts/measure";
 import { cssColour, paletteOf } from "./colours";
 import type { Shown } from "./mapped";
 import { ELLIPSES, shareWithin } from "./marks";
 import { bandShare, levelDigits, valueScale } from "./scales";
+
+/** Room for the number of a level, in letters of the page. */
+const LETTERS = 2.2;
+const USUAL_WIDTH = 640;
 
 /** The colours and the numbers they stand for. */
 export function colourLegend(context: Context, shown: Shown): TemplateResult {
@@ -19,6 +24,10 @@ export function colourLegend(context: Context, shown: Shown): TemplateResult {
   const digits = levelDigits(scale.levels);
   const unit = formatter.units.symbol(scale.unit);
   const sides = legendSides(context, shown);
+  const room = (context.model.widths.map ?? USUAL_WIDTH) / (LETTERS * rootSize());
+  const every = Math.max(1, Math.ceil(scale.levels.length / Math.max(1, room)));
+  // Those that are left out do not include 0.
+  const first = Math.max(0, scale.levels.indexOf(0)) % every;
   return html`
     <div class="colours" aria-hidden="true">
       <svg viewBox="0 0 100 4" preserveAspectRatio="none">
@@ -31,10 +40,12 @@ export function colourLegend(context: Context, shown: Shown): TemplateResult {
         })}
       </svg>
       <div class="levels">
-        ${scale.levels.map(
-          (level) =>
-            html`<span style=${`left: ${(100 * scale.share(level)).toFixed(2)}%`}>${levelText(context, shown, level, digits)}</span>`,
-        )}
+        ${scale.levels
+          .filter((_, i) => i % every === first)
+          .map(
+            (level) =>
+              html`<span style=${`left: ${(100 * scale.share(level)).toFixed(2)}%`}>${levelText(context, shown, level, digits)}</span>`,
+          )}
       </div>
       <p class="ends"><span>${sides[0]}</span><span>${formatter.quantity(shown.name).label}${unit ? `, ${unit}` : ""}</span><span>${sides[1]}</span></p>
     </div>

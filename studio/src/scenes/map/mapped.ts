@@ -1,7 +1,7 @@
 /** What is mapped: the clubs, the quantity, and the values that are shown of what was computed. */
 
 import { type Context, choiceSetting, delivered, settingSi, strike } from "../../context";
-import type { FaceMaps, MapDetails, MapInput, StruckFace } from "../../core/face-map";
+import type { FaceMaps, MapDetails, StruckFace } from "../../core/face-map";
 import type { Wanted } from "../../core/lanes";
 import { handSign } from "../../equipment/equipment";
 import { outputOf } from "../../state/store";
@@ -39,14 +39,26 @@ function detailsOf(context: Context): MapDetails {
   };
 }
 
+/** What takes less than this is computed on the page [ms]. */
+const AT_ONCE = 8;
+/** How long the delivery rests before the face is searched and integrated over [ms]. */
+const REST = 150;
+
 /** A few points at once, then all of them, then what is searched and integrated over the face. */
 export function wantedMaps(context: Context): Wanted[] {
   const faces = facesOf(context);
-  const map = (slot: string, grid: [number, number], details: MapDetails | null): Wanted => {
-    const input: MapInput = { faces, grid, details };
-    return { kind: "faceMap", input, slot, lane: "batch" };
-  };
-  return [map("map-first", COARSE, null), map("map", FINE, null), map("map-details", FINE, detailsOf(context))];
+  const before = context.model.results["map-first"]?.milliseconds ?? Infinity;
+  const map = (slot: string, grid: [number, number], details: MapDetails | null): Wanted<"faceMap"> => ({
+    kind: "faceMap",
+    input: { faces, grid, details },
+    slot,
+    lane: "batch",
+  });
+  return [
+    { ...map("map-first", COARSE, null), lane: before < AT_ONCE ? "page" : "batch" },
+    map("map", FINE, null),
+    { ...map("map-details", FINE, detailsOf(context)), rest: REST },
+  ];
 }
 
 const facesKey = ({ input }: FaceMaps): string => JSON.stringify(input.faces);
@@ -59,6 +71,12 @@ export function newestMaps({ model }: Context): FaceMaps | null {
 }
 
 export const detailedMaps = ({ model }: Context): FaceMaps | null => outputOf(model, "faceMap", "map-details");
+
+/** Whether the details are still those of another face or delivery. */
+export function areDetailsOld(context: Context): boolean {
+  const [details, newest] = [detailedMaps(context), newestMaps(context)];
+  return details !== null && newest !== null && facesKey(details) !== facesKey(newest);
+}
 
 /** A quantity over the face, as it is drawn. */
 export interface Shown {

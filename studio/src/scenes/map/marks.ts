@@ -40,14 +40,16 @@ export function marksOf(context: Context): Marks {
 export function drawMarks(pen: CanvasRenderingContext2D, shown: Shown, layout: Layout, marks: Marks, ink: Ink): void {
   const { x, y } = layout;
   const size = Math.max(4, layout.width / 110);
+  /** A pixel where the map is as wide as usual. */
+  const pixel = Math.max(1, layout.width / 640);
   const stroke = (draw: () => void, width: number, dashes: number[] = [], colour = ink.ink): void => {
     for (const [style, thick, dash] of [
       [ink.card, width + HALO, []],
       [colour, width, dashes],
     ] as const) {
       pen.strokeStyle = style;
-      pen.lineWidth = thick;
-      pen.setLineDash([...dash]);
+      pen.lineWidth = thick * pixel;
+      pen.setLineDash(dash.map((each) => each * pixel));
       draw();
     }
     pen.setLineDash([]);
@@ -106,7 +108,7 @@ export function drawMarks(pen: CanvasRenderingContext2D, shown: Shown, layout: L
   pen.fillStyle = ink.accent;
   pen.fill();
   pen.strokeStyle = ink.card;
-  pen.lineWidth = 2;
+  pen.lineWidth = 2 * pixel;
   pen.stroke();
   if (marks.cursor && isOnFace(shown.outlines, marks.cursor)) {
     const { cursor } = marks;
