@@ -4,5 +4,5 @@ import site from "./vite.config.ts";
 
 export default mergeConfig(
   site,
-  defineConfig({ test: { include: ["tests/**/*.test.ts", "tests/screenshots/scenes.ts"], fileParallelism: true } }),
+  defineConfig({ test: { include: ["tests/**/*.test.ts", "tests/screenshots/*.ts"], fileParallelism: true } }),
 );

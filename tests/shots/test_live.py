@@ -172,7 +172,7 @@ def test_what_is_computed_is_marked_and_what_was_measured_stays(path):
     live.close()
 
 
-def test_ways_lead_from_the_ball_to_the_landing(path):
+def test_flight_paths_lead_from_the_ball_to_the_landing(path):
     live = opened(path)
     live.keep(message(1), "open-connect")
     points = live_result(live.shots).to_dict()["tables"]["paths"]["rows"]
@@ -187,7 +187,7 @@ def test_ways_lead_from_the_ball_to_the_landing(path):
     live.close()
 
 
-def test_shots_that_miss_something_of_the_launch_have_no_way(path):
+def test_shots_that_miss_something_of_the_launch_have_no_flight_path(path):
     live = opened(path)
     live.keep(message(1, {"ball_speed": 60.0, "launch": 0.2}, {}), "open-connect")
     live.keep(message(2), "open-connect")

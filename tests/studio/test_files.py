@@ -37,7 +37,7 @@ def test_a_file_gives_what_the_command_gives(studio, clubface_, name, monkeypatc
         assert mine[each] == command[each]
 
 
-def test_shots_come_one_by_one_with_their_ways(studio):
+def test_shots_come_one_by_one_with_their_flight_paths(studio):
     place = added(studio, TRACKMAN, "trackman.csv").headers["location"]
     shots = studio.get(f"{place}/shots").json()
     assert (shots["schema"], shots["kind"]) == ("clubface-result-1", "shot-list")

@@ -1,6 +1,7 @@
 """Live shots in a process of its own: every tab sees them, and a killed server goes on with all of them."""
 
 import json
+import signal
 import socket
 import threading
 import time
@@ -125,6 +126,21 @@ def test_a_killed_server_goes_on_with_every_shot_that_it_acknowledged(tmp_path):
         rows = asked(served.address, "api/live")["tables"]["shots"]["rows"]
         assert [each["shot"] for each in rows] == list(range(1, taken + 1))
         assert len({each["launch_deg"] for each in rows}) >= taken - 2
+
+
+def test_an_interrupt_ends_open_tabs_too_and_says_what_is_kept(tmp_path):
+    with Served(tmp_path, *OPTIONS) as served:
+        tab = Tab(served.address)
+        with Sender(served.ports["open-connect"]) as monitor:
+            monitor.send(LAUNCH)
+        tab.numbers(1)
+        served.process.send_signal(signal.SIGINT)
+        assert served.process.wait(60) == 130
+        served.errors.seek(0)
+        *_, last = served.errors.read().splitlines()
+        assert last == "clubface: interrupted: 1 live shot in live.jsonl"
+        served.errors.seek(0)
+        assert "Traceback" not in served.errors.read()
 
 
 def test_the_club_is_chosen_in_a_tab_and_known_in_all_others(tmp_path):

@@ -52,7 +52,10 @@ def studio(**texts: Any) -> None:
         "simulators": [simulator_address(each) for each in texts["simulator"] or ()],
     }
 
+    sessions: list[LiveSession] = []
+
     def on_start(address: str, session: LiveSession | None) -> None:
+        sessions.extend([] if session is None else [session])
         for each in [] if session is None else session.links.states:
             print_note(f"{each.protocol}: {each.problem or each.address}")
         print(address, flush=True)
@@ -62,7 +65,12 @@ def studio(**texts: Any) -> None:
 
             webbrowser.open(address)
 
-    serve(
-        port=texts["port"], site=texts["site"], studies=studies, live=live, on_start=on_start,
-        **({} if live is None else links),
-    )  # fmt: skip
+    try:
+        serve(
+            port=texts["port"], site=texts["site"], studies=studies, live=live, on_start=on_start,
+            **({} if live is None else links),
+        )  # fmt: skip
+    except KeyboardInterrupt:
+        counts = [len(each.shots.shots) for each in sessions]
+        kept = [f"{count} live shot{'s' * (count != 1)} in {live}" for count in counts]
+        raise KeyboardInterrupt(*kept) from None

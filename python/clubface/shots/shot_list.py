@@ -1,4 +1,4 @@
-"""Shots one by one as a result: what was measured, what is computed of the rest, and the way of each through the air.
+"""Shots one by one as a result: what was measured, what is computed of the rest, and the path of each flight.
 
 A computed value stands where the monitor gave none, and its row names it: launches follow from the club data by the
 model, flights from the launches in still air. Nothing that was measured is replaced.
@@ -57,9 +57,9 @@ FIRST = (
 )
 """The order of the columns; others follow."""
 MOST_PATHS = 1000
-"""Ways through the air that are computed one by one."""
+"""Flight paths that are computed one by one."""
 POINTS = 31
-"""Points of a way."""
+"""Points of a flight path."""
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,7 @@ def completed(shots: RecordedShots) -> CompletedShots:
 
 
 def shot_list_result(shots: RecordedShots, *, first: int = 1, title: str = "") -> Result:
-    """Return shots one by one, with their ways through the air.
+    """Return shots one by one, with their flight paths.
 
     Parameters
     ----------
@@ -243,7 +243,7 @@ def _shapes(every: CompletedShots) -> list[str]:
 
 
 def _paths(every: CompletedShots, numbers: Sequence[int]) -> Any:
-    """Return the table of the points of all ways, those of a shot one after the other."""
+    """Return the table of the points of all flight paths, those of a shot one after the other."""
     shot: list[int] = []
     points: list[NDArray[Any]] = []
     for place in np.flatnonzero(every.flies)[:MOST_PATHS]:

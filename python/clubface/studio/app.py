@@ -75,4 +75,10 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
     ]  # fmt: skip
     handlers = {HTTPException: not_so, TooLargeError: too_large, **dict.fromkeys(EXPECTED, failed), Exception: failed}
     routes = [Mount("/api", routes=api), *site_routes(site)]
-    return Guard(Starlette(routes=routes, exception_handlers=handlers), token)
+
+    def close() -> None:
+        jobs.close()
+        if live is not None:
+            live.signal.close()
+
+    return Guard(Starlette(routes=routes, exception_handlers=handlers), token, close)

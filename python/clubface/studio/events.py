@@ -27,6 +27,7 @@ class Signal:
 
     def __init__(self) -> None:
         self._waiting: dict[asyncio.Event, asyncio.AbstractEventLoop] = {}
+        self._ended = False
 
     def set(self) -> None:
         """Wake all."""
@@ -34,13 +35,18 @@ class Signal:
             if not loop.is_closed():
                 loop.call_soon_threadsafe(each.set)
 
+    def close(self) -> None:
+        """End all waiting."""
+        self._ended = True
+        self.set()
+
     async def changes(self) -> AsyncIterator[bool]:
-        """Yield at the beginning and after changes (True), and now and then without one (False)."""
+        """Yield at the beginning and after changes (True), and now and then without one (False), until it is closed."""
         changed = asyncio.Event()
         self._waiting[changed] = asyncio.get_running_loop()
         try:
             yield True
-            while True:
+            while not self._ended:
                 try:
                     await asyncio.wait_for(changed.wait(), ALIVE)
                 except TimeoutError:

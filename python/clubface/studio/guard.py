@@ -49,10 +49,12 @@ class Guard:
         Is asked with the token as the root of its paths.
     token
         The token.
+    close
+        Ends what goes on, such as streams of events, when the server ends.
     """
 
-    def __init__(self, application: Application, token: str) -> None:
-        self._application, self._token = application, token
+    def __init__(self, application: Application, token: str, close: Callable[[], object] = lambda: None) -> None:
+        self._application, self._token, self.close = application, token, close
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer or refuse a request."""

@@ -123,3 +123,4 @@ class StudioJobs:
         """End all."""
         for each in tuple(self._jobs.values()):
             each.cancel()
+            each.signal.close()

@@ -13,7 +13,7 @@ from clubface.errors import LinkError
 from clubface.shots.live import LiveShots
 from clubface.shots.open_connect import LOOPBACK, check_port
 from clubface.studio.app import make_application
-from clubface.studio.guard import new_token
+from clubface.studio.guard import Guard, new_token
 from clubface.studio.live import LiveSession
 from clubface.studio.site import site_folder
 
@@ -69,11 +69,23 @@ def serve(
             timeout_graceful_shutdown=LAST_WORDS, http="h11",
         )  # fmt: skip
         on_start(f"http://{LOOPBACK}:{listening.getsockname()[1]}/{token}/", session)
-        uvicorn.Server(config).run([listening])
+        _Server(config, application).run([listening])
     finally:
         listening.close()
         if session is not None:
             session.close()
+
+
+class _Server(uvicorn.Server):
+    """Ends streams of events before it waits for the end of all answers."""
+
+    def __init__(self, config: uvicorn.Config, application: Guard) -> None:
+        super().__init__(config)
+        self._application = application
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self._application.close()
+        await super().shutdown(sockets)
 
 
 def _listen(port: int) -> socket.socket:

@@ -84,7 +84,7 @@ export interface LiveState {
 }
 
 export interface Live {
-  /** Shots and ways of all events so far. */
+  /** Shots and flight paths of all events so far. */
   shots: TableDocument;
   paths: TableDocument;
   notes: NoteDocument[];

@@ -74,7 +74,7 @@ describe("a file", () => {
     expect(await page.locator(".range svg").last().getAttribute("aria-label")).toMatch(
       /^51 shots from above: they land after [\d.]+ yd to [\d.]+ yd, from [\d.]+ yd left to [\d.]+ yd right\.$/,
     );
-    expect(await page.locator(".range path.way").count()).toBe(102);
+    expect(await page.locator(".range path.flight-path").count()).toBe(102);
     // The carry was measured; the height was not.
     expect(await page.locator('td[data-quantity="carry"]').first().getAttribute("class")).toBeNull();
     expect(await page.locator('td[data-quantity="apex"]').first().getAttribute("class")).toBe("computed");

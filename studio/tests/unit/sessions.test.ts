@@ -46,7 +46,7 @@ test("shots have their values in SI, and know which are computed", () => {
   expect(measuredColumns(SHOTS).map(({ quantity }) => quantity)).toEqual(["ball_speed", "launch", "carry", "side"]);
 });
 
-test("a shot lands where carry and side say, or else at the end of its way, or nowhere", () => {
+test("a shot lands where carry and side say, or else at the end of its flight path, or nowhere", () => {
   const [first, second, third] = shotRows(units, SHOTS, PATHS);
   expect(landing(first)).toEqual([120, -50]);
   expect(landing(second)).toBeNull();

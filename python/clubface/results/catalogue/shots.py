@@ -94,10 +94,8 @@ SENTENCES = {
         "the club's motion stays as measured in {lacking} of {shots:n shot}, which lack the closure rate"
     ),
     "not-utf-8": "the file is not UTF-8: read as {encoding}",
-    "paths-in-still-air": (
-        "ways through the air, and what is computed of a flight, are for still air of 25 °C at sea level"
-    ),
-    "paths-of-first-shots": "the ways of the first {drawn} of {shots:n shot} are drawn",
+    "paths-in-still-air": ("flight paths, and what is computed of a flight, are for still air of 25 °C at sea level"),
+    "paths-of-first-shots": "the flight paths of the first {drawn} of {shots:n shot} are drawn",
     "placeholders-for-nothing": (
         "numbers that programs write for nothing measured count as not measured: {column} in {wrong} of "
         "{shots:n shot}, such as {value:.10g} {unit}"
@@ -122,7 +120,7 @@ SENTENCES = {
     "sheet-read": "the sheet {sheet} was read and {others} not: save each as a file of its own",
     "shots-in-earlier-file": "{left} of {shots:n shot} are in an earlier file too, and were left out",
     "shots-without-path": (
-        "{without} of {shots:n shot} have no way through the air, which takes ball speed, both angles and the spin"
+        "{without} of {shots:n shot} have no flight path, which takes ball speed, both angles and the spin"
     ),
     "sign-one-turned": (
         "the sign of {quantity} disagrees with {others:and} from shot to shot: is one of them turned in this file?"

@@ -112,8 +112,9 @@ function heading(context: Context, column: ColumnDocument): TemplateResult {
 }
 
 /** What a result says in sentences. */
-export const summary = ({ summary: sentences }: ResultDocument): TemplateResult => html`
-  ${sentences.map(({ text }, place) => html`<p class=${place ? nothing : "advice"}>${text}</p>`)}
+export const summary = ({ summary: [first, ...others] }: ResultDocument): TemplateResult => html`
+  ${first ? html`<p class="advice">${first.text}</p>` : nothing}
+  ${others.length ? html`<p>${others.map(({ text }) => text).join(" ")}</p>` : nothing}
 `;
 
 /** A report of the package, which runs no script and reads nothing from elsewhere. */

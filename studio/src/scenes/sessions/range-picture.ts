@@ -35,11 +35,7 @@ interface Range {
 export function rangePicture(context: Context, name: string, rows: readonly ShotRow[]): TemplateResult {
   const drawn = rows.filter((row) => landing(row) !== null);
   return html`<div data-sized=${name} class="range">
-    ${
-      drawn.length
-        ? pictures(context, name, drawn)
-        : html`<p class="remark">No shot has a way through the air to draw.</p>`
-    }
+    ${drawn.length ? pictures(context, name, drawn) : html`<p class="remark">No shot has a flight path to draw.</p>`}
   </div>`;
 }
 
@@ -63,7 +59,7 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
     series: (club) => (clubs.findIndex(([each]) => each === club) % COLOURS) + 1,
   };
   return html`
-    ${rows.some(({ way }) => way.length) ? fromSide(range) : nothing} ${fromAbove(range)}
+    ${rows.some(({ path }) => path.length) ? fromSide(range) : nothing} ${fromAbove(range)}
     <ul class="legend" aria-label="Clubs of the picture">
       ${clubs.map(
         ([club, shots]) => html`<li><i class=${`series-${range.series(club)}`}></i>${club || "shots"}, ${shots}</li>`,
@@ -74,11 +70,11 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
 
 function fromSide(range: Range): TemplateResult {
   const { context, rows, width, zoom, along, alongTicks, convert } = range;
-  const highest = convert(Math.max(1, ...rows.flatMap(({ way }) => way.map(([, high]) => high))));
+  const highest = convert(Math.max(1, ...rows.flatMap(({ path }) => path.map(([, high]) => high))));
   const inner = Math.min(HEIGHTS.side[1], Math.max(HEIGHTS.side[0], highest * along.size));
   const up = scale([0, highest], [TOP + inner, TOP]);
   const ratio = up.size / along.size;
-  const apexes = rows.map(({ way }) => Math.max(0, ...way.map(([, high]) => high)));
+  const apexes = rows.map(({ path }) => Math.max(0, ...path.map(([, high]) => high)));
   const apex = context.formatter.text("apex", Math.max(...apexes), context.state.system);
   return html`
     <svg
@@ -95,11 +91,11 @@ function fromSide(range: Range): TemplateResult {
         (tick) => svg`<text class="tick" x=${LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,
       )}
       <line class="ground" x1=${LEFT} x2=${width} y1=${TOP + inner} y2=${TOP + inner}></line>
-      ${rows.map(({ way, ...row }) =>
-        path(
+      ${rows.map(({ path, ...row }) =>
+        flightPath(
           range,
           row,
-          way.map(([x, y]) => [along.at(convert(x)), up.at(convert(y))]),
+          path.map(([x, y]) => [along.at(convert(x)), up.at(convert(y))]),
         ),
       )}
     </svg>
@@ -109,7 +105,7 @@ function fromSide(range: Range): TemplateResult {
 function fromAbove(range: Range): TemplateResult {
   const { context, rows, width, zoom, along, alongTicks, convert, unit } = range;
   const { state, formatter } = context;
-  const sides = rows.flatMap((row) => [landing(row)?.[1] ?? 0, ...row.way.map(([, , right]) => right)]).map(convert);
+  const sides = rows.flatMap((row) => [landing(row)?.[1] ?? 0, ...row.path.map(([, , right]) => right)]).map(convert);
   const [least, most] = [Math.min(-LEAST_SIDE, ...sides) * 1.1, Math.max(LEAST_SIDE, ...sides) * 1.1];
   const inner = Math.min(HEIGHTS.above[1], Math.max(HEIGHTS.above[0], (most - least) * along.size));
   const height = TOP + inner + BOTTOM;
@@ -136,11 +132,11 @@ function fromAbove(range: Range): TemplateResult {
           ${Math.abs(tick)}${letter(tick)}</text>`,
       )}
       <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
-      ${rows.map(({ way, ...row }) =>
-        path(
+      ${rows.map(({ path, ...row }) =>
+        flightPath(
           range,
           row,
-          way.map(([x, , z]) => [along.at(convert(x)), right.at(convert(z))]),
+          path.map(([x, , z]) => [along.at(convert(x)), right.at(convert(z))]),
         ),
       )}
       ${rows.map((row) => spot(range, row, right))}
@@ -149,11 +145,11 @@ function fromAbove(range: Range): TemplateResult {
   `;
 }
 
-const marks = ({ context, series }: Range, { club, shot, mishit }: Omit<ShotRow, "way">): string =>
+const marks = ({ context, series }: Range, { club, shot, mishit }: Omit<ShotRow, "path">): string =>
   `series-${series(club)}${mishit ? " off" : ""}${context.model.session.marked === shot ? " marked" : ""}`;
 
-const path = (range: Range, row: Omit<ShotRow, "way">, points: [number, number][]): TemplateResult =>
-  svg`<path class=${`way ${marks(range, row)}`} d=${line(points)}></path>` as TemplateResult;
+const flightPath = (range: Range, row: Omit<ShotRow, "path">, points: [number, number][]): TemplateResult =>
+  svg`<path class=${`flight-path ${marks(range, row)}`} d=${line(points)}></path>` as TemplateResult;
 
 function spot(range: Range, row: ShotRow, right: Scale): TemplateResult {
   const [x, z] = landing(row) ?? [0, 0];

@@ -21,6 +21,8 @@ const TITLES: Record<Part, string> = {
   studies: "Studies",
   live: "Live",
 };
+/** Parts that are of the file. */
+const OF_FILES: readonly Part[] = ["shots", "report", "golfer", "fitting"];
 const VIEWS: Record<Part, (context: Context) => TemplateResult> = {
   shots: shotsPart,
   report: reportPart,
@@ -53,7 +55,6 @@ function view(context: Context): TemplateResult {
   const part = partOf(context);
   return html`
     <div class="sessions">
-      ${dropZone(context)}
       <nav class="parts" aria-label="Parts of your shots">
         ${PARTS.map(
           (each) => html`
@@ -67,7 +68,7 @@ function view(context: Context): TemplateResult {
           `,
         )}
       </nav>
-      ${VIEWS[part](context)}
+      ${OF_FILES.includes(part) ? dropZone(context) : nothing} ${VIEWS[part](context)}
     </div>
   `;
 }

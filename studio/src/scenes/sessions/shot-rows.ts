@@ -1,4 +1,4 @@
-/** Shots of a result as the scene draws them: values in SI, what is computed, and the way through the air. */
+/** Shots of a result as the scene draws them: values in SI, what is computed, and the flight path. */
 
 import type { Units } from "../../quantities/units";
 import type { Row, TableDocument } from "../../state/session";
@@ -23,7 +23,7 @@ export interface ShotRow {
   values: Record<string, number>;
   computed: ReadonlySet<string>;
   /** Distance to the target, height and distance to the right of points [m]. */
-  way: [along: number, high: number, right: number][];
+  path: [along: number, high: number, right: number][];
 }
 
 /** The columns of numbers, in their order. */
@@ -32,13 +32,13 @@ export const measuredColumns = ({ columns }: TableDocument): Measured[] =>
 
 const text = (row: Row, key: string): string => (typeof row[key] === "string" ? row[key] : "");
 
-/** The shots of a table with the points of their ways. */
+/** The shots of a table with the points of their flight paths. */
 export function shotRows(units: Units, shots: TableDocument, paths: TableDocument | undefined): ShotRow[] {
-  const ways = new Map<number, ShotRow["way"]>();
+  const points = new Map<number, ShotRow["path"]>();
   for (const row of paths?.rows ?? []) {
-    const way = ways.get(Number(row.shot)) ?? [];
-    way.push([Number(row.along_m), Number(row.height_m), Number(row.side_m)]);
-    ways.set(Number(row.shot), way);
+    const path = points.get(Number(row.shot)) ?? [];
+    path.push([Number(row.along_m), Number(row.height_m), Number(row.side_m)]);
+    points.set(Number(row.shot), path);
   }
   const measured = measuredColumns(shots);
   return shots.rows.map((row) => {
@@ -55,16 +55,16 @@ export function shotRows(units: Units, shots: TableDocument, paths: TableDocumen
       date: text(row, "date"),
       values,
       computed: new Set(text(row, "computed").split(" ").filter(Boolean)),
-      way: ways.get(Number(row.shot)) ?? [],
+      path: points.get(Number(row.shot)) ?? [],
     };
   });
 }
 
-/** Where a shot lands [m]: as measured, or at the end of its way; null where neither is known. */
-export function landing({ values, way }: ShotRow): [along: number, right: number] | null {
+/** Where a shot lands [m]: as measured, or at the end of its flight path; null where neither is known. */
+export function landing({ values, path }: ShotRow): [along: number, right: number] | null {
   const { carry, side } = values;
   if (carry !== undefined && side !== undefined) return [Math.sqrt(Math.max(carry ** 2 - side ** 2, 0)), side];
-  const end = way.at(-1);
+  const end = path.at(-1);
   return end ? [end[0], end[2]] : null;
 }
 

@@ -59,7 +59,7 @@ export function shotsPart(context: Context): TemplateResult {
         }
         <output>${chosen.length === rows.length ? `${rows.length} shots` : `${chosen.length} of ${rows.length} shots`}</output>
       </div>
-      ${rangePicture(context, "range", chosen)} ${notesList(file.value.shots.notes.slice(0, ownNotes(file.value)), "How the ways were computed")}
+      ${rangePicture(context, "range", chosen)} ${notesList(file.value.shots.notes.slice(0, ownNotes(file.value)), "How the flight paths were computed")}
     </section>
     <section aria-label="Table of the shots">
       ${shotTable(context, file.value.shots.tables.shots, chosen, file.value.read.title)}
@@ -67,7 +67,7 @@ export function shotsPart(context: Context): TemplateResult {
   `;
 }
 
-/** The notes on ways come before those of the file, which stand with the file. */
+/** The notes on flight paths come before those of the file, which stand with the file. */
 const ownNotes = ({ shots, read }: SessionFile): number => {
   const known = new Set(read.notes.map(({ text }) => text));
   return shots.notes.findIndex(({ text }) => known.has(text)) < 0
