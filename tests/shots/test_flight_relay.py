@@ -197,6 +197,7 @@ def test_a_device_that_listens_is_found_whenever_it_comes():
         try:
             assert client.address == f"ws://localhost:{port}/frp"
             assert [each.identity for each in wait_for(shots)] == ["550e8400"]
+            assert any("connected to" in each for each in said)
         finally:
             client.close()
             device.shutdown()

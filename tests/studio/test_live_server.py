@@ -195,6 +195,24 @@ def test_a_port_that_is_taken_costs_its_protocol_alone(tmp_path):
             assert links["opengolfsim"] == links["flight-relay"] == ""
 
 
+def test_a_device_that_is_not_there_yet_is_said_to_be_waited_for(tmp_path):
+    from websockets.sync.server import serve
+
+    with serve(lambda socket: socket.recv(), "127.0.0.1", 0) as device:
+        address = f"ws://127.0.0.1:{device.socket.getsockname()[1]}/frp"
+        with Served(tmp_path, *OPTIONS, "--flight-relay", address) as served:
+            tab = Tab(served.address)
+
+            def problem():
+                return next(each["problem"] for each in tab.states[-1]["links"] if each["protocol"] == "flight-relay")
+
+            wait_until(lambda: tab.states)
+            assert problem() == f"{address} is not there yet, and is tried again and again"
+            threading.Thread(target=device.serve_forever, daemon=True).start()
+            wait_until(lambda: problem() == "")
+        device.shutdown()
+
+
 @pytest.mark.parametrize(("options", "words"), [
     (("--studies", "nowhere"), "--studies is 'nowhere'; it must be a folder"),
     (("--simulator", "open-connect:921"), "leave it out without --live"),

@@ -136,6 +136,7 @@ class FlightRelayClient(_Link):
 
     def __init__(self, address: str, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
         super().__init__(keep, on_problem, on_message)
+        self.is_connected = False
         parts = urlsplit(address)
         if parts.scheme not in ("ws", "wss") or not parts.hostname:
             raise InputError("flight_relay", address, "an address such as ws://localhost:5880/frp, or a port")
@@ -159,9 +160,12 @@ class FlightRelayClient(_Link):
                     proxy=None,
                 ) as socket,
             ):
+                self.is_connected = True
                 self._report(f"connected to {self.address}")
                 self._converse(socket, self.address)
+                self.is_connected = False
                 self._report(f"{self.address} left")
+            self.is_connected = False
             self._stopped.wait(AGAIN)
 
     def close(self) -> None:

@@ -90,7 +90,7 @@ class LiveLinks:
         self._listeners: list[Listener] = []
         self._relay: FlightRelayClient | FlightRelayListener | None = None
         self._threads: list[threading.Thread] = []
-        self.states: list[LinkState] = []
+        self._states: list[LinkState] = []
         for protocol, port in (listen or {}).items():
             self._try(
                 protocol, f"127.0.0.1:{port}", lambda each=DIALECTS[protocol], port=port: self._listen(each, port)
@@ -100,7 +100,18 @@ class LiveLinks:
             self._try("flight-relay", where, partial(self._start_relay, flight_relay))
         self._simulators = [_Simulator(each, self.remark) for each in simulators]
         for each in self._simulators:
-            self.states.append(LinkState(each.address.protocol, f"simulator on 127.0.0.1:{each.address.port}", ""))
+            self._states.append(LinkState(each.address.protocol, f"simulator on 127.0.0.1:{each.address.port}", ""))
+
+    @property
+    def states(self) -> Sequence[LinkState]:
+        """The connections as they are now."""
+        waits = isinstance(self._relay, FlightRelayClient) and not self._relay.is_connected
+        return [
+            each._replace(problem=f"{each.address} is not there yet, and is tried again and again")
+            if waits and each.protocol == "flight-relay" and not each.problem
+            else each
+            for each in self._states
+        ]
 
     @property
     def remarks(self) -> Sequence[LiveRemark]:
@@ -129,9 +140,9 @@ class LiveLinks:
     def _try(self, protocol: str, address: str, start: Callable[[], str]) -> None:
         """Start one connection; that it cannot be made is no reason to do without the others."""
         try:
-            self.states.append(LinkState(protocol, start(), ""))
+            self._states.append(LinkState(protocol, start(), ""))
         except LinkError as error:
-            self.states.append(LinkState(protocol, address, str(error)))
+            self._states.append(LinkState(protocol, address, str(error)))
             self.remark(f"{PROTOCOLS[protocol]}: {error}")
 
     def _listen(self, dialect: Dialect, port: int) -> str:

@@ -27,7 +27,7 @@ from clubface.shots.reference_points import refer
 from clubface.shots.session_summary import summarize_clubs
 from clubface.simulation.flight import fly, trajectory
 from clubface.simulation.impact import impact
-from clubface.simulation.inputs import OF_CLUB, hand_value
+from clubface.simulation.inputs import OF_CLUB
 from clubface.simulation.launch import Launch
 from clubface.simulation.provenance import flight_conditions
 from clubface.simulation.shot_shape import curve, shot_shape
@@ -233,13 +233,12 @@ def _shapes(every: CompletedShots) -> list[str]:
     """Return the name of each shot, such as "push fade"; "" where its start, carry or side is not known."""
     count, values = len(every.shots), every.values
     known = _known(values, ("azimuth", "carry", "side"), count)
-    result = [""] * count
-    hands = every.shots.hand
-    for place in np.flatnonzero(known):
-        azimuth, carry, side = (float(values[name][place]) for name in ("azimuth", "carry", "side"))
-        hand = "right" if hands is None else str(hands[place])
-        result[place] = str(shot_shape(azimuth, float(curve(azimuth, carry, side)), carry, hand=hand_value(hand)))
-    return result
+    result = np.full(count, "", dtype=object)
+    if known.any():
+        azimuth, carry, side = (values[name][known] for name in ("azimuth", "carry", "side"))
+        hands = np.ones(count) if every.shots.hand is None else np.where(every.shots.hand == "left", -1.0, 1.0)
+        result[known] = shot_shape(azimuth, curve(azimuth, carry, side), carry, hand=hands[known])
+    return result.tolist()
 
 
 def _paths(every: CompletedShots, numbers: Sequence[int]) -> Any:
