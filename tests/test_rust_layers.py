@@ -26,8 +26,8 @@ LAYERS = {
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",
         "cases", "sensitivity", "description",
     ),
-    "clubface-design": ("normal", "sequence", "golfer", "tally", "strokes", "dispersion"),
-    "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "fem"),
+    "clubface-design": ("normal", "sequence", "golfer", "tally", "strokes", "dispersion", "outline", "face_map"),
+    "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "face_map", "fem"),
 }  # fmt: skip
 
 USE = re.compile(r"\b(pub(?:\([a-z ]+\))?\s+)?use\s+([^;]+);")
