@@ -126,7 +126,8 @@ ClubfaceResult *clubface_dispersion(const char *text,
 //
 // # Safety
 // `text` ends with a null byte.
-ClubfaceResult *clubface_face_map(const char *text, size_t threads);
+ClubfaceResult *clubface_face_map(const char *text,
+                                  size_t threads);
 
 // Simulates an impact. `case` describes ball, face, friction and run; see the documentation of the C interface.
 //
