@@ -85,6 +85,7 @@ EQUATIONS: dict[str, tuple[tuple[str, str], ...]] = {
         (DEFINITION, "ball_speed * cos(launch) * sin(azimuth)"),
         (MOMENTUM, "club_mass * (speed * cos(attack) * sin(path) - club_velocity_z) / ball_mass"),
     ),
+    "curve": ((DEFINITION, "side * cos(azimuth) - sqrt(carry**2 - side**2) * sin(azimuth)"),),
     "spin_y": ((DEFINITION, "-sidespin"),),
     "club_velocity_x": (
         ("What the ball leaves of it", "speed * cos(attack) * cos(path) - ball_mass * velocity_x / club_mass"),
