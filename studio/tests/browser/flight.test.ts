@@ -154,6 +154,16 @@ describe("the range", () => {
     expect(errors).toEqual([]);
   });
 
+  test("a number of the flight says where it comes from, by keys", async () => {
+    const { page, errors } = await openRange(`${FIRST}&wind=10mph`);
+    await page.locator("[data-explains=landing_angle] button").press("Enter");
+    await page.getByRole("dialog").getByText("How sure it is").waitFor();
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press("Escape");
+    await page.getByRole("dialog").waitFor({ state: "detached" });
+    expect(errors).toEqual([]);
+  });
+
   test("plays the flight and comes back; with reduced motion in stills", async () => {
     for (const reducedMotion of ["no-preference", "reduce"] as const) {
       const { page, errors } = await openRange(FIRST);

@@ -6,6 +6,8 @@ import type { Wanted } from "../../core/lanes";
 import { outputOf } from "../../state/store";
 import { deliveryPanel } from "../shot/delivery";
 import { equipmentPanel } from "../shot/equipment-panel";
+import { contributionsInput } from "../shot/explanation/contributions";
+import { explained, explanation } from "../shot/explanation/explanation";
 import { headline } from "../shot/headline";
 import { bagPanel } from "./bag";
 import { bagStrikes } from "./bag-shots";
@@ -21,6 +23,7 @@ export const flightScene: Scene = { view, wanted, drawn: setRange };
 
 function wanted(context: Context): Wanted[] {
   const result: Wanted[] = [{ kind: "air", input: strike(context).flight }];
+  if (explained(context)) result.push({ kind: "contributions", input: contributionsInput(context, strike(context)) });
   const flying = choiceSetting(context, "flying");
   if (flying === "clubs") result.push({ kind: "bag", input: bagStrikes(context), lane: "batch" });
   if (flying === "golfer") result.push({ kind: "dispersion", input: golferShots(context), lane: "batch" });
@@ -41,6 +44,7 @@ function view(context: Context): TemplateResult {
       <div class="results">
         ${flying === "clubs" ? bagPanel(context) : flying === "golfer" ? golferPanel(context) : flightNumbers(context)}
       </div>
+      ${explanation(context)}
     </div>
   `;
 }

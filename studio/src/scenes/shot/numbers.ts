@@ -16,12 +16,12 @@ export function numbersPanel(context: Context): TemplateResult {
   return html`
     <section aria-labelledby="numbers">
       <h2 id="numbers">All numbers</h2>
-      ${table(
+      ${numbersTable(
         context,
         "Launch",
         outputs.filter((each) => !isVector(each)),
       )}
-      ${table(
+      ${numbersTable(
         context,
         "Flight",
         flight_outputs.filter(({ name }) => name !== OUTSIDE),
@@ -29,13 +29,14 @@ export function numbersPanel(context: Context): TemplateResult {
       ${context.model.good.values[OUTSIDE] ? html`<p class="remark">The spin of this flight leaves the range for which lift and drag were measured.</p>` : ""}
       <details>
         <summary>Components along the axes: x to the target, y up, z to the right</summary>
-        ${table(context, "Ball and club after impact", outputs.filter(isVector))}
+        ${numbersTable(context, "Ball and club after impact", outputs.filter(isVector))}
       </details>
     </section>
   `;
 }
 
-function table(context: Context, title: string, variables: Variable[]): TemplateResult {
+/** A table of quantities of the shot; a press on one explains it. */
+export function numbersTable(context: Context, title: string, variables: Variable[]): TemplateResult {
   const { model, state, formatter } = context;
   const values = model.good?.values ?? {};
   return html`
