@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { inkOn, luminance, paletteOf } from "../../src/scenes/map/colours";
-import { contours, type Field, rangeOf, refined, valueAt } from "../../src/scenes/map/field";
+import { contours, extended, type Field, rangeOf, refined, valueAt } from "../../src/scenes/map/field";
 import { deviationsOf } from "../../src/scenes/map/golfer-spread";
 import { isOnFace } from "../../src/scenes/map/mapped";
 import { levelDigits } from "../../src/scenes/map/scales";
@@ -34,6 +34,17 @@ describe("a field", () => {
     const field = fieldOf((toe, high) => (toe > 0.041 ? Number.NaN : toe + high));
     expect(valueAt(field, [0.0375, 0.001])).toBeCloseTo(0.0385, 12);
     expect(valueAt(field, [0.0475, 0.001])).toBeNaN();
+  });
+
+  test("goes on straight beyond what is known, to the corners in two steps", () => {
+    const slope = (toe: number, high: number): number => 3 * toe - 2 * high;
+    const cut = fieldOf((toe, high) => (toe > 0.041 || high > 0.011 ? Number.NaN : slope(toe, high)));
+    const place = 8 * 21 + 19;
+    expect([cut.toe[19], cut.high[8], cut.values[place]]).toEqual([expect.closeTo(0.045), expect.closeTo(0.015), NaN]);
+    expect(extended(cut).values[place - 21]).toBeCloseTo(slope(0.045, 0.01), 12);
+    expect(extended(cut).values[place]).toBeNaN();
+    expect(extended(extended(cut)).values[place]).toBeCloseTo(slope(0.045, 0.015), 12);
+    expect(extended(cut).values[5]).toBe(cut.values[5]);
   });
 
   test("has the range of the points that count", () => {

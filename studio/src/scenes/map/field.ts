@@ -49,6 +49,32 @@ const cell = (at: number, count: number): number => Math.max(0, Math.min(count -
 const four = (at: number, count: number): number[] =>
   [at - 1, at, at + 1, at + 2].map((each) => Math.max(0, Math.min(count - 1, each)));
 
+/**
+ * The same field with values where there are none next to some, on the straight line through two of them: a picture that
+ * is cut along an outline needs those beyond it.
+ */
+export function extended({ toe, high, values }: Field): Field {
+  const columns = toe.length;
+  const beyond = (place: number): number => {
+    const [column, row] = [place % columns, Math.floor(place / columns)];
+    const lines: number[] = [];
+    for (const [right, up] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ]) {
+      const [x, y] = [column + 2 * right, row + 2 * up];
+      if (x < 0 || y < 0 || x >= columns || y >= high.length) continue;
+      const step = up * columns + right;
+      const value = 2 * values[place + step] - values[place + 2 * step];
+      if (!Number.isNaN(value)) lines.push(value);
+    }
+    return lines.length ? lines.reduce((sum, each) => sum + each, 0) / lines.length : Number.NaN;
+  };
+  return { toe, high, values: Float64Array.from(values, (value, i) => (Number.isNaN(value) ? beyond(i) : value)) };
+}
+
 /** The same field with `times` as many points along each side. */
 export function refined(field: Field, times: number): Field {
   const finer = (places: ArrayLike<number>): Float64Array => {

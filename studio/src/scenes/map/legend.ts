@@ -53,9 +53,10 @@ export function colourLegend(context: Context, shown: Shown): TemplateResult {
 }
 
 function legendSides({ formatter }: Context, { name, isDifference, isDiverging }: Shown): readonly [string, string] {
+  const { sides } = formatter.quantity(name);
+  if (sides?.[0] === "left") return sides;
   if (isDifference) return ["less", "more"];
-  const sides = isDiverging ? formatter.quantity(name).sides : null;
-  return sides ?? ["", ""];
+  return (isDiverging && sides) || ["", ""];
 }
 
 /** A level as it is printed: without its sign where the two sides have names. */

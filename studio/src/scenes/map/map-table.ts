@@ -13,7 +13,7 @@ export function mapTable(context: Context): TemplateResult {
   const shown = shownMap(context);
   if (!shown) return html``;
   const { formatter, state } = context;
-  const { toe, high } = shown.field;
+  const { toe, high } = shown.known;
   const across = some(toe.length);
   if (shown.side < 0) across.reverse();
   const title = titleOf(context, shown.name, clubsOf(context));
@@ -53,7 +53,7 @@ function some(count: number): number[] {
 }
 
 function cell(context: Context, shown: Shown, row: number, column: number): TemplateResult {
-  const { toe, high, values } = shown.field;
+  const { toe, high, values } = shown.known;
   const si = values[row * toe.length + column];
   if (!isOnFace(shown.outlines, [toe[column], high[row]]) || Number.isNaN(si)) return html`<td></td>`;
   const { digits, fromSi } = valueScale(context, shown);

@@ -5,7 +5,7 @@ import type { FaceMaps, MapDetails, StruckFace } from "../../core/face-map";
 import type { Wanted } from "../../core/lanes";
 import { handSign } from "../../equipment/equipment";
 import { outputOf } from "../../state/store";
-import { type Field, type Place, rangeOf, refined, valueAt } from "./field";
+import { extended, type Field, type Place, rangeOf, refined, valueAt } from "./field";
 import { NO_CLUB } from "./settings";
 
 /** Points towards the toe and up the face: while a slider moves, and then. */
@@ -86,7 +86,8 @@ export interface Shown {
   isDifference: boolean;
   /** Whether it has two sides, about 0. */
   isDiverging: boolean;
-  /** What is known, and finer values in between. */
+  /** What is known, the same with values just beyond it, and finer ones in between. */
+  known: Field;
   field: Field;
   drawn: Field;
   /** Least and greatest value on the face [SI]. */
@@ -115,7 +116,9 @@ function made(context: Context, maps: FaceMaps): Shown | null {
   const { toe, high } = maps;
   const isOn = (place: number): boolean => maps.faces.every(({ inside }) => inside[place] === 1);
   const values = second ? first.values[name].map((value, i) => value - second.values[name][i]) : first.values[name];
-  const field = { toe, high, values };
+  const known = { toe, high, values };
+  // A second face may end within the box around the first; twice, so that corners are reached.
+  const field = extended(extended(known));
   const range = rangeOf(values, isOn);
   if (!range) return null;
   const times = Math.max(1, Math.round((DRAWN - 1) / (Math.max(toe.length, high.length) - 1)));
@@ -125,6 +128,7 @@ function made(context: Context, maps: FaceMaps): Shown | null {
     name,
     isDifference: second !== undefined,
     isDiverging: second !== undefined || (sides?.[0] === "left" && sides[1] === "right"),
+    known,
     field,
     drawn: refined(field, times),
     range,
