@@ -107,8 +107,10 @@ function makeBall(stage: Stage, impact: ElementsImpact, look: Look): Ball {
     const isCut = look.cut === "half";
     const material = { transparent: !isCut, opacity: isCut ? 1 : 0.35, depthWrite: isCut, side: three.DoubleSide };
     plate.add(new three.Mesh(geometry, new three.MeshBasicMaterial({ ...cut, ...material })));
-    const edge = new three.BufferGeometry().setFromPoints(shape.getPoints());
-    plate.add(new three.LineLoop(edge, new three.LineBasicMaterial({ ...cut, color: stage.colour("--ink") })));
+    if (!isCut) {
+      const edge = new three.BufferGeometry().setFromPoints(shape.getPoints());
+      plate.add(new three.LineLoop(edge, new three.LineBasicMaterial({ color: stage.colour("--ink") })));
+    }
     scene.add(plate);
   }
   return { impact, cut: look.cut, patchworks, face, plate, plane };
