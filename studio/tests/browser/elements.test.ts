@@ -163,7 +163,7 @@ describe("the numbers", () => {
 
 describe("the pictures", () => {
   test("follow the moment, the cut and the colour", async () => {
-    const { page, errors } = await open(context, `${site.address}${COARSE}&moment=100us`, DONE);
+    const { page, errors } = await open(context, `${site.address}${COARSE}&impact_moment=100us`, DONE);
     const canvases = [
       "[data-stage='elements-first'] canvas",
       "[data-patch='first-normal']",
@@ -180,7 +180,7 @@ describe("the pictures", () => {
     after.forEach((picture, i) => {
       expect(picture, canvases[i]).not.toBe(before[i]);
     });
-    await page.waitForURL(/moment=(1[1-9]|[2-9]\d)\d/);
+    await page.waitForURL(/impact_moment=(1[1-9]|[2-9]\d)\d/);
     await page.locator("select[name='cut']").selectOption("whole");
     await page.waitForTimeout(300);
     const whole = await pictureOf(page, canvases[0]);
@@ -192,7 +192,7 @@ describe("the pictures", () => {
   });
 
   test("show shear of both signs while the force along the face turns, and none after the ball has left", async () => {
-    const { page } = await open(context, `${site.address}${COARSE}&moment=200us`, DONE);
+    const { page } = await open(context, `${site.address}${COARSE}&impact_moment=200us`, DONE);
     const label = (name: string): Promise<string | null> =>
       page.locator(`[data-patch="first-${name}"]`).getAttribute("aria-label");
     const [, least, greatest] = /from (-?[\d.]+) MPa to (-?[\d.]+) MPa/.exec((await label("tangential")) ?? "") ?? [];
@@ -205,7 +205,7 @@ describe("the pictures", () => {
   });
 
   test("are played and paused by the keyboard, and few with reduced motion", async () => {
-    const { page } = await open(context, `${site.address}${COARSE}&moment=0us`, DONE);
+    const { page } = await open(context, `${site.address}${COARSE}&impact_moment=0us`, DONE);
     const play = page.getByRole("button", { name: "Play" });
     await play.focus();
     await page.keyboard.press("Enter");

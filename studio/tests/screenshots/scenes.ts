@@ -14,7 +14,10 @@ const SHOT = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1d
 /** Each scene by its link, and by what it shows when it is whole. */
 const SCENES: Record<string, [link: string, ready: string]> = {
   shot: [SHOT, "[data-quantity]"],
-  elements: [SHOT.replace("#", "#scene=elements&moment=260us&"), ".status[data-status='done'][data-mesh='fine']"],
+  elements: [
+    SHOT.replace("#", "#scene=elements&impact_moment=260us&"),
+    ".status[data-status='done'][data-mesh='fine']",
+  ],
   flight: [SHOT.replace("#", "#scene=flight&wind=12mph&wind_from=60deg&"), "[data-stage=range] canvas"],
   map: [SHOT.replace("#", "#scene=map&map=carry&"), "[data-loss=carry]"],
   models: [SHOT.replace("#", "#scene=models&"), ".models td"],

@@ -16,14 +16,14 @@ export const isPlaying = ({ model }: Context): boolean => model.transient[PLAYIN
 
 /** The moment that was chosen, and otherwise that of the greatest compression [s]. */
 export function momentOf(context: Context, impact: ElementsImpact): number {
-  const amount = given(context, "moment");
+  const amount = given(context, "impact_moment");
   const last = impact.times[impact.times.length - 1];
   return Math.min(last, amount ? context.formatter.units.toSi(amount) : impact.summary.contraction_time);
 }
 
 export function setMoment({ actions, formatter }: Pick<Context, "actions" | "formatter">, moment: number): void {
   const value = Number(formatter.units.fromSi(moment, "us").toFixed(1));
-  actions.change({ kind: "settings", settings: { moment: { value, unit: "us" } } }, "moment");
+  actions.change({ kind: "settings", settings: { impact_moment: { value, unit: "us" } } }, "impact_moment");
 }
 
 /** Ends the movement; the moment at which it ends is a step back as any other. */

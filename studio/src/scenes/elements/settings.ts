@@ -18,7 +18,7 @@ export const elementsSettings: Settings = {
   friction: { kind: "amount", quantity: "friction", usual: { value: 0.35, unit: "1" } },
   follow: { kind: "choice", options: RUNS, usual: "contact" },
   mesh: { kind: "choice", options: MESHES, usual: "fine" },
-  moment: { kind: "amount", quantity: "contact_time", usual: { value: 0, unit: "us" } },
+  impact_moment: { kind: "amount", quantity: "contact_time", usual: { value: 0, unit: "us" } },
   cut: { kind: "choice", options: CUTS, usual: "half" },
   colour: { kind: "choice", options: COLOURS, usual: "displacement" },
   second: { kind: "choice", options: ["off", "on"], usual: "off" },
