@@ -83,7 +83,7 @@ describe("head and ball", () => {
     expect(pictures.size).toBe(4);
     await page.getByRole("textbox", { name: "Moment" }).fill("-1000 us");
     await page.getByRole("textbox", { name: "Moment" }).press("Enter");
-    await page.waitForURL(/impact_moment=-1000us/);
+    await page.waitForURL(/moment=-1000us/);
   });
 
   test("play in slow motion, or from moment to moment where less motion is wanted, as one step of undo", async () => {
@@ -96,11 +96,11 @@ describe("head and ball", () => {
         const seen = new Set<string>();
         Object.assign(globalThis, { seen });
         new MutationObserver(() =>
-          seen.add(document.querySelector<HTMLInputElement>("#text-impact_moment")?.dataset.shown ?? ""),
+          seen.add(document.querySelector<HTMLInputElement>("#text-moment")?.dataset.shown ?? ""),
         ).observe(document.body, { subtree: true, attributes: true });
       });
       await page.getByRole("button", { name: "Play" }).click();
-      await page.waitForURL(/impact_moment=3000us/, { timeout: 15_000 });
+      await page.waitForURL(/moment=3000us/, { timeout: 15_000 });
       const steps = await page.evaluate(() => (globalThis as unknown as { seen: Set<string> }).seen.size);
       if (reducedMotion === "reduce") expect(steps).toBeLessThanOrEqual(5);
       else expect(steps).toBeGreaterThan(10);

@@ -26,7 +26,7 @@ export function atImpact(context: Context): TemplateResult {
   const shot = context.model.good;
   if (!shot) return html``;
   const seen = choiceSetting(context, "head_view");
-  const moment = settingSi(context, "impact_moment");
+  const moment = settingSi(context, "moment");
   const directions = directionsOf(context, shot);
   const [, title = ""] = VIEWS.find(([view]) => view === seen) ?? [];
   const { label } = context.equipment.clubs[context.state.club];
@@ -51,7 +51,7 @@ export function atImpact(context: Context): TemplateResult {
           </button>`,
         )}
       </div>
-      ${settingField(context, { name: "impact_moment", label: "Moment", range: [-REACH, REACH], remark: momentWords(shot, moment) })}
+      ${settingField(context, { name: "moment", label: "Moment", range: [-REACH, REACH], remark: momentWords(shot, moment) })}
       <div class="buttons" role="group" aria-label="Moments">
         ${momentsOf(shot).map(
           ([text, time]) => html`<button type="button" @click=${() => goTo(context, time, null)}>${text}</button>`,
@@ -96,7 +96,7 @@ function momentWords(shot: Shot, moment: number): string {
 
 function goTo({ formatter, actions }: Context, time: number, going: string | null): void {
   const value = Number(formatter.units.fromSi(time, "us").toFixed(0));
-  actions.change({ kind: "settings", settings: { impact_moment: value === 0 ? null : { value, unit: "us" } } }, going);
+  actions.change({ kind: "settings", settings: { moment: value === 0 ? null : { value, unit: "us" } } }, going);
 }
 
 let playing = 0;
@@ -130,7 +130,7 @@ export function setHead(context: Context): void {
   if (!shot) return;
   const club = equipment.clubs[state.club];
   const { inputs } = strike(context);
-  const moment = settingSi(context, "impact_moment");
+  const moment = settingSi(context, "moment");
   const view = choiceSetting(context, "head_view");
   const values: Values = Object.fromEntries(description.inputs.map(({ name }, i) => [name, inputs[i]]));
   setStage("head", [shot, state.club, state.hand, moment, view, ...inputs], (stage) =>

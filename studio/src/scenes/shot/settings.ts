@@ -14,5 +14,5 @@ export const shotSettings: Settings = {
   head_view: { kind: "choice", options: VIEWS.map(([view]) => view), usual: "corner" },
   /** The number that is explained. */
   number: { kind: "choice", options: ({ numbers }) => ["", ...numbers.explained], usual: "" },
-  impact_moment: { kind: "amount", quantity: "contact_time", usual: { value: 0, unit: "us" } },
+  moment: { kind: "amount", quantity: "contact_time", usual: { value: 0, unit: "us" } },
 };
