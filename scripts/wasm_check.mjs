@@ -69,6 +69,7 @@ const refusals = [
 });
 
 const dispersion = core.dispersion(asked.dispersion, asked.count, 3);
+const { least, margins } = core.buildable(asked.space, asked.heads, asked.heads[0].length);
 const path = core.trajectory(asked.flights.map((column) => column[0]));
 const history = core.history("rings", first, asked.models.rings);
 const reference = fem.simulate(asked.case).text;
@@ -77,6 +78,7 @@ const { stopped } = (await load(elements, (time) => time < 1e-4)).simulate(asked
 process.stdout.write(
   JSON.stringify({
     dispersion: { ...dispersion.text, landings: [...dispersion.arrays.landings.values] },
+    buildable: { least: [...least], margins },
     description: core.description, launches, derivatives, chosen, flights, shapes, refusals, reference, seen, stopped,
     flight_derivatives: [Array.from(inAir.values), inAir.jacobian.map((row) => Array.from(row))],
     path: plain(path), history: plain(history),

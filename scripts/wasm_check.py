@@ -14,6 +14,8 @@ import numpy as np
 
 import clubface
 from clubface import _core
+from clubface.design.feasibility import Envelope, Margin, of_club, pseudo_inertia
+from clubface.design.spaces import usual_space
 from clubface.design.strokes import AT_REST, as_lists
 from clubface.fem.run import case
 from clubface.simulation.shot_shape import shot_shape
@@ -114,6 +116,22 @@ def _dispersion(models: dict[str, list[float]]) -> tuple[dict[str, Any], clubfac
     return described, done
 
 
+def _heads() -> tuple[dict[str, Any], np.ndarray, list[list[Margin]]]:
+    """Return the space of a driver, mass properties of heads as columns, and all their margins by the package."""
+    driver = clubface.club("driver")
+    space, own = usual_space(driver), of_club(driver)
+    values = np.repeat(own[:, None], 1 + own.size, axis=1)
+    values[range(own.size), range(1, 1 + own.size)] *= 1.2
+    shell = pseudo_inertia(own) * (1.0 - space.free / driver.mass)
+    margins = []
+    for column in values.T:
+        envelope = Envelope(volume=space.volume, shell=shell, budget=max(column[0] - driver.mass + space.free, 1e-6))
+        margins.append(envelope.margins(pseudo_inertia(column))[:-1])  # the budget is all that the shell leaves
+    shape, centre, size = space.volume.space
+    described = {"shape": shape, "centre": centre, "size": size, "head": own.tolist(), "free": space.free}
+    return described, values, margins
+
+
 def _difference(here: np.ndarray, there: np.ndarray) -> float:
     """Return the largest relative difference of outputs, infinite where one is missing."""
     if (np.isnan(here) != np.isnan(there)).any():
@@ -172,9 +190,11 @@ def main(module: str, fem: str) -> int:
     described = case(thrown.ball, {"plane": thrown.given}, thrown.friction, thrown.settings)
 
     golfer_shots, dispersed = _dispersion(models)
+    space, heads, margins = _heads()
     asked = {
         "module": module, "fem": fem, "inputs": inputs, "models": models, "chosen": CHOSEN, "flights": flights,
         "case": described, "dispersion": golfer_shots, "count": COUNT,
+        "space": space, "heads": heads.tolist(),
     }  # fmt: skip
     script = Path(__file__).with_name("wasm_check.mjs")
     ran = subprocess.run(["node", script], input=json.dumps(asked), capture_output=True, text=True, check=False)
@@ -237,6 +257,13 @@ def main(module: str, fem: str) -> int:
     ]  # fmt: skip
     difference = _largest(pairs)
     report.line("dispersion", difference <= ADDED_UP, f"{COUNT} shots, largest difference {difference:.1e}")
+    there = answer["buildable"]
+    least = [min(each.value for each in head) for head in margins]
+    pairs = [*zip(least, there["least"], strict=True)]
+    pairs += [(each.value, other["value"]) for each, other in zip(margins[0], there["margins"], strict=True)]
+    good = [each.name for each in margins[0]] == [each["name"] for each in there["margins"]]
+    difference = _largest(pairs)
+    report.line("heads", good and difference <= ADDED_UP, f"{len(least)} heads, largest difference {difference:.1e}")
     refusals = answer["refusals"]
     expected = ("no such model", "accuracy", "clubface-fem.wasm")
     good = all(word in refusal for word, refusal in zip(expected, refusals, strict=True))

@@ -11,7 +11,7 @@ import math
 import sys
 import warnings
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,11 +24,15 @@ from clubface.design.contributions import QUANTITIES
 from clubface.design.face_map import SHARE
 from clubface.design.face_surface import outline_of
 from clubface.design.golfer import MIRRORED, Golfer, golfer
+from clubface.design.optimisation.landings import SPEED_EXPONENT
+from clubface.design.optimisation.study import RULED
+from clubface.design.spaces import QUANTITIES as SIZES, usual_space
 from clubface.design.strokes import AT_REST, FAIRWAY_WIDTH, GREEN_RADIUS, ROUGH_WIDTH, as_lists
 from clubface.equipment.balls import DEFAULT_BALL, FRICTION_LIMITS, Ball, ball
-from clubface.equipment.clubs import Club, club
+from clubface.equipment.clubs import CLUB_PROPERTIES, KINDS, Club, club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.parameters import ParameterSet, builtin_sets
+from clubface.equipment.rules import STEEPEST_PENDULUM_LOFT, rules, rules_of
 from clubface.errors import RuleWarning
 from clubface.fem.backend import HOW
 from clubface.fem.balls import ball_names
@@ -38,6 +42,7 @@ from clubface.fem.heads.read import design_of, head_names
 from clubface.fem.paper import ANGLE, FRICTION as REFERENCE_FRICTION, REFERENCE_SPEED
 from clubface.fem.run import THROW_ANGLES, THROW_SPEEDS
 from clubface.fem.settings import SAFETIES
+from clubface.schema import PhysicalValue
 from clubface.simulation.flight import GROUNDS
 from clubface.simulation.inputs import equipment, parameter_set
 from clubface.simulation.results import inputs
@@ -90,12 +95,70 @@ def described_club(each: Club, columns: Mapping[str, float]) -> dict[str, Any]:
         "label": each.name,
         "kind": each.kind,
         "published_kind": kind_of(each),
+        "parameters": each.parameters,
         "description": each.description,
         "typical": tour_delivery(each),
         "outline": outline.corners.tolist(),
         "outline_source": outline.origin,
         "columns": finite({name: columns[name] for name, entry in inputs().items() if entry.group == "club"}),
+        "space": described_space(each),
+        "rules": rule_names(each),
     }
+
+
+def described_space(each: Club) -> dict[str, Any]:
+    """Return the space that a head is assumed to fill."""
+    space = usual_space(each)
+    return {
+        "shape": space.volume.shape,
+        "centre": space.volume.centre,
+        "size": space.volume.size,
+        "volume": space.displaced,
+        "free_mass": space.free,
+        "origin": space.origin,
+    }
+
+
+def described_rules() -> dict[str, dict[str, Any]]:
+    """Return the limits of a head by name.
+
+    ``of`` is the number that is limited, ``steepest`` the greatest loft for which the limit holds; a head must not be
+    longer from face to back than from heel to toe, which has ``most_of`` in the place of ``most``.
+    """
+    limited = {rule: field for field, rule in RULED.items()}
+    result: dict[str, dict[str, Any]] = {
+        name: {
+            "title": rule.title,
+            "of": limited.get(name, name),
+            "most": rule.most,
+            "tolerance": rule.tolerance,
+            "source": rule.source,
+            "steepest": STEEPEST_PENDULUM_LOFT if name == "characteristic_time" else None,
+        }
+        for name, rule in rules().items()
+    }
+    longest = {"title": "face to back, no longer than heel to toe", "of": "face_to_back", "most_of": "heel_to_toe"}
+    return {**result, "face_to_back": {**result["heel_to_toe"], **longest}}
+
+
+def rule_names(each: Club) -> list[str]:
+    """Return the limits that hold for a kind of head, whatever its loft."""
+    names = [rule.name for rule in rules_of(each.replace(loft=0.0))]
+    return names + ["face_to_back"] * ("heel_to_toe" in names)
+
+
+def club_fields() -> list[dict[str, Any]]:
+    """Return the numbers of a club's file: key, input of the core, unit, bounds in it, and the word for infinity."""
+    columns = {"mass": "club_mass", "loft": "static_loft"}
+    result = []
+    for key, entry in CLUB_PROPERTIES.items():
+        kind = entry.value
+        if key == "cor" or not isinstance(kind, PhysicalValue):
+            continue  # a file with a restitution goes through the package, which knows what spring it means
+        infinite = next(iter(kind.special), None)
+        bounds = {"unit": kind.unit, "least": kind.lower, "most": kind.upper, "infinite": infinite}
+        result.append({"key": key, "column": columns.get(key, key), "needed": entry.is_required, **bounds})
+    return result
 
 
 def described_ball(each: Ball) -> dict[str, Any]:
@@ -118,6 +181,8 @@ def described_set(each: ParameterSet) -> dict[str, Any]:
         "reference": each.reference,
         "caveats": [*each.caveats, *(f"{name}: {text}" for name, text in each.value_caveats.items())],
         "values": each.columns(),
+        "includes_face": each.includes_face,
+        "characteristic_time": each.characteristic_time,
     }
 
 
@@ -183,6 +248,10 @@ def equipment_data() -> dict[str, Any]:
         },
         "balls": {name: described_ball(each) for name, each in balls.items()},
         "face_map": {"quantities": list(QUANTITIES), "share": SHARE},
+        "quantities": [each._asdict() for each in SIZES],
+        "rules": described_rules(),
+        "club_file": {"fields": club_fields(), "keys": [each.name for each in fields(Club)], "kinds": KINDS},
+        "speed_exponent": SPEED_EXPONENT,
         "golfers": {name: described_golfer(golfer(name)) for name in builtin_names("golfers")},
         "hole": described_hole(),
         "grounds": {name: dict(values) for name, values in GROUNDS.items()},

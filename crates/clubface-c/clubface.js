@@ -200,6 +200,16 @@ export async function load(source, progress = () => true) {
      */
     faceMap: (setup) => lend([JSON.stringify(setup)], ([at]) => call("clubface_face_map", at, 1)),
 
+    /**
+     * Smallest margin of `rows` heads in a space, and all margins of the first: {least, rounding, margins}. Below minus
+     * `rounding` no body has such numbers. `space` is described with `clubface_buildable` in the header, the columns too.
+     */
+    buildable: (space, columns, rows) =>
+      lend([JSON.stringify(space), flat(columns, rows), rows], ([at, from, to], copy) => {
+        const { text } = call("clubface_buildable", at, from, rows, to);
+        return { least: copy(2), ...text };
+      }),
+
     /** Impact by finite elements of a described case: {text: summary, arrays}. */
     simulate: (description) => lend([JSON.stringify(description)], ([at]) => call("clubface_fem", at, 0, 0)),
   };

@@ -64,7 +64,7 @@ async function start(page: HTMLElement): Promise<void> {
     fetchFile(equipmentUrl),
   ]);
   const equipment = (await response.json()) as Equipment;
-  const formatter = new Formatter(description, navigator.language);
+  const formatter = new Formatter(description, navigator.language, equipment.quantities);
   const linked: LinkContext = {
     equipment,
     units: formatter.units,
@@ -75,17 +75,13 @@ async function start(page: HTMLElement): Promise<void> {
   };
   const first = fromLink(location.hash, linked);
   const loaded = new Map<string, Scene>();
-  const made = new Store(
-    first.state,
-    equipment,
-    (model, isNewState) => {
-      if (isNewState) {
-        follow();
-        writeAddress();
-      } else if (!isHeld) draw(model);
-    },
-    api,
-  );
+  const observe = (model: Model, isNewState: boolean): void => {
+    if (isNewState) {
+      follow();
+      writeAddress();
+    } else if (!isHeld) draw(model);
+  };
+  const made = new Store(first.state, equipment, observe, SETTINGS, api);
   store = made;
   page.replaceChildren();
 

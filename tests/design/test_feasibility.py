@@ -154,10 +154,14 @@ def test_a_box_refuses_what_lies_beyond_an_edge_though_it_is_within_every_slab()
 
 def test_what_is_left_of_a_body_without_mass_is_told():
     """A shell as heavy as the head leaves nothing, and a heavier one less than that."""
-    for mass in (0.0, -0.01):
-        message = feasibility._describe_plane(np.diag([1e-5, 1e-5, 1e-5, mass]), np.array([0.0, 0.0, 0.0, 1.0]))
-        assert message == f"its mass would be {1e3 * mass:.1f} g"
-    negative = np.diag([-2e-7, 1e-5, 1e-5, 0.2])
-    assert feasibility._describe_plane(negative, np.array([1.0, 0.0, 0.0, 0.0])).startswith(
-        "the second moment of its mass along the direction (1.00, 0.00, 0.00) would be -2.0 g cm2"
-    )
+    head = moments(np.array([[-0.055, 0.002, 0.003], [-0.04, 0.01, 0.0]]), np.array([0.1, 0.1]))
+
+    def reason(shell):
+        margins = Envelope(volume=BOX, shell=shell, budget=0.03).margins(head)
+        return next(each.reason for each in margins if each.name == "the discretionary mass is nowhere negative")
+
+    for heavier in (0.0, 0.01):
+        shell = head + np.diag([0.0, 0.0, 0.0, heavier])
+        assert reason(shell).endswith(f"its mass would be {-1e3 * heavier + 0.0:.1f} g")
+    wider = head - np.diag([0.0, 0.0, 0.0, 0.02]) + np.diag([2e-7, 0.0, 0.0, 0.0])
+    assert "the second moment of its mass along the direction (1.00, 0.00, 0.00) would be -2.0 g cm2" in reason(wider)

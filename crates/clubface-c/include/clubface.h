@@ -129,6 +129,23 @@ ClubfaceResult *clubface_dispersion(const char *text,
 ClubfaceResult *clubface_face_map(const char *text,
                                   size_t threads);
 
+// Tells of `rows` heads whether mass in a space can be so distributed.
+//
+// `text` is JSON: the space by `shape` ("box" or "ellipsoid"), `centre` seen from the face centre and `size` (face to back,
+// sole to crown, heel to toe; m); and the `head` that is made lighter evenly by its `free` mass (kg), which is placed anew,
+// as its mass properties: mass, `cg_x`, `cg_y`, `cg_z`, `ixx`, `iyy`, `izz`, `ixy`, `ixz`, `iyz`. `values` are columns of
+// the same ten numbers, `rows` each. `least` takes the smallest margin of each head: below 0 no body has these numbers.
+//
+// The text of the result has `margins`, those of the first head, each its `name`, `value` and `reason`, what is wrong where
+// it is below 0; and `rounding`, by which a margin may be below 0.
+//
+// # Safety
+// `text` ends with a null byte; the arrays hold as many numbers as said.
+ClubfaceResult *clubface_buildable(const char *text,
+                                   const double *values,
+                                   size_t rows,
+                                   double *least);
+
 // Simulates an impact. `case` describes ball, face, friction and run; see the documentation of the C interface.
 //
 // The text has the summary (`peak_force`, `contact_time`, `f_prime`, ...), `launch` in the order of the outputs, `stopped`

@@ -20,6 +20,7 @@
 
 mod dispersion;
 mod face_map;
+mod feasibility;
 #[cfg(feature = "fem")]
 mod fem;
 mod flights;
@@ -30,6 +31,7 @@ mod shots;
 
 pub use dispersion::*;
 pub use face_map::*;
+pub use feasibility::*;
 #[cfg(feature = "fem")]
 pub use fem::*;
 pub use flights::*;

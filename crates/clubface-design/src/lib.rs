@@ -1,8 +1,9 @@
 //! What golfers and designers ask of impacts and flights: the shots of a golfer, where they go, what they cost; a face
-//! struck everywhere.
+//! struck everywhere; which heads can be built.
 
 pub mod dispersion;
 pub mod face_map;
+pub mod feasibility;
 pub mod golfer;
 pub mod normal;
 pub mod outline;

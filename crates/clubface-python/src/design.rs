@@ -2,6 +2,7 @@
 
 use crate::columns::{run_in_pieces, value_error};
 use clubface_design::dispersion::{LAUNCHED, QUANTITIES};
+use clubface_design::feasibility::{self, Envelope, MassProperties, Matrix, Shape, Volume};
 use clubface_design::golfer::Golfer;
 use clubface_design::sequence::{MOST_DIMENSIONS, Sequence};
 use clubface_design::strokes::{Hole, StrokesTable};
@@ -114,6 +115,42 @@ pub fn hole_strokes<'py>(
 pub fn dispersion_quantities() -> (Vec<(&'static str, f64, f64, usize)>, usize) {
     let all = QUANTITIES.iter().map(|(name, scale)| (*name, scale.least, scale.most, scale.bins));
     (all.collect(), LAUNCHED)
+}
+
+/// Shape, centre and size of a volume.
+type Space = (String, [f64; 3], [f64; 3]);
+
+fn volume((shape, centre, size): &Space) -> PyResult<Volume> {
+    let shape = Shape::named(shape).map_err(|e| value_error(&e))?;
+    Volume::new(shape, *centre, *size).map_err(|e| value_error(&e))
+}
+
+/// The pseudo-inertia of a body with these mass properties, row by row.
+#[pyfunction]
+pub fn pseudo_inertia(values: MassProperties) -> Matrix {
+    feasibility::pseudo_inertia(&values)
+}
+
+/// Quadratic forms of which no body in a volume has a negative trace: what is wrong otherwise, and the matrix by rows.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn volume_forms(space: Space) -> PyResult<Vec<(String, Matrix)>> {
+    Ok(volume(&space)?.forms().into_iter().map(|form| (form.words, form.matrix)).collect())
+}
+
+/// Margins of a head, each its name, value and reason: with a `shell`, and a `budget` that may be `placed` in a volume.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn head_margins(
+    placed: Space,
+    whole: Space,
+    shell: Matrix,
+    budget: f64,
+    pseudo: Matrix,
+) -> PyResult<Vec<(String, f64, String)>> {
+    let envelope = Envelope::new(volume(&placed)?, volume(&whole)?, shell, Some(budget));
+    let envelope = envelope.map_err(|e| value_error(&e))?;
+    Ok((envelope.margins(&pseudo).into_iter()).map(|each| (each.name, each.value, each.reason)).collect())
 }
 
 fn slices<'a>(columns: &'a [PyReadonlyArray1<'_, f64>]) -> PyResult<Vec<&'a [f64]>> {

@@ -20,7 +20,8 @@ mod _core {
     };
     #[pymodule_export]
     use crate::design::{
-        ShotTally, dispersion_quantities, golfer_deliveries, hole_strokes, quasi_random, strokes_at,
+        ShotTally, dispersion_quantities, golfer_deliveries, head_margins, hole_strokes, pseudo_inertia,
+        quasi_random, strokes_at, volume_forms,
     };
     #[pymodule_export]
     use crate::face_map::{FaceOutline, face_fine, face_quantities};

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
+from clubface.design import core
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
 
@@ -42,13 +43,7 @@ def pseudo_inertia(values: NDArray[Any]) -> NDArray[Any]:
     values
         Mass properties [SI] in the order of ``MASS_PROPERTIES``; the inertia is about the CG.
     """
-    mass, to_face, inertia = values[0], values[1:4], _tensor(values[4:])
-    place = -to_face  # the club gives the way from its CG to the face centre
-    result = np.empty((4, 4))
-    result[:3, :3] = 0.5 * np.trace(inertia) * np.eye(3) - inertia + mass * np.outer(place, place)
-    result[:3, 3] = result[3, :3] = mass * place
-    result[3, 3] = mass
-    return result
+    return np.array(core.pseudo_inertia(values.tolist()))
 
 
 def pseudo_inertia_derivatives(values: NDArray[Any]) -> NDArray[Any]:
@@ -128,25 +123,12 @@ class Volume:
 
     def forms(self) -> tuple[QuadraticForm, ...]:
         """Return the conditions that mass within it meets."""
-        half, centre = 0.5 * np.array(self.size), np.array(self.centre)
-        # Rows that give (x - centre) / half, the place as a part of the way from the centre to the surface.
-        part = np.hstack([np.diag(1.0 / half), (-centre / half)[:, None]])
-        one = np.zeros(4)
-        one[3] = 1.0
-        whole = np.outer(one, one)
-        if self.shape == "ellipsoid":
-            return (QuadraticForm("it would have to lie outside the ellipsoid", whole - part.T @ part),)
-        result = []
-        for axis, name in enumerate(("face and back", "sole and crown", "heel and toe")):
-            slab = whole - np.outer(part[axis], part[axis])
-            result.append(QuadraticForm(f"it would have to lie beyond {name} of the box", slab))
-        for i, j in _PAIRS:
-            for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
-                corner = np.outer(one - signs[0] * part[i], one - signs[1] * part[j])
-                result.append(
-                    QuadraticForm("it would have to lie beyond an edge of the box", 0.5 * (corner + corner.T))
-                )
-        return tuple(result)
+        return tuple(QuadraticForm(words, np.array(matrix)) for words, matrix in core.volume_forms(self.space))
+
+    @property
+    def space(self) -> core.Space:
+        """What the core takes."""
+        return self.shape, self.centre, self.size
 
     @property
     def cubic(self) -> float:
@@ -267,59 +249,13 @@ class Envelope:
     @property
     def scale(self) -> NDArray[Any]:
         """Factors of rows and columns that make the moments of the discretionary mass numbers near 1, shape (4,)."""
-        return self._scale(self.budget)
+        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(self.budget)
 
     def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
         """Return all conditions on a head with this pseudo-inertia, besides the whole head's."""
-        placed = self.placed(pseudo)
-        result = [_positive("the mass of the head", pseudo, self._scale(max(pseudo[3, 3], 1e-6)))]
-        result += _inside("the head", pseudo, self.whole or self.volume, pseudo[3, 3])
-        result.append(_positive("the discretionary mass", placed, self.scale))
-        result += _inside("the discretionary mass", placed, self.volume, self.budget)
-        over = float(1.0 - placed[3, 3] / self.budget)
-        reason = (
-            f"it would need {units.fixed(placed[3, 3], 'g', 1)} of discretionary mass, and the budget is"
-            f" {units.fixed(self.budget, 'g', 1)}"
-        )
-        return [*result, Margin("the budget of discretionary mass", over, reason)]
-
-    def _scale(self, mass: float) -> NDArray[Any]:
-        return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(mass)
-
-
-def _positive(name: str, pseudo: NDArray[Any], scale: NDArray[Any]) -> Margin:
-    """Return whether moments are those of mass that is nowhere negative."""
-    least, vectors = np.linalg.eigh(pseudo * np.outer(scale, scale))
-    vector = vectors[:, 0] * scale
-    return Margin(
-        f"{name} is nowhere negative",
-        float(least[0]),
-        f"no distribution of mass has these moments of {name}: {_describe_plane(pseudo, vector)}",
-    )
-
-
-def _describe_plane(pseudo: NDArray[Any], vector: NDArray[Any]) -> str:
-    """Say which plane has a negative mean squared distance, or that the mass itself is negative."""
-    if pseudo[3, 3] <= 0.0:
-        return f"its mass would be {units.fixed(pseudo[3, 3], 'g', 1)}"
-    length = float(np.linalg.norm(vector[:3]))
-    if length < 1e-12:
-        return "its mass would not be positive"
-    normal = vector[:3] / length
-    second = float(vector @ pseudo @ vector) / length**2
-    along = ", ".join(f"{each:.2f}" for each in normal)
-    return (
-        f"the second moment of its mass along the direction ({along}) would be {units.fixed(second, 'g cm2', 1)}, and"
-        " mass times a squared distance is never negative"
-    )
-
-
-def _inside(body: str, pseudo: NDArray[Any], volume: Volume, mass: float) -> list[Margin]:
-    """Return whether moments are those of mass within a volume, in parts of a ``mass`` [kg]."""
-    name, reason = f"{body} fits into the {volume.shape}", f"{body} does not fit into the {volume.shape}"
-    return [
-        Margin(name, float(np.sum(pseudo * form.matrix) / mass), f"{reason}: {form.words}") for form in volume.forms()
-    ]
+        whole = (self.whole or self.volume).space
+        margins = core.head_margins(self.volume.space, whole, self.shell.tolist(), self.budget, pseudo.tolist())
+        return [Margin(*each) for each in margins]
 
 
 def refuse_impossible(name: str, envelope: Envelope, values: NDArray[Any]) -> None:

@@ -1,6 +1,6 @@
 /** The glue to the core in WebAssembly: crates/clubface-c/clubface.js. */
 
-import type { CoreArray, Description, Dispersion, FaceMapSummary, Reject, Simulated } from "./types";
+import type { CoreArray, Description, Dispersion, FaceMapSummary, Margin, Reject, Simulated, Space } from "./types";
 
 export interface Batch {
   outputs: Float64Array[];
@@ -38,6 +38,7 @@ export interface LoadedCore {
   ballMesh(ball: object): { arrays: Record<string, CoreArray> };
   headMesh(head: object): { arrays: Record<string, CoreArray> };
   faceMap(setup: object): { text: FaceMapSummary; arrays: Record<string, CoreArray> };
+  buildable(space: Space, columns: Columns, rows: number): { least: Float64Array; rounding: number; margins: Margin[] };
   simulate(description: object): { text: Simulated; arrays: Record<string, CoreArray> };
   trajectory(inputs: number[]): Record<string, CoreArray>;
 }

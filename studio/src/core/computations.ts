@@ -3,6 +3,7 @@
 import type { LoadedCore } from "clubface-core";
 import { compareModels, computeFlight, computeShot, computeSlopes } from "./compute";
 import { computeContributions } from "./contributions";
+import { computeAverage, computeDesign, computeLimits, computeOptimum } from "./design";
 import { simulateElements } from "./elements";
 import { mapFaces } from "./face-map";
 import { computeLessonCases, computeLessonCurves } from "./lessons";
@@ -24,6 +25,10 @@ export const COMPUTATIONS = {
   dispersion: computeDispersion,
   air: computeAir,
   faceMap: mapFaces,
+  design: computeDesign,
+  limits: computeLimits,
+  average: computeAverage,
+  optimum: computeOptimum,
 };
 
 export type Kind = keyof typeof COMPUTATIONS;

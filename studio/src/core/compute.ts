@@ -86,11 +86,18 @@ export function computeFlight(core: LoadedCore, { launch, ...strike }: Launched)
 /** Derivatives of launch and flight by the inputs of the delivery; none where there is no shot. */
 export const computeSlopes = (core: LoadedCore, strike: Strike): Slopes => slopesAndValues(core, strike)?.slopes ?? {};
 
-/** The same with launch and flight; those of the flight are its derivatives by the launch times those of the launch. */
-export function slopesAndValues(core: LoadedCore, strike: Strike): { slopes: Slopes; values: Values } | null {
+/** The inputs of a delivery. */
+const deliveredInputs = ({ description }: LoadedCore): number[] =>
+  description.inputs.flatMap(({ group }, place) => (group === "delivery" ? [place] : []));
+
+/** The same by any inputs, and launch and flight; those of the flight are those by the launch times those of the launch. */
+export function slopesAndValues(
+  core: LoadedCore,
+  strike: Strike,
+  by: number[] = deliveredInputs(core),
+): { slopes: Slopes; values: Values } | null {
   const { inputs, outputs, flight_inputs, flight_outputs } = core.description;
   const all = outputs.map((_, place) => place);
-  const by = inputs.flatMap(({ group }, place) => (group === "delivery" ? [place] : []));
   const launch = core.sensitivities(strike.model, strike.inputs, strike.parameters, 1, all, by);
   if (launch.rejects.length) return null;
   const values = byName(outputs, launch.outputs);

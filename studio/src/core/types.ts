@@ -91,6 +91,22 @@ export interface FaceMapSummary {
   forgiveness: { missed: number; mean: Values; deviation: Values; loss: Values } | null;
 }
 
+/** One condition on a head that can be built, as `clubface_buildable` in the C header describes it. */
+export interface Margin {
+  name: string;
+  value: number;
+  reason: string;
+}
+
+/** The space that a head may fill, as `clubface_buildable` takes it. */
+export interface Space {
+  shape: string;
+  centre: number[];
+  size: number[];
+  head: number[];
+  free: number;
+}
+
 /** Summary of a simulated impact, as `clubface_fem` in the C header describes it. */
 export interface Simulated {
   launch: number[] | null;

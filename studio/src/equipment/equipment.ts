@@ -1,6 +1,6 @@
 /** Clubs, balls and parameter sets as `data.py` writes them, and the inputs of a strike made of them. */
 
-import type { Description, Strike, Values } from "../core/types";
+import type { Description, Quantity, Strike, Values } from "../core/types";
 import type { Tree } from "../quantities/tree";
 import type { ElementsData } from "./elements";
 
@@ -11,6 +11,8 @@ export interface ClubEntry {
   kind: string;
   /** Kind of club as published figures tell them apart. */
   published_kind: string;
+  /** Family of clubs whose published parameter sets it takes. */
+  parameters: string;
   description: string;
   /** Speed and attack angle of the tour average. */
   typical: Record<"speed" | "attack", AmountPair>;
@@ -19,6 +21,48 @@ export interface ClubEntry {
   outline_source: string;
   /** SI by the names of the core's inputs; null is infinite. */
   columns: Record<string, number | null>;
+  space: SpaceEntry;
+  /** Names of the rules that hold for its kind. */
+  rules: string[];
+}
+
+/** The space that a head is assumed to fill [SI]. */
+export interface SpaceEntry {
+  shape: string;
+  centre: [number, number, number];
+  /** From face to back, from sole to crown, from heel to toe. */
+  size: [number, number, number];
+  volume: number | null;
+  free_mass: number;
+  origin: string;
+}
+
+/** A limit of the rules of golf [SI]. */
+export interface RuleEntry {
+  title: string;
+  /** The number that is limited. */
+  of: string;
+  most: number;
+  /** The number that is the limit in the place of `most`. */
+  most_of?: string;
+  tolerance: number;
+  source: string;
+  /** The greatest loft for which it holds. */
+  steepest: number | null;
+}
+
+/** A number of a club's file. */
+export interface FileField {
+  key: string;
+  /** The input of the core. */
+  column: string;
+  needed: boolean;
+  unit: string;
+  /** Bounds in this unit. */
+  least: number | null;
+  most: number | null;
+  /** The word for infinity. */
+  infinite: string | null;
 }
 
 export interface BallEntry {
@@ -34,6 +78,9 @@ export interface SetEntry {
   reference: string;
   caveats: string[];
   values: number[];
+  /** Whether the values describe ball and face together, and the characteristic time of that face, where it is known. */
+  includes_face: boolean;
+  characteristic_time: number | null;
 }
 
 /** How the shots of a golfer are distributed, as `clubface_dispersion` takes it. */
@@ -142,6 +189,12 @@ export interface Equipment {
   inputs: string[];
   clubs: Record<string, ClubEntry>;
   balls: Record<string, BallEntry>;
+  /** Quantities that the core does not know. */
+  quantities: Quantity[];
+  rules: Record<string, RuleEntry>;
+  club_file: { fields: FileField[]; keys: string[]; kinds: string[] };
+  /** Clubhead speed is proportional to the mass of the head to minus this power. */
+  speed_exponent: number;
   golfers: Record<string, GolferEntry>;
   hole: HoleEntry;
   /** Inputs of a flight in SI by the names of grounds. */

@@ -16,6 +16,20 @@ export interface Field {
   remark?: string;
   /** What the amount means where it is no value of its quantity but a size, which has no sides. */
   meaning?: string;
+  /** What stands under the field where its value is not allowed. */
+  broken?: string;
+  /** Parts of the slider that are allowed, one line a limit. */
+  bands?: Band[];
+}
+
+/** Where a limit is kept. */
+export interface Band {
+  /** Its class, which has its colour. */
+  kind: string;
+  /** What it is, and where, in words. */
+  words: string;
+  /** From where to where [SI]. */
+  parts: readonly (readonly [number, number])[];
 }
 
 /** What a field shows and changes. */
@@ -51,12 +65,23 @@ export function settingField(context: Context, field: Field): TemplateResult {
   });
 }
 
+/** A field of a number of the club that can be changed; `own` is its own [SI]. */
+export function clubField(context: Context, field: Field, own: number): TemplateResult {
+  const { settings, formatter, actions, state } = context;
+  const setting = settings[field.name];
+  const value = state.settings[field.name];
+  const amount = typeof value === "object" ? value : undefined;
+  return amountField(context, field, {
+    quantity: setting.kind === "of-club" ? setting.quantity : field.name,
+    amount,
+    si: amount ? formatter.units.toSi(amount) : own,
+    change: (next, going) => actions.change({ kind: "settings", settings: { [field.name]: next } }, going),
+  });
+}
+
 /** A field of any amount. */
-export function amountField(
-  context: Context,
-  { name, label, range, remark, meaning: size }: Field,
-  source: Source,
-): TemplateResult {
+export function amountField(context: Context, field: Field, source: Source): TemplateResult {
+  const { name, label, range, remark, meaning: size, broken, bands = [] } = field;
   const { state, formatter, actions, model } = context;
   const { quantity, amount, si } = source;
   const { unit, digits } = formatter.reading(quantity, state.system);
@@ -111,15 +136,26 @@ export function amountField(
         min=${rounded(least, digits)}
         max=${rounded(most, digits)}
         step=${10 ** -digits}
-        .value=${live(String(rounded(value, digits)))}
+        .value=${live(String(rounded(Math.min(value, most), digits)))}
         @input=${slide}
         @change=${actions.settle}
       />
-      <small id=${`about-${name}`} class=${mistake ? "mistake" : ""} role=${mistake ? "alert" : nothing}>
-        ${mistake?.message ?? remark ?? nothing}
+      ${bands.map((band) => track(band, range))}
+      <small id=${`about-${name}`} class=${mistake || broken ? "mistake" : ""} role=${mistake ? "alert" : nothing}>
+        ${mistake?.message ?? broken ?? remark ?? nothing}
       </small>
     </div>
   `;
+}
+
+/** The parts of a slider that a limit allows. */
+function track({ kind, words, parts }: Band, [least, most]: readonly [number, number]): TemplateResult {
+  const percent = (value: number): number => (100 * (Math.max(least, Math.min(most, value)) - least)) / (most - least);
+  return html`<div class=${`band ${kind}`} role="img" aria-label=${words} title=${words}>
+    ${parts.map(
+      ([from, to]) => html`<i style=${`left: ${percent(from)}%; width: ${percent(to) - percent(from)}%`}></i>`,
+    )}
+  </div>`;
 }
 
 const rounded = (value: number, digits: number): number => Number(value.toFixed(digits));

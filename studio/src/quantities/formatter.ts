@@ -21,9 +21,11 @@ export class Formatter {
   constructor(
     description: Description,
     private readonly language: string,
+    /** Quantities that the core does not know. */
+    further: Quantity[] = [],
   ) {
     this.units = new Units(description);
-    this.quantities = new Map(description.quantities.map((each) => [each.name, each]));
+    this.quantities = new Map([...description.quantities, ...further].map((each) => [each.name, each]));
   }
 
   /** Whether the core describes a quantity; the package has some of its own. */
@@ -67,6 +69,19 @@ export class Formatter {
   text(name: string, si: number, system: System): string {
     const { number, unit, side } = this.show(name, si, system);
     return join(number, unit, side);
+  }
+
+  /** A difference in SI: with a word where the quantity has sides, otherwise with a sign; "0.3° right", "+120 rpm". */
+  difference(name: string, si: number, system: System, hasSides = true): string {
+    const { label, ...quantity } = this.quantity(name);
+    const sides = hasSides ? quantity.sides : null;
+    const { unit, digits } = this.reading(name, system);
+    const value = this.units.differenceFromSi(si, unit);
+    const word = sideOf(sides, value, digits);
+    const isSigned = !word || sides?.includes(label);
+    const sign = isSigned && Number(value.toFixed(digits)) > 0 ? "+" : "";
+    const number = sign + this.format(isSigned ? value : Math.abs(value), digits);
+    return join(number, this.units.symbol(unit), isSigned ? "" : word);
   }
 
   /** An amount in the unit of a system, as a field shows it; unchanged where it was given in that unit. */

@@ -3,6 +3,7 @@
 import type { SceneEntry } from "../context";
 import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
+import { DESIGN_SETTINGS } from "./design/settings";
 import { elementsSettings } from "./elements/settings";
 import { flightSettings } from "./flight/settings";
 import { LEARN_SETTINGS } from "./learn/settings";
@@ -25,6 +26,12 @@ export const SCENES: readonly SceneEntry[] = [
     title: "Flight",
     settings: flightSettings,
     load: () => import("./flight/flight-scene").then(({ flightScene }) => flightScene),
+  },
+  {
+    name: "design",
+    title: "Design",
+    settings: DESIGN_SETTINGS,
+    load: () => import("./design/design-scene").then(({ designScene }) => designScene),
   },
   { name: "models", title: "Models side by side", load: () => modelsScene },
   {

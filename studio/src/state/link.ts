@@ -95,7 +95,7 @@ function amountOf({ units }: LinkContext, text: string, unit: string): Amount {
 
 function settingOf(context: LinkContext, name: string, text: string): SettingValue {
   const setting = context.settings[name];
-  if (setting.kind === "amount") return amountOf(context, text, setting.usual.unit);
+  if (setting.kind === "amount" || setting.kind === "of-club") return amountOf(context, text, setting.usual.unit);
   const options = optionsOf(setting, context.equipment);
   const words = setting.kind === "several" ? wordsOf(text) : [text];
   const unknown = words.find((word) => !options.includes(word));

@@ -8,6 +8,8 @@ export type SettingValue = Amount | string;
 
 export type Setting =
   | { kind: "amount"; quantity: string; usual: Amount }
+  /** A number of the club in the place of its own, to which another club goes back; usual is no number, in a unit that fits. */
+  | { kind: "of-club"; quantity: string; usual: Amount }
   | { kind: "choice"; options: readonly string[] | ((equipment: Equipment) => readonly string[]); usual: string }
   /** Several of the options, in their order, with commas between them. */
   | { kind: "several"; options: readonly string[] | ((equipment: Equipment) => readonly string[]); usual: string };
@@ -16,9 +18,13 @@ export type Setting =
 export type Settings = Record<string, Setting>;
 
 export function optionsOf(setting: Setting, equipment: Equipment): readonly string[] {
-  if (setting.kind === "amount") return [];
+  if (setting.kind === "amount" || setting.kind === "of-club") return [];
   return typeof setting.options === "function" ? setting.options(equipment) : setting.options;
 }
 
 /** The words of a setting of several. */
 export const wordsOf = (value: string): string[] => value.split(",").filter(Boolean);
+
+/** Settings without those of a club. */
+export const withoutClub = (values: Record<string, SettingValue>, settings: Settings): Record<string, SettingValue> =>
+  Object.fromEntries(Object.entries(values).filter(([name]) => settings[name]?.kind !== "of-club"));

@@ -4,7 +4,7 @@ import type { Chosen, Equipment, Hand } from "../equipment/equipment";
 import { setNames } from "../equipment/equipment";
 import type { System } from "../quantities/formatter";
 import type { Amount } from "../quantities/units";
-import type { SettingValue } from "./settings";
+import { type Settings, type SettingValue, withoutClub } from "./settings";
 
 export const THEMES = ["auto", "light", "dark"] as const;
 export type Theme = (typeof THEMES)[number];
@@ -49,12 +49,12 @@ export function initialState(equipment: Equipment, system: System): State {
   };
 }
 
-export function changed(state: State, change: Change, equipment: Equipment): State {
+export function changed(state: State, change: Change, equipment: Equipment, settings: Settings = {}): State {
   switch (change.kind) {
     case "all":
       return change.state;
     case "club":
-      return withKnownSet(withClub(state, change.club, equipment), equipment);
+      return withKnownSet(withClub(state, change.club, equipment, settings), equipment);
     case "delivery":
       return { ...state, delivery: withValues(state.delivery, change.amounts) };
     case "settings":
@@ -77,13 +77,14 @@ function withValues<T>(values: Record<string, T>, changes: Record<string, T | nu
 }
 
 /** Another club: its own loft and attack angle, and a speed that changes as the tour's does from club to club. */
-function withClub(state: State, club: string, equipment: Equipment): State {
+function withClub(state: State, club: string, equipment: Equipment, settings: Settings): State {
   const [before, after] = [equipment.clubs[state.club].typical, equipment.clubs[club].typical];
   const { value, unit } = state.delivery.speed ?? { value: before.speed[0], unit: before.speed[1] };
   const speed = Number(((value * after.speed[0]) / before.speed[0]).toFixed(1));
   const { loft: _, high: __, toe: ___, ...delivery } = state.delivery;
   const attack: Amount = { value: after.attack[0], unit: after.attack[1] };
-  return { ...state, club, delivery: { ...delivery, speed: { value: speed, unit }, attack } };
+  const kept = withoutClub(state.settings, settings);
+  return { ...state, club, delivery: { ...delivery, speed: { value: speed, unit }, attack }, settings: kept };
 }
 
 /** The usual parameters where the set that was chosen does not fit. */

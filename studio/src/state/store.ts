@@ -4,6 +4,7 @@ import type { Kind, Output } from "../core/computations";
 import type { Shot } from "../core/types";
 import type { Equipment } from "../equipment/equipment";
 import { initialSession, type Session } from "./session";
+import type { Settings } from "./settings";
 import { type Change, changed, type State } from "./state";
 import { begin, redo, settle, step, type Timeline, undo } from "./undo";
 
@@ -61,6 +62,7 @@ export class Store {
     state: State,
     private readonly equipment: Equipment,
     private readonly observe: (model: Model, isNewState: boolean) => void,
+    private readonly settings: Settings = {},
     api: string | null = null,
   ) {
     this.model = {
@@ -82,7 +84,7 @@ export class Store {
 
   /** Makes a change; those of one `going` name follow each other in one step of undo. */
   readonly change = (change: Change, going: string | null = null): void => {
-    this.move(step(this.model.timeline, changed(this.state, change, this.equipment), going));
+    this.move(step(this.model.timeline, changed(this.state, change, this.equipment, this.settings), going));
   };
 
   readonly settle = (): void => {

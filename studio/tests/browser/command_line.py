@@ -54,8 +54,12 @@ def si(value: float, unit: str) -> float:
 def shot(listed: Mapping[str, Any]) -> dict[str, float]:
     """Return the row of a shot, SI."""
     given = {name: listed[name] for name in ("model", "ball", "hand") if name in listed}
-    table = printed(["shot", listed["club"]], given | listed["delivery"] | conditions(listed.get("conditions", {})))
-    table = table["tables"]["shots"]
+    return row(printed(["shot", listed["club"]], given | listed["delivery"] | conditions(listed.get("conditions", {}))))
+
+
+def row(result: Mapping[str, Any]) -> dict[str, float]:
+    """Return the first shot that a command printed, SI."""
+    table = result["tables"]["shots"]
     return {
         column["quantity"]: si(table["rows"][0][name], column["unit"])
         for name, column in table["columns"].items()

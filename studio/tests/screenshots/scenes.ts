@@ -20,6 +20,10 @@ const SCENES: Record<string, [link: string, ready: string]> = {
   ],
   flight: [SHOT.replace("#", "#scene=flight&wind=12mph&wind_from=60deg&"), "[data-stage=range] canvas"],
   map: [SHOT.replace("#", "#scene=map&map=carry&"), "[data-loss=carry]"],
+  design: [
+    SHOT.replace("#", "#scene=design&cg_x=45mm&upwards=iyy&struck_by=handicap-10-driver&"),
+    ".optimum path.contour",
+  ],
   models: [SHOT.replace("#", "#scene=models&"), ".models td"],
   learn: [SHOT.replace("#", "#scene=learn&lesson=gear&"), ".answer data"],
 };
