@@ -102,11 +102,12 @@ function makeBall(stage: Stage, impact: ElementsImpact, look: Look): Ball {
   } else {
     plate = new three.Group();
     plate.matrixAutoUpdate = false;
-    const shape = new three.Shape(look.outline.map(([toe, up]) => new three.Vector2(toe, up)));
+    const corners = look.cut === "half" ? heelPart(look.outline, isHeelFar ? 1 : -1) : look.outline;
+    const shape = new three.Shape(corners.map(([toe, up]) => new three.Vector2(toe, up)));
     const geometry = new three.ExtrudeGeometry(shape, { depth: PLATE, bevelEnabled: false }).translate(0, 0, -PLATE);
     const isCut = look.cut === "half";
     const material = { transparent: !isCut, opacity: isCut ? 1 : 0.35, depthWrite: isCut, side: three.DoubleSide };
-    plate.add(new three.Mesh(geometry, new three.MeshBasicMaterial({ ...cut, ...material })));
+    plate.add(new three.Mesh(geometry, new three.MeshBasicMaterial({ color: cut.color, ...material })));
     if (!isCut) {
       const edge = new three.BufferGeometry().setFromPoints(shape.getPoints());
       plate.add(new three.LineLoop(edge, new three.LineBasicMaterial({ color: stage.colour("--ink") })));
@@ -114,6 +115,17 @@ function makeBall(stage: Stage, impact: ElementsImpact, look: Look): Ball {
     scene.add(plate);
   }
   return { impact, cut: look.cut, patchworks, face, plate, plane };
+}
+
+/** What lies towards the heel of an outline, or towards the toe for a sign of -1. */
+function heelPart(outline: Look["outline"], sign: number): [number, number][] {
+  return outline.flatMap(([toe, up], i) => {
+    const [next, nextUp] = outline[(i + 1) % outline.length];
+    const kept: [number, number][] = sign * toe <= 0 ? [[toe, up]] : [];
+    const share = toe / (toe - next);
+    if (toe * next < 0) kept.push([0, up + share * (nextUp - up)]);
+    return kept;
+  });
 }
 
 function clear({ scene }: Stage): void {
