@@ -15,9 +15,10 @@ import { shotScene } from "./shot/shot-scene";
 
 export const SCENES: readonly SceneEntry[] = [
   { name: "shot", title: "Shot", settings: shotSettings, load: () => shotScene },
+  { name: "models", title: "Models", load: () => modelsScene },
   {
     name: "elements",
-    title: "Impact by finite elements",
+    title: "Finite elements",
     settings: elementsSettings,
     load: () => import("./elements/elements-scene").then(({ elementsScene }) => elementsScene),
   },
@@ -28,29 +29,28 @@ export const SCENES: readonly SceneEntry[] = [
     load: () => import("./flight/flight-scene").then(({ flightScene }) => flightScene),
   },
   {
-    name: "design",
-    title: "Design",
-    settings: DESIGN_SETTINGS,
-    load: () => import("./design/design-scene").then(({ designScene }) => designScene),
-  },
-  { name: "models", title: "Models side by side", load: () => modelsScene },
-  {
     name: "map",
     title: "Face map",
     settings: mapSettings,
     load: () => import("./map/map-scene").then(({ mapScene }) => mapScene),
   },
   {
-    name: "sessions",
-    title: "Your shots",
-    settings: sessionsSettings,
-    load: () => import("./sessions/sessions-scene").then(({ sessionsScene }) => sessionsScene),
+    name: "design",
+    title: "Design",
+    settings: DESIGN_SETTINGS,
+    load: () => import("./design/design-scene").then(({ designScene }) => designScene),
   },
   {
     name: "learn",
     title: "Learn",
     settings: LEARN_SETTINGS,
     load: () => import("./learn/learn-scene").then(({ learnScene }) => learnScene),
+  },
+  {
+    name: "sessions",
+    title: "Your shots",
+    settings: sessionsSettings,
+    load: () => import("./sessions/sessions-scene").then(({ sessionsScene }) => sessionsScene),
   },
 ];
 
