@@ -45,6 +45,11 @@ class Tab:
         except (OSError, ValueError):
             pass  # the server is gone
 
+    @property
+    def remarks(self):
+        """What happened last on the connections, as far as the tab has heard."""
+        return self.states[-1]["remarks"] if self.states else []
+
     def numbers(self, count, seconds=60.0):
         """Wait for a number of shots; return the numbers of all."""
         wait_until(lambda: len(self.shots) >= count, seconds)
@@ -173,14 +178,14 @@ def test_club_data_comes_in_and_the_ball_goes_out_to_the_simulator(tmp_path):
                 monitor.sendall(json.dumps(message).encode())
                 (answer,) = ObjectStream().feed(monitor.recv(65_536))
                 assert answer["Code"] == 200
-            wait_until(lambda: any("was sent to the simulator" in each["text"] for each in tab.states[-1]["remarks"]))
+            wait_until(lambda: any("was sent to the simulator" in each["text"] for each in tab.remarks))
         simulator.stop()
         thread.join()
     launch = clubface.impact("driver", {"speed": "100 mph", "attack": "1 deg", "loft": "13 deg"})
     (shot,) = received
     assert shot.launch["ball_speed"] == pytest.approx(launch.ball_speed, rel=1e-9)
     assert shot.launch["launch"] == pytest.approx(launch.launch, rel=1e-9)
-    remark = next(each["text"] for each in tab.states[-1]["remarks"] if "simulator" in each["text"])
+    remark = next(each["text"] for each in tab.remarks if "simulator" in each["text"])
     assert "computed from the club data" in remark
 
 
