@@ -46,7 +46,6 @@ from clubface.schema import PhysicalValue
 from clubface.simulation.flight import GROUNDS
 from clubface.simulation.inputs import equipment, parameter_set
 from clubface.simulation.results import inputs
-from clubface.simulation.shot_shape import BIG_CURVE, STRAIGHT_CURVE, STRAIGHT_START
 from clubface.support.files import builtin_names
 from clubface.support.version import __version__
 from clubface.units import from_si
@@ -239,7 +238,6 @@ def equipment_data() -> dict[str, Any]:
                 choices.setdefault(model, {}).setdefault(club_name, {})[ball_name] = places
     return {
         "version": __version__,
-        "shot_shape": {"straight_start": STRAIGHT_START, "straight_curve": STRAIGHT_CURVE, "big_curve": BIG_CURVE},
         "defaults": {"model": DEFAULT_MODEL, "ball": DEFAULT_BALL, "club": "driver"},
         "inputs": list(inputs()),
         "clubs": {

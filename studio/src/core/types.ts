@@ -43,6 +43,13 @@ export interface ModelEntry {
   parameters: Variable[];
 }
 
+/** Where the names of shots begin: of the start [rad], and of the curve over the carry. */
+export interface ShapeLimits {
+  straight_start: number;
+  straight_curve: number;
+  big_curve: number;
+}
+
 export interface Description {
   quantities: Quantity[];
   units: Unit[];
@@ -51,6 +58,7 @@ export interface Description {
   outputs: Variable[];
   flight_inputs: Variable[];
   flight_outputs: Variable[];
+  shot_shapes: ShapeLimits;
 }
 
 export interface CoreArray {

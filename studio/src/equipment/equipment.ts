@@ -154,13 +154,6 @@ export interface Numbers {
   };
 }
 
-/** Where the names of shots begin: of the start [rad], and of the curve over the carry. */
-export interface ShapeLimits {
-  straight_start: number;
-  straight_curve: number;
-  big_curve: number;
-}
-
 /** Published figures that lessons name, in SI. */
 export interface LessonFigures {
   rules: Record<string, { title: string; most: number; tolerance: number; source: string }>;
@@ -183,7 +176,6 @@ export interface FaceMapEntry {
 
 export interface Equipment {
   version: string;
-  shot_shape: ShapeLimits;
   numbers: Numbers;
   defaults: { model: string; ball: string; club: string };
   inputs: string[];

@@ -1,6 +1,6 @@
 """Print, as JSON, what the command line gives with ``--json`` for what the browser tests compare with the pages.
 
-``command_line.py shots.json`` prints the row of each shot of a file, SI, by the names of the quantities;
+``command_line.py flights.json`` prints the row of each shot of a file, SI, by the names of the quantities;
 ``command_line.py dispersions.json`` the statistics of each golfer's shots, by quantity and by part.
 """
 
@@ -82,7 +82,7 @@ def dispersion(listed: Mapping[str, Any]) -> dict[str, Any]:
     return parts
 
 
-def main(name: str = "shots.json") -> None:
+def main(name: str) -> None:
     """Compute every entry of a file."""
     each = dispersion if name.startswith("dispersions") else shot
     json.dump([each(listed) for listed in json.loads((HERE / name).read_text())], sys.stdout)

@@ -30,9 +30,8 @@ export const curve: Lesson = {
     path: { strike: setup.strike(), by: "path", values: spread(-0.18, 0.18, 73) },
   }),
   tell: (found) => {
-    const { lessons, shot_shape } = found.context.equipment;
-    const { straight_curve: straight } = shot_shape;
-    const { start_shares: shares } = lessons;
+    const { straight_curve: straight } = found.context.description.shot_shapes;
+    const { start_shares: shares } = found.context.equipment.lessons;
     const { values } = found.case("now");
     const [path, face] = [found.at("curve_path"), found.at("curve_face")];
     const delivery = found.setup.delivery;
