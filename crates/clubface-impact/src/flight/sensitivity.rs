@@ -4,6 +4,7 @@ use super::check::{check, never_lands};
 use super::shot::{FlightShot, INPUT_COUNT, OUTPUT_COUNT, fly};
 use super::trajectory::TOLERANCE;
 use crate::error::ImpactError;
+use clubface_math::pack::ONE_WIDTH;
 use clubface_math::{Dual, Kernel, Lanes, Mask, Scalar, dispatch};
 
 /// Outputs of one shot and their derivatives.
@@ -29,8 +30,8 @@ pub fn sensitivity(inputs: &[f64; INPUT_COUNT]) -> Result<FlightSensitivity, Imp
 
 struct Directions<'a>(&'a [f64; INPUT_COUNT]);
 
-/// Derivatives a lane carries: with eight lanes one pass takes all inputs.
-const WIDTH: usize = 3;
+/// Derivatives a lane carries: with eight lanes one pass takes all inputs. In browsers more passes, of less code.
+const WIDTH: usize = if ONE_WIDTH { 1 } else { 3 };
 
 impl Kernel for Directions<'_> {
     type Output = Option<FlightSensitivity>;

@@ -1,7 +1,7 @@
 //! What the contact is on average: where club and ball touch, with which normal, and how easily they move there.
 
 use crate::first_touch::{FirstTouch, Motion};
-use clubface_math::{Mat3, Scalar, Vec3};
+use clubface_math::{Computation, Mat3, Scalar, Vec3};
 
 /// Lever of friction on the ball over its radius, where only an estimate is needed.
 const LEVER: f64 = 0.95;
@@ -89,17 +89,7 @@ impl<S: Scalar> Bodies<'_, S> {
 
     #[inline(always)]
     pub fn mobility(&self, place: Place<S>) -> Mobility<S> {
-        let head = self.head(place.point, place.point);
-        let gained = head * place.normal;
-        let normal = place.normal.dot(gained);
-        let coupling = gained.reject(place.normal);
-        let ball = &self.touch.ball;
-        let rolling = (ball.radius * LEVER).squared() / ball.inertia;
-        // Head and rolling along the face alone: P (H + rolling) P, and the identity along the normal.
-        let along = Mat3::outer(place.normal, place.normal).scale(-S::one()) + Mat3::diagonal(S::one());
-        let tangential =
-            along * ((head + Mat3::diagonal(rolling)) * along) + Mat3::outer(place.normal, place.normal);
-        Mobility { normal, coupling, tangential }
+        S::outline(MobilityAt { bodies: self, place })
     }
 
     /// An estimate of the whole impulse on the ball: a normal one, and along the face as much as friction has.
@@ -134,7 +124,47 @@ impl<S: Scalar> Bodies<'_, S> {
     /// displacement of the ball relative to the head's CG.
     #[inline(always)]
     pub fn place(&self, turn: Vec3<S>, shift: Vec3<S>) -> Place<S> {
-        let touch = self.touch;
+        S::outline(PlaceAfter { touch: self.touch, turn, shift })
+    }
+}
+
+// What a contact needs twice, as functions of their own.
+
+struct MobilityAt<'a, S> {
+    bodies: &'a Bodies<'a, S>,
+    place: Place<S>,
+}
+
+impl<S: Scalar> Computation for MobilityAt<'_, S> {
+    type Output = Mobility<S>;
+    #[inline(always)]
+    fn run(self) -> Mobility<S> {
+        let Self { bodies, place } = self;
+        let head = bodies.head(place.point, place.point);
+        let gained = head * place.normal;
+        let normal = place.normal.dot(gained);
+        let coupling = gained.reject(place.normal);
+        let ball = &bodies.touch.ball;
+        let rolling = (ball.radius * LEVER).squared() / ball.inertia;
+        // Head and rolling along the face alone: P (H + rolling) P, and the identity along the normal.
+        let along = Mat3::outer(place.normal, place.normal).scale(-S::one()) + Mat3::diagonal(S::one());
+        let tangential =
+            along * ((head + Mat3::diagonal(rolling)) * along) + Mat3::outer(place.normal, place.normal);
+        Mobility { normal, coupling, tangential }
+    }
+}
+
+struct PlaceAfter<'a, S> {
+    touch: &'a FirstTouch<S>,
+    turn: Vec3<S>,
+    shift: Vec3<S>,
+}
+
+impl<S: Scalar> Computation for PlaceAfter<'_, S> {
+    type Output = Place<S>;
+    #[inline(always)]
+    fn run(self) -> Place<S> {
+        let Self { touch, turn, shift } = self;
         let ball = touch.contact + touch.normal * touch.ball.radius + shift;
         let in_head = ball - turn.cross(ball);
         let nearest = touch.face.nearest(in_head - touch.lever);
