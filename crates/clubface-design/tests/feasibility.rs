@@ -1,5 +1,7 @@
 //! A head must be a body in its volume: moments of positive mass pass, and nothing else does.
 
+#![allow(clippy::unwrap_used)]
+
 use clubface_design::feasibility::{Envelope, MassProperties, Matrix, Shape, Volume, pseudo_inertia};
 use proptest::prelude::*;
 
