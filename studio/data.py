@@ -45,6 +45,7 @@ from clubface.fem.settings import SAFETIES
 from clubface.schema import PhysicalValue
 from clubface.simulation.flight import GROUNDS
 from clubface.simulation.inputs import equipment, parameter_set
+from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.results import inputs
 from clubface.support.files import builtin_names
 from clubface.support.version import __version__
@@ -71,15 +72,22 @@ class Numbered(dict[Any, int]):
 
 
 def tour_delivery(each: Club) -> dict[str, list[Any]]:
-    """Return speed and attack angle of the tour average of a club, or of the nearest loft of its kind."""
+    """Return speed, attack angle and dynamic loft of the tour average of a club, or of the nearest loft of its kind.
+
+    The dynamic loft is the one with which the ball starts at the published launch angle; a club of another loft than
+    the tour's delivers as many degrees more or less.
+    """
 
     def distance(row: Average) -> tuple[bool, bool, float]:
         other = club(row.club)
         return row.club != each.name, (other.kind == "iron") != (each.kind == "iron"), abs(other.loft - each.loft)
 
     row = min(averages(), key=distance)
-    speed, attack = from_si(row.club_speed, "mph"), from_si(row.attack, "deg")
-    return {"speed": [round(float(speed), 1), "mph"], "attack": [round(float(attack), 1), "deg"]}
+    launched = impact_at_launch(row.club, speed=row.club_speed, attack=row.attack, launch=row.launch)
+    loft = float(launched.loft) + each.loft - club(row.club).loft
+    speed, attack, loft = from_si(row.club_speed, "mph"), from_si(row.attack, "deg"), from_si(loft, "deg")
+    given = {"speed": (speed, "mph"), "attack": (attack, "deg"), "loft": (loft, "deg")}
+    return {name: [round(float(value), 1), unit] for name, (value, unit) in given.items()}
 
 
 def finite(values: Mapping[str, float]) -> dict[str, float | None]:

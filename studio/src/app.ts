@@ -15,8 +15,8 @@ export function app(context: Context, scene: Scene | null): TemplateResult {
     <main id="main" tabindex="-1">${scene ? scene.view(context) : html`<p aria-busy="true">The scene is loading …</p>`}</main>
     <footer>
       <p>
-        clubface ${context.equipment.version}, computed in this tab. The address holds the whole shot: copy it to share or
-        keep it.
+        clubface ${context.equipment.version}. The address holds the shot and all that is chosen: copy it to share or keep
+        it.
       </p>
     </footer>
   `;

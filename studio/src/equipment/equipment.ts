@@ -14,8 +14,8 @@ export interface ClubEntry {
   /** Family of clubs whose published parameter sets it takes. */
   parameters: string;
   description: string;
-  /** Speed and attack angle of the tour average. */
-  typical: Record<"speed" | "attack", AmountPair>;
+  /** Speed, attack angle and dynamic loft of the tour average. */
+  typical: Record<"speed" | "attack" | "loft", AmountPair>;
   /** Corners of the face, towards the toe and up the face [m]. */
   outline: [number, number][];
   outline_source: string;

@@ -177,7 +177,7 @@ function inWords(context: Context, shown: ShownCase, progress: Progress): string
         : `The ${progress.mesh} mesh is being computed.`;
     default: {
       if (!impact) return "";
-      const seconds = context.formatter.text("wall", shown.milliseconds / 1e3, context.state.system);
+      const seconds = context.formatter.text("wall", impact.summary.wall, context.state.system);
       const stopped = impact.summary.stopped ? ` The run ended early: ${impact.summary.stopped}.` : "";
       const edge = impact.summary.over_edge
         ? " The ball reached round the edge of the face, where contact ends: its launch is in doubt."

@@ -75,7 +75,7 @@ function forcesInWords({ formatter, state }: Context, { impact, moment }: DrawnC
   const [makes, takes] = senses(points);
   return (
     `Normal force ${text("normal", valueAt(impact, "contact", "normal", moment))}. Along the face, parts of the patch make ` +
-    `backspin with ${text("tangential", makes)}, and others take it with ${text("tangential", -takes)}.`
+    `backspin with ${text("tangential", makes)}, and others take it away with ${text("tangential", -takes)}.`
   );
 }
 

@@ -20,12 +20,14 @@ export function driverSpeed({ state, equipment }: Context): Amount {
   return speed;
 }
 
-/** Each club's shot: speed and attack angle of the tour's club, scaled to the player's driver; square and centred. */
+/** Each club's shot: attack angle and dynamic loft of the tour, its speed scaled to the player's driver; square, centred. */
 export function bagStrikes(context: Context): { club: string; strike: Strike }[] {
   const { state, equipment } = context;
   const driving = { ...state, club: DRIVER, delivery: { speed: driverSpeed(context) } };
   return bagOf(context).map((club) => {
-    const struck = changed(driving, { kind: "club", club }, equipment);
+    const [value, unit] = equipment.clubs[club].typical.loft;
+    const { delivery, ...rest } = changed(driving, { kind: "club", club }, equipment);
+    const struck = { ...rest, delivery: { ...delivery, loft: { value, unit } } };
     return { club, strike: strike({ ...context, state: struck }) };
   });
 }

@@ -20,8 +20,9 @@ export function bagPanel(context: Context): TemplateResult {
     <section aria-labelledby="bag">
       <h2 id="bag">Gaps between the clubs</h2>
       <p>
-        Every club as the tour delivers it: its own loft, the tour's attack angle, square and centred, at the speed that
-        goes with a driver at ${driven}. Another speed of the club above changes them all.
+        Every club as the tour delivers it: the tour's attack angle and dynamic loft, square and centred, at the speed
+        that goes with a driver at ${driven}. A club that the tour has no average of is delivered like the nearest one,
+        with as much more loft as it has. Another speed of the club above changes them all.
       </p>
       ${gapTable(context)}
       <details>

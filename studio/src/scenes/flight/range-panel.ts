@@ -53,7 +53,7 @@ export function rangePanel(context: Context): TemplateResult {
 function legend({ formatter, state }: Context): string {
   const symbol = formatter.units.symbol(formatter.reading("carry", state.system).unit);
   return (
-    `Lines every ${STEP} ${symbol}; thin behind the landing: bounce and roll. The picture is turned by dragging or the ` +
+    `Lines every ${STEP} ${symbol}; thin after the landing: bounce and roll. The picture is turned by dragging or the ` +
     "arrow keys, zoomed by the wheel or + and -."
   );
 }

@@ -107,7 +107,7 @@ function table(
           <th scope="col">Quantity</th>
           <th scope="col" title="over all impacts that hit the face">Mean</th>
           <th scope="col" title="from impact to impact">Standard deviation</th>
-          <th scope="col" title="value at the impact point less the mean">Lost</th>
+          <th scope="col" title="value at the impact point less the mean">Point less mean</th>
         </tr>
       </thead>
       <tbody>

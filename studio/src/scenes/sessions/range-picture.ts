@@ -140,7 +140,7 @@ function fromAbove(range: Range): TemplateResult {
         ),
       )}
       ${rows.map((row) => spot(range, row, right))}
-      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance to the target, ${unit}</text>
+      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance towards the target, ${unit}</text>
     </svg>
   `;
 }

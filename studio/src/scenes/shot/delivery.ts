@@ -23,7 +23,7 @@ export function deliveryPanel(context: Context): TemplateResult {
     <section aria-labelledby="delivery">
       <h2 id="delivery">Delivery</h2>
       ${MAIN.map((name) => deliveryField(context, name))}
-      <button type="button" class="quiet" ?disabled=${!state.delivery.loft} @click=${reset}>Loft of the club</button>
+      <button type="button" class="quiet" ?disabled=${!state.delivery.loft} @click=${reset}>Back to the club's loft</button>
       <details ?open=${isOpen}>
         <summary>Lie, rates of turning, spin before impact</summary>
         ${FURTHER.filter((name) => known.includes(name)).map((name) => deliveryField(context, name))}

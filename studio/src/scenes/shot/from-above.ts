@@ -69,7 +69,7 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
       <path class="roll" d=${line([at(landing), at(rest)])}></path>
       <circle class="landing" cx=${at(landing)[0]} cy=${at(landing)[1]} r="4"></circle>
       <circle class="rest" cx=${at(rest)[0]} cy=${at(rest)[1]} r="4"></circle>
-      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance to the target, ${unit}</text>
+      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance towards the target, ${unit}</text>
     </svg>
     <ul class="legend" aria-label="Lines of the view from above">
       <li><i class="ball-path"></i>flight</li>

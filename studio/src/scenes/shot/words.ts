@@ -15,7 +15,7 @@ const SPIN = ["-3000 rpm", "3000 rpm"] as const;
 
 export const DELIVERY: Record<string, DeliveryWords> = {
   speed: { label: "Club speed", more: "more club speed", step: 1, range: ["20 mph", "140 mph"] },
-  attack: { label: "Attack angle", more: "more upwards", step: 1, range: ANGLE },
+  attack: { label: "Attack angle", more: "more attack angle", step: 1, range: ANGLE },
   path: { label: "Club path", more: "more path to the right", step: 1, range: ANGLE },
   loft: { label: "Dynamic loft", more: "more loft", step: 1, range: ["-5 deg", "75 deg"] },
   face: { label: "Face angle", more: "more face to the right", step: 1, range: ANGLE },

@@ -73,7 +73,7 @@ export function flightsPicture(found: Found, name: string, flights: DrawnFlight[
               svg`<path class=${`ball-path ${kind}`} d=${line(paths[i].map(([x, z]) => [along.at(x), right.at(z)]))}></path>`,
           )}
           <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">
-            distance to the target, ${formatter.units.symbol(unit)}
+            distance towards the target, ${formatter.units.symbol(unit)}
           </text>
         </svg>
       </div>
