@@ -26,8 +26,10 @@ LAYERS = {
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",
         "cases", "sensitivity", "description",
     ),
-    "clubface-design": ("normal", "sequence", "golfer", "tally", "strokes", "dispersion", "outline", "face_map"),
-    "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "face_map", "fem"),
+    "clubface-design": (
+        "normal", "sequence", "golfer", "tally", "strokes", "dispersion", "outline", "face_map", "feasibility",
+    ),
+    "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "face_map", "feasibility", "fem"),
 }  # fmt: skip
 
 USE = re.compile(r"\b(pub(?:\([a-z ]+\))?\s+)?use\s+([^;]+);")

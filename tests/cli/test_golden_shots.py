@@ -12,7 +12,7 @@ GOLDEN = json.loads((Path(__file__).parents[1] / "golden/shots.json").read_text(
 SAME = 1e-12
 """Relative difference: the last bits of logarithms and powers, which come from the machine's library, and of the
 conversion to printed units and back."""
-SCALES = {"side": 100.0, "total_side": 100.0, "azimuth": 1.0, "sidespin": 100.0, "spin_axis": 1.0}
+SCALES = {"side": 100.0, "total_side": 100.0, "curve": 100.0, "azimuth": 1.0, "sidespin": 100.0, "spin_axis": 1.0}
 """What is a difference of large numbers is compared on their scale [SI]."""
 
 

@@ -27,7 +27,7 @@ ARGUMENTS = {
     "fem design": ("faster_face.toml",),
     "fem reference": (), "fem run": ("paper",), "fem sweep": (), "capture synthesize": ("-o", "swings"),
     "capture read": ("swing.c3d", "--markers", "markers.toml", "--club", "driver"), "capture study": (),
-    "study run": ("study.toml",),
+    "study run": ("study.toml",), "studio": ("--site", "nowhere"),
 }  # fmt: skip
 """What a command needs beside the option; files that are not there are not missed, where nothing is read before."""
 NUMBERS = ("0", "-1", "nan", "inf", HUGE, "")
@@ -44,7 +44,7 @@ TEXTS = {
 """Texts of options that hold numbers, and what is none of theirs."""
 TAKEN = {
     ("--folds", "0"), ("--bootstrap", "0"), ("--seed", "0"), ("--gaps", "0"), ("--frames", "0"), ("--friction", "0"),
-    ("--port", "0"), ("--roughness", HUGE),
+    ("--port", "0"), ("--open-connect", "0"), ("--opengolfsim", "0"), ("--roughness", HUGE),
 }  # fmt: skip
 """Numbers that mean something: none, the seed 0, any free port, a track as smooth as can be."""
 

@@ -37,6 +37,9 @@ NO_INPUTS = {
     "shots/tables/writer.py": "pieces of what is written",
     "cli/app.py": "the device for messages that nobody reads",
     "support/isolated_script.py": "the pipe to the process of a library",
+    "shots/live.py": "live shots, which it writes itself",
+    "studio/site.py": "the page of the studio",
+    "cli/studio.py": "the browser",
 }
 """The modules that open something which is no input of a computation, and what."""
 

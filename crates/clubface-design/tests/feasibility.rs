@@ -88,7 +88,7 @@ fn a_driver_is_built_until_its_free_mass_lies_at_the_back() {
 fn eigenvalues_are_those_of_a_diagonal_matrix_in_any_order() {
     let envelope = Envelope::new(space(Shape::Box), space(Shape::Box), [[0.0; 4]; 4], None).unwrap();
     for axis in 0..3 {
-        let mut pseudo = moments(&[(0.2, CENTRE)]);
+        let mut pseudo = moments(&[(0.2, [0.0; 3])]);
         pseudo[axis][axis] -= 1e-5;
         let margins = envelope.margins(&pseudo);
         assert!(

@@ -14,6 +14,7 @@ from clubface.errors import InputError
 if TYPE_CHECKING:
     from clubface.studio.live import LiveSession
 
+HIGHEST_PORT = 65535
 FLIGHT_RELAY = "ws://localhost:5880/frp"
 app = typer.Typer(add_completion=False)
 
@@ -40,6 +41,9 @@ def studio(**texts: Any) -> None:
     from clubface.studio.serve import serve
 
     live, studies = texts["live"], texts["studies"]
+    for name in ("port", "open_connect", "opengolfsim"):
+        if not 0 <= texts[name] <= HIGHEST_PORT:
+            raise InputError(f"--{name.replace('_', '-')}", texts[name], f"0 to {HIGHEST_PORT}; 0 takes a free port")
     if studies is not None and not Path(studies).is_dir():
         raise InputError("--studies", studies, "a folder")
     if live is None and texts["simulator"]:
