@@ -284,7 +284,14 @@ describe("the site", () => {
  */
 const SAME = 1e-12;
 /** What is a difference of large numbers is compared on their scale [SI]. */
-const SCALES: Record<string, number> = { side: 100, total_side: 100, curve: 100, azimuth: 1, sidespin: 100, spin_axis: 1 };
+const SCALES: Record<string, number> = {
+  side: 100,
+  total_side: 100,
+  curve: 100,
+  azimuth: 1,
+  sidespin: 100,
+  spin_axis: 1,
+};
 
 describe("the numbers", () => {
   test("are those of the command line for every golden shot", async () => {
