@@ -43,7 +43,8 @@ def studio(**texts: Any) -> None:
     live, studies = texts["live"], texts["studies"]
     for name in ("port", "open_connect", "opengolfsim"):
         if not 0 <= texts[name] <= HIGHEST_PORT:
-            raise InputError(f"--{name.replace('_', '-')}", texts[name], f"0 to {HIGHEST_PORT}; 0 takes a free port")
+            allowed = f"a whole number from 0 to {HIGHEST_PORT}; 0 takes a free port"
+            raise InputError(f"--{name.replace('_', '-')}", texts[name], allowed)
     if studies is not None and not Path(studies).is_dir():
         raise InputError("--studies", studies, "a folder")
     if live is None and texts["simulator"]:
