@@ -1,4 +1,4 @@
-/** The frame of every scene: title, scenes, undo, units, theme; and what is to be said. */
+/** The frame of every scene: title, scenes, undo, units, theme; and notices. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context, Scene } from "./context";

@@ -208,25 +208,25 @@ export function computeOptimum(core: LoadedCore, input: OptimumInput, report: Re
       )
       .filter((point) => axes.every(({ range: [least, most] }, i) => point[i] >= least && point[i] <= most));
     const isFine = areAllowed(around);
-    const found = valuesAt(core, input, around, () => undefined);
+    const tried = valuesAt(core, input, around, () => undefined);
     let top = value;
     around.forEach((point, i) => {
-      if (!isFine[i] || !(merit(found[i]) > merit(top))) return;
-      top = found[i];
-      best = { x: point[0], y: point[1], value: found[i] };
+      if (!isFine[i] || !(merit(tried[i]) > merit(top))) return;
+      top = tried[i];
+      best = { x: point[0], y: point[1], value: tried[i] };
     });
   }
   const inputOf = ({ name }: ChartAxis): number => setup.strike.inputs[setup.names.indexOf(name)];
   const here: Point = [inputOf(axes[0]), inputOf(axes[1])];
   const shifts = axes.map(({ range: [least, most] }) => STEP * (most - least));
-  const beside: Point[] = [
+  const neighbours: Point[] = [
     here,
     [here[0] + shifts[0], here[1]],
     [here[0] - shifts[0], here[1]],
     [here[0], here[1] + shifts[1]],
     [here[0], here[1] - shifts[1]],
   ];
-  const near = valuesAt(core, input, setup.golfer ? beside : [here], () => undefined);
+  const near = valuesAt(core, input, setup.golfer ? neighbours : [here], () => undefined);
   const slopes: Optimum["slopes"] = setup.golfer
     ? [(near[1] - near[2]) / (2 * shifts[0]), (near[3] - near[4]) / (2 * shifts[1])]
     : null;

@@ -31,7 +31,7 @@ export interface Wanted<K extends Kind = Kind> {
   rest?: number;
 }
 
-/** What the page is told. */
+/** What the page hears of its computations. */
 export interface Observer {
   answered(slot: string, kind: Kind, output: Output<Kind>, milliseconds: number): void;
   /** A computation that takes long has begun. */

@@ -9,7 +9,7 @@ export type AmountPair = [value: number, unit: string];
 export interface ClubEntry {
   label: string;
   kind: string;
-  /** Kind of club as published figures tell them apart. */
+  /** Kind of club as published figures distinguish them. */
   published_kind: string;
   /** Family of clubs whose published parameter sets it takes. */
   parameters: string;

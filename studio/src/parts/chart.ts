@@ -19,7 +19,7 @@ export interface Chart {
   title: string;
   x: ChartAxis;
   y: ChartAxis;
-  /** Places and values in SI; at most six lines, told apart by colour and dashes. */
+  /** Places and values in SI; at most six lines, which differ in colour and dashes. */
   lines: { label: string; x: ArrayLike<number>; y: ArrayLike<number> }[];
   /** A place that is marked by an upright line [SI]. */
   mark?: number;

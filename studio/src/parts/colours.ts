@@ -11,7 +11,7 @@ export interface ColourScale {
   gradient: string;
 }
 
-/** Colours of equal steps in brightness, which can be told apart without seeing red or green (viridis). */
+/** Colours of equal steps in brightness, which can be distinguished without seeing red or green (viridis). */
 const RISING: Rgb[] = [
   [68, 1, 84],
   [71, 44, 122],

@@ -96,6 +96,23 @@ export function word(stage: Stage, text: string, ink: Color): Sprite {
   return sprite;
 }
 
+/**
+ * A word at a place in the scene, in a colour of the page (`variable`). `anchor` is the point of the word that lies on the
+ * place: across from 0 at its left end to 1 at its right, upwards from 0 at its lower edge to 1 at its upper.
+ */
+export function label(
+  stage: Stage,
+  text: string,
+  variable: string,
+  at: Vector,
+  anchor: readonly [number, number],
+): Sprite {
+  const sprite = word(stage, text, stage.colour(variable));
+  sprite.center.set(...anchor);
+  sprite.position.set(...at);
+  return sprite;
+}
+
 /** Takes all objects out of a group, and frees what they hold on the graphics card. */
 export function empty(group: Group): void {
   group.traverse((each) => {

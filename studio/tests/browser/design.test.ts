@@ -247,7 +247,7 @@ describe("the optimum chart", () => {
     await page.locator('td[data-quantity="side-spread"]').waitFor();
     const table = page.locator("table", { hasText: "handicap of 10" });
     const carry = Number(await table.locator('td[data-quantity="carry"]').getAttribute("data-value"));
-    // 256 shots of a low-discrepancy sequence beside 4096: the mean carry to 0.5 m.
+    // 256 shots of a low-discrepancy sequence, compared with 4096: the mean carry to 0.5 m.
     await expect.poll(async () => Math.abs((await here(page)) - carry)).toBeLessThan(0.5);
   });
 });

@@ -140,7 +140,7 @@ describe("the numbers", () => {
     if (memory !== null) expect(memory).toBeLessThan(300);
   });
 
-  test("change with the input once the slider rests, and stand beside those of the chosen model", async () => {
+  test("change with the input once the slider rests, and stand next to those of the chosen model", async () => {
     const { page, errors } = await open(context, site.address + COARSE, DONE);
     const before = await valuesOf(page, "Launch and flight");
     for (let i = 0; i < 5; i += 1) await slide(page, "Dynamic loft");
@@ -253,7 +253,7 @@ describe("the pictures", () => {
 });
 
 describe("a second case", () => {
-  test("stands beside the first, with lines of its own in the charts", async () => {
+  test("stands next to the first, with lines of its own in the charts", async () => {
     const { page, errors } = await open(context, `${site.address}${COARSE}&second=on&second_loft=20deg`, DONE);
     await page.locator(".status[data-case-name='second'][data-status='done']").waitFor();
     await page.locator("[data-stage='elements-second'] canvas").waitFor();

@@ -141,7 +141,7 @@ describe.each(NAMES)("%s", (name) => {
     const { page, errors } = await open(context, link(name), READY);
     const title = await page.getByRole("heading", { level: 2 }).textContent();
     expect(title).toBe(`${NAMES.indexOf(name) + 1}. ${lesson.title}`);
-    const words = ((await page.locator(".told").textContent()) ?? "").trim().split(/\s+/).length;
+    const words = ((await page.locator(".claim").textContent()) ?? "").trim().split(/\s+/).length;
     expect(words).toBeGreaterThanOrEqual(60);
     expect(words).toBeLessThanOrEqual(120);
     expect((await verdict(page)).trim()).toBe("Not solved yet.");

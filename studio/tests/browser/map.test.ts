@@ -174,7 +174,7 @@ describe("forgiveness", () => {
     expect(errors).toEqual([]);
   });
 
-  test("is not there for an impact point beside the face, and the map stays", async () => {
+  test("is not there for an impact point off the face, and the map stays", async () => {
     const { page } = await open(context, `${site.address}${FIRST}&toe=52mm&high=26mm`, ".forgiveness .mistake");
     expect(await wordsOf(page, ".forgiveness .mistake")).toContain("not on the face");
     await whole(page);
@@ -268,7 +268,7 @@ const dataOf = (page: Page, selector: string): Promise<Record<string, string>[]>
 /** A place in mm, of which 0 has no sign. */
 const placeKey = (text: string): string => text.replace(/-0\.000/g, "0.000");
 
-/** Numbers of the page beside those of the command line: what, shown, expected and scale. */
+/** Numbers of the page next to those of the command line: what, shown, expected and scale. */
 type Pair = [what: string, shown: number, expected: number, scale: number];
 
 async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Promise<Pair[]> {

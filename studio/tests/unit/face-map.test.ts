@@ -152,7 +152,7 @@ test("a point is on the face where it is inside all outlines, whichever way roun
   }
 });
 
-test("levels have the digits that tell them apart", () => {
+test("levels have the decimals that distinguish them", () => {
   expect(levelDigits([100, 120, 140])).toBe(0);
   expect(levelDigits([1, 1.5, 2])).toBe(1);
   expect(levelDigits([-0.02, 0, 0.02])).toBe(2);

@@ -153,7 +153,7 @@ function words(context: Context, optimum: Optimum): TemplateResult {
   };
   const own = axes.map(({ name }) => ownValue(context, name));
   return html`
-    <div class="found" aria-live="polite">
+    <div class="best-club" aria-live="polite">
       <p data-here=${String(here)}>
         <b>You are here</b>: ${objectiveLabel(context, objective)} ${text(here)} at
         ${place(designedValue(context, axes[0].name), designedValue(context, axes[1].name))}.

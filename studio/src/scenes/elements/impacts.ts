@@ -13,7 +13,8 @@ const REST = 700;
 const LANES: Record<CaseName, LaneName> = { first: "elements", second: "other-elements" };
 
 const slotOf = (name: CaseName, mesh: MeshName): string => `elements-${name}-${mesh}`;
-export const besideSlot = (name: CaseName): string => `beside-${name}`;
+/** The shot of the chosen reduced model, to compare with. */
+export const modelSlot = (name: CaseName): string => `model-${name}`;
 export const flightSlot = (name: CaseName): string => `elements-${name}-flight`;
 
 /** The cases that are shown, one or two. */
@@ -35,26 +36,26 @@ export function wantedImpacts(context: Context): Wanted[] {
   return casesOf(context).flatMap((name) => {
     const setup = setupOf(context, name);
     const inputs = meshesOf(context).map((mesh) => ({ mesh, input: caseOf(context, setup, mesh) }));
-    const beside: Wanted[] =
+    const quick: Wanted[] =
       setup.against === "plane"
         ? []
-        : [{ kind: "shot", input: strikeAgainst(context, setup), slot: besideSlot(name), lane: "page" }];
+        : [{ kind: "shot", input: strikeAgainst(context, setup), slot: modelSlot(name), lane: "page" }];
     const struck = strikeAgainst(context, setup, ballOf(context, setup)?.meshes.fine.columns);
     const { impact } = shownCase(context, name);
     if (impact?.launch.ball_speed !== undefined)
-      beside.push({
+      quick.push({
         kind: "flight",
         input: { ...flown(struck), launch: impact.launch },
         slot: flightSlot(name),
         lane: "page",
       });
     const last = textOf(inputs[inputs.length - 1].input);
-    if (transient[`stopped-${name}`] === last) return beside;
+    if (transient[`stopped-${name}`] === last) return quick;
     const rest = transient[`at-once-${name}`] === last ? 0 : REST;
     const impacts = inputs.flatMap(({ mesh, input }): Wanted[] =>
       input ? [{ kind: "elements", input, slot: slotOf(name, mesh), lane: LANES[name], rest }] : [],
     );
-    return [...beside, ...impacts];
+    return [...quick, ...impacts];
   });
 }
 

@@ -1,4 +1,4 @@
-/** Numbers of the impacts: the launch beside that of the chosen model, the contact, and what the computation took. */
+/** Numbers of the impacts: the launch next to that of the chosen model, the contact, and what the computation took. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
@@ -6,7 +6,7 @@ import type { ElementsImpact } from "../../core/elements";
 import type { Values } from "../../core/types";
 import { outputOf } from "../../state/store";
 import { ballOf } from "./case";
-import { besideSlot, flightSlot, type ShownCase } from "./impacts";
+import { flightSlot, modelSlot, type ShownCase } from "./impacts";
 
 const LAUNCH = [
   "ball_speed",
@@ -48,15 +48,15 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
   const thrown = shown.filter(({ setup }) => setup.against === "plane");
   const launches = launched.flatMap(({ name, label, impact }) => {
     const flight = outputOf(context.model, "flight", flightSlot(name)) ?? {};
-    const beside = outputOf(context.model, "shot", besideSlot(name));
+    const reduced = outputOf(context.model, "shot", modelSlot(name));
     const columns = [{ label: named("finite elements", label, shown), values: { ...impact.launch, ...flight } }];
-    if (beside && !beside.failure)
-      columns.push({ label: named(`${beside.model}, rigid head`, label, shown), values: beside.values });
+    if (reduced && !reduced.failure)
+      columns.push({ label: named(`${reduced.model}, rigid head`, label, shown), values: reduced.values });
     return columns;
   });
   const contact = shown.map(({ label, impact }) => ({ label: label || "value", values: summary(impact) }));
   return html`
-    ${launches.length ? table(context, "Launch and flight, beside the chosen model", LAUNCH, launches) : nothing}
+    ${launches.length ? table(context, "Launch and flight, next to the chosen model", LAUNCH, launches) : nothing}
     ${launches.length ? html`<p class="remark">The chosen model takes the head as rigid, and friction as its own parameters have it.</p>` : nothing}
     ${
       thrown.length

@@ -17,7 +17,7 @@ const EDGE = 11;
 /** Room for what is written at the edges, as shares of the picture. */
 const MARGIN: Record<View, number> = { behind: 1.06, side: 1.1, above: 1.14 };
 
-/** What is always in sight beside the tee, to either side, as a share of the range. */
+/** What is always in sight to either side of the tee, as a share of the range. */
 export const NARROW = 0.2;
 
 /** Shares of the range at which the eye may look from behind. */

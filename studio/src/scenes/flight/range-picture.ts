@@ -4,7 +4,7 @@ import type { Group, Object3D } from "three";
 import { type Context, choiceSetting, settingSi } from "../../context";
 import { rootSize } from "../../parts/measure";
 import { type Stage, setStage } from "../../parts/stage";
-import { arrow, empty, point, word } from "../../parts/stage-objects";
+import { arrow, empty, label, point } from "../../parts/stage-objects";
 import type { Vector } from "../../parts/vectors";
 import { outputOf } from "../../state/store";
 import { takeView } from "./range-camera";
@@ -26,7 +26,7 @@ interface Picture {
 }
 
 const pictures = new WeakMap<Stage, Picture>();
-/** The range that is on the page, for the buttons beside it. */
+/** The range that is on the page, for the buttons next to it. */
 export let played: Played | null = null;
 
 export function setRange(context: Context): void {
@@ -128,14 +128,6 @@ function tubes({ three, colour }: Stage, { path, rest, colour: variable }: Flyin
   return [flight, roll, onGround(path, 0.45), dot(landed, 0.004), dot(rest, 0.0055)];
 }
 
-/** Where a word stands to its place: 0 to the left of it or above, 1 to the right or below. */
-function said(stage: Stage, text: string, variable: string, at: Vector, anchor: readonly [number, number]): Object3D {
-  const sprite = word(stage, text, stage.colour(variable));
-  sprite.center.set(...anchor);
-  sprite.position.set(...at);
-  return sprite;
-}
-
 function post({ three, colour }: Stage, from: Vector, to: Vector, variable: string): Object3D {
   const geometry = new three.BufferGeometry().setFromPoints([from, to].map((each) => new three.Vector3(...each)));
   return new three.Line(geometry, new three.LineBasicMaterial({ color: colour(variable) }));
@@ -163,14 +155,14 @@ function names(context: Context, stage: Stage, { flights, landings: dots }: Cont
         : [landed[0], 0, landed[2] + hand * side * (place % 4 < 2 ? 0.5 : 0.85)];
       return [
         post(stage, landed, at, colour),
-        said(stage, name, colour, at, [isFromSide || hand < 0 ? 0.5 : 0.2, 0.3]),
+        label(stage, name, colour, at, [isFromSide || hand < 0 ? 0.5 : 0.2, 0.3]),
       ];
     }
     const apex = path.reduce((highest, each) => (each[1] > highest[1] ? each : highest));
     return [
       post(stage, [apex[0], 0, apex[2]], apex, "--ink"),
-      said(stage, text("apex", values.apex), "--ink", apex, [0.5, -0.2]),
-      said(stage, text("carry", values.carry), "--ink", landed, [-0.1, 0]),
+      label(stage, text("apex", values.apex), "--ink", apex, [0.5, -0.2]),
+      label(stage, text("carry", values.carry), "--ink", landed, [-0.1, 0]),
     ];
   });
 }
@@ -195,7 +187,7 @@ function landings(stage: Stage, { landings: places, ellipses }: Content, { far }
       new three.TubeGeometry(curve, 96, far * THICK * 0.7, 6, true),
       new three.MeshBasicMaterial({ color: colour("--path") }),
     );
-    return [ring, said(stage, `${Math.round(100 * ellipse.share)}%`, "--path", outline(ellipse, 4)[0], [0.5, 0.5])];
+    return [ring, label(stage, `${Math.round(100 * ellipse.share)}%`, "--path", outline(ellipse, 4)[0], [0.5, 0.5])];
   });
   return [cloud, ...rings];
 }
@@ -216,5 +208,5 @@ function wind(context: Context, stage: Stage, { far, side, high }: Extent): Obje
   const text = formatter.text("wind_speed", speed, state.system);
   const behind = reach + far * 0.025;
   const tail: Vector = [middle[0] - blows[0] * behind, middle[1], middle[2] - blows[2] * behind];
-  return [blowing, said(stage, `wind ${text}`, "--face", tail, [0.5, 0.5])];
+  return [blowing, label(stage, `wind ${text}`, "--face", tail, [0.5, 0.5])];
 }

@@ -2,7 +2,7 @@
 
 import type { Group, Mesh, Object3D } from "three";
 import type { Stage } from "../../parts/stage";
-import { word } from "../../parts/stage-objects";
+import { label } from "../../parts/stage-objects";
 import type { Vector } from "../../parts/vectors";
 import { NARROW } from "./range-camera";
 import type { Extent } from "./range-content";
@@ -25,7 +25,6 @@ export function layTurf(stage: Stage, group: Group, extent: Extent, { metres, sy
   const half = extent.side + 10 * metres;
   const far = extent.far + STEP * 0.2 * metres;
   const near = -10 * metres;
-  const ink = colour("--ink");
   const patch = (x: [number, number], z: [number, number], variable: string, order: number): Mesh => {
     const mesh = new three.Mesh(
       new three.PlaneGeometry(x[1] - x[0], z[1] - z[0]).rotateX(-Math.PI / 2),
@@ -44,14 +43,8 @@ export function layTurf(stage: Stage, group: Group, extent: Extent, { metres, sy
     result.renderOrder = LAYERS.line;
     return result;
   };
-  const label = (text: string, at: Vector, anchor: readonly [number, number]): Object3D => {
-    const sprite = word(stage, text, ink);
-    sprite.center.set(...anchor);
-    sprite.position.set(...at);
-    return sprite;
-  };
   // Distances stand on the left of the range, or on the right where that is below on the screen.
-  // On a narrow picture what is written beside the range stands on it.
+  // On a narrow picture the labels of the distances stand on the range.
   const isNarrow = stage.camera.aspect < 1.3;
   const isAcross = view === "side" || (view === "above" && stage.camera.aspect >= 1);
   const [marked, anchor] = isAcross ? [half, [0.5, 1] as const] : [-half, [isNarrow ? -0.05 : 1.05, 0.5] as const];
@@ -60,14 +53,14 @@ export function layTurf(stage: Stage, group: Group, extent: Extent, { metres, sy
     const ends: [number, number] = [at * metres, Math.min((at + STEP) * metres, far)];
     if ((at / STEP) % 2 === 0) group.add(patch(ends, [-half, half], "--turf-stripe", LAYERS.stripe));
     group.add(line([ends[0], 0, -half], [ends[0], 0, half], "--turf-line"));
-    if (at > 0) group.add(label(`${at} ${symbol}`, [ends[0], 0, marked], anchor));
+    if (at > 0) group.add(label(stage, `${at} ${symbol}`, "--ink", [ends[0], 0, marked], anchor));
   }
   const sideStep = half > 120 * metres ? 2 * SIDE_STEP : SIDE_STEP;
   for (let at = sideStep; at * metres < half; at += sideStep)
     for (const side of [-at, at]) {
       group.add(line([near, 0, side * metres], [far, 0, side * metres], "--turf-line"));
       if (view === "side") continue;
-      group.add(label(`${at}`, [near, 0, side * metres], isAcross ? [1.1, 0.5] : [0.5, 1]));
+      group.add(label(stage, `${at}`, "--ink", [near, 0, side * metres], isAcross ? [1.1, 0.5] : [0.5, 1]));
     }
   group.add(patch([near, far], [-0.15 * metres, 0.15 * metres], "--ink", LAYERS.line));
   if (view !== "above") ruler();
@@ -85,7 +78,7 @@ export function layTurf(stage: Stage, group: Group, extent: Extent, { metres, sy
       const high = at * metres;
       const end: Vector = view === "side" ? [far, high, edge] : [0, high, edge - 3 * metres];
       group.add(line([0, high, edge], end, view === "side" ? "--turf-line" : "--ink"));
-      group.add(label(at === top ? `${at} ${symbol} high` : `${at}`, [0, high, edge], anchor));
+      group.add(label(stage, at === top ? `${at} ${symbol} high` : `${at}`, "--ink", [0, high, edge], anchor));
     }
   }
 }

@@ -6,7 +6,7 @@ import { settingField } from "../../parts/field";
 import { CONDITIONS } from "../../state/conditions";
 import type { SettingValue } from "../../state/settings";
 import { outputOf } from "../../state/store";
-import { Found, type Lesson, Setup, type Slider } from "./lesson";
+import { type Lesson, LessonResult, Setup, type Slider } from "./lesson";
 import { LESSONS } from "./lessons";
 import { LEARN_SETTINGS, LESSON_SLIDERS } from "./settings";
 import "./learn.css";
@@ -98,23 +98,23 @@ function lessonView(context: Context, lesson: Lesson): TemplateResult {
   const failure = Object.values(results.cases).find((each) => each.failure)?.failure;
   const curves = outputOf(context.model, "lessonCurves", `curves of ${lesson.name}`) ?? {};
   const steady = outputOf(context.model, "lessonCases", `steady of ${lesson.name}`)?.cases ?? {};
-  const told = failure ? null : lesson.tell(new Found(context, lesson, results, curves, steady));
+  const content = failure ? null : lesson.content(new LessonResult(context, lesson, results, curves, steady));
   return html`
     <div class="lesson">
-      <section class="told" aria-label="The claim">${told?.text ?? nothing}</section>
-      <section class="asked" aria-labelledby="question">
+      <section class="claim" aria-label="The claim">${content?.text ?? nothing}</section>
+      <section class="exercise" aria-labelledby="question">
         <h3 id="question">Question</h3>
-        <p class="question">${told?.question ?? nothing}</p>
+        <p class="question">${content?.question ?? nothing}</p>
         ${lesson.sliders.map((slider) => sliderField(context, slider))}
-        <p class="so-far">${told?.now ?? html`This strike cannot be computed: ${failure?.message}.`}</p>
-        <p class=${told?.isSolved ? "verdict solved" : "verdict"} role="status">
-          ${told?.isSolved ? "Solved." : "Not solved yet."}
+        <p class="so-far">${content?.now ?? html`This strike cannot be computed: ${failure?.message}.`}</p>
+        <p class=${content?.isSolved ? "verdict solved" : "verdict"} role="status">
+          ${content?.isSolved ? "Solved." : "Not solved yet."}
         </p>
-        <details class="answer" ?open=${told?.isSolved}><summary>Show the answer</summary><p>${told?.answer ?? nothing}</p></details>
+        <details class="answer" ?open=${content?.isSolved}><summary>Show the answer</summary><p>${content?.answer ?? nothing}</p></details>
         ${takeToShot(context, lesson)}
       </section>
-      <section class="drawn" aria-label="Pictures of this strike">${told?.pictures ?? nothing}</section>
-      ${told?.sources ? html`<p class="remark">Published figures: ${told.sources.join("; ")}.</p>` : nothing}
+      <section class="drawn" aria-label="Pictures of this strike">${content?.pictures ?? nothing}</section>
+      ${content?.sources ? html`<p class="remark">Published figures: ${content.sources.join("; ")}.</p>` : nothing}
     </div>
   `;
 }

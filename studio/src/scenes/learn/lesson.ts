@@ -22,7 +22,7 @@ export interface Slider {
 }
 
 /** A lesson as it stands with its sliders. */
-export interface Told {
+export interface LessonContent {
   text: TemplateResult;
   pictures: TemplateResult[];
   question: TemplateResult;
@@ -50,7 +50,7 @@ export interface Lesson {
   steady?(setup: Setup): Record<string, Case>;
   /** Curves that come a moment later. */
   curves?(setup: Setup): Record<string, Curve>;
-  tell(found: Found): Told;
+  content(result: LessonResult): LessonContent;
 }
 
 /** The replaced parts of a strike: club, ball or model, inputs in SI, and parameters of the model. */
@@ -100,8 +100,8 @@ export class Setup {
   }
 }
 
-/** What was computed, and how it is said. */
-export class Found {
+/** What was computed for a lesson, as values and as text. */
+export class LessonResult {
   readonly setup: Setup;
 
   constructor(
@@ -143,9 +143,9 @@ export class Found {
   }
 
   /** The same with its meaning, and its value in SI behind it. */
-  say(quantity: string, si: number): TemplateResult {
+  number(quantity: string, si: number): TemplateResult {
     const { meaning, label } = this.context.formatter.quantity(quantity);
-    return said(this.text(quantity, si), si, `${label}: ${meaning}`);
+    return dataElement(this.text(quantity, si), si, `${label}: ${meaning}`);
   }
 
   /** The same without the word for its side, where the sentence has it. */
@@ -153,7 +153,7 @@ export class Found {
     const { formatter, state } = this.context;
     const { number, unit } = formatter.show(quantity, si, state.system);
     const { meaning, label } = formatter.quantity(quantity);
-    return said(join(number, unit), si, `${label}: ${meaning}`);
+    return dataElement(join(number, unit), si, `${label}: ${meaning}`);
   }
 
   /** A place on the face: "15.0 mm towards the toe". */
@@ -161,7 +161,7 @@ export class Found {
     const { formatter, state } = this.context;
     const { number, unit, side } = formatter.show("toe", si, state.system);
     const { meaning, label } = formatter.quantity("toe");
-    return said(join(number, unit, side && `towards the ${side}`), si, `${label}: ${meaning}`);
+    return dataElement(join(number, unit, side && `towards the ${side}`), si, `${label}: ${meaning}`);
   }
 
   /** A difference, whose sign is one of two words, such as "less" and "more". */
@@ -170,7 +170,7 @@ export class Found {
     const { unit, digits } = formatter.reading(quantity, state.system);
     const value = formatter.units.differenceFromSi(si, unit);
     const number = formatter.format(Math.abs(value), digits);
-    return said(
+    return dataElement(
       join(number, formatter.units.symbol(unit), sideOf(words, value, digits)),
       si,
       `difference of ${formatter.quantity(quantity).label}`,
@@ -179,12 +179,12 @@ export class Found {
 
   /** A share in per cent. */
   share(value: number, meaning: string): TemplateResult {
-    return said(`${this.context.formatter.format(100 * value, 0)}%`, value, meaning);
+    return dataElement(`${this.context.formatter.format(100 * value, 0)}%`, value, meaning);
   }
 }
 
 /** A number that is not there yet is an ellipsis. */
-const said = (text: string, value: number, meaning: string): TemplateResult =>
+const dataElement = (text: string, value: number, meaning: string): TemplateResult =>
   html`<data value=${String(value)} title=${meaning}>${Number.isFinite(value) ? text : "…"}</data>`;
 
 /** `count` values from the one to the other. */

@@ -1,4 +1,4 @@
-/** Colours of values: even steps of lightness, and for what has a middle two hues that everybody can tell apart. */
+/** Colours of values: even steps of lightness, and for what has a middle two hues that everybody can distinguish. */
 
 export type Colour = readonly [red: number, green: number, blue: number];
 

@@ -148,6 +148,6 @@ export const isOnFace = (outlines: Place[][], [toe, high]: Place): boolean =>
     return turns.every((turn) => turn >= -1e-12) || turns.every((turn) => turn <= 1e-12);
   });
 
-/** The value at a point of the face [SI]; NaN beside it. */
+/** The value at a point of the face [SI]; NaN off the face. */
 export const shownAt = ({ field, outlines }: Shown, place: Place): number =>
   isOnFace(outlines, place) ? valueAt(field, place) : Number.NaN;

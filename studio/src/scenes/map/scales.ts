@@ -49,7 +49,7 @@ export function bandShare(scale: ValueScale, levels: readonly number[], value: n
   return scale.share(((levels[place - 1] ?? scale.ends[0]) + (levels[place] ?? scale.ends[1])) / 2);
 }
 
-/** Digits that tell round numbers apart. */
+/** Decimals that distinguish round numbers. */
 export function levelDigits(levels: readonly number[]): number {
   const steps = levels.slice(1).map((level, i) => level - levels[i]);
   return Math.max(0, ...steps.map((step) => -Math.floor(Math.log10(Math.abs(step) * 1.000001))));

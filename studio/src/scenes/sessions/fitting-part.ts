@@ -24,7 +24,7 @@ export function fittingPart(context: Context): TemplateResult {
       <h2 id="fitting">Which club, ball and loft for this golfer?</h2>
       ${file.state === "there" ? wishesForm(context) : noFile()}
       <div role="status">${fitting.state === "there" ? progress(context, fitting.value) : waiting(fitting, "The fitting begins")}</div>
-      ${fitting.state === "there" && fitting.value.result ? found(context, fitting.value) : nothing}
+      ${fitting.state === "there" && fitting.value.result ? fittingResult(context, fitting.value) : nothing}
     </section>
   `;
 }
@@ -111,7 +111,7 @@ function progress(context: Context, { state, done, whole, step, mistake }: Job):
   `;
 }
 
-function found(context: Context, { job, result }: Job): TemplateResult {
+function fittingResult(context: Context, { job, result }: Job): TemplateResult {
   if (!result) return html``;
   return html`
     ${summary(result)}

@@ -31,7 +31,7 @@ interface Range {
   series(club: string): number;
 }
 
-/** `name` tells the pictures of a page apart. */
+/** `name` is unique among the pictures of a page. */
 export function rangePicture(context: Context, name: string, rows: readonly ShotRow[]): TemplateResult {
   const drawn = rows.filter((row) => landing(row) !== null);
   return html`<div data-sized=${name} class="range">

@@ -47,15 +47,15 @@ function drawing([backspin, sidespin]: readonly [number, number], label: string)
   // From behind, right and up: the axis of backspin points right, the near side of the ball then moves down.
   const axis: Point = [backspin / whole, -sidespin / whole];
   const lift: Point = [sidespin / whole, backspin / whole];
-  const at = ([right, up]: Point, far: number, [across, over]: Point = [0, 0], beside = 0): [number, number] => [
-    right * far + across * beside,
-    -(up * far + over * beside),
+  const at = ([right, up]: Point, far: number, [across, over]: Point = [0, 0], sideways = 0): [number, number] => [
+    right * far + across * sideways,
+    -(up * far + over * sideways),
   ];
   const line = (kind: string, [x1, y1]: [number, number], [x2, y2]: [number, number]): TemplateResult =>
     svg`<line class=${kind} x1=${x1} y1=${y1} x2=${x2} y2=${y2}></line>` as TemplateResult;
   const head = (kind: string, tip: [number, number], [right, up]: Point): TemplateResult => {
-    const corner = (back: number, beside: number): string =>
-      `${tip[0] - right * back - up * beside},${tip[1] + up * back - right * beside}`;
+    const corner = (back: number, out: number): string =>
+      `${tip[0] - right * back - up * out},${tip[1] + up * back - right * out}`;
     return svg`<polygon class=${kind} points=${`${tip.join(",")} ${corner(7, 3.5)} ${corner(7, -3.5)}`}></polygon>` as TemplateResult;
   };
   const down: Point = [-lift[0], -lift[1]];

@@ -25,7 +25,7 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
     face: end(delivered(context, "face"), REACH * landing[0]),
     start: end(values.azimuth, landing[0]),
   };
-  // Where the ball would be beside its landing if it had not curved.
+  // Where the ball would have come down, level with its landing, if it had not curved.
   const onStart = end(values.azimuth, landing[0] * Math.cos(values.azimuth) + landing[1] * Math.sin(values.azimuth));
   const shown = [
     ...path.map(([, , right]) => right),

@@ -29,15 +29,15 @@ export const curve: Lesson = {
   curves: (setup) => ({
     path: { strike: setup.strike(), by: "path", values: spread(-0.18, 0.18, 73) },
   }),
-  tell: (found) => {
-    const { straight_curve: straight } = found.context.description.shot_shapes;
-    const { start_shares: shares } = found.context.equipment.lessons;
-    const { values } = found.case("now");
-    const [path, face] = [found.at("curve_path"), found.at("curve_face")];
-    const delivery = found.setup.delivery;
+  content: (result) => {
+    const { straight_curve: straight } = result.context.description.shot_shapes;
+    const { start_shares: shares } = result.context.equipment.lessons;
+    const { values } = result.case("now");
+    const [path, face] = [result.at("curve_path"), result.at("curve_face")];
+    const delivery = result.setup.delivery;
     const [published, spreadOfIt] = shares.rows.driver;
-    const share = 1 - (found.value("straight", "azimuth") - values.azimuth) / (face - path);
-    const over = found.curve("path");
+    const share = 1 - (result.value("straight", "azimuth") - values.azimuth) / (face - path);
+    const over = result.curve("path");
     const curves = over
       ? Array.from(over.x, (_, i) => curveShare({ curve: over.y.curve[i], carry: over.y.carry[i] }))
       : [];
@@ -49,34 +49,34 @@ export const curve: Lesson = {
           Path and face are two directions.
           ${
             Math.abs(face - path) > 0.01
-              ? html`The ball starts ${found.share(share, "share of the way from path to face")} of the way from path to face;`
+              ? html`The ball starts ${result.share(share, "share of the way from path to face")} of the way from path to face;`
               : html`Where they agree the ball starts along both;`
           }
-          motion capture found ${found.share(published, "published share")} ± ${found.share(spreadOfIt, "its spread")} for
+          motion capture result ${result.share(published, "published share")} ± ${result.share(spreadOfIt, "its spread")} for
           drivers, a little less. And it has one spin, not two: it turns about an axis square to the plane of path and face,
           the D-plane. A face right of the path tilts this axis to the right, and the ball banks that way like an aeroplane;
-          the axis is now ${found.say("spin_axis", values.spin_axis)}. So the face says where the ball starts, and the
+          the axis is now ${result.number("spin_axis", values.spin_axis)}. So the face says where the ball starts, and the
           difference of both where it curves.
         </p>`,
       pictures: [
-        dPlanePicture(found, {
+        dPlanePicture(result, {
           path: { right: path, up: delivery.attack },
           face: { right: face, up: delivery.loft },
           start: { right: values.azimuth, up: values.launch },
           spinAxis: values.spin_axis,
         }),
-        flightsPicture(found, "curve", [
+        flightsPicture(result, "curve", [
           { kind: "faded", label: "path as the face", case: "straight" },
           { kind: "yours", label: "yours", case: "now" },
         ]),
       ],
       question: html`The face points right of the target. How far to the right must the path go until the ball draws: until
-      it curves left by more than ${found.share(straight, "limit of a straight shot")} of its carry?`,
-      now: html`Path ${found.say("path", path)}, face ${found.say("face", face)}: the ball curves
-      ${found.share(Math.abs(curved), "curve over carry")} of its carry to the ${curved < 0 ? "left" : "right"} and lands
-      ${found.say("side", values.side)}.`,
+      it curves left by more than ${result.share(straight, "limit of a straight shot")} of its carry?`,
+      now: html`Path ${result.number("path", path)}, face ${result.number("face", face)}: the ball curves
+      ${result.share(Math.abs(curved), "curve over carry")} of its carry to the ${curved < 0 ? "left" : "right"} and lands
+      ${result.number("side", values.side)}.`,
       isSolved: face > 0 && curved < -straight,
-      answer: html`From ${found.say("path", enough)} on, with the face ${found.say("face", face)}: the path must be right of
+      answer: html`From ${result.number("path", enough)} on, with the face ${result.number("face", face)}: the path must be right of
       the face, not only right of the target.`,
       sources: [shares.source],
     };

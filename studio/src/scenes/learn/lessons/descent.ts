@@ -32,26 +32,26 @@ export const descent: Lesson = {
     attack: { strike: setup.strike(), by: "attack", values: spread(-12 * DEGREE, 4 * DEGREE, 33) },
     loft: { strike: setup.strike({ values: { attack: DOWN } }), by: "loft", values: spread(0.2, 0.6, 41) },
   }),
-  tell: (found) => {
-    const { values } = found.case("now");
-    const [attack, loft] = [found.at("descent_attack"), found.at("descent_loft")];
-    const start = found.value("start", "backspin");
-    const [over, lofts] = [found.curve("attack"), found.curve("loft")];
+  content: (result) => {
+    const { values } = result.case("now");
+    const [attack, loft] = [result.at("descent_attack"), result.at("descent_loft")];
+    const start = result.value("start", "backspin");
+    const [over, lofts] = [result.curve("attack"), result.curve("loft")];
     const answer = lofts ? crossing(lofts.x, lofts.y.backspin, start) : Number.NaN;
-    const more = found.value("further", "backspin") - values.backspin;
+    const more = result.value("further", "backspin") - values.backspin;
     return {
       text: html`
         <p>
           Backspin comes from the angle between the way of the head and the way the face points: the spin loft, now
-          ${found.say("loft", loft - attack)}. Hit ${found.difference("attack", FURTHER, ["further down", "up"])} with the same
-          loft and the angle opens: the ball spins ${found.difference("backspin", more, ["less", "more"])}. But who hits down
+          ${result.number("loft", loft - attack)}. Hit ${result.difference("attack", FURTHER, ["further down", "up"])} with the same
+          loft and the angle opens: the ball spins ${result.difference("backspin", more, ["less", "more"])}. But who hits down
           usually has the hands ahead, and that takes loft off the club. If both turn by as much, it is the same strike aimed
           lower: same spin loft, same spin, lower launch. So it is not the ground, and no pinching of the ball, that makes the
           spin.
         </p>`,
       pictures: [
-        anglesPicture(found, { attack, loft, launch: values.launch }),
-        chartFrame(found.context, {
+        anglesPicture(result, { attack, loft, launch: values.launch }),
+        chartFrame(result.context, {
           name: "lesson-descent",
           title: "Backspin over attack angle, with this loft",
           x: { label: "attack angle", quantity: "attack" },
@@ -60,13 +60,13 @@ export const descent: Lesson = {
           mark: attack,
         }),
       ],
-      question: html`Hit ${found.say("attack", DOWN)} or more and keep the spin of the beginning,
-      ${found.say("backspin", start)}, within ${found.say("backspin", NEAR)}. How much loft must go?`,
-      now: html`Attack ${found.say("attack", attack)}, loft ${found.say("loft", loft)}: ${found.say("backspin", values.backspin)},
-      launched ${found.say("launch", values.launch)}.`,
+      question: html`Hit ${result.number("attack", DOWN)} or more and keep the spin of the beginning,
+      ${result.number("backspin", start)}, within ${result.number("backspin", NEAR)}. How much loft must go?`,
+      now: html`Attack ${result.number("attack", attack)}, loft ${result.number("loft", loft)}: ${result.number("backspin", values.backspin)},
+      launched ${result.number("launch", values.launch)}.`,
       isSolved: attack <= DOWN * (1 - 1e-9) && Math.abs(values.backspin - start) <= NEAR,
-      answer: html`As much as the blow went down: ${found.say("loft", answer)} of loft at ${found.say("attack", DOWN)}, which
-      is ${found.say("loft", answer - DOWN)} of spin loft as before.`,
+      answer: html`As much as the blow went down: ${result.number("loft", answer)} of loft at ${result.number("attack", DOWN)}, which
+      is ${result.number("loft", answer - DOWN)} of spin loft as before.`,
     };
   },
 };

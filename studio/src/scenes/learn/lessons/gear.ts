@@ -1,4 +1,4 @@
-/** Gear effect: a strike beside the centre turns head and ball like two gears, and bulge answers it. */
+/** Gear effect: a strike off the centre turns head and ball like two gears, and bulge answers it. */
 
 import { html } from "lit-html";
 import { crossing, type Lesson, spread } from "../lesson";
@@ -36,27 +36,27 @@ export const gear: Lesson = {
     };
   },
   curves: (setup) => ({ bulge: { strike: setup.strike(), by: "bulge", values: spread(0.2, 1.2, 51) } }),
-  tell: (found) => {
-    const { values } = found.case("now");
-    const { clubs } = found.context.equipment;
-    const [toe, bulge] = [found.at("gear_toe"), found.at("gear_bulge")];
-    const over = found.curve("bulge");
+  content: (result) => {
+    const { values } = result.case("now");
+    const { clubs } = result.context.equipment;
+    const [toe, bulge] = [result.at("gear_toe"), result.at("gear_bulge")];
+    const over = result.curve("bulge");
     const right = over ? crossing(over.x, over.y.side) : Number.NaN;
-    const depth = (club: string) => found.say("cg_x", clubs[club].columns.cg_x ?? Number.NaN);
+    const depth = (club: string) => result.number("cg_x", clubs[club].columns.cg_x ?? Number.NaN);
     return {
       text: html`
         <p>
-          Struck ${found.towards(toe)}, the head turns about its centre of gravity, ${depth("driver")} behind the face.
+          Struck ${result.towards(toe)}, the head turns about its centre of gravity, ${depth("driver")} behind the face.
           The face slides sideways under the ball and turns it the other way, like two gears: the spin axis is
-          ${found.say("spin_axis", values.spin_axis)}. From a flat face the ball would land
-          ${found.say("side", found.value("flat", "side"))}. A bulged face points away from the target where it is struck, so
-          that the ball starts ${found.say("azimuth", values.azimuth)} and curves back. A 7-iron's centre of gravity lies
+          ${result.number("spin_axis", values.spin_axis)}. From a flat face the ball would land
+          ${result.number("side", result.value("flat", "side"))}. A bulged face points away from the target where it is struck, so
+          that the ball starts ${result.number("azimuth", values.azimuth)} and curves back. A 7-iron's centre of gravity lies
           ${depth("7-iron")} behind the face: struck as far out, its spin axis is
-          ${found.say("spin_axis", found.value("iron", "spin_axis"))}, and its face is flat. How strong the gear effect is,
+          ${result.number("spin_axis", result.value("iron", "spin_axis"))}, and its face is flat. How strong the gear effect is,
           few have measured.
         </p>`,
       pictures: [
-        headPicture(found, {
+        headPicture(result, {
           seen: "above",
           radius: bulge,
           struck: toe,
@@ -65,24 +65,24 @@ export const gear: Lesson = {
           headTurn: values.club_spin_y,
           ballTurn: -values.sidespin,
           words: {
-            start: `the ball starts ${found.text("azimuth", values.azimuth)}`,
-            ball: `the ball turns: sidespin ${found.text("sidespin", values.sidespin)}`,
-            head: `the head turns: ${found.text("closure", values.club_spin_y)}`,
+            start: `the ball starts ${result.text("azimuth", values.azimuth)}`,
+            ball: `the ball turns: sidespin ${result.text("sidespin", values.sidespin)}`,
+            head: `the head turns: ${result.text("closure", values.club_spin_y)}`,
           },
         }),
-        flightsPicture(found, "gear", [
+        flightsPicture(result, "gear", [
           { kind: "faded", label: "centre", case: "centre" },
           { kind: "other", label: "as far on the other side", case: "opposite" },
           { kind: "yours", label: "yours", case: "now" },
         ]),
       ],
-      question: html`Struck ${found.towards(found.setup.usual("gear_toe"))} on this nearly flat face, the ball hooks. Round
-      the face: at which bulge does it land within ${found.say("carry", NEAR)} of the target line?`,
-      now: html`With a bulge of ${found.say("bulge", bulge)} the ball struck ${found.towards(toe)} lands
-      ${found.say("side", values.side)}.`,
+      question: html`Struck ${result.towards(result.setup.usual("gear_toe"))} on this nearly flat face, the ball hooks. Round
+      the face: at which bulge does it land within ${result.number("carry", NEAR)} of the target line?`,
+      now: html`With a bulge of ${result.number("bulge", bulge)} the ball struck ${result.towards(toe)} lands
+      ${result.number("side", values.side)}.`,
       isSolved: toe >= LEAST_TOE && Math.abs(values.side) <= NEAR,
-      answer: html`At about ${found.say("bulge", right)}, struck ${found.towards(toe)}. The driver here has
-      ${found.say("bulge", clubs.driver.columns.bulge ?? Number.NaN)}.`,
+      answer: html`At about ${result.number("bulge", right)}, struck ${result.towards(toe)}. The driver here has
+      ${result.number("bulge", clubs.driver.columns.bulge ?? Number.NaN)}.`,
     };
   },
 };

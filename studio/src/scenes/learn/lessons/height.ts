@@ -36,26 +36,26 @@ export const height: Lesson = {
     };
   },
   curves: (setup) => ({ high: { strike: setup.strike(), by: "high", values: spread(-0.018, 0.018, 37) } }),
-  tell: (found) => {
-    const { values } = found.case("now");
-    const high = found.at("height_high");
-    const { columns } = found.context.equipment.clubs.driver;
-    const over = found.curve("high");
+  content: (result) => {
+    const { values } = result.case("now");
+    const high = result.at("height_high");
+    const { columns } = result.context.equipment.clubs.driver;
+    const over = result.curve("high");
     const [best, longest] = over ? peak(over.x, over.y.carry) : [Number.NaN, Number.NaN];
     const lower = (model: string) =>
-      found.difference(
+      result.difference(
         "backspin",
-        found.value(`lowIronBy${model}`, "backspin") - found.value(`ironBy${model}`, "backspin"),
+        result.value(`lowIronBy${model}`, "backspin") - result.value(`ironBy${model}`, "backspin"),
         ["less", "more"],
       );
     return {
       text: html`
         <p>
           The face of a driver is curved upwards too: higher on it there is more loft. And struck above its centre of gravity
-          the head turns back and, like a gear, turns the ball forwards. Struck ${found.say("high", high)} this drive launches
-          ${found.say("launch", values.launch)} with ${found.say("backspin", values.backspin)}; from the centre it is
-          ${found.say("launch", found.value("centre", "launch"))} with
-          ${found.say("backspin", found.value("centre", "backspin"))}. Ball speed falls on the way up, so that there is a best
+          the head turns back and, like a gear, turns the ball forwards. Struck ${result.number("high", high)} this drive launches
+          ${result.number("launch", values.launch)} with ${result.number("backspin", values.backspin)}; from the centre it is
+          ${result.number("launch", result.value("centre", "launch"))} with
+          ${result.number("backspin", result.value("centre", "backspin"))}. Ball speed falls on the way up, so that there is a best
           height.
         </p>
         <p>
@@ -63,21 +63,21 @@ export const height: Lesson = {
           <code>standard</code> ${lower("Standard")} backspin.
         </p>`,
       pictures: [
-        headPicture(found, {
+        headPicture(result, {
           seen: "side",
           radius: columns.roll ?? Number.POSITIVE_INFINITY,
           struck: high,
-          face: found.at("height_loft"),
+          face: result.at("height_loft"),
           start: values.launch,
           headTurn: values.club_spin_z,
           ballTurn: values.backspin,
           words: {
-            start: `the ball launches ${found.text("launch", values.launch)}`,
-            ball: `the ball turns: backspin ${found.text("backspin", values.backspin)}`,
-            head: `the loft of the head turns: ${found.text("pitch_rate", values.club_spin_z)}`,
+            start: `the ball launches ${result.text("launch", values.launch)}`,
+            ball: `the ball turns: backspin ${result.text("backspin", values.backspin)}`,
+            head: `the loft of the head turns: ${result.text("pitch_rate", values.club_spin_z)}`,
           },
         }),
-        chartFrame(found.context, {
+        chartFrame(result.context, {
           name: "lesson-height",
           title: "Carry over strike height",
           x: { label: "up the face", quantity: "high" },
@@ -87,10 +87,10 @@ export const height: Lesson = {
         }),
       ],
       question: html`How high on the face does this drive carry farthest? Move the strike there.`,
-      now: html`Struck ${found.say("high", high)} it has ${found.say("ball_speed", values.ball_speed)} of ball speed and
-      carries ${found.say("carry", values.carry)}.`,
+      now: html`Struck ${result.number("high", high)} it has ${result.number("ball_speed", values.ball_speed)} of ball speed and
+      carries ${result.number("carry", values.carry)}.`,
       isSolved: values.carry >= NEAR * longest,
-      answer: html`About ${found.say("high", best)} on the face: ${found.say("carry", longest)}. With another loft it is
+      answer: html`About ${result.number("high", best)} on the face: ${result.number("carry", longest)}. With another loft it is
       another height: less loft asks for a higher strike.`,
     };
   },

@@ -1,7 +1,7 @@
 /** Why two monitors disagree: they measure at other places, compute what they do not see, and normalise. */
 
 import { html } from "lit-html";
-import type { Found, Lesson } from "../lesson";
+import type { Lesson, LessonResult } from "../lesson";
 import { monitorsTable } from "../pictures/monitors-table";
 import { twoPathsPicture } from "../pictures/two-paths";
 
@@ -13,7 +13,8 @@ const NEAR = 0.2 * DEGREE;
 const EXAMPLE = 1000 * DEGREE;
 
 /** How fast the centre of the face moves to the right at first touch [m/s]: the ball is at rest, and slides the other way. */
-const sideways = (found: Found, name: string): number => -(found.case(name).history?.sliding_z.values[0] ?? Number.NaN);
+const sideways = (result: LessonResult, name: string): number =>
+  -(result.case(name).history?.sliding_z.values[0] ?? Number.NaN);
 
 export const monitors: Lesson = {
   name: "monitors",
@@ -48,35 +49,35 @@ export const monitors: Lesson = {
       },
     };
   },
-  tell: (found) => {
-    const { delivery } = found.setup;
-    const { equipment, description } = found.context;
+  content: (result) => {
+    const { delivery } = result.setup;
+    const { equipment, description } = result.context;
     const { value: ratio, source } = equipment.lessons.loft_ratio;
     const { ball_mass, ball_radius, ball_inertia } = equipment.balls.published.columns;
-    const { values } = found.case("today");
-    const closure = found.at("monitors_closure");
+    const { values } = result.case("today");
+    const closure = result.at("monitors_closure");
     const forwards = delivery.speed * Math.cos(delivery.attack);
-    const facePath = Math.atan2(sideways(found, "touch"), forwards);
-    const answer = (EXAMPLE * forwards * Math.tan(APART)) / sideways(found, "example");
+    const facePath = Math.atan2(sideways(result, "touch"), forwards);
+    const answer = (EXAMPLE * forwards * Math.tan(APART)) / sideways(result, "example");
     const rolling = (ball_inertia * values.backspin) / (ball_mass * ball_radius);
     const computedLoft = values.launch + Math.asin(rolling / (ratio * values.ball_speed));
     const usual = description.flight_inputs.find(({ name }) => name === "temperature")?.default ?? Number.NaN;
-    const [today, normal] = [values.carry, found.value("normal", "carry")];
+    const [today, normal] = [values.carry, result.value("normal", "carry")];
     return {
       text: html`
         <p>
           A radar follows the middle of the head, a camera its face. A face that closes swings its centre to the left: at
-          ${found.size("closure", closure)} the camera sees a path of ${found.say("path", facePath)}, the radar
-          ${found.say("path", delivery.path)}. The radar's loft is that of the point struck, computed from the ball as if a
-          rigid one had rolled off: ${found.say("loft", computedLoft)}, where the middle of the face had
-          ${found.say("loft", delivery.loft)}. One carry is that of the day, ${found.say("carry", today)} at
-          ${found.say("temperature", found.at("monitors_temperature"))}, the other is normalised: ${found.say("carry", normal)}
-          at ${found.say("temperature", usual)}. Spin is measured by some and estimated by others. Ask what a number is of
+          ${result.size("closure", closure)} the camera sees a path of ${result.number("path", facePath)}, the radar
+          ${result.number("path", delivery.path)}. The radar's loft is that of the point struck, computed from the ball as if a
+          rigid one had rolled off: ${result.number("loft", computedLoft)}, where the middle of the face had
+          ${result.number("loft", delivery.loft)}. One carry is that of the day, ${result.number("carry", today)} at
+          ${result.number("temperature", result.at("monitors_temperature"))}, the other is normalised: ${result.number("carry", normal)}
+          at ${result.number("temperature", usual)}. Spin is measured by some and estimated by others. Ask what a number is of
           before you compare it.
         </p>`,
       pictures: [
-        twoPathsPicture(found, { mass: delivery.path, face: facePath, closure }),
-        monitorsTable(found, [
+        twoPathsPicture(result, { mass: delivery.path, face: facePath, closure }),
+        monitorsTable(result, [
           { quantity: "path", radar: delivery.path, camera: facePath, why: "middle of the head, or of the face" },
           {
             quantity: "loft",
@@ -87,11 +88,11 @@ export const monitors: Lesson = {
           { quantity: "carry", radar: normal, camera: today, why: "normalised, or of the day" },
         ]),
       ],
-      question: html`The radar says that the path is ${found.say("path", delivery.path)}, the camera that it is
-      ${found.say("path", APART)}, within ${found.say("loft", NEAR)}. How fast does the face close?`,
-      now: html`Closing at ${found.size("closure", closure)}, the camera sees a path of ${found.say("path", facePath)}.`,
+      question: html`The radar says that the path is ${result.number("path", delivery.path)}, the camera that it is
+      ${result.number("path", APART)}, within ${result.number("loft", NEAR)}. How fast does the face close?`,
+      now: html`Closing at ${result.size("closure", closure)}, the camera sees a path of ${result.number("path", facePath)}.`,
       isSolved: Math.abs(facePath - APART) <= NEAR,
-      answer: html`At about ${found.size("closure", answer)}:
+      answer: html`At about ${result.size("closure", answer)}:
       the deeper the centre of gravity behind the face, the more the two paths differ.`,
       sources: [equipment.lessons.club_data.source, source],
     };

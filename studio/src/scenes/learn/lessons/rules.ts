@@ -2,10 +2,10 @@
 
 import { html } from "lit-html";
 import { chartFrame } from "../../../parts/chart";
-import { type Found, type Lesson, type Setup, spread } from "../lesson";
+import { type Lesson, type LessonResult, type Setup, spread } from "../lesson";
 import { isWithin, type Limited, limitsPicture } from "../pictures/limits";
 
-/** Strikes beside the centre [m], and the carry that is asked for [m]. */
+/** Distance of the strikes from the centre [m], and the carry to be gained [m]. */
 const TOE = 0.02;
 const GAIN = 16.5;
 
@@ -27,8 +27,8 @@ function greatest({ context }: Setup): { characteristic_time: number; iyy: numbe
 }
 
 /** Speed of parting over speed of meeting, along the normal. */
-const restitution = (found: Found, name: string): number =>
-  (found.value(name, "velocity_x") - found.value(name, "club_velocity_x")) / found.setup.delivery.speed;
+const restitution = (result: LessonResult, name: string): number =>
+  (result.value(name, "velocity_x") - result.value(name, "club_velocity_x")) / result.setup.delivery.speed;
 
 export const rules: Lesson = {
   name: "rules",
@@ -65,29 +65,29 @@ export const rules: Lesson = {
       limit: { strike: setup.strike({ values: greatest(setup) }), by: "toe", values },
     };
   },
-  tell: (found) => {
-    const { rules: all } = found.context.equipment.lessons;
-    const [time, inertia] = [found.at("rules_time"), found.at("rules_inertia")];
+  content: (result) => {
+    const { rules: all } = result.context.equipment.lessons;
+    const [time, inertia] = [result.at("rules_time"), result.at("rules_inertia")];
     const heads = limited(time, inertia);
-    const gained = found.value("now", "carry") - found.value("start", "carry");
-    const fits = heads.every((each) => isWithin(found, each));
-    const [now, limit] = [found.curve("now"), found.curve("limit")];
-    const most = greatest(found.setup);
+    const gained = result.value("now", "carry") - result.value("start", "carry");
+    const fits = heads.every((each) => isWithin(result, each));
+    const [now, limit] = [result.curve("now"), result.curve("limit")];
+    const most = greatest(result.setup);
     return {
       text: html`
         <p>
           A face that gives sends the ball off faster. The rules measure how long a small steel ball stays on it: at most
-          ${found.say("characteristic_time", all.characteristic_time.most)}, with
-          ${found.say("characteristic_time", all.characteristic_time.tolerance)} of tolerance. From a rigid face to there the
-          restitution of this ball and head grows from ${found.say("restitution", restitution(found, "rigid"))} to
-          ${found.say("restitution", restitution(found, "limit"))}. A head with more inertia turns less when it is struck off
-          the centre and keeps more speed: now ${found.say("ball_speed", found.value("centre", "ball_speed"))} at the centre, and
-          ${found.say("ball_speed", found.value("now", "ball_speed"))} struck ${found.towards(TOE)}. The
+          ${result.number("characteristic_time", all.characteristic_time.most)}, with
+          ${result.number("characteristic_time", all.characteristic_time.tolerance)} of tolerance. From a rigid face to there the
+          restitution of this ball and head grows from ${result.number("restitution", restitution(result, "rigid"))} to
+          ${result.number("restitution", restitution(result, "limit"))}. A head with more inertia turns less when it is struck off
+          the centre and keeps more speed: now ${result.number("ball_speed", result.value("centre", "ball_speed"))} at the centre, and
+          ${result.number("ball_speed", result.value("now", "ball_speed"))} struck ${result.towards(TOE)}. The
           rules limit size and grooves too; no model here has grooves.
         </p>`,
       pictures: [
-        limitsPicture(found, heads),
-        chartFrame(found.context, {
+        limitsPicture(result, heads),
+        chartFrame(result.context, {
           name: "lesson-rules",
           title: "Ball speed from heel to toe",
           x: { label: "towards the toe", quantity: "toe" },
@@ -99,13 +99,13 @@ export const rules: Lesson = {
           mark: TOE,
         }),
       ],
-      question: html`Struck ${found.towards(TOE)}, gain ${found.difference("carry", GAIN, ["shorter", "of carry"])} on the
+      question: html`Struck ${result.towards(TOE)}, gain ${result.difference("carry", GAIN, ["shorter", "of carry"])} on the
       head of the beginning, and break no rule.`,
-      now: html`It carries ${found.say("carry", found.value("now", "carry"))}, a difference of
-      ${found.difference("carry", gained, ["less", "more"])}, and the head ${fits ? "conforms" : "does not conform"}.`,
+      now: html`It carries ${result.number("carry", result.value("now", "carry"))}, a difference of
+      ${result.difference("carry", gained, ["less", "more"])}, and the head ${fits ? "conforms" : "does not conform"}.`,
       isSolved: fits && gained >= GAIN,
-      answer: html`It takes both: at ${found.say("characteristic_time", most.characteristic_time)} and
-      ${found.say("iyy", most.iyy)}, the most that passes, the gain is greatest; neither alone is enough.`,
+      answer: html`It takes both: at ${result.number("characteristic_time", most.characteristic_time)} and
+      ${result.number("iyy", most.iyy)}, the most that passes, the gain is greatest; neither alone is enough.`,
       sources: [all.characteristic_time.source, all.moment_of_inertia.source],
     };
   },

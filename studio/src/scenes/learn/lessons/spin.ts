@@ -3,9 +3,9 @@
 import { html } from "lit-html";
 import type { CoreArray } from "../../../core/types";
 import { chartFrame } from "../../../parts/chart";
-import { crossing, type Found, type Lesson, peak, spread } from "../lesson";
+import { crossing, type Lesson, type LessonResult, peak, spread } from "../lesson";
 
-/** Frictions that are drawn beside that of the slider. */
+/** Frictions drawn for comparison with that of the slider. */
 const OTHERS = { slippery: 0.08, grippy: 0.35 } as const;
 /** Share of the greatest spin at which the question counts as answered. */
 const NEAR = 0.99;
@@ -16,15 +16,15 @@ function reversal({ time, force_y }: Record<string, CoreArray>): number {
   return crossing(time.values.subarray(least), force_y.values.subarray(least));
 }
 
-function courseOfSpin(found: Found) {
-  const { history } = found.case("now");
+function courseOfSpin(result: LessonResult) {
+  const { history } = result.case("now");
   if (!history) return html``;
   const spins = history.ball_spin.values.filter((_, i) => i % 3 === 2);
   const [turned, end] = [reversal(history), history.time.values.at(-1) ?? 0];
   if (!(turned < 0.98 * end))
     return html`At this friction the ball slides all the way, and the force never turns round. `;
-  return html`Here it does so after ${found.say("reversal_time", turned)} of ${found.say("contact_time", end)}, and brakes the
-  spin from ${found.say("spin_max", Math.max(...spins))} to ${found.say("backspin", found.value("now", "backspin"))}. `;
+  return html`Here it does so after ${result.number("reversal_time", turned)} of ${result.number("contact_time", end)}, and brakes the
+  spin from ${result.number("spin_max", Math.max(...spins))} to ${result.number("backspin", result.value("now", "backspin"))}. `;
 }
 
 export const spin: Lesson = {
@@ -55,17 +55,17 @@ export const spin: Lesson = {
       response: { strike: setup.strike({ chosen: { model: "response" } }), by: "friction", values },
     };
   },
-  tell: (found) => {
-    const friction = found.at("spin_friction");
-    const now = found.value("now", "backspin");
-    const [rings, response] = [found.curve("rings"), found.curve("response")];
+  content: (result) => {
+    const friction = result.at("spin_friction");
+    const now = result.value("now", "backspin");
+    const [rings, response] = [result.curve("rings"), result.curve("response")];
     const [best, most] = rings ? peak(rings.x, rings.y.backspin) : [Number.NaN, Number.NaN];
     const least = rings?.y.backspin.at(-1) ?? Number.NaN;
     const courses = [
-      { label: `friction ${found.text("friction", friction)} (slider)`, history: found.case("now").history },
+      { label: `friction ${result.text("friction", friction)} (slider)`, history: result.case("now").history },
       ...Object.entries(OTHERS).map(([name, value]) => ({
-        label: `friction ${found.text("friction", value)}`,
-        history: found.steadyCase(name)?.history,
+        label: `friction ${result.text("friction", value)}`,
+        history: result.steadyCase(name)?.history,
       })),
     ];
     return {
@@ -73,14 +73,14 @@ export const spin: Lesson = {
         <p>
           The face drags the ball's surface down, and the ball begins to turn backwards. Its shell is stretched along the
           face, like a tyre in a bend. Before the ball leaves it springs back: friction turns round and pushes up the face.
-          ${courseOfSpin(found)}The more grip, the more is stretched and taken back, so that more friction can mean less spin.
+          ${courseOfSpin(result)}The more grip, the more is stretched and taken back, so that more friction can mean less spin.
         </p>
         <p>
           Drawn is the contact model <code>rings</code>. Models of one impulse have no course of time, but
           <code>response</code>, fitted to finite elements, falls alike.
         </p>`,
       pictures: [
-        chartFrame(found.context, {
+        chartFrame(result.context, {
           name: "lesson-friction",
           title: "Friction up the face; below zero it makes backspin",
           x: { label: "time", quantity: "contact_time" },
@@ -89,7 +89,7 @@ export const spin: Lesson = {
             history ? [{ label, x: history.time.values, y: history.force_y.values }] : [],
           ),
         }),
-        chartFrame(found.context, {
+        chartFrame(result.context, {
           name: "lesson-spin",
           title: "Backspin over friction",
           x: { label: "friction", quantity: "friction" },
@@ -102,11 +102,11 @@ export const spin: Lesson = {
         }),
       ],
       question: html`At which friction does this drive spin most? Take grip away until it does.`,
-      now: html`Friction ${found.say("friction", friction)}: the ball leaves with ${found.say("backspin", now)}.`,
+      now: html`Friction ${result.number("friction", friction)}: the ball leaves with ${result.number("backspin", now)}.`,
       isSolved: now >= NEAR * most,
-      answer: html`At about ${found.say("friction", best)}, with ${found.say("backspin", most)} by
+      answer: html`At about ${result.number("friction", best)}, with ${result.number("backspin", most)} by
       <code>rings</code>. With less friction the ball slides throughout; with more, more is taken back:
-      ${found.say("backspin", least)} are left at ${found.say("friction", rings?.x.at(-1) ?? Number.NaN)}.`,
+      ${result.number("backspin", least)} are left at ${result.number("friction", rings?.x.at(-1) ?? Number.NaN)}.`,
     };
   },
 };

@@ -36,38 +36,38 @@ export const wet: Lesson = {
     };
   },
   curves: (setup) => ({ friction: { strike: setup.strike(), by: "friction", values: spread(0.05, 0.6, 56) } }),
-  tell: (found) => {
-    const { values } = found.case("now");
-    const [friction, loft] = [found.at("wet_friction"), found.at("wet_loft")];
-    const dry = (quantity: string): number => found.value("dry", quantity);
-    const { source, rows } = found.context.equipment.lessons.wedge_covers;
-    const over = found.curve("friction");
+  content: (result) => {
+    const { values } = result.case("now");
+    const [friction, loft] = [result.at("wet_friction"), result.at("wet_loft")];
+    const dry = (quantity: string): number => result.value("dry", quantity);
+    const { source, rows } = result.context.equipment.lessons.wedge_covers;
+    const over = result.curve("friction");
     const answer = over ? crossing(over.x, over.y.backspin, HALF * dry("backspin")) : Number.NaN;
     const share = values.backspin / dry("backspin");
-    const driver = found.value("driver", "launch") - found.value("dryDriver", "launch");
+    const driver = result.value("driver", "launch") - result.value("dryDriver", "launch");
     return {
       text: html`
         <p>
           On so much loft the ball climbs the face unless friction holds it. Dry, with a friction of
-          ${found.say("friction", found.setup.usual("wet_friction"))}, this one starts ${found.say("launch", dry("launch"))}
-          with ${found.say("backspin", dry("backspin"))}. Water or grass between them, and it slides, starts nearer to where the
-          face points, and turns less: now ${found.say("launch", values.launch)}. A drive with that friction launches
-          ${Math.abs(driver) < ALIKE ? "as before" : found.difference("launch", driver, ["lower", "higher"])}.
+          ${result.number("friction", result.setup.usual("wet_friction"))}, this one starts ${result.number("launch", dry("launch"))}
+          with ${result.number("backspin", dry("backspin"))}. Water or grass between them, and it slides, starts nearer to where the
+          face points, and turns less: now ${result.number("launch", values.launch)}. A drive with that friction launches
+          ${Math.abs(driver) < ALIKE ? "as before" : result.difference("launch", driver, ["lower", "higher"])}.
         </p>
         <p>
           Of 62 balls that a robot struck, those with urethane covers started
-          ${found.say("launch", rows.urethane[0])} with ${found.say("backspin", rows.urethane[1])}, and two that slid
-          ${found.say("launch", rows["two that slide"][0])} with ${found.say("backspin", rows["two that slide"][1])}. How low
-          the friction of a wet face is was not found in print, and no model here has grooves.
+          ${result.number("launch", rows.urethane[0])} with ${result.number("backspin", rows.urethane[1])}, and two that slid
+          ${result.number("launch", rows["two that slide"][0])} with ${result.number("backspin", rows["two that slide"][1])}. How low
+          the friction of a wet face is was not result in print, and no model here has grooves.
         </p>`,
       pictures: [
-        anglesPicture(found, {
-          attack: found.setup.delivery.attack,
+        anglesPicture(result, {
+          attack: result.setup.delivery.attack,
           loft,
           launch: values.launch,
           other: { launch: dry("launch"), label: "dry, it starts" },
         }),
-        chartFrame(found.context, {
+        chartFrame(result.context, {
           name: "lesson-wet",
           title: "Backspin over friction, with this loft",
           x: { label: "friction", quantity: "friction" },
@@ -77,11 +77,11 @@ export const wet: Lesson = {
         }),
       ],
       question: html`How slippery must the face be until half of the dry spin is gone?`,
-      now: html`Friction ${found.say("friction", friction)}: ${found.share(share, "spin over that of a dry face")} of the dry
-      spin, ${found.say("backspin", values.backspin)}.`,
+      now: html`Friction ${result.number("friction", friction)}: ${result.share(share, "spin over that of a dry face")} of the dry
+      spin, ${result.number("backspin", values.backspin)}.`,
       isSolved: Math.abs(share - HALF) <= NEAR,
-      answer: html`A friction of about ${found.say("friction", answer)},
-      ${found.share(answer / found.setup.usual("wet_friction"), "friction over that of a dry face")} of the dry one. The ball
+      answer: html`A friction of about ${result.number("friction", answer)},
+      ${result.share(answer / result.setup.usual("wet_friction"), "friction over that of a dry face")} of the dry one. The ball
       slides all the way up the face there, and its spin falls as friction does.`,
       sources: [source],
     };

@@ -1,7 +1,7 @@
 /** Club and ball from the side: the way of the head, where the face points, and where the ball starts. */
 
 import { svg, type TemplateResult } from "lit-html";
-import type { Found } from "../lesson";
+import type { LessonResult } from "../lesson";
 import { arrow, drawing, type Point, segment } from "./marks";
 
 export interface Angles {
@@ -16,7 +16,7 @@ const RADIUS = 21.35;
 const WIDTH = 190;
 const HEIGHT = 134;
 
-export function anglesPicture(found: Found, { attack, loft, launch, other }: Angles): TemplateResult {
+export function anglesPicture(result: LessonResult, { attack, loft, launch, other }: Angles): TemplateResult {
   const along = (from: Point, angle: number, length: number): Point => [
     from[0] + length * Math.cos(angle),
     from[1] - length * Math.sin(angle),
@@ -29,12 +29,12 @@ export function anglesPicture(found: Found, { attack, loft, launch, other }: Ang
   const [from, to] = [along(contact, attack, reach), along(contact, loft, reach)];
   const arc = `M${from[0]} ${from[1]}A${reach} ${reach} 0 0 0 ${to[0]} ${to[1]}`;
   const words = {
-    path: `head moves ${found.text("attack", attack)}`,
-    face: `face points ${found.text("loft", loft)} up`,
-    angle: `between them ${found.text("loft", spinLoft)} of spin loft`,
-    start: `ball starts ${found.text("launch", launch)}`,
+    path: `head moves ${result.text("attack", attack)}`,
+    face: `face points ${result.text("loft", loft)} up`,
+    angle: `between them ${result.text("loft", spinLoft)} of spin loft`,
+    start: `ball starts ${result.text("launch", launch)}`,
   };
-  const compared = other && `${other.label} ${found.text("launch", other.launch)}`;
+  const compared = other && `${other.label} ${result.text("launch", other.launch)}`;
   return drawing(
     "At impact, from the side",
     [...Object.values(words), compared].filter(Boolean).join(", "),

@@ -3,7 +3,7 @@
 import { svg, type TemplateResult } from "lit-html";
 import { ticks } from "../../../parts/axes";
 import { sideOf } from "../../../quantities/formatter";
-import type { Found } from "../lesson";
+import type { LessonResult } from "../lesson";
 import { drawing, type Point, segment } from "./marks";
 
 interface Direction {
@@ -29,7 +29,7 @@ const seen = ({ right, up }: Direction): Point => [
   (-PIXELS * Math.tan(up)) / Math.cos(right) / DEGREE,
 ];
 
-export function dPlanePicture(found: Found, { path, face, start, spinAxis }: DPlane): TemplateResult {
+export function dPlanePicture(result: LessonResult, { path, face, start, spinAxis }: DPlane): TemplateResult {
   const [ofPath, ofFace, ofStart] = [path, face, start].map(seen);
   const beyond = (share: number): Point => [
     ofPath[0] + share * (ofFace[0] - ofPath[0]),
@@ -40,12 +40,12 @@ export function dPlanePicture(found: Found, { path, face, start, spinAxis }: DPl
     ofStart[1] + length * Math.sin(spinAxis),
   ];
   const words = {
-    path: `path ${found.text("path", path.right)}`,
-    face: `face ${found.text("face", face.right)}`,
-    start: `start ${found.text("azimuth", start.right)}`,
-    axis: `spin axis ${found.text("spin_axis", spinAxis)}`,
+    path: `path ${result.text("path", path.right)}`,
+    face: `face ${result.text("face", face.right)}`,
+    start: `start ${result.text("azimuth", start.right)}`,
+    axis: `spin axis ${result.text("spin_axis", spinAxis)}`,
   };
-  const { sides } = found.context.formatter.quantity("azimuth");
+  const { sides } = result.context.formatter.quantity("azimuth");
   const ground = seen({ right: 0, up: 0 })[1];
   return drawing(
     "The D-plane, from behind the ball",

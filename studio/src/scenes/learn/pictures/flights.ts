@@ -4,7 +4,7 @@ import { html, svg, type TemplateResult } from "lit-html";
 import { line, scale, ticks } from "../../../parts/axes";
 import { rootSize } from "../../../parts/measure";
 import { sideOf } from "../../../quantities/formatter";
-import type { Found } from "../lesson";
+import type { LessonResult } from "../lesson";
 
 export interface DrawnFlight {
   /** Class of its line. */
@@ -19,12 +19,12 @@ const LEAST_SIDE = 12;
 const [LEAST_HEIGHT, MOST_HEIGHT] = [110, 260];
 
 /** From above: the target is on the right, and what lies right of it is below. */
-export function flightsPicture(found: Found, name: string, flights: DrawnFlight[]): TemplateResult {
-  const { formatter, state, model } = found.context;
+export function flightsPicture(result: LessonResult, name: string, flights: DrawnFlight[]): TemplateResult {
+  const { formatter, state, model } = result.context;
   const { unit } = formatter.reading("carry", state.system);
   const convert = (metres: number): number => formatter.units.fromSi(metres, unit);
   const paths = flights.map((flight) => {
-    const { path } = found.case(flight.case);
+    const { path } = result.case(flight.case);
     const points = Array.from({ length: path.length / 3 }, (_, i) => [convert(path[3 * i]), convert(path[3 * i + 2])]);
     return points as [number, number][];
   });
@@ -43,8 +43,8 @@ export function flightsPicture(found: Found, name: string, flights: DrawnFlight[
   const words = flights.map((flight) => ({
     ...flight,
     text:
-      `${flight.label}: starts ${found.text("azimuth", found.value(flight.case, "azimuth"))}, ` +
-      `lands ${found.text("side", found.value(flight.case, "side"))}`,
+      `${flight.label}: starts ${result.text("azimuth", result.value(flight.case, "azimuth"))}, ` +
+      `lands ${result.text("side", result.value(flight.case, "side"))}`,
   }));
   return html`
     <figure>

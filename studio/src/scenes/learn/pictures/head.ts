@@ -1,7 +1,7 @@
 /** The head with the ball on its face: from above with its bulge, or from the side with its roll. */
 
 import { svg, type TemplateResult } from "lit-html";
-import type { Found } from "../lesson";
+import type { LessonResult } from "../lesson";
 import { arrow, drawing, type Point, segment, turn } from "./marks";
 
 export interface HeadPicture {
@@ -26,10 +26,10 @@ const [HEAD_TIME, BALL_TIME] = [0.03, 0.008];
 /** Extent of a head behind its face, as a multiple of the depth of its CG. */
 const DEEP = 2.3;
 
-export function headPicture(found: Found, picture: HeadPicture): TemplateResult {
+export function headPicture(result: LessonResult, picture: HeadPicture): TemplateResult {
   const { seen, struck, face, start, headTurn, ballTurn, words } = picture;
-  const { equipment } = found.context;
-  const { club, ball } = found.setup.lesson.chosen;
+  const { equipment } = result.context;
+  const { club, ball } = result.setup.lesson.chosen;
   const { columns } = equipment.clubs[club];
   const isAbove = seen === "above";
   const [radius, at] = [picture.radius / MILLIMETRE, struck / MILLIMETRE];

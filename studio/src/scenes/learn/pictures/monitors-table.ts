@@ -1,7 +1,7 @@
 /** What two monitors say of one shot. */
 
 import { html, type TemplateResult } from "lit-html";
-import type { Found } from "../lesson";
+import type { LessonResult } from "../lesson";
 
 export interface Reported {
   quantity: string;
@@ -11,7 +11,7 @@ export interface Reported {
   why: string;
 }
 
-export const monitorsTable = (found: Found, rows: Reported[]): TemplateResult => html`
+export const monitorsTable = (result: LessonResult, rows: Reported[]): TemplateResult => html`
   <figure>
     <figcaption>One shot, two reports</figcaption>
     <table>
@@ -21,9 +21,9 @@ export const monitorsTable = (found: Found, rows: Reported[]): TemplateResult =>
       <tbody>
         ${rows.map(
           ({ quantity, radar, camera, why }) => html`<tr>
-            <th scope="row">${found.context.formatter.quantity(quantity).label}</th>
-            <td>${found.say(quantity, radar)}</td>
-            <td>${found.say(quantity, camera)}</td>
+            <th scope="row">${result.context.formatter.quantity(quantity).label}</th>
+            <td>${result.number(quantity, radar)}</td>
+            <td>${result.number(quantity, camera)}</td>
             <td>${why}</td>
           </tr>`,
         )}

@@ -1,7 +1,7 @@
 /** A closing head from above: where its centre of gravity moves, and where the centre of its face does. */
 
 import { svg, type TemplateResult } from "lit-html";
-import type { Found } from "../lesson";
+import type { LessonResult } from "../lesson";
 import { arrow, drawing, type Point, segment, turn } from "./marks";
 
 /** How many times angles are drawn as large as they are. */
@@ -10,10 +10,10 @@ const LENGTH = 66;
 
 /** Directions to the right [rad]; the closure [rad/s]. */
 export function twoPathsPicture(
-  found: Found,
+  result: LessonResult,
   { mass, face, closure }: { mass: number; face: number; closure: number },
 ): TemplateResult {
-  const { columns } = found.context.equipment.clubs[found.setup.lesson.chosen.club];
+  const { columns } = result.context.equipment.clubs[result.setup.lesson.chosen.club];
   const [depth, half] = [(columns.cg_x ?? 0) * 1e3, (columns.face_width ?? 0) * 500];
   const centre: Point = [0, 0];
   const gravity: Point = [0, depth];
@@ -22,9 +22,9 @@ export function twoPathsPicture(
     y - LENGTH * Math.cos(LARGER * angle),
   ];
   const words = {
-    mass: `centre of gravity: path ${found.text("path", mass)}`,
-    face: `centre of the face: path ${found.text("path", face)}`,
-    closure: `the face is ${found.text("closure", closure)}`,
+    mass: `centre of gravity: path ${result.text("path", mass)}`,
+    face: `centre of the face: path ${result.text("path", face)}`,
+    closure: `the face is ${result.text("closure", closure)}`,
   };
   return drawing(
     `One head, two paths, angles ×${LARGER}`,

@@ -8,7 +8,7 @@ import { join } from "../../../quantities/formatter";
 const PER_CENT = "%";
 const ANOTHER_MODEL = "a model";
 
-/** The comparisons that tell of a number: those of the model for this kind of club, then those of the flight. */
+/** The comparisons of a number with published figures: those of the model for this kind of club, then those of the flight. */
 function comparisons({ equipment, state }: Context, name: string): PublishedComparison[] {
   const { models, flights, rows } = equipment.numbers.certainty;
   const kind = equipment.clubs[state.club].published_kind;
