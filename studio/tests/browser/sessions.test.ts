@@ -60,7 +60,7 @@ async function withFile(file: string | { name: string; content: string | Buffer 
   return opened;
 }
 
-const drawing = (page: Page): Promise<string> => page.locator(".range svg").last().innerHTML();
+const drawing = (page: Page): Promise<string> => page.locator(".shots-range svg").last().innerHTML();
 const count = (page: Page): Promise<string | null> => page.locator(".filters output").textContent();
 
 describe("a file", () => {
@@ -71,10 +71,10 @@ describe("a file", () => {
     const column = head.split(",").indexOf("ball_speed_mph");
     expect(await siValueOf(page, "ball_speed")).toBeCloseTo(Number(first.split(",")[column]) * MPH, 9);
     expect(await page.locator(".shots tbody tr").count()).toBe(51);
-    expect(await page.locator(".range svg").last().getAttribute("aria-label")).toMatch(
+    expect(await page.locator(".shots-range svg").last().getAttribute("aria-label")).toMatch(
       /^51 shots from above: they land after [\d.]+ yd to [\d.]+ yd, from [\d.]+ yd left to [\d.]+ yd right\.$/,
     );
-    expect(await page.locator(".range path.flight-path").count()).toBe(102);
+    expect(await page.locator(".shots-range path.flight-path").count()).toBe(102);
     // The carry was measured; the height was not.
     expect(await page.locator('td[data-quantity="carry"]').first().getAttribute("class")).toBeNull();
     expect(await page.locator('td[data-quantity="apex"]').first().getAttribute("class")).toBe("computed");
@@ -97,7 +97,7 @@ describe("a file", () => {
     await page.locator(".shots tbody button").first().press("Enter");
     expect(await page.locator(".shots tbody button").first().getAttribute("aria-pressed")).toBe("true");
     expect(await drawing(page)).not.toBe(usual);
-    expect(await page.locator(".range path.marked").count()).toBe(2);
+    expect(await page.locator(".shots-range path.marked").count()).toBe(2);
     const yards = await page.locator(".shots thead").textContent();
     await page.locator('select[name="units"]').selectOption("metric");
     expect(await page.locator(".shots thead").textContent()).not.toBe(yards);
@@ -221,7 +221,7 @@ describe("live shots", () => {
     const tabs = [];
     for (let i = 0; i < 2; i += 1) tabs.push(await open(context, `${served.address}${SCENE}&part=live`, ".newest"));
     const monitor = await Monitor.connect(served.ports["open-connect"]);
-    const before = await tabs[0].page.locator(".range svg").count();
+    const before = await tabs[0].page.locator(".shots-range svg").count();
     expect(await monitor.send(whole(150))).toBe(200);
     for (const { page } of tabs) {
       await page.getByRole("heading", { name: /^Shot 1, a / }).waitFor();
@@ -230,7 +230,7 @@ describe("live shots", () => {
       expect(await page.locator('[data-large="carry"] .origin').textContent()).toBe("measured");
       expect(await page.locator('[data-large="apex"] .origin').textContent()).toBe("computed");
     }
-    expect(await tabs[0].page.locator(".range svg").count()).toBeGreaterThan(before);
+    expect(await tabs[0].page.locator(".shots-range svg").count()).toBeGreaterThan(before);
     const picture = await drawing(tabs[0].page);
     await tabs[1].page.locator('select[name="live-club"]').selectOption("7-iron");
     await tabs[0].page.waitForFunction(

@@ -34,7 +34,7 @@ interface Range {
 /** `name` is unique among the pictures of a page. */
 export function rangePicture(context: Context, name: string, rows: readonly ShotRow[]): TemplateResult {
   const drawn = rows.filter((row) => landing(row) !== null);
-  return html`<div data-sized=${name} class="range">
+  return html`<div data-sized=${name} class="shots-range">
     ${drawn.length ? pictures(context, name, drawn) : html`<p class="remark">No shot has a flight path to draw.</p>`}
   </div>`;
 }
