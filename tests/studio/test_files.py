@@ -127,11 +127,11 @@ NO_FILES = [
 def test_what_is_no_file_of_shots_is_answered_with_a_sentence(studio, name, content):
     answer = added(studio, content, name)
     assert answer.status_code == 422
-    told = answer.json()
-    assert set(told) == {"where", "what", "allowed"}
-    assert 10 < len(told["what"]) < 1100
-    assert told["what"].isprintable()
-    assert "/" not in told["where"]
+    mistake = answer.json()
+    assert set(mistake) == {"where", "what", "allowed"}
+    assert 10 < len(mistake["what"]) < 1100
+    assert mistake["what"].isprintable()
+    assert "/" not in mistake["where"]
 
 
 def test_a_file_that_is_too_large_is_refused_while_it_comes(studio):

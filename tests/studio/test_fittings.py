@@ -133,7 +133,7 @@ def test_a_cancelled_job_computes_no_further_part_and_stays_cancelled():
     assert count < 1000
 
 
-def test_an_error_in_a_job_is_told_with_where_and_what(capsys):
+def test_an_error_in_a_job_says_where_and_what(capsys):
     def refuse(job):
         raise InputError("loft", "2", "an angle")
 
