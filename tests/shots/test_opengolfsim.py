@@ -116,6 +116,15 @@ def test_a_monitor_is_answered_and_a_web_page_is_not():
     assert any("is a web page and no monitor" in each for each in said)
 
 
+def test_a_simulator_that_was_closed_is_noticed_before_the_next_launch_is_sent():
+    with socket.create_server(("127.0.0.1", 0)) as simulator:
+        sender = OpenGolfSimSender(simulator.getsockname()[1])
+        simulator.accept()[0].close()
+    with pytest.raises(LinkError, match=r"closed the connection|was lost"):
+        sender.send(from_json(SHOT).launch)
+    sender.close()
+
+
 def test_a_launch_that_is_sent_arrives_as_it_was():
     kept = []
     with Listener(0, dialect=OPENGOLFSIM, keep=kept.append) as listener:

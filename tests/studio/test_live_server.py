@@ -229,7 +229,8 @@ def test_a_device_that_is_not_there_yet_is_said_to_be_waited_for(tmp_path):
     (("--live", "live.csv"), ".jsonl"),
     (("--live", "live.jsonl", "--simulator", "gspro"), "open-connect:921 or opengolfsim:3111"),
     (("--live", "live.jsonl", "--flight-relay", "nowhere"), "an address such as ws://localhost:5880/frp, or a port"),
-    (("--port", "70000"), "from 0 to 65535"),
+    (("--port", "70000"), "--port is 70000; it must be a whole number from 0 to 65535"),
+    (("--flight-relay", "70000"), "--flight-relay is 70000; it must be a whole number from 0 to 65535"),
     (("--site", "nowhere"), "this folder holds no built studio"),
 ])  # fmt: skip
 def test_mistakes_of_the_command_are_said(clubface_, tmp_path, monkeypatch, options, words):

@@ -10,11 +10,11 @@ import typer
 from clubface.cli import options, output
 from clubface.cli.failures import print_note
 from clubface.errors import InputError
+from clubface.support.sockets import check_port
 
 if TYPE_CHECKING:
     from clubface.studio.live import LiveSession
 
-HIGHEST_PORT = 65535
 FLIGHT_RELAY = "ws://localhost:5880/frp"
 app = typer.Typer(add_completion=False)
 
@@ -42,9 +42,9 @@ def studio(**texts: Any) -> None:
 
     live, studies = texts["live"], texts["studies"]
     for name in ("port", "open_connect", "opengolfsim"):
-        if not 0 <= texts[name] <= HIGHEST_PORT:
-            allowed = f"a whole number from 0 to {HIGHEST_PORT}; 0 takes a free port"
-            raise InputError(f"--{name.replace('_', '-')}", texts[name], allowed)
+        check_port(texts[name], 0, f"--{name.replace('_', '-')}")
+    if (relay := texts["flight_relay"]).isdecimal():
+        check_port(relay := int(relay), 0, "--flight-relay")
     if studies is not None and not Path(studies).is_dir():
         raise InputError("--studies", studies, "a folder")
     if live is None and texts["simulator"]:
@@ -53,7 +53,7 @@ def studio(**texts: Any) -> None:
         output.check_target("--live", live, (".jsonl",))
     links = {
         "listen": {"open-connect": texts["open_connect"], "opengolfsim": texts["opengolfsim"]},
-        "flight_relay": int(relay) if (relay := texts["flight_relay"]).isdecimal() else relay,
+        "flight_relay": relay,
         "simulators": [simulator_address(each) for each in texts["simulator"] or ()],
     }
 

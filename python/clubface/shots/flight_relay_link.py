@@ -13,10 +13,11 @@ from contextlib import suppress
 from typing import Any
 from urllib.parse import urlsplit
 
-from clubface.errors import InputError, LinkError
+from clubface.errors import InputError
 from clubface.shots.flight_relay import PATH, ShotCollector, critical_alert, start_message, text_to_object
 from clubface.shots.messages import LARGEST, Message, MessageError
-from clubface.shots.open_connect import LOOPBACK, MOST_CLIENTS, check_port
+from clubface.shots.open_connect import MOST_CLIENTS
+from clubface.support.sockets import listen_on
 
 __all__ = ["FlightRelayClient", "FlightRelayListener"]
 
@@ -94,14 +95,11 @@ class FlightRelayListener(_Link):
         from websockets.sync.server import serve
 
         super().__init__(keep, on_problem, on_message)
-        check_port(port, 0)
         self._places = threading.BoundedSemaphore(MOST_CLIENTS)
-        try:
-            # Browsers name the page that connects as the origin; monitors name none.
-            self._server = serve(self._serve, LOOPBACK, port, origins=[None], max_size=LARGEST, compression=None)
-        except OSError as error:
-            raise LinkError(f"{LOOPBACK}:{port}", f"cannot be listened on: {error.strerror or error}") from None
-        self.port: int = self._server.socket.getsockname()[1]
+        listening = listen_on(port, waiting=MOST_CLIENTS)
+        self.port: int = listening.getsockname()[1]
+        # Browsers name the page that connects as the origin; monitors name none.
+        self._server = serve(self._serve, sock=listening, origins=[None], max_size=LARGEST, compression=None)
         threading.Thread(target=self._server.serve_forever, name="flight-relay", daemon=True).start()
 
     def _serve(self, socket: Any) -> None:

@@ -14,8 +14,9 @@ from clubface.errors import ClubfaceError, InputError, LinkError, in_a_line
 from clubface.shots.flight_relay_link import FlightRelayClient, FlightRelayListener
 from clubface.shots.live import LiveShot, LiveShots, completed_shot
 from clubface.shots.messages import PROTOCOLS, Message
-from clubface.shots.open_connect import NO_ANSWER, OPEN_CONNECT, Dialect, Listener, Sender, check_port
+from clubface.shots.open_connect import NO_ANSWER, OPEN_CONNECT, Dialect, Listener, Sender
 from clubface.shots.opengolfsim import OPENGOLFSIM, OpenGolfSimSender
+from clubface.support.sockets import LOOPBACK, check_port
 
 __all__ = ["LinkState", "LiveLinks", "LiveRemark", "SimulatorAddress", "simulator_address"]
 
@@ -92,15 +93,13 @@ class LiveLinks:
         self._threads: list[threading.Thread] = []
         self._states: list[LinkState] = []
         for protocol, port in (listen or {}).items():
-            self._try(
-                protocol, f"127.0.0.1:{port}", lambda each=DIALECTS[protocol], port=port: self._listen(each, port)
-            )
+            self._try(protocol, f"{LOOPBACK}:{port}", partial(self._listen, DIALECTS[protocol], port))
         if flight_relay is not None:
-            where = f"127.0.0.1:{flight_relay}" if isinstance(flight_relay, int) else flight_relay
+            where = f"{LOOPBACK}:{flight_relay}" if isinstance(flight_relay, int) else flight_relay
             self._try("flight-relay", where, partial(self._start_relay, flight_relay))
         self._simulators = [_Simulator(each, self.remark) for each in simulators]
         for each in self._simulators:
-            self._states.append(LinkState(each.address.protocol, f"simulator on 127.0.0.1:{each.address.port}", ""))
+            self._states.append(LinkState(each.address.protocol, f"simulator on {LOOPBACK}:{each.address.port}", ""))
 
     @property
     def states(self) -> Sequence[LinkState]:
@@ -153,14 +152,14 @@ class LiveLinks:
         thread = threading.Thread(target=self._hear, args=(listener,), name=dialect.name, daemon=True)
         self._threads.append(thread)
         thread.start()
-        return f"127.0.0.1:{listener.port}"
+        return f"{LOOPBACK}:{listener.port}"
 
     def _hear(self, listener: Listener) -> None:
         while not self._stopped.is_set():
             try:
                 for message in listener.messages():
                     self._say_ready(message)
-            except ClubfaceError as error:  # the shot could not be kept, and its monitor has been told so
+            except ClubfaceError as error:  # the shot could not be kept, as its monitor knows from the answer
                 self.remark(str(error))
 
     def _start_relay(self, where: str | int) -> str:
@@ -172,7 +171,7 @@ class LiveLinks:
 
         if isinstance(where, int):
             self._relay = FlightRelayListener(where, keep, self.remark, self._say_ready)
-            return f"127.0.0.1:{self._relay.port}"
+            return f"{LOOPBACK}:{self._relay.port}"
         self._relay = FlightRelayClient(where, keep, self.remark, self._say_ready)
         return self._relay.address
 

@@ -15,18 +15,18 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, NamedTuple, Self
 
-from clubface.errors import InputError, LinkError
+from clubface.errors import LinkError
 from clubface.results.notes import Note
 from clubface.shots.messages import Broken, Message, MessageError, ObjectStream, recorded as recorded
 from clubface.shots.open_connect_messages import FAILED, OK, PLAYER, from_json, heartbeat, player, reply, to_json
 from clubface.shots.plausibility import shown
+from clubface.support.sockets import CHUNK, LOOPBACK, Connection, listen_on
 
 __all__ = [
     "MOST_CLIENTS", "OPEN_CONNECT", "Dialect", "Listener", "Message", "MessageError", "Reply", "Sender", "from_json",
     "heartbeat", "recorded", "to_json",
 ]  # fmt: skip
 
-LOOPBACK = "127.0.0.1"
 PORT = 921
 """The port of GSPro; ports below 1024 need rights on some systems."""
 MOST_CLIENTS = 8
@@ -40,12 +40,6 @@ SILENT = 10.0
 """Time after which a connection that has not sent one message is closed [s]."""
 IDLE = 1800.0
 """The same since its last message for one that has [s]: people talk and eat, and not every monitor sends heartbeats."""
-
-
-def check_port(port: int, lowest: int) -> None:
-    """Refuse a value that is not a port number."""
-    if isinstance(port, bool) or not isinstance(port, int) or not lowest <= port <= 65535:
-        raise InputError("port", port, f"a whole number from {lowest} to 65535")
 
 
 class Dialect(NamedTuple):
@@ -146,19 +140,13 @@ class Listener:
         on_problem: Callable[[str], object] | None = None,
         dialect: Dialect = OPEN_CONNECT,
     ) -> None:
-        check_port(port, 0)
         self._dialect = dialect
         self._player = player(hand, club) if hand is not None else None
         self._keep = keep or (lambda message: None)
         self._report = on_problem or (lambda message: None)
         self._selector = selectors.DefaultSelector()
         self._stopped = False
-        try:
-            self._socket = socket.create_server((host, port), backlog=MOST_CLIENTS)
-        except OSError as error:
-            reason = error.strerror or str(error)
-            hint = "; ports below 1024 need rights: give another" if isinstance(error, PermissionError) else ""
-            raise LinkError(f"{host}:{port}", f"cannot be listened on: {reason}{hint}") from None
+        self._socket = listen_on(port, host=host, waiting=MOST_CLIENTS)
         self._socket.setblocking(False)
         self.port: int = self._socket.getsockname()[1]
         self._selector.register(self._socket, selectors.EVENT_READ)
@@ -223,7 +211,7 @@ class Listener:
 
     def _read(self, client: _Client) -> Iterator[Message]:
         try:
-            data = client.connection.recv(65_536)
+            data = client.connection.recv(CHUNK)
         except BlockingIOError:
             return
         except OSError as error:
@@ -340,20 +328,12 @@ class Sender:
     def __init__(
         self, port: int = PORT, *, host: str = LOOPBACK, device: str = "clubface", timeout: float = 5.0
     ) -> None:
-        if not timeout > 0.0:
-            raise InputError("timeout", timeout, "above 0 s")
-        check_port(port, 1)
-        self._address = f"{host}:{port}"
+        self._connection = Connection(port, host=host, timeout=timeout)
         self._device = device
         self._timeout = timeout
         self._stream = ObjectStream()
         self._number = 0
         self.player: Mapping[str, Any] | None = None
-        try:
-            self._socket = socket.create_connection((host, port), timeout)
-        except OSError as error:
-            raise self._problem("cannot be reached", error) from None
-        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def __enter__(self) -> Self:
         return self
@@ -363,54 +343,35 @@ class Sender:
 
     def close(self) -> None:
         """Close the connection."""
-        self._socket.close()
+        self._connection.close()
 
     def send(self, launch: Any, delivery: Mapping[str, Any] | None = None) -> Reply:
         """Send a shot, as :func:`to_json` takes it, with the next shot number, and return the answer."""
         message = to_json(launch, delivery, shot_number=self._number + 1, device=self._device)
         self._number += 1
         self._receive(0.0)  # what came before is no answer to this shot
-        self._write(message)
+        self._connection.send(message)
         ends = time.monotonic() + self._timeout
         while (left := ends - time.monotonic()) > 0.0:
             for answer in self._receive(left):
                 if answer.code != PLAYER:
                     return answer
-        raise LinkError(self._address, f"{NO_ANSWER} shot {self._number} within {self._timeout:g} s")
+        raise LinkError(self._connection.address, f"{NO_ANSWER} shot {self._number} within {self._timeout:g} s")
 
     def heartbeat(self, *, is_ready: bool = True) -> None:
-        """Tell the simulator that the monitor is there; the simulator does not answer."""
-        self._write(heartbeat(device=self._device, is_ready=is_ready))
-
-    def _write(self, message: dict[str, Any]) -> None:
-        self._socket.settimeout(self._timeout)
-        try:
-            self._socket.sendall(json.dumps(message, allow_nan=False).encode())
-        except OSError as error:
-            raise self._problem("was lost", error) from None
+        """Show the simulator that the monitor is there; the simulator does not answer."""
+        self._connection.send(heartbeat(device=self._device, is_ready=is_ready))
 
     def _receive(self, wait: float) -> list[Reply]:
         """Return the answers that came within ``wait`` seconds [s]; the player that they name is kept."""
-        self._socket.settimeout(wait)
-        try:
-            data = self._socket.recv(65_536)
-        except (TimeoutError, BlockingIOError):
-            return []
-        except OSError as error:
-            raise self._problem("was lost", error) from None
-        if not data:
-            raise LinkError(self._address, "closed the connection")
         received = []
-        for answer in self._stream.feed(data):
+        for answer in self._stream.feed(self._connection.receive(wait)):
             if isinstance(answer, Broken):
-                raise LinkError(self._address, f"answered what is no answer: {answer.reason}")
+                raise LinkError(self._connection.address, f"answered what is no answer: {answer.reason}")
             code = answer.get("Code")
             if isinstance(code, bool) or not isinstance(code, int):
-                raise LinkError(self._address, "answered without a code")
+                raise LinkError(self._connection.address, "answered without a code")
             if isinstance(answer.get("Player"), Mapping):
                 self.player = answer["Player"]
             received.append(Reply(code, str(answer.get("Message", ""))))
         return received
-
-    def _problem(self, what: str, error: OSError) -> LinkError:
-        return LinkError(self._address, f"{what}: {error.strerror or error}")

@@ -8,15 +8,14 @@ simulator sends ``{"status": 200}``, or 400 with an error.
 
 from __future__ import annotations
 
-import json
-import socket
 from collections.abc import Mapping
 from typing import Any
 
-from clubface.errors import InputError, LinkError
+from clubface.errors import InputError
 from clubface.results.notes import Note
 from clubface.shots.messages import LARGEST_VALUE, Message, MessageError, number_of, numbers_of, shot_message
 from clubface.shots.open_connect import Dialect
+from clubface.support.sockets import LOOPBACK, Connection
 from clubface.units import from_si, to_si
 
 __all__ = ["OPENGOLFSIM", "PORT", "OpenGolfSimSender", "from_json", "to_json"]
@@ -33,6 +32,7 @@ FIELDS = {
     "spinAxis": ("spin_axis", "deg"),
 }
 """The quantity and unit of each field of a shot."""
+LINE_END = b"\n"
 NEEDED = ("ballSpeed", "verticalLaunchAngle", "horizontalLaunchAngle")
 
 
@@ -92,7 +92,7 @@ OPENGOLFSIM = Dialect(
     from_json,
     lambda message: {"status": 200},
     lambda reason: {"status": 400, "error": reason},
-    b"\n",
+    LINE_END,
 )
 
 
@@ -105,24 +105,15 @@ class OpenGolfSimSender:
         Nobody listens there, or the connection was lost.
     """
 
-    def __init__(self, port: int = PORT, *, host: str = "127.0.0.1", timeout: float = 5.0) -> None:
-        self._address = f"{host}:{port}"
-        try:
-            self._socket = socket.create_connection((host, port), timeout)
-        except OSError as error:
-            raise LinkError(self._address, f"cannot be reached: {error.strerror or error}") from None
-        self._write({"type": "device", "status": "ready"})
+    def __init__(self, port: int = PORT, *, host: str = LOOPBACK, timeout: float = 5.0) -> None:
+        self._connection = Connection(port, host=host, timeout=timeout)
+        self._connection.send({"type": "device", "status": "ready"}, LINE_END)
 
     def send(self, launch: Mapping[str, float]) -> None:
         """Send a launch."""
-        self._write(to_json(launch))
+        self._connection.receive(0.0)  # what came is not needed, but a connection that was closed is noticed here
+        self._connection.send(to_json(launch), LINE_END)
 
     def close(self) -> None:
         """Close the connection."""
-        self._socket.close()
-
-    def _write(self, message: dict[str, Any]) -> None:
-        try:
-            self._socket.sendall(json.dumps(message, allow_nan=False).encode() + b"\n")
-        except OSError as error:
-            raise LinkError(self._address, f"was lost: {error.strerror or error}") from None
+        self._connection.close()

@@ -9,17 +9,18 @@ from typing import Any
 
 import uvicorn
 
-from clubface.errors import LinkError
 from clubface.shots.live import LiveShots
-from clubface.shots.open_connect import LOOPBACK, check_port
 from clubface.studio.app import make_application
 from clubface.studio.guard import Guard, new_token
 from clubface.studio.live import LiveSession
 from clubface.studio.site import site_folder
+from clubface.support.sockets import LOOPBACK, listen_on
 
 __all__ = ["PORT", "serve"]
 
 PORT = 8642
+WAITING = 64
+"""Connections that may wait to be accepted: a browser opens several at once."""
 LAST_WORDS = 2
 """Seconds that open connections, such as those of live shots, have at the end."""
 
@@ -33,7 +34,7 @@ def serve(
     on_start: Callable[[str, LiveSession | None], object],
     **links: Any,
 ) -> None:
-    """Serve the studio until the process is told to end.
+    """Serve the studio until Ctrl-C, or another signal, ends the process.
 
     Parameters
     ----------
@@ -55,9 +56,8 @@ def serve(
     FileError
         There is no built site, or a folder or file cannot be used.
     """
-    check_port(port, 0)
     folder = site_folder(site)
-    listening = _listen(port)
+    listening = listen_on(port, waiting=WAITING)
     session = None
     try:
         session = None if live is None else LiveSession(LiveShots(live), **links)
@@ -86,10 +86,3 @@ class _Server(uvicorn.Server):
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         self._application.close()
         await super().shutdown(sockets)
-
-
-def _listen(port: int) -> socket.socket:
-    try:
-        return socket.create_server((LOOPBACK, port), backlog=64)
-    except OSError as error:
-        raise LinkError(f"{LOOPBACK}:{port}", f"cannot be listened on: {error.strerror}; give another port") from None
