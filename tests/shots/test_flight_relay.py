@@ -203,7 +203,10 @@ def test_a_device_that_listens_is_found_whenever_it_comes():
             device.shutdown()
 
 
-@pytest.mark.parametrize("address", ["", "5880x", "http://localhost:1/frp", "ws://", "localhost:5880"])
+@pytest.mark.parametrize("address", [
+    "", "5880x", "http://localhost:1/frp", "ws://", "localhost:5880", "ws://localhost:70000/frp", "ws://localhost:x",
+    "ws://[", "ws://localhost/frp#now", "ws://name@localhost/frp", f"ws://{'a' * 64}/frp",
+])  # fmt: skip
 def test_an_address_that_is_none_is_refused(address):
     pytest.importorskip("websockets")
     from clubface.shots.flight_relay_link import FlightRelayClient

@@ -2,6 +2,8 @@
 
 import json
 import math
+import socket
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +13,7 @@ from hypothesis import given, strategies as st
 import clubface
 from clubface.errors import FileError, UnknownNameError
 from clubface.shots.live import LiveShots, Player, live_result
+from clubface.shots.live_links import LiveLinks
 from clubface.shots.messages import shot_message
 from clubface.shots.shot_list import shot_list_result
 
@@ -208,3 +211,36 @@ def test_club_data_of_an_unknown_club_gives_no_launch(path):
     assert "ball_speed_mps" not in row
     assert row["computed"] == ""
     live.close()
+
+
+def test_what_is_not_taken_of_a_shot_is_remarked_once_whatever_it_came_over(path):
+    pytest.importorskip("websockets")
+    from websockets.sync.client import connect
+
+    live = opened(path)
+    links = LiveLinks(live, listen={"open-connect": 0}, flight_relay=0)
+    try:
+        open_connect, relay = (int(each.address.rpartition(":")[2]) for each in links.states)
+        ball = {"Speed": 120, "HLA": 0, "VLA": 12, "TotalSpin": 99_999_999, "SpinAxis": 1, "CarryDistance": 100}
+        sent = {"DeviceID": "radar", "Units": "furlongs", "BallData": ball}
+        with socket.create_connection(("127.0.0.1", open_connect), 5) as monitor:
+            for number in (1, 2):
+                monitor.sendall(json.dumps(sent | {"ShotNumber": number}).encode())
+                assert json.loads(monitor.recv(4096))["Code"] == 200
+        with connect(f"ws://127.0.0.1:{relay}/frp") as device:
+            for number in (3, 4):
+                key = {"shot_id": str(number), "shot_number": number}
+                ball = {"launch_speed": "50mps", "max_height": "3", "backspin_rpm": 99_999_999}
+                for event in ({"kind": "ball_flight", "key": key, "ball": ball}, {"kind": "shot_finished", "key": key}):
+                    device.send(json.dumps({"device": "camera", "event": event}))
+            ends = time.monotonic() + 10.0
+            while len(live.shots) < 4 and time.monotonic() < ends:
+                time.sleep(0.01)
+    finally:
+        links.close()
+        live.close()
+    texts = [each.text for each in links.remarks if each.text.startswith("shot ")]
+    words = ["shot 1: no shot can have total_spin", "shot 1: Units", "shot 3: no shot can have backspin"]
+    assert len(texts) == 4
+    for text, start in zip(texts, [*words, "shot 3: ball.max_height"], strict=True):
+        assert text.startswith(start)

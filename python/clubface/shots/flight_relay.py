@@ -2,9 +2,9 @@
 
 The specification (github.com/flightrelay/spec) has texts such as "67.2mps" for speeds and lengths, angles in degrees
 and spins in rpm. Directions and sidespin are positive to the right for either hand, the impact towards the toe and the
-crown. ``club_offset`` and ``club_height`` are those of the head beside the ball and not on the face, and are not read;
-nor are the swing plane and the speed after impact. What came of a shot is one shot as soon as the device says that it
-is finished, or when nothing more has come of it for some seconds, or the connection ends.
+crown. ``club_offset`` and ``club_height`` are of the head as it passes the ball, not of a point on the face, and are
+not read; nor are the swing plane and the speed after impact. What came of a shot is one shot as soon as the device says
+that it is finished, or when nothing more has come of it for some seconds, or the connection ends.
 """
 
 from __future__ import annotations

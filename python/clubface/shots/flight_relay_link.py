@@ -15,7 +15,7 @@ from urllib.parse import urlsplit
 
 from clubface.errors import InputError
 from clubface.shots.flight_relay import PATH, ShotCollector, critical_alert, start_message, text_to_object
-from clubface.shots.messages import LARGEST, Message, MessageError
+from clubface.shots.messages import LARGEST, Message, MessageError, ValuesNotTaken
 from clubface.shots.open_connect import MOST_CLIENTS
 from clubface.support.sockets import listen_on
 
@@ -23,9 +23,9 @@ __all__ = ["FlightRelayClient", "FlightRelayListener"]
 
 TICK = 0.2
 """Longest wait before the clock and the request to stop are looked at [s]."""
-AGAIN = 2.0
+RETRY_AFTER = 2.0
 """Time between two tries to reach a device [s]."""
-PATIENCE = 10.0
+ANSWER_TIMEOUT = 10.0
 """Time within which a device must answer the beginning [s]."""
 Keep = Callable[[Message], object]
 Report = Callable[[str], object]
@@ -42,7 +42,7 @@ class _Link:
         """Hear a device out until the connection or the link ends."""
         from websockets.exceptions import ConnectionClosed
 
-        collector, waited = ShotCollector(), 0.0
+        collector, not_taken, waited = ShotCollector(), ValuesNotTaken(), 0.0
         try:
             socket.send(json.dumps(start_message()))
             while not self._stopped.is_set():
@@ -50,24 +50,26 @@ class _Link:
                     text = socket.recv(timeout=TICK)
                 except TimeoutError:
                     waited += TICK
-                    if not collector.has_begun and waited > PATIENCE:
+                    if not collector.has_begun and waited > ANSWER_TIMEOUT:
                         socket.send(json.dumps(critical_alert("no answer to start")))
                         self._report(f"{name} did not answer and is disconnected")
                         return
                 else:
                     if (data := text_to_object(text)) is not None:
-                        self._take(collector.feed(data), name)
-                self._take(collector.overdue(), name)
+                        self._take(collector.feed(data), name, not_taken)
+                self._take(collector.overdue(), name, not_taken)
         except ConnectionClosed:
             pass
         finally:
-            self._take(collector.rest(), name)
+            self._take(collector.rest(), name, not_taken)
 
-    def _take(self, messages: list[Message | MessageError], name: str) -> None:
+    def _take(self, messages: list[Message | MessageError], name: str, not_taken: ValuesNotTaken) -> None:
         for each in messages:
             if isinstance(each, MessageError):
                 self._report(f"{name}: {each}")
                 continue
+            for sentence in not_taken.sentences(each):
+                self._report(sentence)
             if each.kind == "shot":
                 self._keep(each)
             self._on_message(each)
@@ -135,10 +137,7 @@ class FlightRelayClient(_Link):
     def __init__(self, address: str, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
         super().__init__(keep, on_problem, on_message)
         self.is_connected = False
-        parts = urlsplit(address)
-        if parts.scheme not in ("ws", "wss") or not parts.hostname:
-            raise InputError("flight_relay", address, "an address such as ws://localhost:5880/frp, or a port")
-        self.address = address if parts.path.strip("/") else f"{parts.scheme}://{parts.netloc}{PATH}"
+        self.address = _whole_address(address)
         self._thread = threading.Thread(target=self._run, name="flight-relay", daemon=True)
         self._thread.start()
 
@@ -148,25 +147,40 @@ class FlightRelayClient(_Link):
 
         while not self._stopped.is_set():
             with (
-                suppress(OSError, InvalidHandshake, TimeoutError),
+                suppress(OSError, InvalidHandshake),
                 connect(
                     self.address,
                     max_size=LARGEST,
                     compression=None,
-                    open_timeout=PATIENCE,
+                    open_timeout=ANSWER_TIMEOUT,
                     close_timeout=1.0,
                     proxy=None,
                 ) as socket,
             ):
                 self.is_connected = True
                 self._report(f"connected to {self.address}")
-                self._converse(socket, self.address)
-                self.is_connected = False
+                try:
+                    self._converse(socket, self.address)
+                finally:
+                    self.is_connected = False
                 self._report(f"{self.address} left")
-            self.is_connected = False
-            self._stopped.wait(AGAIN)
+            self._stopped.wait(RETRY_AFTER)
 
     def close(self) -> None:
         """End the connection."""
         self._stopped.set()
         self._thread.join(5.0)
+
+
+def _whole_address(address: str) -> str:
+    """Return the address of a device, with the usual path where it has none."""
+    from websockets.exceptions import InvalidURI
+    from websockets.uri import parse_uri
+
+    try:
+        parse_uri(address).host.encode("idna")
+    except (InvalidURI, ValueError):
+        example = "an address such as ws://localhost:5880/frp, or a port"
+        raise InputError("flight_relay", address, example) from None
+    parts = urlsplit(address)
+    return address if parts.path.strip("/") else f"{parts.scheme}://{parts.netloc}{PATH}"

@@ -180,8 +180,6 @@ class LiveLinks:
         if shot is None:
             self.remark(f"{message.device} sent shot {message.shot_number} again: it is there already")
             return
-        for each in message.notes:
-            self.remark(f"shot {shot.number}: {each}")
         for each in self._simulators:
             each.put(shot)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,15 +16,15 @@ import numpy as np
 
 from clubface.errors import ClubfaceError, shortened
 from clubface.results.notes import Note, note
-from clubface.shots.plausibility import impossible, impossible_note, within_turn
+from clubface.shots.plausibility import impossible, impossible_note, shown, within_turn
 from clubface.simulation.spin import SPINS, complete
 
 if TYPE_CHECKING:
     from clubface.shots.recorded import RecordedShots
 
 __all__ = [
-    "LARGEST", "LARGEST_VALUE", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "number_of",
-    "numbers_of", "recorded", "shot_message",
+    "LARGEST", "LARGEST_VALUE", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "ValuesNotTaken",
+    "number_of", "numbers_of", "recorded", "shot_message",
 ]  # fmt: skip
 
 
@@ -63,7 +63,7 @@ class Message:
     is_ready, sees_ball
         The state that the monitor reports; None if it reports none.
     identity
-        What tells the shot from all others of any monitor, where the protocol has that.
+        A text that no other shot of any monitor has, where the protocol gives one.
     """
 
     kind: str
@@ -119,6 +119,24 @@ def _whole(launch: Mapping[str, float], notes: list[Note]) -> dict[str, float]:
     known = {name: float(values[0]) for name, values in spins.values.items() if values[0] == values[0]}
     rest = {name: float(within_turn(name, value)) for name, value in launch.items() if name not in SPINS}
     return rest | known
+
+
+class ValuesNotTaken:
+    """What a monitor sends and no shot takes, each reported once: one without spin sends its zero with every shot."""
+
+    def __init__(self) -> None:
+        self._reported: set[tuple[str, float] | Note] = set()
+
+    def sentences(self, message: Message) -> Iterator[str]:
+        """Yield what is new in a message: values that no shot can have, and its notes."""
+        shot = f"shot {message.shot_number}" if message.shot_number else "a shot"
+        new = [each for each in message.impossible.items() if each not in self._reported]
+        if new:
+            values = ", ".join(f"{name} of {shown(name, value)}" for name, value in new)
+            yield f"{shot}: no shot can have {values}: taken as not measured"
+        remarks = [each for each in message.notes if each not in self._reported]
+        yield from (f"{shot}: {each}" for each in remarks)
+        self._reported.update(new, remarks)
 
 
 def numbers_of(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note]) -> dict[str, float]:

@@ -16,10 +16,8 @@ from contextlib import suppress
 from typing import Any, NamedTuple, Self
 
 from clubface.errors import LinkError
-from clubface.results.notes import Note
-from clubface.shots.messages import Broken, Message, MessageError, ObjectStream, recorded as recorded
+from clubface.shots.messages import Broken, Message, MessageError, ObjectStream, ValuesNotTaken, recorded as recorded
 from clubface.shots.open_connect_messages import FAILED, OK, PLAYER, from_json, heartbeat, player, reply, to_json
-from clubface.shots.plausibility import shown
 from clubface.support.sockets import CHUNK, LOOPBACK, Connection, listen_on
 
 __all__ = [
@@ -89,8 +87,7 @@ class _Client:
         self.stream = ObjectStream()
         self.heard = self.spoke = time.monotonic()
         self.has_spoken = self.has_begun = False
-        self.reported: set[tuple[str, float] | Note] = set()
-        """Values that were not taken, each reported once: a monitor without spin sends its zero with every shot."""
+        self.not_taken = ValuesNotTaken()
 
     def is_idle(self, now: float) -> bool:
         """Whether it has been silent for too long."""
@@ -236,14 +233,8 @@ class Listener:
                 self._report(f"{client.name}: {error}")
                 self._answer(client, self._dialect.refusal(str(error)))
                 continue
-            new = {each: shown(*each) for each in message.impossible.items() if each not in client.reported}
-            client.reported |= set(new)
-            if new:
-                values = ", ".join(f"{name} of {text}" for (name, _), text in new.items())
-                self._report(f"shot {message.shot_number}: no shot can have {values}: taken as not measured")
-            for remark in (each for each in message.notes if each not in client.reported):
-                client.reported.add(remark)
-                self._report(f"shot {message.shot_number}: {remark}")
+            for sentence in client.not_taken.sentences(message):
+                self._report(sentence)
             if message.kind == "shot":
                 try:
                     self._keep(message)
