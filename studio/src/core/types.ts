@@ -32,6 +32,8 @@ export interface Variable {
   group?: string;
   differentiable?: boolean;
   default?: number | null;
+  /** From where to where people give it [SI], as the ends of a slider. */
+  usual?: readonly [number, number] | null;
 }
 
 export interface ModelEntry {

@@ -1,4 +1,4 @@
-/** Colours that stand for values: from low to high, or to both sides of zero. */
+/** Colours that stand for values, from low to high or to both sides of zero, and for series. */
 
 export type Rgb = readonly [red: number, green: number, blue: number];
 
@@ -59,6 +59,12 @@ export const rising = (most: number): ColourScale => scaleOf(RISING, 0, most);
 
 /** From minus a value to the value, zero in the middle. */
 export const bothSides = (most: number): ColourScale => scaleOf(BOTH_SIDES, -most, most);
+
+/** How many colours of series the page has, `--series-1` and those after it. */
+const SERIES = 6;
+
+/** The number of a series' colour, by its place among the series; after the last colour they begin again. */
+export const seriesNumber = (place: number): number => (place % SERIES) + 1;
 
 /** Steps of round numbers within a power of ten. */
 const ROUND = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];

@@ -102,6 +102,9 @@ export const gap = (unit: string): string => (unit === "" || unit.startsWith("°
 export const join = (number: string, unit: string, side = ""): string =>
   [number + gap(unit) + unit, side].filter(Boolean).join(" ");
 
+/** The heading of a row or column: what stands there, and its unit. */
+export const withUnit = (label: string, unit: string): string => (unit ? `${label},\u00a0${unit}` : label);
+
 const GREEK: Record<string, string> = {
   alpha: "α",
   beta: "β",

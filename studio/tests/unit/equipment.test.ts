@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { setNames, strikeOf } from "../../src/equipment/equipment";
+import { DELIVERY } from "../../src/scenes/shot/words";
 import { initialState } from "../../src/state/state";
 import { description, equipment } from "../described";
 
@@ -43,4 +44,12 @@ test("a left-handed club is the mirror image by its hand alone", () => {
 
 test("the usual parameters come first among the sets", () => {
   for (const { name: model } of description.models) expect(setNames(equipment, { ...usual, model })[0]).toBe("");
+});
+
+test("the core describes where every input of the delivery usually lies", () => {
+  expect(Object.keys(DELIVERY)).not.toHaveLength(0);
+  for (const name of Object.keys(DELIVERY)) {
+    const [least, most] = description.inputs.find((each) => each.name === name)?.usual ?? [0, 0];
+    expect(least, name).toBeLessThan(most);
+  }
 });

@@ -5,26 +5,12 @@ import { type Context, choiceSetting } from "../../context";
 import type { Dispersion } from "../../core/types";
 import { slopeOf } from "../../equipment/design";
 import { settingChoice } from "../../parts/choice";
-import { gap, join } from "../../quantities/formatter";
+import { LAUNCH_AND_FLIGHT } from "../../quantities/compared";
+import { join, withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { speedRemark } from "./club-panel";
 import { designedValue, setups } from "./designed";
 import { AXES, STRIKE, type Variable } from "./settings";
-
-const COMPARED = [
-  "ball_speed",
-  "smash",
-  "launch",
-  "azimuth",
-  "backspin",
-  "sidespin",
-  "spin_axis",
-  "carry",
-  "side",
-  "total",
-  "apex",
-  "landing_angle",
-];
 
 interface Row {
   label: string;
@@ -39,7 +25,7 @@ export function changesPanel(context: Context): TemplateResult {
   const { model, formatter } = context;
   const design = outputOf(model, "design");
   const failure = design?.designed.failure ?? design?.own.failure;
-  const rows = (design ? COMPARED : [])
+  const rows = (design ? LAUNCH_AND_FLIGHT : [])
     .map((name) => ({
       label: formatter.quantity(name).label,
       quantity: name,
@@ -145,7 +131,7 @@ function table(context: Context, caption: string, rows: Row[]): TemplateResult {
           const symbol = formatter.units.symbol(formatter.reading(row.quantity, state.system).unit);
           const { meaning } = formatter.quantity(row.quantity);
           return html`<tr>
-            <th scope="row" title=${meaning}>${row.label}${symbol ? `,${gap(symbol) || " "}${symbol}` : ""}</th>
+            <th scope="row" title=${meaning}>${withUnit(row.label, symbol)}</th>
             <td data-own=${row.quantity} data-value=${String(row.own)}>${text(row, row.own)}</td>
             <td data-quantity=${row.isSpread ? `${row.quantity}-spread` : row.quantity} data-value=${String(row.designed)}>
               <b>${text(row, row.designed)}</b>

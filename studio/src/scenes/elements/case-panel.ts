@@ -5,7 +5,7 @@ import type { Context } from "../../context";
 import type { PublishedCase } from "../../equipment/elements";
 import { settingChoice } from "../../parts/choice";
 import { amountField, type Field } from "../../parts/field";
-import { deliveryField } from "../shot/delivery";
+import { deliveryField, usualRange } from "../shot/delivery";
 import { DELIVERY } from "../shot/words";
 import { type CaseName, given, problemOf, type Setup } from "./case";
 import { type Progress, type ShownCase, startCase, stopCase } from "./impacts";
@@ -90,12 +90,11 @@ function secondFields(context: Context, second: ShownCase): TemplateResult {
   const same: readonly [string, string] = [SECOND_SAME, "as the first"];
   const balls = Object.keys(equipment.elements.balls).map((name) => [name, equipment.balls[name].label] as const);
   const faces = facesOf(equipment).map((name) => [name, faceLabel(context, name)] as const);
-  const own = (name: string, quantity: string): Field => {
-    const { label, range } = DELIVERY[quantity];
-    const { units } = context.formatter;
-    const ends = range.map((end) => units.toSi(units.parse(end, context.formatter.quantity(quantity).unit)));
-    return { name, label: `${label}, second`, range: [ends[0], ends[1]] };
-  };
+  const own = (name: string, input: string): Field => ({
+    name,
+    label: `${DELIVERY[input].label}, second`,
+    range: usualRange(context, input),
+  });
   return html`
     <h3>Second case</h3>
     <div class="choices">

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { ElementsImpact } from "../../core/elements";
 import type { Values } from "../../core/types";
+import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { ballOf } from "./case";
 import { flightSlot, modelSlot, type ShownCase } from "./impacts";
@@ -110,7 +111,7 @@ function table(
             const { label, meaning, sign } = formatter.quantity(name);
             const symbol = formatter.units.symbol(formatter.reading(name, state.system).unit);
             return html`<tr>
-              <th scope="row" title=${[meaning, sign].filter(Boolean).join(": ")}>${label}${symbol ? `,\u00a0${symbol}` : ""}</th>
+              <th scope="row" title=${[meaning, sign].filter(Boolean).join(": ")}>${withUnit(label, symbol)}</th>
               ${columns.map(({ values }) => {
                 const value = values[name];
                 if (value === undefined || value === null || !Number.isFinite(value)) return html`<td>–</td>`;

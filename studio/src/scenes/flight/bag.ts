@@ -2,6 +2,7 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { bagOf, driverSpeed } from "./bag-shots";
 import { colourOf } from "./range-content";
@@ -52,7 +53,7 @@ function gapTable(context: Context): TemplateResult {
   const heading = (name: string): TemplateResult => {
     const { label, meaning } = formatter.quantity(name);
     const symbol = formatter.units.symbol(formatter.reading(name, state.system).unit);
-    return html`<th scope="col" title=${meaning}>${label}${symbol ? `,\u00a0${symbol}` : ""}</th>`;
+    return html`<th scope="col" title=${meaning}>${withUnit(label, symbol)}</th>`;
   };
   const cell = (name: string, value: number): TemplateResult => {
     const { number, side } = formatter.show(name, value, state.system);

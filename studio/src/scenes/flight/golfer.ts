@@ -5,7 +5,7 @@ import { type Context, choiceSetting, delivered } from "../../context";
 import type { Dispersion } from "../../core/types";
 import { choiceOf } from "../../parts/choice";
 import { settingField } from "../../parts/field";
-import { join } from "../../quantities/formatter";
+import { join, withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { COUNT, DRAWN, PERCENTILES, withGolfer } from "./golfer-shots";
 
@@ -102,7 +102,7 @@ function spreadTable({ formatter, state, model }: Context, { quantities }: Dispe
               return html`<td data-spread=${name} data-part=${part} data-value=${String(value)}>${number} ${side}</td>`;
             };
             return html`<tr>
-              <th scope="row" title=${meaning}>${label}${symbol ? `,\u00a0${symbol}` : ""}</th>
+              <th scope="row" title=${meaning}>${withUnit(label, symbol)}</th>
               ${cell("mean", mean)}
               <td data-spread=${name} data-part="spread" data-value=${String(spread)}>
                 ${formatter.format(formatter.units.differenceFromSi(spread, unit), digits)}

@@ -2,6 +2,7 @@
 
 import { type Context, choiceSetting } from "../../context";
 import type { Dispersion, Shot, Values } from "../../core/types";
+import { seriesNumber } from "../../parts/colours";
 import type { Vector } from "../../parts/vectors";
 import { outputOf } from "../../state/store";
 
@@ -23,9 +24,8 @@ export interface Content {
   ellipses: Dispersion["ellipses"];
 }
 
-const COLOURS = 6;
 /** The colour of a club of the bag, by its place. */
-export const colourOf = (place: number): string => `--series-${(place % COLOURS) + 1}`;
+export const colourOf = (place: number): string => `--series-${seriesNumber(place)}`;
 
 const NONE: Content = { flights: [], landings: [], ellipses: [] };
 

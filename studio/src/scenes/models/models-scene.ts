@@ -4,6 +4,8 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, type Scene, strike } from "../../context";
 import type { Computed, History } from "../../core/types";
 import { chartFrame } from "../../parts/chart";
+import { LAUNCH_AND_FLIGHT } from "../../quantities/compared";
+import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { deliveryPanel } from "../shot/delivery";
 import { equipmentPanel } from "../shot/equipment-panel";
@@ -14,22 +16,7 @@ import { headlineDelivery } from "./strike-in-words";
 /** No histories yet. */
 const NONE: History[] = [];
 
-const COMPARED = [
-  "ball_speed",
-  "smash",
-  "launch",
-  "azimuth",
-  "backspin",
-  "sidespin",
-  "spin_axis",
-  "carry",
-  "side",
-  "total",
-  "apex",
-  "landing_angle",
-  "contact_time",
-  "peak_force",
-];
+const COMPARED = [...LAUNCH_AND_FLIGHT, "contact_time", "peak_force"];
 
 export const modelsScene: Scene = {
   view,
@@ -86,7 +73,7 @@ function table({ state, formatter, description }: Context, shots: Computed[]): T
             const { unit } = formatter.reading(name, state.system);
             const symbol = formatter.units.symbol(unit);
             return html`<tr>
-              <th scope="row">${formatter.quantity(name).label}${symbol ? `,\u00a0${symbol}` : ""}</th>
+              <th scope="row">${withUnit(formatter.quantity(name).label, symbol)}</th>
               ${shots.map(({ values, failure }) => {
                 const value = values[name];
                 if (failure || !Number.isFinite(value)) return html`<td title=${failure?.message ?? nothing}>–</td>`;

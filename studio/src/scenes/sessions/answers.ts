@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
-import { gap } from "../../quantities/formatter";
+import { gap, withUnit } from "../../quantities/formatter";
 import type {
   Asked,
   Cell,
@@ -108,7 +108,7 @@ export function resultTable(context: Context, result: ResultDocument, name: stri
 
 function heading(context: Context, column: ColumnDocument): TemplateResult {
   const unit = column.quantity ? reading(context, 0, column.quantity, column.unit ?? "1")[1] : "";
-  return html`<th scope="col" title=${column.meaning || nothing}>${column.label}${unit ? `,\u00a0${unit}` : ""}</th>`;
+  return html`<th scope="col" title=${column.meaning || nothing}>${withUnit(column.label, unit)}</th>`;
 }
 
 /** What a result says in sentences. */

@@ -3,6 +3,7 @@
 import { html, nothing, svg, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { line, type Scale, scale, ticks } from "../../parts/axes";
+import { seriesNumber } from "../../parts/colours";
 import { rootSize } from "../../parts/measure";
 import { sideOf } from "../../quantities/formatter";
 import { clubsOf, landing, type ShotRow } from "./shot-rows";
@@ -16,8 +17,6 @@ const USUAL_LETTERS = 16;
 const HEIGHTS = { side: [70, 190], above: [140, 360] } as const;
 /** Least distance to either side of the target line, in the unit of the picture. */
 const LEAST_SIDE = 12;
-/** Colours of clubs; those after them begin again. */
-const COLOURS = 6;
 
 interface Range {
   context: Context;
@@ -56,7 +55,7 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
     alongTicks: ticks([0, end], Math.max(3, Math.min(10, width / 90))),
     unit: formatter.units.symbol(unit),
     convert,
-    series: (club) => (clubs.findIndex(([each]) => each === club) % COLOURS) + 1,
+    series: (club) => seriesNumber(clubs.findIndex(([each]) => each === club)),
   };
   return html`
     ${rows.some(({ path }) => path.length) ? fromSide(range) : nothing} ${fromAbove(range)}

@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { withUnit } from "../../quantities/formatter";
 import type { TableDocument } from "../../state/session";
 import { type Measured, measuredColumns, type ShotRow } from "./shot-rows";
 
@@ -70,5 +71,5 @@ function heading(
 ): TemplateResult {
   const unit = formatter.units.symbol(formatter.reading(quantity, state.system).unit);
   const { label, meaning } = columns[key];
-  return html`<th scope="col" title=${meaning || nothing}>${label}${unit ? `,\u00a0${unit}` : ""}</th>`;
+  return html`<th scope="col" title=${meaning || nothing}>${withUnit(label, unit)}</th>`;
 }

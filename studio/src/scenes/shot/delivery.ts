@@ -5,13 +5,20 @@ import type { Context } from "../../context";
 import { fieldOf } from "../../parts/field";
 import { DELIVERY, FURTHER, MAIN } from "./words";
 
-export function deliveryField(context: Context, name: string, range?: readonly [number, number]): TemplateResult {
-  const { units } = context.formatter;
-  const { unit } = context.formatter.quantity(name);
-  const words = DELIVERY[name];
-  const [least, most] = words.range.map((text) => units.toSi(units.parse(text, unit)));
+/** The ends of the slider of an input [SI], as the core describes it. */
+export function usualRange({ description }: Context, name: string): readonly [number, number] {
+  const usual = description.inputs.find((input) => input.name === name)?.usual;
+  if (!usual) throw new Error(`${name}: the core describes no usual range`);
+  return usual;
+}
+
+export function deliveryField(
+  context: Context,
+  name: string,
+  range: readonly [number, number] = usualRange(context, name),
+): TemplateResult {
   const remark = name === "loft" && !context.state.delivery.loft ? "the club's own; few golfers deliver it" : undefined;
-  return fieldOf(context, { name, label: words.label, range: range ?? [least, most], remark });
+  return fieldOf(context, { name, label: DELIVERY[name].label, range, remark });
 }
 
 export function deliveryPanel(context: Context): TemplateResult {

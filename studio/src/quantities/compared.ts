@@ -1,0 +1,15 @@
+/** Quantities of launch and flight by which shots are compared, in the order of the tables. */
+export const LAUNCH_AND_FLIGHT: readonly string[] = [
+  "ball_speed",
+  "smash",
+  "launch",
+  "azimuth",
+  "backspin",
+  "sidespin",
+  "spin_axis",
+  "carry",
+  "side",
+  "total",
+  "apex",
+  "landing_angle",
+];
