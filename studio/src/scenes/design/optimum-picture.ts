@@ -4,7 +4,7 @@ import { html, nothing, svg, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { ChartAxis, Optimum } from "../../core/design";
 import { line, scale, ticks } from "../../parts/axes";
-import { areaBelow, contour, type Grid, type Place } from "../../parts/contours";
+import { areaBelow, contours, type Grid, type Place } from "../../parts/contours";
 import { rootSize } from "../../parts/measure";
 import { designedValue, ownValue } from "./designed";
 import { objectiveLabel, slopesOf, variableNamed } from "./optimum";
@@ -144,7 +144,7 @@ export function optimumPicture(context: Context, optimum: Optimum): TemplateResu
         <path class="not-built" data-area="not-built" d=${areaBelow(allowed, 0)
           .map((each) => `${line(each.map(atFine))}Z`)
           .join("")}></path>
-        <path class="edge built" d=${contour(allowed, 0)
+        <path class="edge built" d=${contours(allowed, 0)
           .map((each) => line(each.map(atFine)))
           .join("")}></path>
         ${ruleAreas(optimum, right.at, up.at, [LEFT, width - RIGHT], [TOP, height - BOTTOM])}
@@ -168,7 +168,7 @@ export function optimumPicture(context: Context, optimum: Optimum): TemplateResu
 
 type Pixel = [number, number];
 
-/** A line of equal value, its number at its middle piece. */
+/** A line of equal value, its number near its middle. */
 function contourOf(
   grid: Grid,
   level: number,
@@ -176,10 +176,11 @@ function contourOf(
   text: string,
   number: number,
 ): TemplateResult {
-  const pieces = contour(grid, level);
-  if (!pieces.length) return svg`` as TemplateResult;
-  const [x, y] = at(pieces[Math.floor(pieces.length * (number % 2 ? 0.4 : 0.65))][0]);
-  return svg`<path class="contour" d=${pieces.map((each) => line(each.map(at))).join("")}></path>
+  const lines = contours(grid, level);
+  if (!lines.length) return svg`` as TemplateResult;
+  const places = lines.flat();
+  const [x, y] = at(places[Math.floor(places.length * (number % 2 ? 0.4 : 0.65))]);
+  return svg`<path class="contour" d=${lines.map((each) => line(each.map(at))).join("")}></path>
     <text class="level" x=${x} y=${y + 4} text-anchor="middle">${text}</text>` as TemplateResult;
 }
 

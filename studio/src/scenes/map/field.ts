@@ -1,5 +1,7 @@
 /** Values over the points of a grid, and what is drawn of them: finer values in between, ranges, contour lines. */
 
+import { contours as gridContours } from "../../parts/contours";
+
 export interface Field {
   /** Places towards the toe and up the face [m], rising at even distances. */
   toe: ArrayLike<number>;
@@ -104,68 +106,10 @@ export function refined(field: Field, times: number): Field {
 
 /** Lines on which a field has a value: of each its points from one end to the other, closed ones back to the first. */
 export function contours({ toe, high, values }: Field, level: number): Place[][] {
-  const columns = toe.length;
-  const ends = new Map<number, Place>();
-  const next = new Map<number, number[]>();
-  const join = (one: number, other: number): void => {
-    next.set(one, [...(next.get(one) ?? []), other]);
-    next.set(other, [...(next.get(other) ?? []), one]);
+  const along = (places: ArrayLike<number>, at: number): number => {
+    const before = cell(at, places.length);
+    return places[before] + (at - before) * (places[before + 1] - places[before]);
   };
-  /** Where the level is passed on an edge of the grid, which has a number of its own. */
-  const crossing = (from: number, isUpright: boolean): number => {
-    const to = from + (isUpright ? columns : 1);
-    const edge = 2 * from + (isUpright ? 1 : 0);
-    if (!ends.has(edge)) {
-      const share = (level - values[from]) / (values[to] - values[from]);
-      const at = (place: number): Place => [toe[place % columns], high[Math.floor(place / columns)]];
-      const [[x, y], [u, v]] = [at(from), at(to)];
-      ends.set(edge, [x + share * (u - x), y + share * (v - y)]);
-    }
-    return edge;
-  };
-  for (let row = 0; row + 1 < high.length; row += 1)
-    for (let column = 0; column + 1 < columns; column += 1) {
-      const corner = row * columns + column;
-      const corners = [corner, corner + 1, corner + columns + 1, corner + columns];
-      if (corners.some((each) => Number.isNaN(values[each]))) continue;
-      const above = corners.map((each) => values[each] > level);
-      const edges: (readonly [number, boolean])[] = [
-        [corner, false],
-        [corner + 1, true],
-        [corner + columns, false],
-        [corner, true],
-      ];
-      const passed = edges.filter((_, i) => above[i] !== above[(i + 1) % 4]).map(([at, up]) => crossing(at, up));
-      if (passed.length === 2) join(passed[0], passed[1]);
-      else if (passed.length === 4) {
-        // A saddle: the corners whose side the middle is on are connected.
-        const middle = corners.reduce((sum, each) => sum + values[each], 0) / 4 > level;
-        const [a, b] = middle === above[0] ? [1, 3] : [3, 1];
-        join(passed[0], passed[a]);
-        join(passed[2], passed[b]);
-      }
-    }
-  return lines(ends, next);
-}
-
-/** Chains of crossings: those with ends first, then the closed ones. */
-function lines(ends: Map<number, Place>, next: Map<number, number[]>): Place[][] {
-  const left = new Set(next.keys());
-  const result: Place[][] = [];
-  const walk = (start: number): void => {
-    const line: Place[] = [];
-    let at: number | undefined = start;
-    while (at !== undefined) {
-      left.delete(at);
-      const place = ends.get(at);
-      if (place) line.push(place);
-      at = next.get(at)?.find((each) => left.has(each));
-    }
-    const last = next.get(start) ?? [];
-    if (last.length === 2 && line.length > 2) line.push(line[0]);
-    result.push(line);
-  };
-  for (const [edge, others] of next) if (others.length === 1 && left.has(edge)) walk(edge);
-  for (const edge of next.keys()) if (left.has(edge)) walk(edge);
-  return result;
+  const lines = gridContours({ columns: toe.length, rows: high.length, values }, level);
+  return lines.map((line) => line.map(([column, row]) => [along(toe, column), along(high, row)]));
 }
