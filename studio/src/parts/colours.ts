@@ -1,61 +1,61 @@
 /** Colours that stand for values, from low to high or to both sides of zero, and for series. */
 
-export type Rgb = readonly [red: number, green: number, blue: number];
+export type Colour = readonly [red: number, green: number, blue: number];
+
+/** From a share of the range, 0 to 1, to a colour. */
+export type Palette = (share: number) => Colour;
 
 export interface ColourScale {
   /** Ends of the scale in SI. */
   least: number;
   most: number;
-  at(value: number): Rgb;
+  at(value: number): Colour;
   /** The same as a CSS gradient from left to right. */
   gradient: string;
 }
 
-/** Colours of equal steps in brightness, which can be distinguished without seeing red or green (viridis). */
-const RISING: Rgb[] = [
-  [68, 1, 84],
-  [71, 44, 122],
-  [59, 81, 139],
-  [44, 113, 142],
-  [33, 144, 141],
-  [39, 173, 129],
-  [92, 200, 99],
-  [170, 220, 50],
-  [253, 231, 37],
-];
-/** From one side of zero to the other, pale in the middle. */
-const BOTH_SIDES: Rgb[] = [
-  [5, 48, 97],
-  [33, 102, 172],
-  [67, 147, 195],
-  [146, 197, 222],
-  [245, 245, 242],
-  [253, 200, 140],
-  [230, 130, 50],
-  [179, 80, 10],
-  [110, 40, 0],
-];
+const rgb = (text: string): Colour => {
+  const part = (place: number): number => Number.parseInt(text.slice(2 * place, 2 * place + 2), 16);
+  return [part(0), part(1), part(2)];
+};
 
-function scaleOf(stops: Rgb[], least: number, most: number): ColourScale {
-  const steps = stops.length - 1;
+/** The colours on straight lines between stops at even distances; shares beyond the ends have those of the ends. */
+export function paletteOf(stops: readonly string[]): Palette {
+  const colours = stops.map(rgb);
+  return (share) => {
+    const at = Math.max(0, Math.min(1, share || 0)) * (colours.length - 1);
+    const before = Math.min(colours.length - 2, Math.floor(at));
+    const [from, to] = [colours[before], colours[before + 1]];
+    const mix = (part: 0 | 1 | 2): number => from[part] + (at - before) * (to[part] - from[part]);
+    return [mix(0), mix(1), mix(2)];
+  };
+}
+
+export const cssColour = ([red, green, blue]: Colour): string =>
+  `rgb(${Math.round(red)} ${Math.round(green)} ${Math.round(blue)})`;
+
+const VIRIDIS = ["440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725"];
+/**
+ * Viridis, of S. van der Walt and N. Smith (2015): even steps in brightness, which can be distinguished without colours
+ * and without seeing red or green.
+ */
+export const viridis = paletteOf(VIRIDIS);
+
+/** From one side of zero to the other, pale in the middle. */
+const BOTH_SIDES = ["053061", "2166ac", "4393c3", "92c5de", "f5f5f2", "fdc88c", "e68232", "b3500a", "6e2800"];
+
+function scaleOf(stops: readonly string[], least: number, most: number): ColourScale {
+  const palette = paletteOf(stops);
   return {
     least,
     most,
-    at(value) {
-      const share = most > least ? (value - least) / (most - least) : 0;
-      const place = Math.max(0, Math.min(1, Number.isFinite(share) ? share : 0)) * steps;
-      const before = Math.min(steps - 1, Math.floor(place));
-      const rest = place - before;
-      const mix = (channel: 0 | 1 | 2): number =>
-        stops[before][channel] * (1 - rest) + stops[before + 1][channel] * rest;
-      return [mix(0), mix(1), mix(2)];
-    },
-    gradient: `linear-gradient(to right, ${stops.map((each) => `rgb(${each.join(" ")})`).join(", ")})`,
+    at: (value) => palette(most > least ? (value - least) / (most - least) : 0),
+    gradient: `linear-gradient(to right, ${stops.map((each) => `#${each}`).join(", ")})`,
   };
 }
 
 /** From 0 to a value. */
-export const rising = (most: number): ColourScale => scaleOf(RISING, 0, most);
+export const rising = (most: number): ColourScale => scaleOf(VIRIDIS, 0, most);
 
 /** From minus a value to the value, zero in the middle. */
 export const bothSides = (most: number): ColourScale => scaleOf(BOTH_SIDES, -most, most);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { inkOn, luminance, paletteOf } from "../../src/scenes/map/colours";
+import { inkOn, luminance, mapPalette } from "../../src/scenes/map/colours";
 import { contours, extended, type Field, rangeOf, refined, valueAt } from "../../src/scenes/map/field";
 import { deviationsOf } from "../../src/scenes/map/golfer-spread";
 import { isOnFace } from "../../src/scenes/map/mapped";
@@ -99,11 +99,11 @@ describe("contour lines", () => {
 
 describe("colours", () => {
   test("grow lighter evenly, and away from the middle darker or lighter by the theme", () => {
-    const even = paletteOf(false, false);
+    const even = mapPalette(false, false);
     const steps = evenly(0, 1, 17).map((share) => luminance(even(share)));
     for (let i = 1; i < steps.length; i += 1) expect(steps[i]).toBeGreaterThan(steps[i - 1]);
     for (const isDark of [false, true]) {
-      const sides = paletteOf(true, isDark);
+      const sides = mapPalette(true, isDark);
       const middle = luminance(sides(0.5));
       for (const share of [0, 0.2, 0.8, 1]) expect(luminance(sides(share)) < middle).toBe(!isDark);
       // Blue on one side and orange on the other, whatever the theme.
@@ -113,7 +113,7 @@ describe("colours", () => {
   });
 
   test("carry an ink that can be read", () => {
-    for (const palette of [paletteOf(false, false), paletteOf(true, false), paletteOf(true, true)])
+    for (const palette of [mapPalette(false, false), mapPalette(true, false), mapPalette(true, true)])
       for (const share of evenly(0, 1, 41)) {
         const colour = palette(share);
         const ink = inkOn(colour) === "#000" ? 0 : 1;

@@ -2,8 +2,9 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
+import { cssColour } from "../../parts/colours";
 import { rootSize } from "../../parts/measure";
-import { cssColour, paletteOf } from "./colours";
+import { mapPalette } from "./colours";
 import type { Shown } from "./mapped";
 import { ELLIPSES, shareWithin } from "./marks";
 import { bandShare, levelDigits, valueScale } from "./scales";
@@ -16,7 +17,7 @@ const USUAL_WIDTH = 640;
 export function colourLegend(context: Context, shown: Shown): TemplateResult {
   const { formatter } = context;
   const scale = valueScale(context, shown);
-  const palette = paletteOf(shown.isDiverging, isDark());
+  const palette = mapPalette(shown.isDiverging, isDark());
   const isBands = choiceSetting(context, "map_style") === "bands";
   const edges = isBands
     ? [scale.ends[0], ...scale.levels, scale.ends[1]]

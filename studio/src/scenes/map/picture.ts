@@ -1,6 +1,7 @@
 /** The map on a canvas: colours within the outline, contour lines with their numbers, and what is marked. */
 
-import { cssColour, inkOn, type Palette, paletteOf } from "./colours";
+import { cssColour, type Palette } from "../../parts/colours";
+import { inkOn, mapPalette } from "./colours";
 import { contours, type Field, type Place } from "./field";
 import { isOnFace, type Shown } from "./mapped";
 import { bandShare, type ValueScale } from "./scales";
@@ -69,7 +70,7 @@ export function drawMap(canvas: HTMLCanvasElement, drawing: Drawing): void {
   const pen = canvas.getContext("2d");
   if (!pen) return;
   pen.scale(layout.ratio, layout.ratio);
-  const palette = paletteOf(shown.isDiverging, ink.isDark);
+  const palette = mapPalette(shown.isDiverging, ink.isDark);
   axes(pen, drawing);
   pen.save();
   for (const corners of shown.outlines) {
