@@ -1,4 +1,4 @@
-/** Widths of pictures, and the time from a moved slider to the drawn answer. */
+/** Sizes of pictures and letters, whether motion is wanted, and the time from a moved slider to the drawn answer. */
 
 type Observer = (widths: Record<string, number>) => void;
 
@@ -32,6 +32,17 @@ export function watchWidths(): void {
 
 /** The size of the page's letters [px]. */
 export const rootSize = (): number => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+
+const USUAL_LETTERS = 16;
+
+/** How much larger than usual the letters of the page are; pictures are drawn as much larger. */
+export const letterZoom = (): number => rootSize() / USUAL_LETTERS;
+
+/** Width of a picture that has not been measured yet [px]. */
+export const USUAL_WIDTH = 640;
+
+/** Whether the system asks for less motion. */
+export const isMotionReduced = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 const MOST_TIMES = 1000;
 /** The latest times from an input event to the page that shows its answer [ms], for the browser tests. */

@@ -97,7 +97,7 @@ export interface Session {
   api: string | null;
   offers: Asked<Offers>;
   file: Asked<SessionFile>;
-  /** The last file that was chosen, and what was said of its units, hand and layout. */
+  /** The last file that was chosen, and the units, hand and layout given for it. */
   source: File | null;
   reading: Record<string, string>;
   /** The club that alone is shown, "" for all, and the shot that is marked. */

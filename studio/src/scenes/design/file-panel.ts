@@ -2,6 +2,7 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { download } from "../../parts/download";
 import type { Amount } from "../../quantities/units";
 import type { State } from "../../state/state";
 import { asChanges, exactAmount, nameOf, readClub, writeClub } from "./club-file";
@@ -49,13 +50,8 @@ export function clubText(context: Context): string {
   return writeClub(equipment, formatter.units, state, amounts(context));
 }
 
-function save(context: Context): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([clubText(context)], { type: "application/toml" }));
-  link.download = `${nameOf(context.state.club)}.toml`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href));
-}
+const save = (context: Context): void =>
+  download(new Blob([clubText(context)], { type: "application/toml" }), `${nameOf(context.state.club)}.toml`);
 
 /** How the strike with the saved club is typed in the command line. */
 export function command(context: Context): string {

@@ -5,12 +5,12 @@ import type { Context } from "../../context";
 import type { ChartAxis, Optimum } from "../../core/design";
 import { line, scale, ticks } from "../../parts/axes";
 import { areaBelow, contours, type Grid, type Place } from "../../parts/contours";
-import { rootSize } from "../../parts/measure";
+import { letterZoom } from "../../parts/measure";
+import { draggedPlace } from "../../parts/pointer";
 import { designedValue, ownValue } from "./designed";
 import { objectiveLabel, slopesOf, variableNamed } from "./optimum";
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [56, 12, 12, 44];
-const USUAL_LETTERS = 16;
 const WIDEST = 720;
 const SHAPE = 0.72;
 const LEVELS = 9;
@@ -22,7 +22,7 @@ const DOWNWARDS = ["cg_y"];
 export function optimumPicture(context: Context, optimum: Optimum): TemplateResult {
   const { model, formatter, state, actions } = context;
   const { axes, objective, x, y, values, margins, best } = optimum;
-  const zoom = rootSize() / USUAL_LETTERS;
+  const zoom = letterZoom();
   const width = Math.min(WIDEST, Math.max(260, (model.widths["optimum"] ?? WIDEST) / zoom));
   const height = Math.round(width * SHAPE);
   const right = scale(axes[0].range, [LEFT, width - RIGHT]);
@@ -55,12 +55,8 @@ export function optimumPicture(context: Context, optimum: Optimum): TemplateResu
     actions.change({ kind: "settings", settings: Object.fromEntries(settings) }, going);
   };
   const point = (event: PointerEvent): void => {
-    const drawing = event.currentTarget as SVGSVGElement;
-    if (event.type === "pointerdown") drawing.setPointerCapture(event.pointerId);
-    else if (!drawing.hasPointerCapture(event.pointerId)) return;
-    const matrix = drawing.getScreenCTM();
-    if (!matrix) return;
-    const there = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    const there = draggedPlace(event);
+    if (!there) return;
     const back = (axis: ChartAxis, pixel: number, to: typeof right): number =>
       axis.range[0] + (pixel - to.at(axis.range[0])) / (to.at(1) - to.at(0));
     move([back(axes[0], there.x, right), back(axes[1], there.y, up)], "place on the chart");

@@ -70,7 +70,7 @@ function loftOf(context: Context, against: string): number {
 export const ballOf = ({ equipment }: Context, { ball }: Setup): MeshedBall | undefined =>
   equipment.elements.balls[ball];
 
-/** Why a setup can be no case, "" where it can; that the ball has no pieces is said elsewhere. */
+/** Why a setup can be no case, "" where it can; a ball without pieces has a message of its own. */
 export function problemOf({ equipment, formatter, state }: Context, setup: Setup): string {
   const { limits } = equipment.elements;
   const isPlane = setup.against === "plane";

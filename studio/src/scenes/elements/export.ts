@@ -5,6 +5,7 @@ import type { Context } from "../../context";
 import { choiceSetting } from "../../context";
 import { handSign } from "../../equipment/equipment";
 import type { ColourScale } from "../../parts/colours";
+import { download } from "../../parts/download";
 import { join } from "../../quantities/formatter";
 import { caseInWords } from "./case-panel";
 import { type DrawnCase, SHAPE_COLOURS, scales } from "./drawn-case";
@@ -86,14 +87,6 @@ async function saveVideo(context: Context, shown: DrawnCase): Promise<void> {
   await ended;
   context.actions.keep({ [RECORDING]: "" });
   download(new Blob(parts, { type: "video/webm" }), "impact.webm");
-}
-
-function download(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
 }
 
 /** Marks the page while it plays, which ends a recording with it. */

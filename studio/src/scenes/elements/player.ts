@@ -4,6 +4,7 @@ import { html, type TemplateResult } from "lit-html";
 import { live } from "lit-html/directives/live.js";
 import type { Context } from "../../context";
 import type { ElementsImpact } from "../../core/elements";
+import { isMotionReduced } from "../../parts/measure";
 import { given } from "./case";
 import { frameAt } from "./shape-fields";
 
@@ -47,7 +48,7 @@ export function playOn(context: Context, impact: ElementsImpact | null): void {
   if (!isPlaying(context) || !impact) return;
   const frame = frameAt(impact, momentOf(context, impact));
   const last = impact.times.length - 1;
-  const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const isStill = isMotionReduced();
   const next = Math.min(last, frame + (isStill ? Math.ceil(last / STILL.shapes) : 1));
   timer = setTimeout(
     () => {

@@ -1,6 +1,7 @@
 /** Plays the flights as long as they last; the eye follows a single ball. */
 
 import type { Group, Mesh } from "three";
+import { isMotionReduced } from "../../parts/measure";
 import type { Stage } from "../../parts/stage";
 import { minus, plus, times as scaled, type Vector } from "../../parts/vectors";
 import { followBall } from "./range-camera";
@@ -40,7 +41,7 @@ export function play(range: Played): void {
   const { stage, group, flights, view, extent, look } = range;
   if (!flights.length) return;
   const { three } = stage;
-  const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const isStill = isMotionReduced();
   const balls = flights.map((): Mesh => {
     const ball = new three.Mesh(
       new three.SphereGeometry(extent.far * BALL, 20, 14),

@@ -14,7 +14,7 @@ const LISTED = ["ball_speed", "launch", "backspin", "sidespin", "azimuth", "carr
 const OWN = "own";
 /** Difference of two deviations that are the same [m]. */
 const SAME = 5e-5;
-/** Share of swings that miss the face above which it is said. */
+/** Least share of swings that miss the face for a remark on them. */
 const LEAST_MISSED = 5e-4;
 const RANGE = [1e-3, 20e-3] as const;
 

@@ -3,7 +3,7 @@
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
 import { cssColour } from "../../parts/colours";
-import { rootSize } from "../../parts/measure";
+import { rootSize, USUAL_WIDTH } from "../../parts/measure";
 import { mapPalette } from "./colours";
 import type { Shown } from "./mapped";
 import { ELLIPSES, shareWithin } from "./marks";
@@ -11,7 +11,6 @@ import { bandShare, levelDigits, valueScale } from "./scales";
 
 /** Room for the number of a level, in letters of the page. */
 const LETTERS = 2.2;
-const USUAL_WIDTH = 640;
 
 /** The colours and the numbers they stand for. */
 export function colourLegend(context: Context, shown: Shown): TemplateResult {

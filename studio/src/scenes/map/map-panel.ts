@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
 import { settingChoice } from "../../parts/choice";
-import { rootSize } from "../../parts/measure";
+import { rootSize, USUAL_WIDTH } from "../../parts/measure";
 import { cursorOf, pointAt } from "./cursor";
 import type { Place } from "./field";
 import { colourLegend, isDark, levelText, marksLegend } from "./legend";
@@ -15,7 +15,6 @@ import { levelDigits, placeInWords, titleOf, valueInWords, valueScale } from "./
 import { NO_CLUB, STYLES } from "./settings";
 
 const MILLIMETRE = 1e-3;
-const USUAL_WIDTH = 640;
 const ARROWS: Record<string, Place> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export function mapPanel(context: Context): TemplateResult {

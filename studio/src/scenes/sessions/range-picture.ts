@@ -4,7 +4,7 @@ import { html, nothing, svg, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { line, type Scale, scale, ticks } from "../../parts/axes";
 import { seriesNumber } from "../../parts/colours";
-import { rootSize } from "../../parts/measure";
+import { letterZoom, USUAL_WIDTH } from "../../parts/measure";
 import { sideOf } from "../../quantities/formatter";
 import { clubsOf, landing, type ShotRow } from "./shot-rows";
 
@@ -12,8 +12,6 @@ const LEFT = 44;
 const RIGHT = 16;
 const TOP = 24;
 const BOTTOM = 36;
-const USUAL_WIDTH = 640;
-const USUAL_LETTERS = 16;
 const HEIGHTS = { side: [70, 190], above: [140, 360] } as const;
 /** Least distance to either side of the target line, in the unit of the picture. */
 const LEAST_SIDE = 12;
@@ -42,7 +40,7 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
   const { model, state, formatter } = context;
   const { unit } = formatter.reading("carry", state.system);
   const convert = (metres: number): number => formatter.units.fromSi(metres, unit);
-  const zoom = rootSize() / USUAL_LETTERS;
+  const zoom = letterZoom();
   const width = Math.max(260, (model.widths[name] ?? USUAL_WIDTH) / zoom);
   const end = convert(Math.max(...rows.map((row) => landing(row)?.[0] ?? 0), 1)) * 1.06;
   const clubs = clubsOf(rows);

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting, delivered, settingSi, strike } from "../../context";
 import type { Shot, Values } from "../../core/types";
 import { settingField } from "../../parts/field";
+import { isMotionReduced } from "../../parts/measure";
 import { setStage, stageFrame } from "../../parts/stage";
 import { drawHead } from "./head-picture";
 import { VIEWS } from "./settings";
@@ -107,7 +108,7 @@ function play(context: Context, shot: Shot): void {
   playing += 1;
   const own = playing;
   const moments = momentsOf(shot);
-  const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const isStill = isMotionReduced();
   let shown = -1;
   const next = (now: number): void => {
     if (own !== playing || !document.querySelector('[data-stage="head"]')) return;

@@ -3,6 +3,7 @@
 import { html, svg, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
 import { handSign } from "../../equipment/equipment";
+import { draggedPlace } from "../../parts/pointer";
 import type { Amount } from "../../quantities/units";
 import { deliveryField } from "./delivery";
 
@@ -38,13 +39,8 @@ export function facePanel(context: Context): TemplateResult {
     actions.change({ kind: "delivery", amounts }, going);
   };
   const point = (event: PointerEvent): void => {
-    const drawing = event.currentTarget as SVGSVGElement;
-    if (event.type === "pointerdown") drawing.setPointerCapture(event.pointerId);
-    else if (!drawing.hasPointerCapture(event.pointerId)) return;
-    const matrix = drawing.getScreenCTM();
-    if (!matrix) return;
-    const there = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-    move(side * there.x * MILLIMETRE, -there.y * MILLIMETRE, "impact point");
+    const there = draggedPlace(event);
+    if (there) move(side * there.x * MILLIMETRE, -there.y * MILLIMETRE, "impact point");
   };
   const nudge = (event: KeyboardEvent): void => {
     const arrow = ARROWS[event.key];

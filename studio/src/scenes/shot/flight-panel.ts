@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { type Scale, scale, ticks } from "../../parts/axes";
-import { rootSize } from "../../parts/measure";
+import { letterZoom, USUAL_WIDTH } from "../../parts/measure";
 import { fromAbove } from "./from-above";
 import { fromSide } from "./from-side";
 
@@ -24,8 +24,6 @@ export interface Drawing {
 
 export const LEFT = 44;
 const RIGHT = 16;
-const USUAL_WIDTH = 640;
-const USUAL_LETTERS = 16;
 
 export function flightPanel(context: Context): TemplateResult {
   const drawing = drawn(context);
@@ -53,7 +51,7 @@ function drawn({ model, state, formatter }: Context): Drawing | null {
   ];
   const { carry, side, total, total_side } = shot.values;
   const [landing, rest] = [place(carry, side), place(total, total_side)];
-  const zoom = rootSize() / USUAL_LETTERS;
+  const zoom = letterZoom();
   const width = Math.max(260, (model.widths.flight ?? USUAL_WIDTH) / zoom);
   const end = Math.max(landing[0], rest[0], 1) * 1.06;
   const along = scale([0, end], [LEFT, width - RIGHT]);

@@ -2,7 +2,7 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { line, scale, ticks } from "../../../parts/axes";
-import { rootSize } from "../../../parts/measure";
+import { letterZoom } from "../../../parts/measure";
 import { sideOf } from "../../../quantities/formatter";
 import type { LessonResult } from "../lesson";
 
@@ -28,7 +28,7 @@ export function flightsPicture(result: LessonResult, name: string, flights: Draw
     const points = Array.from({ length: path.length / 3 }, (_, i) => [convert(path[3 * i]), convert(path[3 * i + 2])]);
     return points as [number, number][];
   });
-  const zoom = rootSize() / 16;
+  const zoom = letterZoom();
   const width = Math.max(260, (model.widths[`flights-${name}`] ?? 480) / zoom);
   const reach = Math.max(1, ...paths.flat().map(([along]) => along)) * 1.04;
   const sideways = paths.flat().map(([, right]) => right);
