@@ -3,31 +3,18 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { type Opened, open, otherValue, Site, siValueOf, slide, startBrowser, violations } from "./site";
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
+import { type Opened, otherValue, siValueOf, slide, TestStudio, violations } from "./site";
 
 const FIRST = "#scene=design&club=driver&speed=105mph&attack=2deg&loft=12deg&toe=8mm&high=-4mm&units=golf";
 const READY = '.design td[data-quantity="carry"]';
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio({ viewport: { width: 1440, height: 900 } });
 
 /** The scene with its chart. */
 async function opened(link = ""): Promise<Opened> {
-  const result = await open(context, site.address + FIRST + link, READY);
+  const result = await studio.open(FIRST + link, READY);
   await result.page.locator("[data-here]").waitFor();
   return result;
 }
@@ -407,8 +394,7 @@ describe("the page", () => {
   });
 
   test.each([360, 3840])("fits a screen of %d pixels", async (width) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width, height: 900 }, locale: "en-US" });
+    await studio.renew({ viewport: { width, height: 900 } });
     const { page, errors } = await opened("&cg_x=45mm&iyy=6100g%20cm2&struck_by=bogey-driver");
     await page.locator('td[data-quantity="side-spread"]').waitFor();
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
@@ -416,8 +402,7 @@ describe("the page", () => {
   });
 
   test.each(["light", "dark"] as const)("axe finds no violation (%s)", async (colorScheme) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
+    await studio.renew({ colorScheme });
     const { page } = await opened("&cg_x=45mm&iyy=6100g%20cm2&struck_by=bogey-driver");
     await page.locator('td[data-quantity="side-spread"]').waitFor();
     expect(await violations(page)).toEqual([]);

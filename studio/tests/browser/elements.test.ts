@@ -2,9 +2,9 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { load } from "clubface-core";
-import type { Browser, BrowserContext, Download, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { open, pictureOf, Site, slide, startBrowser, violations } from "./site";
+import type { Download, Page } from "playwright-core";
+import { beforeAll, describe, expect, test } from "vitest";
+import { pictureOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const DRIVE =
@@ -23,32 +23,16 @@ interface Expected {
   values: Record<string, number>;
 }
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
+const studio = new TestStudio({}, PATIENCE);
 let expected: Record<"reference" | "drive", Expected>;
 
 beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
   const python = process.env.PYTHON ?? "python3";
   const printed = execFileSync(python, [path("elements.py")], {
     encoding: "utf8",
     stdio: ["ignore", "pipe", "inherit"],
   });
   expected = JSON.parse(printed) as typeof expected;
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({
-    viewport: { width: 1280, height: 900 },
-    locale: "en-US",
-    acceptDownloads: true,
-  });
-  context.setDefaultTimeout(PATIENCE);
 });
 
 /** Values of the first column of a table by the names of their quantities. */
@@ -80,7 +64,7 @@ const moment = async (page: Page): Promise<string> => (await page.locator(".play
 
 /** Memory that the processes of pages have written [MB], where the system says it. */
 async function pageMemory(): Promise<number | null> {
-  const session = await browser.newBrowserCDPSession();
+  const session = await studio.browser.newBrowserCDPSession();
   const { processInfo } = (await session.send("SystemInfo.getProcessInfo")) as {
     processInfo: { type: string; id: number }[];
   };
@@ -101,7 +85,7 @@ describe("the numbers", () => {
     ["reference", REFERENCE],
     ["drive", DRIVE],
   ] as const)("of the %s are those of the package, and of the same core to the bit", async (name, link) => {
-    const { page, errors } = await open(context, site.address + link, DONE);
+    const { page, errors } = await studio.open(link, DONE);
     const here = await allValues(page);
     const { values, case: described } = expected[name];
     const core = await load(readFileSync(path("../../generated/clubface-fem.wasm")));
@@ -123,7 +107,7 @@ describe("the numbers", () => {
 
   test("come in time: a coarse mesh at once, a drive within seconds, in a tab of less than 300 MB", async () => {
     const started = Date.now();
-    const { page } = await open(context, site.address + DRIVE, FIRST_SHAPE);
+    const { page } = await studio.open(DRIVE, FIRST_SHAPE);
     const first = Date.now() - started;
     await page.locator(DONE).waitFor();
     const { wall } = await valuesOf(page, "Computation");
@@ -141,7 +125,7 @@ describe("the numbers", () => {
   });
 
   test("change with the input once the slider rests, and stand next to those of the chosen model", async () => {
-    const { page, errors } = await open(context, site.address + COARSE, DONE);
+    const { page, errors } = await studio.open(COARSE, DONE);
     const before = await valuesOf(page, "Launch and flight");
     for (let i = 0; i < 5; i += 1) await slide(page, "Dynamic loft");
     await page.waitForFunction(
@@ -163,7 +147,7 @@ describe("the numbers", () => {
 
 describe("the pictures", () => {
   test("follow the moment, the cut and the colour", async () => {
-    const { page, errors } = await open(context, `${site.address}${COARSE}&impact_moment=100us`, DONE);
+    const { page, errors } = await studio.open(`${COARSE}&impact_moment=100us`, DONE);
     const canvases = [
       "[data-stage='elements-first'] canvas",
       "[data-patch='first-normal']",
@@ -192,7 +176,7 @@ describe("the pictures", () => {
   });
 
   test("show shear of both signs while the force along the face turns, and none after the ball has left", async () => {
-    const { page } = await open(context, `${site.address}${COARSE}&impact_moment=200us`, DONE);
+    const { page } = await studio.open(`${COARSE}&impact_moment=200us`, DONE);
     const label = (name: string): Promise<string | null> =>
       page.locator(`[data-patch="first-${name}"]`).getAttribute("aria-label");
     const [, least, greatest] = /from (-?[\d.]+) MPa to (-?[\d.]+) MPa/.exec((await label("tangential")) ?? "") ?? [];
@@ -205,7 +189,7 @@ describe("the pictures", () => {
   });
 
   test("are played and paused by the keyboard, and few with reduced motion", async () => {
-    const { page } = await open(context, `${site.address}${COARSE}&impact_moment=0us`, DONE);
+    const { page } = await studio.open(`${COARSE}&impact_moment=0us`, DONE);
     const play = page.getByRole("button", { name: "Play" });
     await play.focus();
     await page.keyboard.press("Enter");
@@ -235,7 +219,7 @@ describe("the pictures", () => {
   });
 
   test("are saved as an image and as a video", async () => {
-    const { page, errors } = await open(context, COARSE.replace("#", `${site.address}#`), DONE);
+    const { page, errors } = await studio.open(COARSE, DONE);
     await page.locator("[data-stage='elements-first'] canvas").waitFor();
     const picture = await saved(page, "Picture (PNG)");
     expect(picture.name).toBe("impact.png");
@@ -254,7 +238,7 @@ describe("the pictures", () => {
 
 describe("a second case", () => {
   test("stands next to the first, with lines of its own in the charts", async () => {
-    const { page, errors } = await open(context, `${site.address}${COARSE}&second=on&second_loft=20deg`, DONE);
+    const { page, errors } = await studio.open(`${COARSE}&second=on&second_loft=20deg`, DONE);
     await page.locator(".status[data-case-name='second'][data-status='done']").waitFor();
     await page.locator("[data-stage='elements-second'] canvas").waitFor();
     expect(await page.locator("[data-patch^='second-']").count()).toBe(2);
@@ -280,7 +264,7 @@ describe("a second case", () => {
 
 describe("what goes wrong", () => {
   test("a computation is stopped, keeps the coarse mesh, and goes on when asked", async () => {
-    const { page, errors } = await open(context, site.address + DRIVE, FIRST_SHAPE);
+    const { page, errors } = await studio.open(DRIVE, FIRST_SHAPE);
     await page.getByRole("button", { name: "Stop" }).click();
     await page.locator(".status[data-status='stopped'][data-mesh='coarse']").waitFor();
     await page.waitForTimeout(500);
@@ -291,11 +275,7 @@ describe("what goes wrong", () => {
   });
 
   test("says why: a ball without pieces, values out of their limits, a strike off the face", async () => {
-    const { page, errors } = await open(
-      context,
-      `${site.address}${COARSE}&ball=published`,
-      ".status[data-status='impossible']",
-    );
+    const { page, errors } = await studio.open(`${COARSE}&ball=published`, ".status[data-status='impossible']");
     await page.getByRole("alert").getByText("The pieces of the ball published are not known").waitFor();
     await page.getByRole("button", { name: "modern", exact: true }).click();
     await page.locator(DONE).waitFor();
@@ -306,16 +286,12 @@ describe("what goes wrong", () => {
     await page.getByRole("button", { name: "Undo" }).click();
     await page.locator(DONE).waitFor();
     expect(errors).toEqual([]);
-    const off = await open(
-      context,
-      site.address + COARSE.replace("toe=8mm", "toe=90mm"),
-      ".status[data-status='failed']",
-    );
+    const off = await studio.open(COARSE.replace("toe=8mm", "toe=90mm"), ".status[data-status='failed']");
     await off.page
       .getByRole("alert")
       .getByText(/This case cannot be computed: toe/)
       .waitFor();
-    const wall = await open(context, `${site.address}${COARSE}&against=wall`, DONE);
+    const wall = await studio.open(`${COARSE}&against=wall`, DONE);
     await wall.page.getByText("wall is unknown; there are club, plane, paper").waitFor();
   });
 });
@@ -323,7 +299,7 @@ describe("what goes wrong", () => {
 describe("for everyone", () => {
   test("axe finds nothing, with one case or two, in both themes", async () => {
     for (const link of [COARSE, `${COARSE}&second=on&second_speed=90mph&theme=dark`]) {
-      const { page } = await open(context, site.address + link, DONE);
+      const { page } = await studio.open(link, DONE);
       await page.locator("[data-stage='elements-first'] canvas").waitFor();
       expect(await violations(page)).toEqual([]);
       await page.close();
@@ -331,16 +307,14 @@ describe("for everyone", () => {
   });
 
   test("a narrow page does not scroll sideways", async () => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
-    context.setDefaultTimeout(PATIENCE);
-    const { page } = await open(context, `${site.address}${COARSE}&second=on`, DONE);
+    await studio.renew({ viewport: { width: 360, height: 740 } });
+    const { page } = await studio.open(`${COARSE}&second=on`, DONE);
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     expect(width).toBeLessThanOrEqual(360);
   });
 
   test("a published case is a press, and every step is undone", async () => {
-    const { page } = await open(context, site.address + COARSE, DONE);
+    const { page } = await studio.open(COARSE, DONE);
     await page.locator('[data-case="paper"]').click();
     await page.locator(DONE).waitFor();
     await page.waitForURL(/against=paper/);

@@ -1,16 +1,8 @@
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
-import { open, Site, startBrowser } from "./site";
+import type { Page } from "playwright-core";
+import { expect, test } from "vitest";
+import { TestStudio } from "./site";
 
-let site: Site;
-let browser: Browser;
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
+const studio = new TestStudio({ viewport: { width: 360, height: 740 } });
 
 /** Waits until nothing of the scene is computed or loaded any more. */
 const settled = (page: Page): Promise<unknown> =>
@@ -30,8 +22,7 @@ const blank = (page: Page): Promise<number> =>
   );
 
 test("every scene opens from the head of the page, draws, fits a narrow screen, and its link opens it again", async () => {
-  const context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
-  const { page, errors } = await open(context, `${site.address}#club=driver&speed=105mph&units=golf`);
+  const { page, errors } = await studio.open("#club=driver&speed=105mph&units=golf");
   const titles = await page.locator("header nav button").allInnerTexts();
   expect(titles.length).toBeGreaterThan(5);
   let address = page.url();
@@ -44,7 +35,7 @@ test("every scene opens from the head of the page, draws, fits a narrow screen, 
     // The address is written a moment after the click.
     if (title !== titles[0]) await expect.poll(() => page.url()).not.toBe(address);
     address = page.url();
-    const again = await open(context, address, "main h2, main h1");
+    const again = await studio.open(address, "main h2, main h1");
     expect((await again.page.locator("header nav button[aria-current]").textContent())?.trim()).toBe(title);
     expect(again.errors).toEqual([]);
     await again.page.close();

@@ -1,28 +1,14 @@
 /** What is said of every number: equations that give it, what makes it, and how sure it is. */
 
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
 import { description, equipment } from "../described";
-import { open, Site, slide, startBrowser, violations } from "./site";
+import { slide, TestStudio, violations } from "./site";
 
 const FIRST = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1deg&toe=8mm&high=4mm&units=golf";
 const { explained, equations, certainty } = equipment.numbers;
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio();
 
 interface Seen {
   name: string;
@@ -68,7 +54,7 @@ function explanations(page: Page, links: { name: string; link: string }[]): Prom
 
 describe("a number", () => {
   test("has equations that give it, with the values of the shot in them", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const links = ["response", "standard"].flatMap((model) =>
       Object.keys(equations).map((name) => ({ name, link: `${FIRST}&model=${model}` })),
     );
@@ -87,13 +73,13 @@ describe("a number", () => {
   });
 
   test("leaves out the momentum that a model does not keep", async () => {
-    const { page } = await open(context, `${site.address}${FIRST}&model=adjusted&number=velocity_x`);
+    const { page } = await studio.open(`${FIRST}&model=adjusted&number=velocity_x`);
     await page.locator("#explained").waitFor();
     expect(await page.locator("math[data-computed]").count()).toBe(1);
   });
 
   test("is made of contributions that add up to it", async () => {
-    const { page } = await open(context, `${site.address}${FIRST}&number=carry`);
+    const { page } = await studio.open(`${FIRST}&number=carry`);
     for (const [name, unit] of [
       ["carry", 0.9144],
       ["azimuth", Math.PI / 180],
@@ -115,7 +101,7 @@ describe("a number", () => {
   });
 
   test("says how far the model is from published figures, or that none stands behind it", async () => {
-    const { page } = await open(context, `${site.address}${FIRST}&number=ball_speed`);
+    const { page } = await studio.open(`${FIRST}&number=ball_speed`);
     const rows = certainty.models["response"]["driver"]["ball_speed"].map((place) => certainty.rows[place]);
     const drives = rows.find(({ title }) => title.startsWith("Drives by handicap"));
     if (!drives) throw new Error("no drives by handicap");
@@ -134,7 +120,7 @@ describe("a number", () => {
   });
 
   test("is explained for every output by models of each kind, in words and numbers throughout", async () => {
-    const { page, errors } = await open(context, `${site.address}${FIRST}&number=carry`);
+    const { page, errors } = await studio.open(`${FIRST}&number=carry`);
     const links = ["response", "jorgensen", "volumetric"].flatMap((model) =>
       explained.filter((name) => name !== "outside_fit").map((name) => ({ name, link: `${FIRST}&model=${model}` })),
     );
@@ -143,7 +129,7 @@ describe("a number", () => {
   });
 
   test("opens by a press in the headline and in the table, follows a slider, and closes by Escape", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     await page.locator(".headline").getByRole("button", { name: "carry" }).press("Enter");
     await page.getByRole("dialog", { name: /^carry: [\d.]+ yd/ }).waitFor();
     const before = await page.locator("#explained").textContent();
@@ -160,10 +146,9 @@ describe("a number", () => {
   });
 
   test.each(["light", "dark"] as const)("has no violation for axe when it is explained (%s)", async (colorScheme) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
+    await studio.renew({ colorScheme });
     for (const name of ["ball_speed", "carry"]) {
-      const { page } = await open(context, `${site.address}${FIRST}&number=${name}`);
+      const { page } = await studio.open(`${FIRST}&number=${name}`);
       await page.locator("#explained").waitFor();
       expect(await violations(page)).toEqual([]);
       await page.close();

@@ -1,9 +1,9 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { open, otherValue, pictureOf, Site, siValueOf, slide, startBrowser, violations } from "./site";
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
+import { type Opened, otherValue, pictureOf, siValueOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const FIRST = "#scene=flight&club=driver&speed=105mph&attack=2deg&loft=13deg&units=golf";
@@ -19,21 +19,7 @@ const SCALES: Record<string, number> = {
   sidespin: 100,
   spin_axis: 1,
 };
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio();
 
 /** Waits until a picture is another than before, and returns it. */
 async function otherPicture(page: Page, before: string, selector = CANVAS): Promise<string> {
@@ -68,8 +54,8 @@ async function picturesUntilBack([selector, first]: [string, string]): Promise<n
   throw new Error("the picture does not come back");
 }
 
-const openRange = async (link: string): ReturnType<typeof open> => {
-  const opened = await open(context, site.address + link, CANVAS);
+const openRange = async (link: string): Promise<Opened> => {
+  const opened = await studio.open(link, CANVAS);
   await opened.page.locator("[data-air=density]").getByText("kg/m³").waitFor();
   return opened;
 };
@@ -371,8 +357,7 @@ describe("everyone", () => {
   });
 
   test("a narrow screen has all without sideways scrolling", async () => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
+    await studio.renew({ viewport: { width: 360, height: 740 } });
     for (const flying of ["shot", "clubs", "golfer"]) {
       const { page, errors } = await openRange(`${FIRST}&flying=${flying}&wind=10mph`);
       await page.locator(".results table").first().waitFor();

@@ -1,27 +1,13 @@
 /** Head and ball at impact. */
 
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { open, pictureOf, Site, slide, startBrowser, violations } from "./site";
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
+import { pictureOf, slide, TestStudio, violations } from "./site";
 
 const FIRST = "#club=driver&speed=105mph&path=4deg&face=1deg&toe=8mm&units=golf";
 const CANVAS = ".stage[data-stage=head] canvas";
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio();
 
 /** The picture when two looks at it, a few frames apart, agree. */
 async function picture(page: Page): Promise<string> {
@@ -39,7 +25,7 @@ const nameOf = async (page: Page): Promise<string> =>
 
 describe("head and ball", () => {
   test("are drawn, follow the delivery, and say what they show", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const before = await picture(page);
     expect(before.length).toBeGreaterThan(20_000);
     expect(await nameOf(page)).toMatch(
@@ -52,7 +38,7 @@ describe("head and ball", () => {
   });
 
   test("are seen from each side, which the link keeps", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const pictures = new Set([await picture(page)]);
     for (const [title, view] of [
       ["From above", "above"],
@@ -69,7 +55,7 @@ describe("head and ball", () => {
   });
 
   test("move from before first touch until the ball has left", async () => {
-    const { page } = await open(context, site.address + FIRST);
+    const { page } = await studio.open(FIRST);
     const pictures = new Set([await picture(page)]);
     for (const [title, words] of [
       ["Before", "before first touch"],
@@ -88,9 +74,8 @@ describe("head and ball", () => {
 
   test("play in slow motion, or from moment to moment where less motion is wanted, as one step of undo", async () => {
     for (const reducedMotion of ["no-preference", "reduce"] as const) {
-      await context.close();
-      context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", reducedMotion });
-      const { page } = await open(context, `${site.address}${FIRST}`);
+      await studio.renew({ reducedMotion });
+      const { page } = await studio.open(FIRST);
       await picture(page);
       await page.evaluate(() => {
         const seen = new Set<string>();
@@ -110,7 +95,7 @@ describe("head and ball", () => {
   });
 
   test("of a left-handed club are the mirror image, with the toe on the left from behind", async () => {
-    const { page } = await open(context, `${site.address}#club=7-iron&speed=84mph&units=golf&head_view=line`);
+    const { page } = await studio.open("#club=7-iron&speed=84mph&units=golf&head_view=line");
     const right = await picture(page);
     await page.locator('select[name="hand"]').selectOption("left");
     await page.waitForURL(/hand=left/);
@@ -131,9 +116,8 @@ describe("head and ball", () => {
   });
 
   test.each(["light", "dark"] as const)("have no violation for axe (%s)", async (colorScheme) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
-    const { page } = await open(context, site.address + FIRST);
+    await studio.renew({ colorScheme });
+    const { page } = await studio.open(FIRST);
     await picture(page);
     expect(await violations(page)).toEqual([]);
   });

@@ -1,12 +1,12 @@
 import { readFileSync } from "node:fs";
 import { type LoadedCore, load } from "clubface-core";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, test } from "vitest";
 import { flightInputs } from "../../src/core/compute";
 import type { Values } from "../../src/core/types";
 import { strikeOf } from "../../src/equipment/equipment";
 import { equipment } from "../described";
-import { open, Site, startBrowser, violations } from "./site";
+import { TestStudio, violations } from "./site";
 
 const DEGREE = Math.PI / 180;
 const MPH = 0.44704;
@@ -89,25 +89,14 @@ const LESSONS: Record<string, Listed> = {
 };
 const NAMES = Object.keys(LESSONS);
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
+const studio = new TestStudio();
 let core: LoadedCore;
 
 beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
   core = await load(readFileSync(new URL("../../generated/clubface.wasm", import.meta.url)));
 });
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
 
-const link = (name: string, more = ""): string => `${site.address}#scene=learn&lesson=${name}&units=golf${more}`;
+const link = (name: string, more = ""): string => `#scene=learn&lesson=${name}&units=golf${more}`;
 const slider = (page: Page, label: string) => page.getByRole("slider", { name: `${label}, slider` });
 const verdict = async (page: Page): Promise<string> => (await page.getByRole("status").last().textContent()) ?? "";
 
@@ -138,7 +127,7 @@ describe.each(NAMES)("%s", (name) => {
   const lesson = LESSONS[name];
 
   test("opens by its link, with a question that is open, and pictures that follow its sliders", async () => {
-    const { page, errors } = await open(context, link(name), READY);
+    const { page, errors } = await studio.open(link(name), READY);
     const title = await page.getByRole("heading", { level: 2 }).textContent();
     expect(title).toBe(`${NAMES.indexOf(name) + 1}. ${lesson.title}`);
     const words = ((await page.locator(".claim").textContent()) ?? "").trim().split(/\s+/).length;
@@ -158,7 +147,7 @@ describe.each(NAMES)("%s", (name) => {
   });
 
   test("its question is solved by its sliders, and the page says so", async () => {
-    const { page, errors } = await open(context, link(name), READY);
+    const { page, errors } = await studio.open(link(name), READY);
     await solve(page, lesson);
     await expect.poll(() => verdict(page)).toContain("Solved");
     expect(await page.locator(".answer p").isVisible()).toBe(true);
@@ -169,9 +158,8 @@ describe.each(NAMES)("%s", (name) => {
     ["light", 1280],
     ["dark", 360],
   ] as const)("axe finds no violation and nothing sticks out (%s, %i px)", async (colorScheme, width) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width, height: 800 }, locale: "en-US", colorScheme });
-    const { page } = await open(context, link(name), READY);
+    await studio.renew({ viewport: { width, height: 800 }, colorScheme });
+    const { page } = await studio.open(link(name), READY);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
     expect(await violations(page)).toEqual([]);
   });
@@ -245,7 +233,7 @@ describe("the numbers", () => {
   ];
 
   test.each(cases)("of %s are those of the core (%s)", async (name, sliders, quantities, value) => {
-    const { page } = await open(context, link(name, sliders), READY);
+    const { page } = await studio.open(link(name, sliders), READY);
     const expected = value();
     const shown = await page
       .locator(".lesson data")
@@ -262,7 +250,7 @@ describe("the numbers", () => {
 
 describe("from lesson to lesson", () => {
   test("by the keyboard: list, next and previous; each begins anew, and the link follows", async () => {
-    const { page, errors } = await open(context, link("curve", "&curve_path=5deg"), READY);
+    const { page, errors } = await studio.open(link("curve", "&curve_path=5deg"), READY);
     const heading = page.getByRole("heading", { level: 2 });
     await page.getByRole("button", { name: "Next lesson" }).press("Enter");
     await expect.poll(() => heading.textContent()).toContain(LESSONS.gear.title);
@@ -282,7 +270,7 @@ describe("from lesson to lesson", () => {
   });
 
   test("a slider is in the link, and undo takes it back", async () => {
-    const { page } = await open(context, link("curve"), READY);
+    const { page } = await studio.open(link("curve"), READY);
     await press(page, "Club path", "PageUp");
     await page.waitForURL(/curve_path=2deg/);
     await page.keyboard.press("Control+z");
@@ -291,7 +279,7 @@ describe("from lesson to lesson", () => {
   });
 
   test("a lesson's strike goes to the Shot scene, and undo comes back", async () => {
-    const { page, errors } = await open(context, link("height", "&height_high=5mm&hand=left"), READY);
+    const { page, errors } = await studio.open(link("height", "&height_high=5mm&hand=left"), READY);
     const carry = computed("driver", "response", { speed: 100 * MPH, attack: 0, loft: 13 * DEGREE, high: 0.005 }).carry;
     await page.getByRole("button", { name: "Take this strike to the Shot scene" }).click();
     const shown = page.locator('td[data-quantity="carry"]');
@@ -304,7 +292,7 @@ describe("from lesson to lesson", () => {
   });
 
   test("a slider that is typed beyond what can be computed says so, and nothing else", async () => {
-    const { page, errors } = await open(context, link("gear"), READY);
+    const { page, errors } = await studio.open(link("gear"), READY);
     const toe = page.getByRole("textbox", { name: "Towards the toe" });
     await toe.fill("90 mm");
     await toe.press("Enter");

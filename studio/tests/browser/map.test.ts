@@ -3,30 +3,16 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { open, pictureOf, Site, slide, startBrowser, violations } from "./site";
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
+import { pictureOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const FIRST = "#scene=map&club=driver&speed=105mph&attack=2deg&loft=14deg&units=golf";
 const READY = "[data-loss=carry]";
 const CANVAS = ".map canvas";
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio();
 
 /** Waits until all points are drawn. */
 const whole = (page: Page): Promise<void> => page.locator(`${CANVAS}[data-points="41x41"]`).waitFor();
@@ -39,7 +25,7 @@ const readValue = async (page: Page): Promise<number> =>
 
 describe("the map", () => {
   test("is drawn, changes with quantity, delivery, colours and theme, and says what it shows", async () => {
-    const { page, errors } = await open(context, site.address + FIRST, READY);
+    const { page, errors } = await studio.open(FIRST, READY);
     await whole(page);
     const pictures = new Set([await pictureOf(page, CANVAS)]);
     const colours = await page.locator(CANVAS).evaluate((canvas) => {
@@ -76,7 +62,7 @@ describe("the map", () => {
   });
 
   test("is read and struck by the keyboard, in steps that are undone", async () => {
-    const { page, errors } = await open(context, `${site.address}${FIRST}&map=carry`, READY);
+    const { page, errors } = await studio.open(`${FIRST}&map=carry`, READY);
     await whole(page);
     const atCentre = await readValue(page);
     const drawn = await pictureOf(page, CANVAS);
@@ -100,7 +86,7 @@ describe("the map", () => {
   });
 
   test("has the toe on the right of a right-handed club and on the left of a left-handed one, where a press strikes", async () => {
-    const { page } = await open(context, site.address + FIRST, READY);
+    const { page } = await studio.open(FIRST, READY);
     const press = async (): Promise<void> => {
       await page.locator(CANVAS).scrollIntoViewIfNeeded();
       const box = await page.locator(CANVAS).boundingBox();
@@ -118,7 +104,7 @@ describe("the map", () => {
   });
 
   test("follows the cursor", async () => {
-    const { page } = await open(context, site.address + FIRST, READY);
+    const { page } = await studio.open(FIRST, READY);
     await page.locator(CANVAS).scrollIntoViewIfNeeded();
     const box = await page.locator(CANVAS).boundingBox();
     if (!box) throw new Error("the map is not drawn");
@@ -132,7 +118,7 @@ describe("the map", () => {
   });
 
   test("is the difference of two clubs, whose figures stand side by side", async () => {
-    const { page, errors } = await open(context, site.address + FIRST, READY);
+    const { page, errors } = await studio.open(FIRST, READY);
     const before = await pictureOf(page, CANVAS);
     await page.locator('select[name="map_minus"]').selectOption("3-wood");
     await page.waitForURL(/map_minus=3-wood/);
@@ -151,7 +137,7 @@ describe("the map", () => {
 
 describe("forgiveness", () => {
   test("is that of a golfer or of typed spreads: wider ones cost more", async () => {
-    const { page, errors } = await open(context, site.address + FIRST, READY);
+    const { page, errors } = await studio.open(FIRST, READY);
     await whole(page);
     const loss = async (): Promise<number> =>
       Number(await page.locator("[data-loss=carry]").getAttribute("data-value"));
@@ -175,7 +161,7 @@ describe("forgiveness", () => {
   });
 
   test("is not there for an impact point off the face, and the map stays", async () => {
-    const { page } = await open(context, `${site.address}${FIRST}&toe=52mm&high=26mm`, ".forgiveness .mistake");
+    const { page } = await studio.open(`${FIRST}&toe=52mm&high=26mm`, ".forgiveness .mistake");
     expect(await wordsOf(page, ".forgiveness .mistake")).toContain("not on the face");
     await whole(page);
   });
@@ -183,7 +169,7 @@ describe("forgiveness", () => {
 
 describe("the page", () => {
   test("shows a few points at once and all of them within 100 ms; printed, since machines differ", async () => {
-    const { page } = await open(context, site.address + FIRST, READY);
+    const { page } = await studio.open(FIRST, READY);
     await whole(page);
     const times: number[][] = [[], [], []];
     for (let i = 0; i < 10; i += 1) {
@@ -201,7 +187,7 @@ describe("the page", () => {
   });
 
   test("follows the delivery while a model that takes long still integrates over the last one", async () => {
-    const { page, errors } = await open(context, `${site.address}${FIRST}&model=rings`, CANVAS);
+    const { page, errors } = await studio.open(`${FIRST}&model=rings`, CANVAS);
     await whole(page);
     const before = await readValue(page);
     await slide(page, "Club speed", "PageUp");
@@ -212,18 +198,16 @@ describe("the page", () => {
   });
 
   test("fits a screen of 360 pixels", async () => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
-    const { page, errors } = await open(context, site.address + FIRST, READY);
+    await studio.renew({ viewport: { width: 360, height: 740 } });
+    const { page, errors } = await studio.open(FIRST, READY);
     await whole(page);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
     expect(errors).toEqual([]);
   });
 
   test.each(["light", "dark"] as const)("has no violation that axe finds (%s)", async (colorScheme) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
-    const { page } = await open(context, `${site.address}${FIRST}&map_minus=3-wood`, READY);
+    await studio.renew({ colorScheme });
+    const { page } = await studio.open(`${FIRST}&map_minus=3-wood`, READY);
     await whole(page);
     expect(await violations(page)).toEqual([]);
   });
@@ -311,7 +295,7 @@ test("the numbers of five maps are those of the command line", async () => {
   const wrong: string[] = [];
   let [compared, largest] = [0, 0];
   for (const [i, each] of listed.entries()) {
-    const { page, errors } = await open(context, site.address + linkOf(each), READY);
+    const { page, errors } = await studio.open(linkOf(each), READY);
     await whole(page);
     for (const [what, shown, value, scale] of await pairsOf(page, each, expected[i])) {
       const difference = Math.abs(shown - value) / Math.max(Math.abs(value), scale);

@@ -2,10 +2,10 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { Monitor, newFolder, PYTHON, removeFolder, Served } from "./served";
-import { open, Site, siValueOf, startBrowser, violations } from "./site";
+import { Site, siValueOf, TestBrowser, violations } from "./site";
 
 const SESSION = fileURLToPath(new URL("session.csv", import.meta.url));
 const LIVE = ["--live", "live.jsonl", "--open-connect", "0", "--opengolfsim", "0", "--flight-relay", "0"];
@@ -24,8 +24,7 @@ loft = { from = "8 deg", to = "14 deg", count = 4 }
 /** What a browser says of an answer that is no success, which a test asks for. */
 const REFUSED = /status of 422/;
 
-let browser: Browser;
-let context: BrowserContext;
+const browser = new TestBrowser();
 let folder: string;
 let served: Served;
 
@@ -36,16 +35,11 @@ beforeAll(async () => {
   execFileSync(PYTHON, ["-m", "clubface", "study", "run", "lofts.toml", "--workers", "1"], {
     cwd: join(folder, "studies"),
   });
-  [browser, served] = [await startBrowser(), await Served.start(folder, ...LIVE, "--studies", "studies")];
+  served = await Served.start(folder, ...LIVE, "--studies", "studies");
 });
 afterAll(async () => {
-  await browser?.close();
   await served?.kill();
   removeFolder(folder);
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
 });
 
 const part = (page: Page, name: string): Promise<void> =>
@@ -53,7 +47,7 @@ const part = (page: Page, name: string): Promise<void> =>
 
 /** Opens the scene with a file. */
 async function withFile(file: string | { name: string; content: string | Buffer }, address = served.address) {
-  const opened = await open(context, address + SCENE, ".drop");
+  const opened = await browser.open(address + SCENE, ".drop");
   const input = opened.page.locator('input[type="file"]');
   if (typeof file === "string") await input.setInputFiles(file);
   else await input.setInputFiles({ name: file.name, mimeType: "text/csv", buffer: Buffer.from(file.content) });
@@ -158,7 +152,7 @@ describe("a file", () => {
   });
 
   test("one that is dropped on the page is read", async () => {
-    const { page, errors } = await open(context, served.address + SCENE, ".drop");
+    const { page, errors } = await browser.open(served.address + SCENE, ".drop");
     const data = await page.evaluateHandle(
       (text) => {
         const transfer = new DataTransfer();
@@ -205,7 +199,7 @@ describe("a fitting", () => {
 });
 
 test("a study of the folder that was named is there with its summary", async () => {
-  const { page, errors } = await open(context, `${served.address}${SCENE}&part=studies`, ".studies button");
+  const { page, errors } = await browser.open(`${served.address}${SCENE}&part=studies`, ".studies button");
   expect(await page.locator(".studies li").textContent()).toMatch(/lofts\s+4 tasks, complete/);
   await page.locator(".studies button").click();
   await page.frameLocator("iframe.report").getByText("4 tasks").first().waitFor();
@@ -219,7 +213,7 @@ describe("live shots", () => {
 
   test("every tab shows them, the newest large, measured and computed apart", async () => {
     const tabs = [];
-    for (let i = 0; i < 2; i += 1) tabs.push(await open(context, `${served.address}${SCENE}&part=live`, ".newest"));
+    for (let i = 0; i < 2; i += 1) tabs.push(await browser.open(`${served.address}${SCENE}&part=live`, ".newest"));
     const monitor = await Monitor.connect(served.ports["open-connect"]);
     const before = await tabs[0].page.locator(".shots-range svg").count();
     expect(await monitor.send(whole(150))).toBe(200);
@@ -251,14 +245,14 @@ describe("live shots", () => {
   test("none is lost when the server is killed", async () => {
     const own = newFolder();
     let server = await Served.start(own, ...LIVE);
-    const { page } = await open(context, `${server.address}${SCENE}&part=live`, ".newest");
+    const { page } = await browser.open(`${server.address}${SCENE}&part=live`, ".newest");
     const monitor = await Monitor.connect(server.ports["open-connect"]);
     for (const speed of [140, 141, 142]) await monitor.send(whole(speed));
     await page.getByRole("heading", { name: /^Shot 3/ }).waitFor();
     await server.kill();
     await page.getByText("The server has ended or cannot be reached. No shot is lost").waitFor();
     server = await Served.start(own, ...LIVE);
-    const again = await open(context, `${server.address}${SCENE}&part=live`, ".newest");
+    const again = await browser.open(`${server.address}${SCENE}&part=live`, ".newest");
     await again.page.getByRole("heading", { name: /^Shot 3/ }).waitFor();
     expect(await again.page.locator(".shots tbody tr").count()).toBe(3);
     expect(await again.page.locator('[data-large="ball_speed"]').textContent()).toContain("142.0");
@@ -308,8 +302,7 @@ describe("the page", () => {
     [1280, "light"],
     [360, "dark"],
   ] as const)("axe finds nothing wrong in any part at %i px, %s", async (width, colorScheme) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme, locale: "en-US" });
+    await browser.renew({ viewport: { width, height: 800 }, colorScheme });
     const { page, errors } = await withFile(SESSION);
     await page.locator(".shots td[data-quantity]").first().waitFor();
     for (const [name, ready] of [
@@ -329,7 +322,7 @@ describe("the page", () => {
 
   test("a static site says how the scene is had, and asks nothing", async () => {
     const site = await Site.start();
-    const { page, errors } = await open(context, site.address + SCENE, ".sessions");
+    const { page, errors } = await browser.open(site.address + SCENE, ".sessions");
     await page.getByText("clubface studio --open").waitFor();
     expect(await page.locator(".drop").count()).toBe(0);
     expect(errors).toEqual([]);
@@ -338,7 +331,7 @@ describe("the page", () => {
 
   test("without the word of its address nothing is answered", async () => {
     const { origin } = new URL(served.address);
-    const page = await context.newPage();
+    const page = await browser.context.newPage();
     const answer = await page.goto(`${origin}/api/`);
     expect(answer?.status()).toBe(403);
     expect(await page.textContent("body")).toContain("open the whole address that clubface studio printed");

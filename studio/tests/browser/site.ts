@@ -6,7 +6,8 @@ import type { AddressInfo } from "node:net";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
 import axe from "axe-core";
-import { type Browser, type BrowserContext, chromium, type Page } from "playwright-core";
+import { type Browser, type BrowserContext, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import { afterAll, beforeAll, beforeEach } from "vitest";
 
 const DIST = fileURLToPath(new URL("../../dist/", import.meta.url));
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
@@ -19,7 +20,7 @@ const TYPES: Record<string, string> = {
   ".svg": "image/svg+xml",
 };
 
-export async function startBrowser(): Promise<Browser> {
+async function startBrowser(): Promise<Browser> {
   if (!existsSync(CHROMIUM))
     throw new Error(`${CHROMIUM} is not there: install Debian's package chromium, or name a browser by CHROMIUM=...`);
   return chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox"] });
@@ -59,23 +60,65 @@ export interface Opened {
   errors: string[];
 }
 
-/** Opens a page and waits until it shows `ready`: a selector, by which its scene is known to be whole. */
-export async function open(
-  context: BrowserContext,
-  address: string,
-  ready = "[data-quantity], .models td",
-): Promise<Opened> {
-  const page = await context.newPage();
-  const errors: string[] = [];
-  page.on("console", (message) => {
-    // What a graphics card that is computed in software says of its own speed is no fault of the page.
-    if (message.text().includes("GL Driver Message")) return;
-    if (message.type() === "error" || message.type() === "warning") errors.push(message.text());
-  });
-  page.on("pageerror", (error) => errors.push(String(error)));
-  await page.goto(address);
-  await page.locator(ready).first().waitFor({ state: "attached" });
-  return { page, errors };
+/** The screen and the language of tests that choose no others. */
+const USUAL: BrowserContextOptions = { viewport: { width: 1280, height: 900 }, locale: "en-US" };
+
+/** A browser for the tests of a file. Each test has a context of its own, with the usual screen but for `options`. */
+export class TestBrowser {
+  browser!: Browser;
+  context!: BrowserContext;
+
+  /** `timeout` is how long pages may take over what a test waits for [ms]. */
+  constructor(
+    private readonly options: BrowserContextOptions = {},
+    private readonly timeout = 30e3,
+  ) {
+    beforeAll(async () => {
+      this.browser = await startBrowser();
+    });
+    beforeEach(() => this.renew());
+    afterAll(() => this.browser?.close());
+  }
+
+  /** Gives the test another context: another screen, other colours, less motion. */
+  async renew(options: BrowserContextOptions = {}): Promise<void> {
+    await this.context?.close();
+    this.context = await this.browser.newContext({ ...USUAL, ...this.options, ...options });
+    this.context.setDefaultTimeout(this.timeout);
+  }
+
+  /** Opens a page and waits until it shows `ready`: a selector, by which its scene is known to be whole. */
+  async open(address: string, ready = "[data-quantity], .models td"): Promise<Opened> {
+    const page = await this.context.newPage();
+    const errors: string[] = [];
+    page.on("console", (message) => {
+      // What a graphics card that is computed in software says of its own speed is no fault of the page.
+      if (message.text().includes("GL Driver Message")) return;
+      if (message.type() === "error" || message.type() === "warning") errors.push(message.text());
+    });
+    page.on("pageerror", (error) => errors.push(String(error)));
+    await page.goto(address);
+    await page.locator(ready).first().waitFor({ state: "attached" });
+    return { page, errors };
+  }
+}
+
+/** The same, with the built site on a server. */
+export class TestStudio extends TestBrowser {
+  private site!: Site;
+
+  constructor(options?: BrowserContextOptions, timeout?: number) {
+    super(options, timeout);
+    beforeAll(async () => {
+      this.site = await Site.start();
+    });
+    afterAll(() => this.site?.stop());
+  }
+
+  /** Opens a link of the site, such as `#scene=map`, or a whole address. */
+  override open(link: string, ready?: string): Promise<Opened> {
+    return super.open(link.startsWith("#") ? this.site.address + link : link, ready);
+  }
 }
 
 /** The number in SI behind a quantity on the page. */

@@ -1,24 +1,9 @@
 /** The shape of the shot and the turning ball. */
 
-import type { Browser, BrowserContext } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, expect, test } from "vitest";
-import { open, Site, siValueOf, startBrowser } from "./site";
+import { expect, test } from "vitest";
+import { siValueOf, TestStudio } from "./site";
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio();
 
 test("a shot has the name that the command line gives it, for both hands", async () => {
   // clubface shot driver --speed 105mph --attack 2deg --loft 13deg --face ... --path ... [--hand left]
@@ -28,10 +13,7 @@ test("a shot has the name that the command line gives it, for both hands", async
     ["face=1deg&path=6deg&hand=left", "slice"],
     ["face=0deg&path=0.5deg", "draw"],
   ]) {
-    const { page, errors } = await open(
-      context,
-      `${site.address}#club=driver&speed=105mph&attack=2deg&loft=13deg&${delivery}`,
-    );
+    const { page, errors } = await studio.open(`#club=driver&speed=105mph&attack=2deg&loft=13deg&${delivery}`);
     expect(await page.locator(".headline .shape").textContent()).toBe(name);
     expect(await page.locator(".flight svg").last().getAttribute("aria-label")).toContain(`from above, a ${name}:`);
     expect(errors).toEqual([]);
@@ -41,7 +23,7 @@ test("a shot has the name that the command line gives it, for both hands", async
 
 test("the axis of the drawn ball is tilted as far as the spin axis, and the lift with it", async () => {
   for (const face of ["-3deg", "4deg"]) {
-    const { page } = await open(context, `${site.address}#club=driver&speed=105mph&loft=13deg&face=${face}`);
+    const { page } = await studio.open(`#club=driver&speed=105mph&loft=13deg&face=${face}`);
     const tilt = await siValueOf(page, "spin_axis");
     const [x1, y1, x2, y2] = await page
       .locator(".spin line.spin-axis")

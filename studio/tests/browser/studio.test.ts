@@ -1,38 +1,24 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
-import type { Browser, BrowserContext, Page } from "playwright-core";
-import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { describe, expect, test } from "vitest";
 import { filesUnder } from "../../build/offline";
 import { golden, linkOf } from "../golden";
-import { open, otherValue, Site, siValueOf, slide, startBrowser, violations } from "./site";
+import { otherValue, Site, siValueOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 /** Steps of a slider that are timed. */
 const SLIDES = 20;
 const FIRST = "#club=driver&speed=105mph&units=golf";
 
-let site: Site;
-let browser: Browser;
-let context: BrowserContext;
-
-beforeAll(async () => {
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
-beforeEach(async () => {
-  await context?.close();
-  context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US" });
-});
+const studio = new TestStudio();
 
 const drawing = (page: Page): Promise<string> => page.locator(".flight svg").last().innerHTML();
 
 describe("the shot", () => {
   test("a slider changes the numbers, both views of the flight and the link", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const [before, picture] = [await siValueOf(page, "side"), await page.locator(".flight svg").first().innerHTML()];
     const fromAbove = await drawing(page);
     await slide(page, "Face angle");
@@ -45,7 +31,7 @@ describe("the shot", () => {
   });
 
   test("typed values take any unit, and say what is wrong with others", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const before = await siValueOf(page, "ball_speed");
     const speed = page.getByRole("textbox", { name: "Club speed" });
     await speed.fill("50 m/s");
@@ -63,7 +49,7 @@ describe("the shot", () => {
   });
 
   test("a click on the face and the arrow keys move the impact point", async () => {
-    const { page } = await open(context, site.address + FIRST);
+    const { page } = await studio.open(FIRST);
     const before = await siValueOf(page, "spin_axis");
     await page.locator(".face").scrollIntoViewIfNeeded();
     const box = await page.locator(".face svg").boundingBox();
@@ -77,14 +63,14 @@ describe("the shot", () => {
   });
 
   test("the opposite hand mirrors the shot", async () => {
-    const { page } = await open(context, `${site.address}${FIRST}&toe=8mm`);
+    const { page } = await studio.open(`${FIRST}&toe=8mm`);
     const before = await siValueOf(page, "side");
     await page.locator('select[name="hand"]').selectOption("left");
     expect(await otherValue(page, "side", before)).toBeCloseTo(-before, 9);
   });
 
   test("a what-if says what its step does, and does it", async () => {
-    const { page } = await open(context, site.address + FIRST);
+    const { page } = await studio.open(FIRST);
     const before = await siValueOf(page, "side");
     const chip = page.locator('.chips button[data-name="face"]');
     await chip.getByText("yd right").waitFor();
@@ -96,7 +82,7 @@ describe("the shot", () => {
   });
 
   test("what cannot be computed is said, and the last shot stays", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const before = await siValueOf(page, "carry");
     const toe = page.getByRole("textbox", { name: "Towards the toe" });
     await toe.fill("90 mm");
@@ -109,25 +95,25 @@ describe("the shot", () => {
 
 describe("the link and the steps back", () => {
   test("a link gives the same shot in another tab", async () => {
-    const { page } = await open(context, site.address + FIRST);
+    const { page } = await studio.open(FIRST);
     const before = await siValueOf(page, "carry");
     await page.locator('select[name="club"]').selectOption("7-iron");
     const carry = await otherValue(page, "carry", before);
     await page.waitForURL(/club=7-iron/);
-    const other = await open(context, page.url());
+    const other = await studio.open(page.url());
     expect(await siValueOf(other.page, "carry")).toBe(carry);
     expect(await other.page.locator('select[name="club"]').inputValue()).toBe("7-iron");
   });
 
   test("a link that cannot be read says so and shows the rest", async () => {
-    const { page, errors } = await open(context, `${site.address}#club=broom&speed=100mph&face=2`);
+    const { page, errors } = await studio.open("#club=broom&speed=100mph&face=2");
     await page.getByText('club "broom" is unknown').waitFor();
     await page.getByText("give it with its unit").waitFor();
     expect(errors).toEqual([]);
   });
 
   test("undo and redo go back and forth through changes, a moved slider being one", async () => {
-    const { page } = await open(context, site.address + FIRST);
+    const { page } = await studio.open(FIRST);
     const before = await siValueOf(page, "carry");
     await page.locator('select[name="ball"]').selectOption("distance");
     const changed = await otherValue(page, "carry", before);
@@ -154,7 +140,7 @@ describe("the link and the steps back", () => {
   });
 
   test("the keyboard alone reaches and changes everything", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const before = await siValueOf(page, "carry");
     const reached = new Set<string>();
     for (let i = 0; i < 60; i += 1) {
@@ -178,7 +164,7 @@ describe("the link and the steps back", () => {
 
 describe("models side by side", () => {
   test("all models have numbers, the charts are drawn and change with the input", async () => {
-    const { page, errors } = await open(context, `${site.address}${FIRST}&scene=models`);
+    const { page, errors } = await studio.open(`${FIRST}&scene=models`);
     await page.locator(".models td[data-quantity]").first().waitFor();
     expect(await page.locator("thead th").allInnerTexts()).toContain("rings");
     await page.locator(".charts canvas").nth(3).waitFor();
@@ -206,7 +192,7 @@ describe("models side by side", () => {
 describe("the site", () => {
   test("works with its server stopped", async () => {
     const own = await Site.start();
-    const { page } = await open(context, own.address + FIRST);
+    const { page } = await studio.open(own.address + FIRST);
     await page.evaluate(() => navigator.serviceWorker.ready);
     const kept = await page.evaluate(async () => {
       const names = await caches.keys();
@@ -217,7 +203,7 @@ describe("the site", () => {
     expect(kept.sort()).toEqual(["", ...built].sort());
     const carry = await siValueOf(page, "carry");
     await own.stop();
-    const { page: again, errors } = await open(context, own.address + FIRST);
+    const { page: again, errors } = await studio.open(own.address + FIRST);
     expect(await siValueOf(again, "carry")).toBe(carry);
     await slide(again, "Club speed");
     expect(await otherValue(again, "carry", carry)).toBeGreaterThan(carry);
@@ -225,9 +211,8 @@ describe("the site", () => {
   });
 
   test.each(["", "&scene=models"])("fits a screen of 360 pixels (%j)", async (scene) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 360, height: 740 }, locale: "en-US" });
-    const { page, errors } = await open(context, site.address + FIRST + scene);
+    await studio.renew({ viewport: { width: 360, height: 740 } });
+    const { page, errors } = await studio.open(FIRST + scene);
     await page.waitForTimeout(300);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
     expect(errors).toEqual([]);
@@ -239,14 +224,13 @@ describe("the site", () => {
     ["&scene=models", "light"],
     ["&scene=models", "dark"],
   ] as const)("axe finds no violation (%j, %s)", async (scene, colorScheme) => {
-    await context.close();
-    context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-US", colorScheme });
-    const { page } = await open(context, site.address + FIRST + scene);
+    await studio.renew({ colorScheme });
+    const { page } = await studio.open(FIRST + scene);
     expect(await violations(page)).toEqual([]);
   });
 
   test("prints on white, with the numbers and without the controls of the page", async () => {
-    const { page } = await open(context, `${site.address}${FIRST}&theme=dark`);
+    const { page } = await studio.open(`${FIRST}&theme=dark`);
     await page.emulateMedia({ media: "print" });
     expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe("rgb(251, 252, 250)");
     expect(await page.locator(".tools").isVisible()).toBe(false);
@@ -254,7 +238,7 @@ describe("the site", () => {
   });
 
   test("the first answer and a slider are quick, and the files small; printed, since machines differ", async () => {
-    const { page } = await open(context, site.address + FIRST);
+    const { page } = await studio.open(FIRST);
     const first = await page.evaluate(() => performance.now());
     for (let i = 0; i < SLIDES; i += 1) {
       const before = await siValueOf(page, "carry");
@@ -295,7 +279,7 @@ const SCALES: Record<string, number> = {
 
 describe("the numbers", () => {
   test("are those of the command line for every golden shot", async () => {
-    const { page, errors } = await open(context, site.address + FIRST);
+    const { page, errors } = await studio.open(FIRST);
     const wrong: string[] = [];
     let compared = 0;
     for (const shot of golden.shots) {

@@ -5,9 +5,8 @@
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
-import type { Browser } from "playwright-core";
-import { afterAll, beforeAll, describe, test } from "vitest";
-import { open, Site, startBrowser } from "../browser/site";
+import { describe, test } from "vitest";
+import { TestStudio } from "../browser/site";
 
 const FOLDER = process.env.SCREENSHOTS ?? "screenshots";
 const SHOT = "#club=driver&speed=105mph&attack=2deg&path=4deg&loft=13deg&face=1deg&toe=8mm&high=4mm&units=golf";
@@ -31,30 +30,20 @@ const SIZES = { 360: 740, 390: 844, 1440: 900, 3840: 2160 };
 /** Widths whose first screen stands in the documentation, with the ending of its name. */
 const DOCUMENTED: Record<number, string> = { 390: "-narrow", 1440: "" };
 
-let site: Site;
-let browser: Browser;
-beforeAll(async () => {
-  mkdirSync(join(FOLDER, "docs"), { recursive: true });
-  [site, browser] = [await Site.start(), await startBrowser()];
-});
-afterAll(async () => {
-  await browser?.close();
-  await site?.stop();
-});
+const studio = new TestStudio({}, 100e3);
+mkdirSync(join(FOLDER, "docs"), { recursive: true });
 
 describe.each(Object.entries(SCENES))("%s", (name, [link, ready]) => {
   for (const [width, height] of Object.entries(SIZES).map((size) => size.map(Number)))
     for (const theme of ["light", "dark"] as const)
       test(`${width} px, ${theme}`, { timeout: 120_000 }, async () => {
-        const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, locale: "en-US" });
-        context.setDefaultTimeout(100e3);
-        const { page } = await open(context, site.address + link, ready);
+        await studio.renew({ viewport: { width, height }, colorScheme: theme });
+        const { page } = await studio.open(link, ready);
         await page.waitForTimeout(500);
         await page.screenshot({ path: join(FOLDER, `${name}-${width}-${theme}.png`), fullPage: true });
         if (width in DOCUMENTED) {
           const file = `studio-${name}${theme === "dark" ? "-dark" : ""}${DOCUMENTED[width]}.png`;
           await page.screenshot({ path: join(FOLDER, "docs", file) });
         }
-        await context.close();
       });
 });

@@ -3,10 +3,10 @@
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Browser, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, test } from "vitest";
 import { Monitor, newFolder, removeFolder, Served } from "../browser/served";
-import { open, startBrowser } from "../browser/site";
+import { TestBrowser } from "../browser/site";
 
 const FOLDER = process.env.SCREENSHOTS ?? "screenshots";
 const SESSION = fileURLToPath(new URL("../browser/session.csv", import.meta.url));
@@ -44,12 +44,12 @@ const SHOWN = ["sessions", "live"];
 
 let folder: string;
 let served: Served;
-let browser: Browser;
+const browser = new TestBrowser();
 beforeAll(async () => {
   mkdirSync(join(FOLDER, "docs"), { recursive: true });
   folder = newFolder();
   const live = ["--live", "live.jsonl", "--open-connect", "0", "--opengolfsim", "0", "--flight-relay", "0"];
-  [served, browser] = [await Served.start(folder, ...live), await startBrowser()];
+  served = await Served.start(folder, ...live);
   const monitor = await Monitor.connect(served.ports["open-connect"]);
   for (const [Speed, VLA, HLA] of BALLS)
     await monitor.send({
@@ -60,7 +60,6 @@ beforeAll(async () => {
   monitor.close();
 });
 afterAll(async () => {
-  await browser?.close();
   await served?.kill();
   removeFolder(folder);
 });
@@ -69,8 +68,8 @@ describe.each(Object.entries(PICTURES))("%s", (name, lead) => {
   for (const [width, height] of Object.entries(SIZES).map((size) => size.map(Number)))
     for (const theme of ["light", "dark"] as const)
       test(`${width} px, ${theme}`, { timeout: 240_000 }, async () => {
-        const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, locale: "en-US" });
-        const { page } = await open(context, `${served.address}#scene=sessions&units=golf`, ".drop");
+        await browser.renew({ viewport: { width, height }, colorScheme: theme });
+        const { page } = await browser.open(`${served.address}#scene=sessions&units=golf`, ".drop");
         await page.locator('input[type="file"]').setInputFiles(SESSION);
         await page.locator(".shots td").first().waitFor();
         await lead(page);
@@ -80,6 +79,5 @@ describe.each(Object.entries(PICTURES))("%s", (name, lead) => {
           const file = `studio-${name}${theme === "dark" ? "-dark" : ""}${DOCUMENTED[width]}.png`;
           await page.screenshot({ path: join(FOLDER, "docs", file) });
         }
-        await context.close();
       });
 });
