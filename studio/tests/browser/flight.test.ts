@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
+import { equipment } from "../described";
 import { type Opened, otherValue, pictureOf, siValueOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
@@ -203,11 +204,14 @@ describe("the clubs of a bag", () => {
     expect(errors).toEqual([]);
   });
 
-  test("the driver flies as in a shot of the same delivery", async () => {
+  test("the driver flies as in a shot of the tour's attack angle and dynamic loft", async () => {
     const { page } = await openRange("#scene=flight&flying=clubs&club=driver&speed=115mph&units=golf");
     await page.locator(".gaps tr[data-club=driver]").waitFor();
     const carry = await page.locator(".gaps tr[data-club=driver] [data-quantity=carry]").getAttribute("data-value");
-    const shot = await openRange("#scene=flight&club=driver&speed=115mph&attack=-0.9deg&units=golf");
+    const delivery = (["attack", "loft"] as const).map(
+      (name) => `${name}=${equipment.clubs["driver"].typical[name].join("")}`,
+    );
+    const shot = await openRange(`#scene=flight&club=driver&speed=115mph&${delivery.join("&")}&units=golf`);
     expect(await siValueOf(shot.page, "carry")).toBe(Number(carry));
   });
 });

@@ -13,79 +13,42 @@ const MPH = 0.44704;
 /** What a lesson shows when its curves have come too, from which its answer is made. */
 const READY = '.answer:not(:has(data[value="NaN"])) data';
 
-/** Keys pressed on a slider: so many times, or until the question is solved. */
-type Move = [label: string, key: string, times: number | "until solved"];
-
 interface Listed {
   title: string;
-  moves: Move[];
-  /** The most presses that "until solved" may take. */
-  most: number;
+  /** What solves the question: slider by slider, the keys that are pressed, and how often at most. */
+  moves: Record<string, Record<string, number>>;
 }
 
 const LESSONS: Record<string, Listed> = {
   spin: {
     title: "Friction makes the spin, then takes some of it back",
-    moves: [
-      ["Friction of ball and face", "PageDown", 6],
-      ["Friction of ball and face", "ArrowLeft", "until solved"],
-    ],
-    most: 100,
+    moves: { "Friction of ball and face": { PageDown: 6, ArrowLeft: 100 } },
   },
   curve: {
     title: "The ball starts near the face and curves away from the path",
-    moves: [
-      ["Club path", "PageUp", 1],
-      ["Club path", "ArrowRight", "until solved"],
-    ],
-    most: 60,
+    moves: { "Club path": { PageUp: 1, ArrowRight: 60 } },
   },
   gear: {
     title: "A toe strike hooks, so a driver's face bulges",
-    moves: [
-      ["Radius of the bulge", "PageDown", 6],
-      ["Radius of the bulge", "ArrowLeft", "until solved"],
-    ],
-    most: 100,
+    moves: { "Radius of the bulge": { PageDown: 6, ArrowLeft: 100 } },
   },
   height: {
     title: "A drive struck high launches higher and spins less",
-    moves: [
-      ["Up the face", "PageUp", 3],
-      ["Up the face", "ArrowRight", "until solved"],
-    ],
-    most: 60,
+    moves: { "Up the face": { PageUp: 3, ArrowRight: 60 } },
   },
   descent: {
     title: "A descending blow spins more, if the loft stays",
-    moves: [
-      ["Attack angle", "PageDown", 4],
-      ["Dynamic loft", "PageDown", 3],
-      ["Dynamic loft", "ArrowLeft", "until solved"],
-    ],
-    most: 30,
+    moves: { "Attack angle": { PageDown: 4 }, "Dynamic loft": { PageDown: 3, ArrowLeft: 30 } },
   },
   wet: {
     title: "A wet wedge launches high because the ball slides",
-    moves: [
-      ["Friction of ball and face", "PageDown", 3],
-      ["Friction of ball and face", "ArrowLeft", "until solved"],
-    ],
-    most: 60,
+    moves: { "Friction of ball and face": { PageDown: 3, ArrowLeft: 60 } },
   },
   rules: {
     title: "The rules limit how far a face gives and how steady a head is",
-    moves: [
-      ["Characteristic time of the face", "PageUp", 3],
-      ["Moment of inertia, vertical axis", "PageUp", "until solved"],
-    ],
-    most: 8,
+    moves: { "Characteristic time of the face": { PageUp: 3 }, "Moment of inertia, vertical axis": { PageUp: 8 } },
   },
-  monitors: {
-    title: "Two monitors can disagree and both be right",
-    moves: [["Closure rate", "PageUp", "until solved"]],
-    most: 10,
-  },
+  monitors: { title: "Two monitors can disagree and both be right", moves: { "Closure rate": { PageUp: 10 } } },
 };
 const NAMES = Object.keys(LESSONS);
 
@@ -113,14 +76,13 @@ async function press(page: Page, label: string, key: string): Promise<void> {
   await page.waitForFunction((text) => document.querySelector(".so-far")?.innerHTML !== text, before);
 }
 
-async function solve(page: Page, { moves, most }: Listed): Promise<void> {
-  for (const [label, key, times] of moves) {
-    const isOpen = times === "until solved";
-    for (let i = 0; i < (isOpen ? most : times); i += 1) {
-      if (isOpen && (await verdict(page)).includes("Solved")) return;
-      await press(page, label, key);
-    }
-  }
+async function solve(page: Page, { moves }: Listed): Promise<void> {
+  for (const [label, keys] of Object.entries(moves))
+    for (const [key, most] of Object.entries(keys))
+      for (let i = 0; i < most; i += 1) {
+        if ((await verdict(page)).includes("Solved")) return;
+        await press(page, label, key);
+      }
 }
 
 describe.each(NAMES)("%s", (name) => {
@@ -136,11 +98,10 @@ describe.each(NAMES)("%s", (name) => {
     expect((await verdict(page)).trim()).toBe("Not solved yet.");
     expect(await page.locator(".answer p").isVisible()).toBe(false);
     expect(await page.getByText(/NaN|…/).count()).toBe(0);
-    for (const label of new Set(lesson.moves.map(([each]) => each))) {
+    for (const [label, keys] of Object.entries(lesson.moves)) {
       const before = await drawn(page);
       expect(before.length).toBe(2);
-      const key = lesson.moves.find(([each]) => each === label)?.[1] ?? "";
-      await press(page, label, key);
+      await press(page, label, Object.keys(keys)[0]);
       await expect.poll(async () => (await drawn(page)).join() !== before.join(), { timeout: 10_000 }).toBe(true);
     }
     expect(errors).toEqual([]);
