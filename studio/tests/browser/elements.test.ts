@@ -1,9 +1,9 @@
-import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { load } from "clubface-core";
 import type { Download, Page } from "playwright-core";
 import { beforeAll, describe, expect, test } from "vitest";
+import { printedBy } from "./command-line";
 import { pictureOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
@@ -26,13 +26,8 @@ interface Expected {
 const studio = new TestStudio({}, PATIENCE);
 let expected: Record<"reference" | "drive", Expected>;
 
-beforeAll(async () => {
-  const python = process.env.PYTHON ?? "python3";
-  const printed = execFileSync(python, [path("elements.py")], {
-    encoding: "utf8",
-    stdio: ["ignore", "pipe", "inherit"],
-  });
-  expected = JSON.parse(printed) as typeof expected;
+beforeAll(() => {
+  expected = printedBy("elements.py");
 });
 
 /** Values of the first column of a table by the names of their quantities. */

@@ -1,4 +1,4 @@
-/** What is said of every number: equations that give it, what makes it, and how sure it is. */
+/** The explanation of every number: equations that give it, what makes it, and how sure it is. */
 
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
@@ -60,6 +60,7 @@ describe("a number", () => {
     );
     for (const { name, link, value, computed } of await explanations(page, links)) {
       expect(computed.length, `${link}, ${name}`).toBe(equations[name].length);
+      // The page shows fewer digits than it computes with; here all of them count, but for the last bits.
       for (const each of computed)
         expect(Math.abs(each - value)).toBeLessThanOrEqual(1e-9 * Math.max(1, Math.abs(value)));
     }

@@ -1,25 +1,16 @@
-import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
 import { equipment } from "../described";
-import { type Opened, otherValue, pictureOf, siValueOf, slide, TestStudio, violations } from "./site";
+import { isSame, printedBy, SCALES } from "./command-line";
+import { goTo, type Opened, otherValue, pictureOf, siValueOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const FIRST = "#scene=flight&club=driver&speed=105mph&attack=2deg&loft=13deg&units=golf";
 const CANVAS = '[data-stage="range"] canvas';
-/** Relative difference from the command line: last bits of logarithms and powers, and of units and back. */
-const SAME = 1e-12;
-/** What is a difference of large numbers is compared on their scale [SI]. */
-const SCALES: Record<string, number> = {
-  side: 100,
-  total_side: 100,
-  azimuth: 1,
-  launch: 1,
-  sidespin: 100,
-  spin_axis: 1,
-};
+/** Launch angles stand here with their spread, which is a difference of them. */
+const FLIGHT_SCALES = { ...SCALES, launch: 1 };
 const studio = new TestStudio();
 
 /** Waits until a picture is another than before, and returns it. */
@@ -60,19 +51,6 @@ const openRange = async (link: string): Promise<Opened> => {
   await opened.page.locator("[data-air=density]").getByText("kg/m³").waitFor();
   return opened;
 };
-
-const commandLine = (file: string): unknown =>
-  JSON.parse(
-    execFileSync(process.env.PYTHON ?? "python3", [path("command_line.py"), file], {
-      encoding: "utf8",
-      stdio: ["ignore", "pipe", "inherit"],
-    }),
-  );
-
-const setLink = (page: Page, link: string): Promise<void> =>
-  page.evaluate((hash) => {
-    location.hash = hash;
-  }, link);
 
 describe("the range", () => {
   test("wind changes numbers, picture, words and the link, and holds in the other scenes", async () => {
@@ -260,7 +238,7 @@ describe("a golfer's shots", () => {
 describe("the numbers", () => {
   test("of twenty flights are those of the command line", async () => {
     const listed = JSON.parse(readFileSync(path("flights.json"), "utf8")) as Record<string, unknown>[];
-    const expected = commandLine("flights.json") as Record<string, number>[];
+    const expected = printedBy<Record<string, number>[]>("command_line.py", "flights.json");
     const { page, errors } = await openRange(FIRST);
     const wrong: string[] = [];
     let compared = 0;
@@ -268,13 +246,13 @@ describe("the numbers", () => {
       const before = await siValueOf(page, "total");
       const all = { scene: "flight", ...chosen, ...(delivery as object), ...(conditions as object), units: "golf" };
       const entries = Object.entries(all).map(([key, value]) => `${key}=${encodeURIComponent(String(value))}`);
-      await setLink(page, `#${entries.join("&")}`);
+      await goTo(page, `#${entries.join("&")}`);
       await otherValue(page, "total", before);
       for (const [name, value] of Object.entries(expected[i])) {
         if (!(await page.locator(`td[data-quantity="${name}"]`).count())) continue;
         const shown = await siValueOf(page, name);
         compared += 1;
-        if (!(Math.abs(shown - value) <= SAME * Math.max(Math.abs(value), SCALES[name] ?? 0)))
+        if (!isSame(name, shown, value, FLIGHT_SCALES))
           wrong.push(`${entries.join("&")}: ${name} ${shown}, by the command line ${value}`);
       }
     }
@@ -291,7 +269,7 @@ describe("the numbers", () => {
       hand: string;
       conditions: Record<string, string>;
     }[];
-    const expected = commandLine("dispersions.json") as Record<string, number>[];
+    const expected = printedBy<Record<string, number>[]>("command_line.py", "dispersions.json");
     const wrong: string[] = [];
     let compared = 0;
     for (const [i, { golfer, hand, conditions }] of listed.entries()) {
@@ -318,9 +296,8 @@ describe("the numbers", () => {
       );
       for (const [name, shown] of cells) {
         const value = expected[i][name];
-        const scale = SCALES[name.split(" ")[0]] ?? 0;
         compared += 1;
-        if (!(Math.abs(shown - value) <= SAME * Math.max(Math.abs(value), scale)))
+        if (!isSame(name.split(" ")[0], shown, value, FLIGHT_SCALES))
           wrong.push(`${golfer}: ${name} ${shown}, by the command line ${value}`);
       }
       expect(errors).toEqual([]);

@@ -27,6 +27,7 @@ describe("head and ball", () => {
   test("are drawn, follow the delivery, and say what they show", async () => {
     const { page, errors } = await studio.open(FIRST);
     const before = await picture(page);
+    // An empty canvas of this size has a few thousand characters.
     expect(before.length).toBeGreaterThan(20_000);
     expect(await nameOf(page)).toMatch(
       /driver meets the ball, from the corner, at first touch: club path 4\.0° right, .*face angle 1\.0° right, .*launch direction [\d.]+° right/,

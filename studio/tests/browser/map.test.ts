@@ -1,11 +1,11 @@
 /** Maps of a face. */
 
-import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { pictureOf, slide, TestStudio, violations } from "./site";
+import { printedBy, SAME } from "./command-line";
+import { pictureOf, slide, TestStudio, textOf, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const FIRST = "#scene=map&club=driver&speed=105mph&attack=2deg&loft=14deg&units=golf";
@@ -16,10 +16,7 @@ const studio = new TestStudio();
 
 /** Waits until all points are drawn. */
 const whole = (page: Page): Promise<void> => page.locator(`${CANVAS}[data-points="41x41"]`).waitFor();
-/** The words of an element, a space between them. */
-const wordsOf = async (page: Page, selector: string): Promise<string> =>
-  ((await page.locator(selector).textContent()) ?? "").replace(/\s+/g, " ").trim();
-const reading = (page: Page): Promise<string> => wordsOf(page, ".reading");
+const reading = (page: Page): Promise<string> => textOf(page, ".reading");
 const readValue = async (page: Page): Promise<number> =>
   Number(await page.locator(".reading").getAttribute("data-value"));
 
@@ -37,6 +34,7 @@ describe("the map", () => {
       for (let i = 0; i < data.length; i += 40) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
       return seen.size;
     });
+    // Bands of ball speed, and page, lines and marks.
     expect(colours).toBeGreaterThan(8);
     expect(await page.locator(CANVAS).getAttribute("aria-label")).toMatch(
       /ball speed, mph: driver: from 1\d\d\.\d mph to 15\d\.\d mph; at the impact point, .*; at the sweet spot, 1\.\d mm heel, 4\.\d mm low: 15\d\.\d mph/,
@@ -78,6 +76,7 @@ describe("the map", () => {
     await page.waitForURL(/toe=15mm&high=1mm/);
     await page.keyboard.press("Escape");
     await expect.poll(() => reading(page)).toMatch(/^Impact point, 15\.0 mm toe, 1\.0 mm high/);
+    // A millimetre has another last bit when it is read from the link.
     expect(await readValue(page)).toBeCloseTo(atToe, 12);
     await page.keyboard.press("Control+z");
     await expect.poll(() => reading(page)).toMatch(/^Impact point, 0\.0 mm/);
@@ -162,7 +161,7 @@ describe("forgiveness", () => {
 
   test("is not there for an impact point off the face, and the map stays", async () => {
     const { page } = await studio.open(`${FIRST}&toe=52mm&high=26mm`, ".forgiveness .mistake");
-    expect(await wordsOf(page, ".forgiveness .mistake")).toContain("not on the face");
+    expect(await textOf(page, ".forgiveness .mistake")).toContain("not on the face");
     await whole(page);
   });
 });
@@ -230,8 +229,6 @@ interface Computed {
   scatter: { quantity: string; mean: number; deviation: number; loss: number }[];
 }
 
-/** Relative difference of a number on the page from that of the command line, as for shots. */
-const SAME = 1e-12;
 /** What is a difference of large numbers is compared on their scale [SI]. */
 const SCALES: Record<string, number> = { side: 100, carry: 200, ball_speed: 70 };
 
@@ -289,9 +286,7 @@ async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Pr
 
 test("the numbers of five maps are those of the command line", async () => {
   const listed = JSON.parse(readFileSync(path("maps.json"), "utf8")) as Listed[];
-  const python = process.env.PYTHON ?? "python3";
-  const printed = execFileSync(python, [path("maps.py")], { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
-  const expected = JSON.parse(printed) as Computed[];
+  const expected = printedBy<Computed[]>("maps.py");
   const wrong: string[] = [];
   let [compared, largest] = [0, 0];
   for (const [i, each] of listed.entries()) {
@@ -310,5 +305,6 @@ test("the numbers of five maps are those of the command line", async () => {
   console.log(
     `${compared} numbers of ${listed.length} maps compared with the command line, largest difference ${most}`,
   );
+  expect(expected).toHaveLength(listed.length);
   expect(wrong).toEqual([]);
 });

@@ -7,8 +7,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
+import { PYTHON } from "./command-line";
 
-export const PYTHON = process.env.PYTHON ?? "python";
 const DIST = fileURLToPath(new URL("../../dist/", import.meta.url));
 
 /** A folder for the files of a server. */
@@ -30,14 +30,14 @@ export class Served {
       env: { ...process.env, CLUBFACE_STUDIO_SITE: DIST },
       stdio: ["ignore", "pipe", "pipe"],
     });
-    const said: string[] = [];
-    createInterface({ input: child.stderr }).on("line", (line) => said.push(line));
+    const lines: string[] = [];
+    createInterface({ input: child.stderr }).on("line", (line) => lines.push(line));
     const address = await new Promise<string>((resolve, reject) => {
       createInterface({ input: child.stdout }).once("line", resolve);
-      child.once("exit", () => reject(new Error(`the server has ended: ${said.join("\n")}`)));
+      child.once("exit", () => reject(new Error(`the server has ended: ${lines.join("\n")}`)));
     });
     const ports: Record<string, number> = {};
-    for (const line of said) {
+    for (const line of lines) {
       const [, protocol, port] = /clubface: ([a-z-]+): \S+:(\d+)$/.exec(line) ?? [];
       if (protocol) ports[protocol] = Number(port);
     }

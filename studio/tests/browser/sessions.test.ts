@@ -4,8 +4,9 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
-import { Monitor, newFolder, PYTHON, removeFolder, Served } from "./served";
-import { Site, siValueOf, TestBrowser, violations } from "./site";
+import { PYTHON } from "./command-line";
+import { Monitor, newFolder, removeFolder, Served } from "./served";
+import { drop, Site, siValueOf, TestBrowser, violations } from "./site";
 
 const SESSION = fileURLToPath(new URL("session.csv", import.meta.url));
 const LIVE = ["--live", "live.jsonl", "--open-connect", "0", "--opengolfsim", "0", "--flight-relay", "0"];
@@ -153,15 +154,7 @@ describe("a file", () => {
 
   test("one that is dropped on the page is read", async () => {
     const { page, errors } = await browser.open(served.address + SCENE, ".drop");
-    const data = await page.evaluateHandle(
-      (text) => {
-        const transfer = new DataTransfer();
-        transfer.items.add(new File([text], "dropped.csv", { type: "text/csv" }));
-        return transfer;
-      },
-      readFileSync(SESSION, "utf8"),
-    );
-    await page.locator(".drop").dispatchEvent("drop", { dataTransfer: data });
+    await drop(page, ".drop", "dropped.csv", readFileSync(SESSION, "utf8"));
     await page.getByText("dropped.csv (clubface): 31 driver, 20 7-iron").first().waitFor();
     expect(errors).toEqual([]);
   });

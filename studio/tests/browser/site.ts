@@ -134,6 +134,29 @@ export async function otherValue(page: Page, quantity: string, before: number): 
   return siValueOf(page, quantity);
 }
 
+/** Goes to another link within the page, as when its address is changed by hand. */
+export const goTo = (page: Page, link: string): Promise<void> =>
+  page.evaluate((hash) => {
+    location.hash = hash;
+  }, link);
+
+/** The words of the first such element, one space between them. */
+export const textOf = async (page: Page, selector: string): Promise<string> =>
+  ((await page.locator(selector).first().textContent()) ?? "").replace(/\s+/g, " ").trim();
+
+/** Drops a file on an element. */
+export async function drop(page: Page, selector: string, name: string, content: string): Promise<void> {
+  const data = await page.evaluateHandle(
+    ([fileName, text]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], fileName));
+      return transfer;
+    },
+    [name, content],
+  );
+  await page.dispatchEvent(selector, "drop", { dataTransfer: data });
+}
+
 /** What axe finds wrong with the whole page, its details opened. */
 export async function violations(page: Page): Promise<string[]> {
   await page.locator("details summary").evaluateAll((all) => {

@@ -5,7 +5,8 @@ import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
 import { filesUnder } from "../../build/offline";
 import { golden, linkOf } from "../golden";
-import { otherValue, Site, siValueOf, slide, TestStudio, violations } from "./site";
+import { isSame } from "./command-line";
+import { goTo, otherValue, Site, siValueOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 /** Steps of a slider that are timed. */
@@ -81,7 +82,7 @@ describe("the shot", () => {
     expect(Math.abs(moved - yards)).toBeLessThan(0.05 * yards + 0.1);
   });
 
-  test("what cannot be computed is said, and the last shot stays", async () => {
+  test("what cannot be computed gives a message, and the last shot stays", async () => {
     const { page, errors } = await studio.open(FIRST);
     const before = await siValueOf(page, "carry");
     const toe = page.getByRole("textbox", { name: "Towards the toe" });
@@ -178,9 +179,7 @@ describe("models side by side", () => {
     });
     const before = await pictures();
     expect(before).not.toContain(empty);
-    await page.evaluate(() => {
-      location.hash = "#scene=models&club=driver&speed=90mph&units=golf";
-    });
+    await goTo(page, "#scene=models&club=driver&speed=90mph&units=golf");
     await page.getByText("90.0 mph").waitFor();
     await expect
       .poll(async () => (await pictures()).every((picture, i) => picture !== before[i]), { timeout: 20_000 })
@@ -262,21 +261,6 @@ describe("the site", () => {
   });
 });
 
-/**
- * Relative difference of a number on the page from that of the command line: the last bits of logarithms and powers, which
- * there come from the machine's own library.
- */
-const SAME = 1e-12;
-/** What is a difference of large numbers is compared on their scale [SI]. */
-const SCALES: Record<string, number> = {
-  side: 100,
-  total_side: 100,
-  curve: 100,
-  azimuth: 1,
-  sidespin: 100,
-  spin_axis: 1,
-};
-
 describe("the numbers", () => {
   test("are those of the command line for every golden shot", async () => {
     const { page, errors } = await studio.open(FIRST);
@@ -284,12 +268,7 @@ describe("the numbers", () => {
     let compared = 0;
     for (const shot of golden.shots) {
       const before = await siValueOf(page, "carry");
-      await page.evaluate(
-        (hash) => {
-          location.hash = hash;
-        },
-        `${linkOf(shot)}&units=golf`,
-      );
+      await goTo(page, `${linkOf(shot)}&units=golf`);
       if (shot.numbers.carry !== before) await otherValue(page, "carry", before);
       const shown = await page
         .locator("td[data-quantity]")
@@ -303,7 +282,7 @@ describe("the numbers", () => {
         const expected = shot.numbers[name];
         if (expected === undefined) continue;
         compared += 1;
-        if (!(Math.abs(value - expected) <= SAME * Math.max(Math.abs(expected), SCALES[name] ?? 0)))
+        if (!isSame(name, value, expected))
           wrong.push(`${linkOf(shot)}: ${name} ${value}, by the command line ${expected}`);
       }
     }

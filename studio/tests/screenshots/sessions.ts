@@ -1,17 +1,13 @@
 /** Pictures of the scenes that `clubface studio` alone has: a file on the range, its golfer, a fitting, live shots. */
 
-import { mkdirSync } from "node:fs";
-import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, describe, test } from "vitest";
+import { afterAll, beforeAll } from "vitest";
 import { Monitor, newFolder, removeFolder, Served } from "../browser/served";
 import { TestBrowser } from "../browser/site";
+import { drawScene } from "../pictures";
 
-const FOLDER = process.env.SCREENSHOTS ?? "screenshots";
 const SESSION = fileURLToPath(new URL("../browser/session.csv", import.meta.url));
-const SIZES = { 360: 740, 390: 844, 1440: 900, 3840: 2160 };
-const DOCUMENTED: Record<number, string> = { 390: "-narrow", 1440: "" };
 /** Speeds of live balls [mph], launch angles and directions [deg]; the last shot has club data alone. */
 const BALLS = [
   [148, 12, -2],
@@ -46,7 +42,6 @@ let folder: string;
 let served: Served;
 const browser = new TestBrowser();
 beforeAll(async () => {
-  mkdirSync(join(FOLDER, "docs"), { recursive: true });
   folder = newFolder();
   const live = ["--live", "live.jsonl", "--open-connect", "0", "--opengolfsim", "0", "--flight-relay", "0"];
   served = await Served.start(folder, ...live);
@@ -64,20 +59,17 @@ afterAll(async () => {
   removeFolder(folder);
 });
 
-describe.each(Object.entries(PICTURES))("%s", (name, lead) => {
-  for (const [width, height] of Object.entries(SIZES).map((size) => size.map(Number)))
-    for (const theme of ["light", "dark"] as const)
-      test(`${width} px, ${theme}`, { timeout: 240_000 }, async () => {
-        await browser.renew({ viewport: { width, height }, colorScheme: theme });
-        const { page } = await browser.open(`${served.address}#scene=sessions&units=golf`, ".drop");
-        await page.locator('input[type="file"]').setInputFiles(SESSION);
-        await page.locator(".shots td").first().waitFor();
-        await lead(page);
-        await page.waitForTimeout(1000);
-        await page.screenshot({ path: join(FOLDER, `${name}-${width}-${theme}.png`), fullPage: true });
-        if (width in DOCUMENTED && SHOWN.includes(name)) {
-          const file = `studio-${name}${theme === "dark" ? "-dark" : ""}${DOCUMENTED[width]}.png`;
-          await page.screenshot({ path: join(FOLDER, "docs", file) });
-        }
-      });
-});
+for (const [name, lead] of Object.entries(PICTURES))
+  drawScene(name, {
+    isDocumented: SHOWN.includes(name),
+    timeout: 240e3,
+    show: async (screen) => {
+      await browser.renew(screen);
+      const { page } = await browser.open(`${served.address}#scene=sessions&units=golf`, ".drop");
+      await page.locator('input[type="file"]').setInputFiles(SESSION);
+      await page.locator(".shots td").first().waitFor();
+      await lead(page);
+      await page.waitForTimeout(1000);
+      return page;
+    },
+  });

@@ -85,15 +85,15 @@ describe("the drawn head", () => {
     const flat = { ...driver, bulge: Infinity, roll: Infinity };
     const [, up, toe] = cgInFace(flat);
     expect(sweetSpot(flat).slice(1)).toEqual([up, toe]);
-    const round = { ...driver, cg_z: 0.006, bulge: 0.3, roll: 0.3 };
-    const spot = sweetSpot({ ...round, cg_z: 0 });
-    const cg = cgInFace({ ...round, cg_z: 0 });
+    const round = { ...driver, cg_z: 0, bulge: 0.3, roll: 0.3 };
+    const [spot, cg] = [sweetSpot(round), cgInFace(round)];
     // The normal of a circle passes through its centre, 300 mm behind the face centre: all three are on one line.
     const slope = ([x, y]: readonly number[]): number => y / (x + 0.3);
     expect(slope(spot)).toBeCloseTo(slope(cg), 9);
   });
 
   test("a curved face falls back by h squared over twice the radius", () => {
+    // The next term of the circle is h^4 / 8 R^3, some 4 um.
     expect(onFace(0, 0.03, driver)[0]).toBeCloseTo(-(0.03 ** 2) / (2 * 0.305), 5);
   });
 });
@@ -184,7 +184,7 @@ describe("the link", () => {
     });
   });
 
-  test("an amount that does not fit is said", () => {
+  test("an amount that does not fit is reported", () => {
     expect(fromLink("#cg_x=44g&iyy=5900", context).problems).toHaveLength(2);
   });
 });

@@ -12,12 +12,13 @@ interface Stored {
 }
 
 const stored = JSON.parse(readFileSync(new URL("poses.json", import.meta.url), "utf8")) as Stored[];
-const valuesOf = ({ inputs }: Stored): Values =>
+/** Numbers of which JSON has null for infinite ones. */
+const valuesOf = (inputs: Record<string, number | null>): Values =>
   Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, value ?? Infinity]));
 
 test("the head is where the core has it at first touch, for both hands", () => {
   for (const each of stored) {
-    const { cg, ball } = poseAtImpact(valuesOf(each));
+    const { cg, ball } = poseAtImpact(valuesOf(each.inputs));
     // The last digits: sines and roots come in another order here.
     expect(size(minus(minus(ball, cg), each.ball_from_cg))).toBeLessThan(1e-12);
   }
@@ -39,7 +40,7 @@ describe("around impact", () => {
     club_spin_z: 20,
     contact_time: 450e-6,
   };
-  const inputs = valuesOf(stored[0]);
+  const inputs = valuesOf(stored[0].inputs);
   const distance = (time: number): number => {
     const { ball, contact, normal } = poseAt(inputs, outputs, time);
     return dot(minus(ball, contact), normal) / inputs.ball_radius;
@@ -70,10 +71,10 @@ describe("around impact", () => {
 
 test("every club has a head of finite points whose face is in front of its body", () => {
   for (const { kind, outline, columns } of Object.values(equipment.clubs)) {
-    const values = Object.fromEntries(Object.entries(columns).map(([name, value]) => [name, value ?? Infinity]));
-    const { face, body } = headShape(kind, outline, values);
+    const { face, body } = headShape(kind, outline, valuesOf(columns));
     expect([...face.positions, ...body.positions].every(Number.isFinite)).toBe(true);
     expect(Math.max(...body.triangles)).toBe(body.positions.length / 3 - 1);
+    // The sole of an iron and the head of a wood or hybrid are at least as deep as this.
     const back = Math.min(...body.positions.filter((_, i) => i % 3 === 0));
     expect(back).toBeLessThan(kind === "iron" ? -0.01 : -0.03);
   }

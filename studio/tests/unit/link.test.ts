@@ -64,7 +64,7 @@ describe("the link", () => {
     });
   });
 
-  test("what cannot be read is said, and the rest is kept", () => {
+  test("what cannot be read is reported, and the rest is kept", () => {
     const { state, problems } = fromLink("#club=broom&speed=fast&face=2deg&path=3&breeze=5mph&%E0%A4%A=1&=", context);
     expect(problems).toHaveLength(6);
     expect(problems[0]).toContain("broom");

@@ -62,7 +62,7 @@ describe("colours", () => {
       const [red, green, blue] = scale.at(value);
       return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
     });
-    expect(brightness).toEqual([...brightness].sort((a, b) => a - b));
+    for (let i = 1; i < brightness.length; i += 1) expect(brightness[i]).toBeGreaterThan(brightness[i - 1]);
   });
 
   test("end at a round number that is not below the largest value", () => {
