@@ -129,7 +129,7 @@ ClubfaceResult *clubface_dispersion(const char *text,
 ClubfaceResult *clubface_face_map(const char *text,
                                   size_t threads);
 
-// Tells of `rows` heads whether mass in a space can be so distributed.
+// Computes for `rows` heads whether mass in a space can be distributed so.
 //
 // `text` is JSON: the space by `shape` ("box" or "ellipsoid"), `centre` seen from the face centre and `size` (face to back,
 // sole to crown, heel to toe; m); and the `head` that is made lighter evenly by its `free` mass (kg), which is placed anew,
@@ -140,7 +140,7 @@ ClubfaceResult *clubface_face_map(const char *text,
 // it is below 0; and `rounding`, by which a margin may be below 0.
 //
 // # Safety
-// `text` ends with a null byte; the arrays hold as many numbers as said.
+// `text` ends with a null byte; the arrays hold as many numbers as stated.
 ClubfaceResult *clubface_buildable(const char *text,
                                    const double *values,
                                    size_t rows,
@@ -183,7 +183,7 @@ extern uint32_t progress(double time, double duration);
 // text. `threads`: 0 for one a core.
 //
 // # Safety
-// The arrays hold as many numbers as said.
+// The arrays hold as many numbers as stated.
 ClubfaceResult *clubface_flights(const double *inputs,
                                  size_t rows,
                                  size_t threads,
@@ -192,7 +192,7 @@ ClubfaceResult *clubface_flights(const double *inputs,
 // Computes one flight and all its derivatives: in `jacobian` a row an output, by the inputs.
 //
 // # Safety
-// The arrays hold as many numbers as said.
+// The arrays hold as many numbers as stated.
 ClubfaceResult *clubface_flight_sensitivity(const double *inputs,
                                             double *outputs,
                                             double *jacobian);
@@ -301,7 +301,7 @@ void clubface_free(ClubfaceResult *result);
 // the text.
 //
 // # Safety
-// The arrays hold as many numbers as said; `model` ends with a null byte.
+// The arrays hold as many numbers as stated; `model` ends with a null byte.
 ClubfaceResult *clubface_launches(const char *model,
                                   const double *inputs,
                                   const double *parameters,
@@ -314,7 +314,7 @@ ClubfaceResult *clubface_launches(const char *model,
 // is NaN by an input that is not differentiable. The rest as for [`clubface_launches`].
 //
 // # Safety
-// The arrays hold as many numbers as said; `model` ends with a null byte.
+// The arrays hold as many numbers as stated; `model` ends with a null byte.
 ClubfaceResult *clubface_sensitivity(const char *model,
                                      const double *inputs,
                                      const double *parameters,
@@ -329,7 +329,7 @@ ClubfaceResult *clubface_sensitivity(const char *model,
 // variable. The rest as for [`clubface_launches`].
 //
 // # Safety
-// The arrays hold as many numbers as said; `model` ends with a null byte.
+// The arrays hold as many numbers as stated; `model` ends with a null byte.
 ClubfaceResult *clubface_sensitivities(const char *model,
                                        const double *inputs,
                                        const double *parameters,
@@ -346,7 +346,7 @@ ClubfaceResult *clubface_sensitivities(const char *model,
 // `penetration`, `ball_spin`, ...), world axes, and its outputs as `launch`. The rest as for [`clubface_launches`].
 //
 // # Safety
-// The arrays hold as many numbers as said; `model` ends with a null byte.
+// The arrays hold as many numbers as stated; `model` ends with a null byte.
 ClubfaceResult *clubface_history(const char *model,
                                  const double *inputs,
                                  const double *parameters,

@@ -19,7 +19,7 @@ struct Space {
     free: f64,
 }
 
-/// Tells of `rows` heads whether mass in a space can be so distributed.
+/// Computes for `rows` heads whether mass in a space can be distributed so.
 ///
 /// `text` is JSON: the space by `shape` ("box" or "ellipsoid"), `centre` seen from the face centre and `size` (face to back,
 /// sole to crown, heel to toe; m); and the `head` that is made lighter evenly by its `free` mass (kg), which is placed anew,
@@ -30,7 +30,7 @@ struct Space {
 /// it is below 0; and `rounding`, by which a margin may be below 0.
 ///
 /// # Safety
-/// `text` ends with a null byte; the arrays hold as many numbers as said.
+/// `text` ends with a null byte; the arrays hold as many numbers as stated.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn clubface_buildable(
     text: *const c_char,

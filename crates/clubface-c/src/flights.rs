@@ -12,7 +12,7 @@ use clubface_impact::flight::{self, FlightBatch, INPUT_COUNT, OUTPUT_COUNT};
 /// text. `threads`: 0 for one a core.
 ///
 /// # Safety
-/// The arrays hold as many numbers as said.
+/// The arrays hold as many numbers as stated.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn clubface_flights(
     inputs: *const f64,
@@ -40,7 +40,7 @@ pub unsafe extern "C" fn clubface_flights(
 /// Computes one flight and all its derivatives: in `jacobian` a row an output, by the inputs.
 ///
 /// # Safety
-/// The arrays hold as many numbers as said.
+/// The arrays hold as many numbers as stated.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn clubface_flight_sensitivity(
     inputs: *const f64,

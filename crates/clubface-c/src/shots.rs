@@ -32,7 +32,7 @@ fn accuracy(tolerance: f64) -> Result<Accuracy, Failure> {
 /// the text.
 ///
 /// # Safety
-/// The arrays hold as many numbers as said; `model` ends with a null byte.
+/// The arrays hold as many numbers as stated; `model` ends with a null byte.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn clubface_launches(
     model: *const c_char,
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn clubface_launches(
 /// is NaN by an input that is not differentiable. The rest as for [`clubface_launches`].
 ///
 /// # Safety
-/// The arrays hold as many numbers as said; `model` ends with a null byte.
+/// The arrays hold as many numbers as stated; `model` ends with a null byte.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn clubface_sensitivity(
     model: *const c_char,
@@ -105,7 +105,7 @@ pub unsafe extern "C" fn clubface_sensitivity(
 /// variable. The rest as for [`clubface_launches`].
 ///
 /// # Safety
-/// The arrays hold as many numbers as said; `model` ends with a null byte.
+/// The arrays hold as many numbers as stated; `model` ends with a null byte.
 #[unsafe(no_mangle)]
 #[allow(clippy::too_many_arguments)]
 pub unsafe extern "C" fn clubface_sensitivities(
@@ -155,7 +155,7 @@ pub unsafe extern "C" fn clubface_sensitivities(
 /// `penetration`, `ball_spin`, ...), world axes, and its outputs as `launch`. The rest as for [`clubface_launches`].
 ///
 /// # Safety
-/// The arrays hold as many numbers as said; `model` ends with a null byte.
+/// The arrays hold as many numbers as stated; `model` ends with a null byte.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn clubface_history(
     model: *const c_char,

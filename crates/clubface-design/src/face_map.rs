@@ -317,7 +317,7 @@ impl Scatter {
     /// Checks that it is one of a face.
     ///
     /// # Errors
-    /// Deviations that are not above 0 or larger than the face, or a point beside it.
+    /// Deviations that are not above 0 or larger than the face, or a point off it.
     pub fn check(&self, outline: &Outline) -> Result<(), ImpactError> {
         let (least, greatest) = (outline.least(), outline.greatest());
         for axis in 0..2 {

@@ -137,8 +137,8 @@ impl Volume {
             .collect();
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {
             for (first, second) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-                let beside = |row: &[f64; 4], sign: f64| core::array::from_fn(|k| one[k] - sign * row[k]);
-                let corner = outer(&beside(&part[i], first), &beside(&part[j], second));
+                let from_side = |row: &[f64; 4], sign: f64| core::array::from_fn(|k| one[k] - sign * row[k]);
+                let corner = outer(&from_side(&part[i], first), &from_side(&part[j], second));
                 let matrix =
                     core::array::from_fn(|r| core::array::from_fn(|c| 0.5 * (corner[r][c] + corner[c][r])));
                 let words = "it would have to lie beyond an edge of the box".to_owned();

@@ -68,7 +68,7 @@ impl Outline {
         self.holds_about(toe, high, SLACK)
     }
 
-    /// Whether a point [m] is inside, on it or less than `slack` [m] beside it.
+    /// Whether a point [m] is inside, on it or less than `slack` [m] off it.
     #[must_use]
     pub fn holds_about(&self, toe: f64, high: f64, slack: f64) -> bool {
         self.holds_within(toe, high, self.extent(toe), slack)

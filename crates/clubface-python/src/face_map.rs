@@ -45,7 +45,7 @@ impl FaceOutline {
         (PyArray1::from_vec(py, low), PyArray1::from_vec(py, top))
     }
 
-    /// Whether points are inside, on the outline, or less than `slack` beside it.
+    /// Whether points are inside, on the outline, or less than `slack` off it.
     #[pyo3(signature = (toe, high, slack=SLACK))]
     #[allow(clippy::needless_pass_by_value)]
     fn holds<'py>(
