@@ -141,5 +141,8 @@ def test_a_launch_that_is_sent_arrives_as_it_was():
     assert kept[0].launch == pytest.approx(launch, rel=1e-12)
     with pytest.raises(LinkError, match="cannot be reached"):
         OpenGolfSimSender(listener.port)
+    spin = {name: launch[name] for name in ("backspin", "sidespin")}
+    rest = {name: launch[name] for name in ("ball_speed", "launch", "azimuth")}
+    assert from_json(to_json(rest | spin)).launch == pytest.approx(launch, rel=1e-12)
     with pytest.raises(InputError, match="launch is missing"):
         to_json({"ball_speed": 50.0})

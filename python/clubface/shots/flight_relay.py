@@ -18,7 +18,7 @@ from typing import Any
 
 from clubface.errors import shortened
 from clubface.results.notes import Note, note
-from clubface.shots.messages import LARGEST, LARGEST_VALUE, Message, MessageError, numbers_of, shot_message
+from clubface.shots.messages import LARGEST, LARGEST_VALUE, Message, MessageError, in_si, numbers_of, shot_message
 from clubface.units import to_si
 
 __all__ = ["PATH", "PORT", "VERSION", "ShotCollector", "critical_alert", "start_message", "text_to_object"]
@@ -190,7 +190,7 @@ def _read(shot: _Open, part: Any, name: str, fields: Mapping[str, tuple[str, str
         raise MessageError(f"{name} must be an object")
     plain = [each for each, (_, unit) in fields.items() if unit not in ("speed", "length")]
     numbers = numbers_of(part, plain, f"{name}.", shot.notes)
-    values = {fields[each][0]: to_si(value, fields[each][1]) for each, value in numbers.items()}
+    values = in_si(numbers, fields)
     for each, (quantity, unit) in fields.items():
         if each in plain or part.get(each) is None:
             continue

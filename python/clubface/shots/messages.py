@@ -18,13 +18,14 @@ from clubface.errors import ClubfaceError, shortened
 from clubface.results.notes import Note, note
 from clubface.shots.plausibility import impossible, impossible_note, shown, within_turn
 from clubface.simulation.spin import SPINS, complete
+from clubface.units import to_si
 
 if TYPE_CHECKING:
     from clubface.shots.recorded import RecordedShots
 
 __all__ = [
     "LARGEST", "LARGEST_VALUE", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "ValuesNotTaken",
-    "number_of", "numbers_of", "recorded", "shot_message",
+    "in_si", "number_of", "numbers_of", "object_of", "recorded", "shot_message",
 ]  # fmt: skip
 
 
@@ -163,6 +164,19 @@ def number_of(data: Mapping[str, Any], name: str, where: str, largest: float = L
     if not abs(number) < largest:
         raise MessageError(f"{where}{name} must be a number" if result is not None else f"{where}{name} is missing")
     return number
+
+
+def object_of(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    """Return a field that must hold an object."""
+    result = data.get(name)
+    if not isinstance(result, Mapping):
+        raise MessageError(f"{name} is missing" if result is None else f"{name} must be an object")
+    return result
+
+
+def in_si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    """Return the values of fields in SI by quantity; ``fields`` has the quantity and the unit of each."""
+    return {fields[name][0]: to_si(value, fields[name][1]) for name, value in given.items()}
 
 
 def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: str = "open-connect") -> RecordedShots:

@@ -24,19 +24,21 @@ from clubface.shots.messages import (
     Message,
     MessageError,
     ObjectStream as ObjectStream,
+    in_si,
     number_of,
     numbers_of,
+    object_of,
     recorded as recorded,
     shot_message,
 )
 from clubface.simulation.launch import Launch
 from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, parts
 from clubface.support.checks import check_choice, warn_once
-from clubface.units import from_si, parse, to_si, unit
+from clubface.units import from_si, parse, unit
 
 __all__ = [
     "FAILED", "LARGEST", "OK", "PLAYER", "Broken", "Message", "MessageError", "ObjectStream", "from_json", "heartbeat",
-    "player", "recorded", "reply", "to_json",
+    "player", "recorded", "reply", "to_json", "whole_spin",
 ]  # fmt: skip
 
 
@@ -114,7 +116,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
     )
     delivery = _delivery(club or {}, notes)
     if flags["ContainsBallData"] and (ball is not None or not delivery):
-        launch = _launch(_object(data, "BallData"), _carry_unit(data, notes), notes)
+        launch = _launch(object_of(data, "BallData"), _carry_unit(data, notes), notes)
     if not launch and not delivery:
         raise MessageError("; ".join(["ClubData holds nothing but zeros", *map(str, notes)]))
     return shot_message(delivery=delivery, launch=launch, notes=notes, **known)
@@ -125,7 +127,7 @@ def _options(data: Mapping[str, Any]) -> Mapping[str, Any]:
     held = {f"Contains{name}": isinstance(data.get(name), Mapping) for name in ("BallData", "ClubData")}
     if data.get("ShotDataOptions") is None and any(held.values()):
         return held
-    return _object(data, "ShotDataOptions")
+    return object_of(data, "ShotDataOptions")
 
 
 def _part(data: Mapping[str, Any], name: str, notes: list[Note]) -> Mapping[str, Any] | None:
@@ -134,7 +136,7 @@ def _part(data: Mapping[str, Any], name: str, notes: list[Note]) -> Mapping[str,
     if result is None:
         notes.append(note("message-part-missing", part=name))
         return None
-    return _object(data, name)
+    return object_of(data, name)
 
 
 def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[Note]) -> dict[str, float]:
@@ -151,7 +153,7 @@ def _launch(ball: Mapping[str, Any], carry_unit: str | None, notes: list[Note]) 
     if not given.get("CarryDistance") or carry_unit is None:
         given.pop("CarryDistance", None)
     given = {name: given[name] for name in BALL if name in given}
-    return _si(given, BALL | {"CarryDistance": ("carry", carry_unit or "yd")})
+    return in_si(given, BALL | {"CarryDistance": ("carry", carry_unit or "yd")})
 
 
 def _delivery(club: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
@@ -160,24 +162,9 @@ def _delivery(club: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
         notes.append(note("message-speed-negative", value=given.pop("Speed")))
     if not any(given.values()):
         return {}
-    result = {name: value for name, value in _si(given, CLUB).items() if value or name not in NEVER_ZERO}
+    result = {name: value for name, value in in_si(given, CLUB).items() if value or name not in NEVER_ZERO}
     if not result.get("toe") and not result.get("high"):
         result = {name: value for name, value in result.items() if name not in ("toe", "high")}
-    return result
-
-
-def _si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
-    result = {}
-    for name, value in given.items():
-        quantity, symbol = fields[name]
-        result[quantity] = to_si(value, symbol)
-    return result
-
-
-def _object(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
-    result = data.get(name)
-    if not isinstance(result, Mapping):
-        raise MessageError(f"{name} is missing" if result is None else f"{name} must be an object")
     return result
 
 
@@ -220,7 +207,7 @@ def to_json(
     if isinstance(launch, Launch):
         delivery = delivery if delivery is not None else launch.delivery
         launch = {name: getattr(launch, name) for name in ("ball_speed", "launch", "azimuth", BACK, SIDE)}
-    ball = _written({**launch, **_spins(launch)}, BALL)
+    ball = _written({**launch, **whole_spin(launch)}, BALL)
     if not ball.get("Speed", 0.0) > 0.0:
         raise InputError("ball_speed", launch.get("ball_speed"), "above 0 in a message to a simulator")
     if "VLA" not in ball:
@@ -270,7 +257,7 @@ def _outgoing_options(*, ball: bool = False, club: bool = False, heartbeat: bool
     }
 
 
-def _spins(launch: Mapping[str, Any]) -> dict[str, float]:
+def whole_spin(launch: Mapping[str, Any]) -> dict[str, float]:
     """Return all four spins of a launch [rad/s, rad]."""
     given = {name: _si_number(launch[name], name, DIMENSIONS[name]) for name in SPINS if launch.get(name) is not None}
     back, side, assumed = parts({name: value for name, value in given.items() if value == value})

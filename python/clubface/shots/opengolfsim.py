@@ -13,10 +13,20 @@ from typing import Any
 
 from clubface.errors import InputError
 from clubface.results.notes import Note
-from clubface.shots.messages import LARGEST_VALUE, Message, MessageError, number_of, numbers_of, shot_message
+from clubface.shots.messages import (
+    LARGEST_VALUE,
+    Message,
+    MessageError,
+    in_si,
+    number_of,
+    numbers_of,
+    object_of,
+    shot_message,
+)
 from clubface.shots.open_connect import Dialect
+from clubface.shots.open_connect_messages import whole_spin
 from clubface.support.sockets import LOOPBACK, Connection
-from clubface.units import from_si, to_si
+from clubface.units import from_si
 
 __all__ = ["OPENGOLFSIM", "PORT", "OpenGolfSimSender", "from_json", "to_json"]
 
@@ -52,9 +62,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
         return Message(kind="status", device=DEVICE, is_ready=status == "ready")
     if kind != "shot":
         raise MessageError("type must be shot or device")
-    shot = data.get("shot")
-    if not isinstance(shot, Mapping):
-        raise MessageError("shot is missing" if shot is None else "shot must be an object")
+    shot = object_of(data, "shot")
     unit = data.get("unit", "imperial")
     if not isinstance(unit, str) or unit not in UNITS:
         raise MessageError("unit must be imperial or metric")
@@ -66,12 +74,14 @@ def from_json(data: Mapping[str, Any]) -> Message:
     if given.get("spinSpeed") == 0.0 == given.get("spinAxis", 0.0):  # as of a monitor that measures none
         given = {name: value for name, value in given.items() if not name.startswith("spin")}
     fields = FIELDS | {"ballSpeed": ("ball_speed", UNITS[unit])}
-    launch = {fields[name][0]: to_si(value, fields[name][1]) for name, value in given.items()}
-    return shot_message(device=DEVICE, shot_number=0, delivery={}, launch=launch, notes=notes)
+    return shot_message(device=DEVICE, shot_number=0, delivery={}, launch=in_si(given, fields), notes=notes)
 
 
 def to_json(launch: Mapping[str, float]) -> dict[str, Any]:
-    """Return the message of a shot; the launch is in SI, with ``ball_speed`` and ``launch`` at the least.
+    """Return the message of a shot.
+
+    The launch is in SI, with ``ball_speed`` and ``launch`` at the least; the spin by any two of its quantities, and a
+    warning says what is assumed where it does not follow.
 
     Raises
     ------
@@ -81,7 +91,7 @@ def to_json(launch: Mapping[str, float]) -> dict[str, Any]:
     for name in ("ball_speed", "launch"):
         if name not in launch:
             raise InputError(name, None, "given, since a message to a simulator needs it")
-    values = {"azimuth": 0.0, "total_spin": 0.0, "spin_axis": 0.0, **launch}
+    values = {"azimuth": 0.0, **launch, **whole_spin(launch)}
     shot = {name: float(from_si(values[quantity], unit)) for name, (quantity, unit) in FIELDS.items()}
     return {"type": "shot", "unit": "imperial", "shot": shot}
 
