@@ -110,6 +110,17 @@ def test_a_damaged_line_costs_itself_alone_and_stays_in_the_file(path, line):
     assert line in path.read_text()
 
 
+def test_a_line_with_a_quantity_that_nobody_knows_is_damaged(path):
+    live = opened(path)
+    live.keep(message(1), "open-connect")
+    live.keep(message(2), "open-connect")
+    live.close()
+    path.write_text(path.read_text().replace('"ball_speed"', '"ball_sped"', 1))
+    again = opened(path)
+    assert ([each.message.shot_number for each in again.shots], again.damaged) == ([2], [1])
+    again.close()
+
+
 @pytest.mark.parametrize("content", [b"club,ball\n1,2\n", b"\x00\x01\n", b"PK\x03\x04", b"x"])
 def test_a_file_of_something_else_is_left_as_it_is(path, content):
     path.write_bytes(content)

@@ -11,7 +11,8 @@ import json
 import math
 import os
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -27,12 +28,15 @@ from clubface.results.result import Result
 from clubface.shots.messages import PROTOCOLS, Message, recorded
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.shot_list import CompletedShots, completed, shot_list_result
+from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES
 from clubface.simulation.results import inputs
-from clubface.support.checks import check_choice
+from clubface.support.checks import check_choice, check_names
 from clubface.support.files import unreadable, unwritable
 
 __all__ = ["LiveShot", "LiveShots", "Player", "live_result", "live_shots"]
 
+DELIVERY = tuple(name for name in inputs() if name != HAND)
+"""What a monitor may measure of the club."""
 LARGEST = 200_000_000
 """Bytes of a file of live shots: some hundred thousand shots."""
 
@@ -123,7 +127,7 @@ class LiveShots:
         with self._changed:
             self._append({"club": club, "hand": hand})
             self._player = Player(club, hand)
-        self._tell()
+        self._notify()
 
     def keep(self, message: Message, protocol: str) -> LiveShot | None:
         """Bring a shot to the disk, and then let all know of it; return None for one that was sent before.
@@ -140,7 +144,7 @@ class LiveShots:
             shot = LiveShot(len(self._shots) + 1, received, protocol, self._player, message)
             self._append(_record(shot))
             self._add(shot)
-        self._tell()
+        self._notify()
         return shot
 
     def subscribe(self, listener: Callable[[], object]) -> Callable[[], None]:
@@ -160,7 +164,7 @@ class LiveShots:
         os.close(self._file)
         self._lock.close()
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         for each in tuple(self._listeners):
             each()
 
@@ -225,8 +229,9 @@ class LiveShots:
         check_choice("protocol", record["protocol"], PROTOCOLS)
         message = Message(
             kind="shot", device=str(record["device"]), shot_number=int(record["shot_number"]),
-            delivery=_numbers(record["delivery"]), launch=_numbers(record["launch"]),
-            impossible=_numbers(record["impossible"]), identity=str(record["identity"]),
+            delivery=_numbers(record["delivery"], DELIVERY), launch=_numbers(record["launch"], LAUNCH_QUANTITIES),
+            impossible=_numbers(record["impossible"], (*DELIVERY, *LAUNCH_QUANTITIES)),
+            identity=str(record["identity"]),
             notes=tuple(Note(str(code), dict(data)) for code, data in record["notes"]),
         )  # fmt: skip
         for each in message.notes:
@@ -245,7 +250,8 @@ def _record(shot: LiveShot) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
+def _numbers(values: Mapping[str, Any], known: Collection[str]) -> dict[str, float]:
+    check_names("quantity", values, known)
     result = {str(name): float(value) for name, value in values.items()}
     if not all(map(math.isfinite, result.values())):
         raise ValueError
@@ -258,32 +264,18 @@ def _same(one: Message, other: Message) -> bool:
 
 def live_shots(shots: Sequence[LiveShot]) -> RecordedShots:
     """Return live shots as recorded ones; there must be one at least."""
-    parts = []
-    for protocol in dict.fromkeys(each.protocol for each in shots):
-        chosen = [each for each in shots if each.protocol == protocol]
-        parts.append((chosen, recorded([each.message for each in chosen], protocol=protocol)))
-    names = dict.fromkeys(name for _, part in parts for name in (*part.deliveries, *part.launches))
-    columns = {name: np.full(len(shots), np.nan) for name in names}
-    first = shots[0].number
-    for chosen, part in parts:
-        places = [each.number - first for each in chosen]
-        for name, values in (part.deliveries | part.launches).items():
-            columns[name][places] = values
-    delivered = {name: values for name, values in columns.items() if name in inputs()}
 
     def texts(values: list[str]) -> Any:
         return np.array(values, dtype=object)
 
-    return RecordedShots(
-        deliveries=delivered,
-        launches={name: values for name, values in columns.items() if name not in delivered},
+    return replace(
+        recorded([each.message for each in shots]),
         clubs=texts([each.player.club for each in shots]),
         hand=texts([each.player.hand for each in shots]),
         dates=texts([each.received for each in shots]),
         rows=np.array([each.number for each in shots], dtype=np.int64),
         source=" and ".join(PROTOCOLS[each] for each in dict.fromkeys(one.protocol for one in shots)),
         format="live",
-        notes=tuple(dict.fromkeys(note for _, part in parts for note in part.notes)),
     )
 
 
