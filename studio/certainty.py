@@ -27,7 +27,7 @@ from clubface.validation.run import CheckSummary, summary, validate
 from clubface.validation.tour import TABLES
 
 KINDS = ("driver", "wood", "iron")
-"""Kinds of clubs that published figures tell apart."""
+"""Kinds of clubs of which there are published figures of their own."""
 LARGEST_DRIVER_LOFT = math.radians(13.0)
 
 OUTPUTS = {
@@ -46,7 +46,7 @@ OUTPUTS = {
     "contact time": ("contact_time",),
     "attack angle steeper by": ("club_velocity_y",),
 }
-"""The outputs of the core that a quantity of a check tells something of."""
+"""The outputs of the core that a quantity of a check bears on."""
 OPTIMA = ("longest-drives", "longest-drives-ping")
 """Checks of the launch with which a drive is longest, which say nothing of the launch of a shot."""
 DRIVES = ("tour-driver", "amateur-drives", "drives-at-launch")
@@ -174,12 +174,12 @@ def _errors(errors: list[float]) -> dict[str, Any]:
     }  # fmt: skip
 
 
-class Numbered(dict[str, int]):
-    """Texts in the order of their first appearance, each with its place."""
+class Numbered(dict[Any, int]):
+    """Values in the order of their first appearance, each with its place."""
 
-    def place(self, text: str) -> int:
-        """Return the place of a text, a new one for a new text."""
-        return self.setdefault(text, len(self))
+    def place(self, value: Any) -> int:
+        """Return the place of a value, a new one for a new value."""
+        return self.setdefault(value, len(self))
 
 
 def certainty_data() -> dict[str, Any]:

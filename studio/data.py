@@ -15,7 +15,7 @@ from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
-from certainty import certainty_data, kind_of
+from certainty import Numbered, certainty_data, kind_of
 from equations import equations_data
 from lesson_figures import lesson_figures
 
@@ -61,14 +61,6 @@ SHOWN, FRAMES = 600e-6, 61
 """Time that most contacts do not exceed [s], and the shapes that are kept in it, one in 10 us."""
 MILLISECOND_FRAMES = 101
 """The same for a millisecond."""
-
-
-class Numbered(dict[Any, int]):
-    """Values in the order of their first appearance, each with its place."""
-
-    def place(self, value: Any) -> int:
-        """Return the place of a value, a new one for a new value."""
-        return self.setdefault(value, len(self))
 
 
 def tour_delivery(each: Club) -> dict[str, list[Any]]:

@@ -6,46 +6,33 @@ scattered impacts cost.
 
 from __future__ import annotations
 
-import io
 import json
 import sys
-from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.cli.app import run
+from command_line import printed, si
 
 MAPS = Path(__file__).with_name("maps.json")
 
 
-def options(wanted: dict[str, Any]) -> list[str]:
-    """Return a map as it is typed in the command line."""
-    given = {name: wanted[name] for name in ("model", "ball", "hand", "minus") if name in wanted}
-    given |= wanted["delivery"] | {"quantity": wanted["quantity"], "grid": "41x41", "spread": wanted["spread"]}
-    return ["map", wanted["club"], *(f"--{name.replace('_', '-')}={value}" for name, value in given.items()), "--json"]
-
-
-def si(value: float | None, unit: str, *, difference: bool = False) -> float | None:
-    """Return a number of a unit in SI."""
-    if value is None:
-        return None
-    return value * units.size(unit) if difference else units.parse(f"{value!r} {unit}", units.unit(unit).dimension)
+def difference_in_si(value: float | None, unit: str) -> float | None:
+    """Return a difference of two numbers of a unit in SI; None for none."""
+    return None if value is None else value * units.size(unit)
 
 
 def computed(wanted: dict[str, Any]) -> dict[str, Any]:
     """Return what the command prints of a map."""
-    printed, remarks = io.StringIO(), io.StringIO()
-    with redirect_stdout(printed), redirect_stderr(remarks):
-        status = run(options(wanted))
-    if status:
-        raise SystemExit(f"{' '.join(options(wanted))}: {remarks.getvalue()}")
-    tables = json.loads(printed.getvalue())["tables"]
+    given = {name: wanted[name] for name in ("model", "ball", "hand", "minus") if name in wanted}
+    given |= wanted["delivery"] | {"quantity": wanted["quantity"], "grid": "41x41", "spread": wanted["spread"]}
+    tables = printed(["map", wanted["club"]], given)["tables"]
     table = tables[f"map_{wanted['quantity']}"]
     (value,) = (name for name in table["columns"] if name.startswith((wanted["quantity"], "difference_")))
     unit = table["columns"][value]["unit"]
+    read = difference_in_si if "minus" in wanted else si
     points = {
-        f"{row['toe_mm']:.3f} {row['high_mm']:.3f}": si(row[value], unit, difference="minus" in wanted)
+        f"{row['toe_mm']:.3f} {row['high_mm']:.3f}": read(row[value], unit)
         for row in table["rows"]
         if row[value] is not None
     }
@@ -63,9 +50,10 @@ def computed(wanted: dict[str, Any]) -> dict[str, Any]:
         ],
         "scatter": [
             {
-                "quantity": row["quantity"], "mean": si(row["mean"], row["unit"]),
-                "deviation": si(row["deviation"], row["unit"], difference=True),
-                "loss": si(row["loss"], row["unit"], difference=True),
+                "quantity": row["quantity"],
+                "mean": None if row["mean"] is None else si(row["mean"], row["unit"]),
+                "deviation": difference_in_si(row["deviation"], row["unit"]),
+                "loss": difference_in_si(row["loss"], row["unit"]),
             }
             for row in scatter
         ],
