@@ -111,10 +111,11 @@ def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
     """Return speed [m/s] and angle [rad] of a throw, checked."""
     v = units.parse(speed, "speed", name="speed")
     if not THROW_SPEEDS[0] <= v <= THROW_SPEEDS[1]:
-        raise InputError("speed", units.show(v, "m/s"), "0.01 to 150 m/s")
+        raise InputError("speed", units.show(v, "m/s"), "{:g} to {:g} m/s".format(*THROW_SPEEDS))
     incidence = units.parse(angle, "angle", name="angle")
     if not THROW_ANGLES[0] <= incidence <= THROW_ANGLES[1]:
-        raise InputError("angle", units.show(incidence, "deg"), "0 to 80 deg from the normal")
+        least, most = (units.from_si(each, "deg") for each in THROW_ANGLES)
+        raise InputError("angle", units.show(incidence, "deg"), f"{least:g} to {most:g} deg from the normal")
     return v, incidence
 
 
