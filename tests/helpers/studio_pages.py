@@ -49,10 +49,10 @@ class Served:
         )
         self.address = self.process.stdout.readline().strip()
         self.errors.seek(0)
-        said = self.errors.read()
-        assert self.address, said
+        printed = self.errors.read()
+        assert self.address, printed
         self.ports = {
-            name: int(port) for name, port in re.findall(r"(open-connect|opengolfsim|flight-relay): \S+:(\d+)", said)
+            name: int(port) for name, port in re.findall(r"(open-connect|opengolfsim|flight-relay): \S+:(\d+)", printed)
         }
 
     def __enter__(self):

@@ -169,8 +169,8 @@ def test_a_device_connects_and_a_web_page_may_not():
 
     from clubface.shots.flight_relay_link import FlightRelayListener
 
-    shots, said = [], []
-    listener = FlightRelayListener(0, shots.append, said.append)
+    shots, problems = [], []
+    listener = FlightRelayListener(0, shots.append, problems.append)
     try:
         with connect(f"ws://127.0.0.1:{listener.port}/frp") as device:
             converse(device)
@@ -189,15 +189,15 @@ def test_a_device_that_listens_is_found_whenever_it_comes():
 
     from clubface.shots import flight_relay_link
 
-    shots, said = [], []
+    shots, problems = [], []
     with serve(converse, "127.0.0.1", 0) as device:
         port = device.socket.getsockname()[1]
-        client = flight_relay_link.FlightRelayClient(f"ws://localhost:{port}", shots.append, said.append)
+        client = flight_relay_link.FlightRelayClient(f"ws://localhost:{port}", shots.append, problems.append)
         threading.Thread(target=device.serve_forever, daemon=True).start()
         try:
             assert client.address == f"ws://localhost:{port}/frp"
             assert [each.identity for each in wait_for(shots)] == ["550e8400"]
-            assert any("connected to" in each for each in said)
+            assert any("connected to" in each for each in problems)
         finally:
             client.close()
             device.shutdown()

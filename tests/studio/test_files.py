@@ -49,7 +49,6 @@ def test_shots_come_one_by_one_with_their_flight_paths(studio):
 
 
 def test_units_that_the_file_lacks_are_asked_for(studio):
-    content = (MONITORS / "garmin-de.csv").read_bytes()
     content = b"Ball Speed,Launch Angle\n147,12\n"
     refused = added(studio, content)
     assert refused.status_code == 422

@@ -34,15 +34,15 @@ def studio(tmp_path):
 
 def events_of(studio, job):
     """The events of a job until its end."""
-    found = []
+    events = []
     with studio.stream("GET", f"api/jobs/{job}/events") as stream:
         name = ""
         for line in stream.iter_lines():
             if line.startswith("event: "):
                 name = line.removeprefix("event: ")
             elif line.startswith("data: "):
-                found.append((name, json.loads(line.removeprefix("data: "))))
-    return found
+                events.append((name, json.loads(line.removeprefix("data: "))))
+    return events
 
 
 def test_a_fitting_reports_its_progress_and_its_result(studio):

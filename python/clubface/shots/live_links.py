@@ -158,7 +158,7 @@ class LiveLinks:
         while not self._stopped.is_set():
             try:
                 for message in listener.messages():
-                    self._say_ready(message)
+                    self._remark_ready(message)
             except ClubfaceError as error:  # the shot could not be kept, as its monitor knows from the answer
                 self.remark(str(error))
 
@@ -170,9 +170,9 @@ class LiveLinks:
                 self.remark(str(error))
 
         if isinstance(where, int):
-            self._relay = FlightRelayListener(where, keep, self.remark, self._say_ready)
+            self._relay = FlightRelayListener(where, keep, self.remark, self._remark_ready)
             return f"{LOOPBACK}:{self._relay.port}"
-        self._relay = FlightRelayClient(where, keep, self.remark, self._say_ready)
+        self._relay = FlightRelayClient(where, keep, self.remark, self._remark_ready)
         return self._relay.address
 
     def _keep(self, message: Message, protocol: str) -> None:
@@ -183,7 +183,7 @@ class LiveLinks:
         for each in self._simulators:
             each.put(shot)
 
-    def _say_ready(self, message: Message) -> None:
+    def _remark_ready(self, message: Message) -> None:
         if message.kind == "status" and message.is_ready is not None:
             self.remark(f"{message.device} is {'ready' if message.is_ready else 'not ready'}")
 

@@ -56,7 +56,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
             "golfers": [*golfers()], "objectives": [*JUDGED],
         })  # fmt: skip
 
-    async def nothing(request: Request) -> Response:
+    async def unknown_address(request: Request) -> Response:
         return refusal(404, request.url.path, "there is nothing under this address")
 
     async def failed(request: Request, error: Exception) -> Response:
@@ -65,15 +65,20 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
     async def too_large(request: Request, error: Exception) -> Response:
         return mistake(error, 413)
 
-    async def not_so(request: Request, error: Exception) -> Response:
+    async def http_error(request: Request, error: Exception) -> Response:
         status = error.status_code if isinstance(error, HTTPException) else 404
         return refusal(status, request.url.path, "nothing is answered under this address in this way")
 
     api = [
         Route("/", offers), *file_routes(uploads), *fitting_routes(uploads, jobs), *study_routes(studies),
-        *live_routes(live), Route("/{path:path}", nothing),
+        *live_routes(live), Route("/{path:path}", unknown_address),
     ]  # fmt: skip
-    handlers = {HTTPException: not_so, TooLargeError: too_large, **dict.fromkeys(EXPECTED, failed), Exception: failed}
+    handlers = {
+        HTTPException: http_error,
+        TooLargeError: too_large,
+        **dict.fromkeys(EXPECTED, failed),
+        Exception: failed,
+    }
     routes = [Mount("/api", routes=api), *site_routes(site)]
 
     def close() -> None:

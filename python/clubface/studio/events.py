@@ -64,7 +64,7 @@ def event_stream(signal: Signal, news: Callable[[], tuple[list[str], bool]]) -> 
     Parameters
     ----------
     signal
-        Tells of changes.
+        Set at every change.
     news
         Returns the events since it was called last, and whether they are the last ones.
     """

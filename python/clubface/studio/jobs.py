@@ -35,9 +35,9 @@ class StudioJob:
     state
         "running", "done", "failed" or "cancelled".
     result
-        What it found, once it is done.
+        What it computed, once it is done.
     signal
-        Tells of its progress.
+        Set at every step of its progress, and at its end.
     """
 
     def __init__(self, compute: Callable[[StudioJob], Result]) -> None:

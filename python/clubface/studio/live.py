@@ -30,7 +30,7 @@ MOST_TEXT = 1000
 
 
 class LiveSession:
-    """Live shots, the connections they come over, and what tells of changes of either."""
+    """Live shots, the connections they come over, and the signal that is set when either changes."""
 
     def __init__(self, shots: LiveShots, **links: Any) -> None:
         self.shots, self.signal = shots, Signal()

@@ -21,7 +21,7 @@ __all__ = ["PORT", "serve"]
 PORT = 8642
 WAITING = 64
 """Connections that may wait to be accepted: a browser opens several at once."""
-LAST_WORDS = 2
+SHUTDOWN_TIMEOUT = 2
 """Seconds that open connections, such as those of live shots, have at the end."""
 
 
@@ -66,7 +66,7 @@ def serve(
         application = make_application(folder, token, studies=stores, live=session)
         config = uvicorn.Config(
             application, log_level="warning", access_log=False, lifespan="off", ws="none", server_header=False,
-            timeout_graceful_shutdown=LAST_WORDS, http="h11",
+            timeout_graceful_shutdown=SHUTDOWN_TIMEOUT, http="h11",
         )  # fmt: skip
         on_start(f"http://{LOOPBACK}:{listening.getsockname()[1]}/{token}/", session)
         _Server(config, application).run([listening])

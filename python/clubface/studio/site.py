@@ -18,7 +18,7 @@ SITE_VARIABLE = "CLUBFACE_STUDIO_SITE"
 """The variable of the environment that names another folder with a built site."""
 INDEX = "index.html"
 KINDS = {".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml"}
-"""Of files, some of which systems call otherwise."""
+"""Media types by the ending of a file; some systems have others for these."""
 MARK = '<meta name="clubface-api" content="api/">'
 """By which a page knows that there is more to be asked here than on the static site."""
 NOT_SERVED = ("sw.js",)

@@ -52,10 +52,10 @@ class Upload(NamedTuple):
     content: bytes
     shots: RecordedShots
 
-    def compute(self, what: Callable[[RecordedShots], R]) -> R:
-        """Return what follows from the shots; nothing else is read meanwhile."""
+    def compute(self, function: Callable[[RecordedShots], R]) -> R:
+        """Return a function of the shots, which reads no other file meanwhile."""
         with own_files_only(self.name, self.content):
-            return what(self.shots)
+            return function(self.shots)
 
 
 class Uploads:
