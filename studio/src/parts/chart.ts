@@ -1,6 +1,6 @@
 /** Curves, drawn by uPlot on canvases that the page keeps, and the same as a table. */
 
-import { html, type TemplateResult } from "lit-html";
+import { html, nothing, type TemplateResult } from "lit-html";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { Context } from "../context";
@@ -52,12 +52,19 @@ export function chartFrame(context: Context, chart: Chart): TemplateResult {
     <figure>
       <figcaption>${chart.title}${unit ? `, ${unit}` : ""}</figcaption>
       <div data-sized=${`chart-${chart.name}`} data-chart=${chart.name} role="img" aria-label=${spoken(context, chart)}></div>
+      ${signOf(context, chart)}
       <details>
         <summary>${chart.title} as a table</summary>
         ${chart.lines.map((line) => table(context, chart, line))}
       </details>
     </figure>
   `;
+}
+
+/** What positive means of the upright axis, where it has two sides. */
+function signOf({ formatter }: Context, { y }: Chart): TemplateResult | typeof nothing {
+  const { sign, meaning } = formatter.quantity(y.quantity);
+  return sign ? html`<p class="sign" title=${meaning}>${sign[0].toUpperCase() + sign.slice(1)}.</p>` : nothing;
 }
 
 /** The greatest and the least value of each line, for who does not see the canvas. */

@@ -30,7 +30,7 @@ const DRAWN: Drawn[] = [
   { name: "normal", title: "Normal force", quantity: "normal", line: (impact) => history(impact, "contact", "normal") },
   {
     name: "tangential",
-    title: "Force along the face (above zero it makes backspin)",
+    title: "Friction along the face",
     quantity: "tangential",
     line: (impact) => history(impact, "contact", "tangential"),
   },

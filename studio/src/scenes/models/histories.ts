@@ -17,6 +17,12 @@ const plain =
   (arrays: Record<string, CoreArray>): ArrayLike<number> =>
     arrays[name].values;
 
+/** The same with the other sign. */
+const opposite =
+  (name: string) =>
+  (arrays: Record<string, CoreArray>): ArrayLike<number> =>
+    arrays[name].values.map((value) => -value);
+
 /** One component of vectors. */
 const component =
   (name: string, axis: number) =>
@@ -27,7 +33,8 @@ const component =
 
 const HISTORIES: Drawn[] = [
   { name: "normal", title: "Normal force", quantity: "normal_force", values: plain("normal_force") },
-  { name: "friction", title: "Friction up the face", quantity: "force_y", values: plain("force_y") },
+  // As the finite elements have it: down the face, where it makes backspin.
+  { name: "friction", title: "Friction along the face", quantity: "tangential", values: opposite("force_y") },
   { name: "sliding", title: "Slip up the face", quantity: "sliding_y", values: plain("sliding_y") },
   { name: "spin", title: "Backspin", quantity: "ball_spin", values: component("ball_spin", 2) },
 ];

@@ -47,7 +47,7 @@ function view(context: Context): TemplateResult {
       </section>
       <section aria-labelledby="histories">
         <h2 id="histories">Force, slip and spin over time</h2>
-        <p>By the contact models. Friction down the face (below zero) makes backspin; up the face it takes some of it back.</p>
+        <p>By the contact models. Friction makes backspin first, and takes some of it back where the ball springs back along the face (below zero).</p>
         <div class="charts">${historyCharts(comparison?.histories ?? NONE).map((each) => chartFrame(context, each))}</div>
       </section>
     </div>

@@ -11,9 +11,19 @@ const OTHERS = { slippery: 0.08, grippy: 0.35 } as const;
 const NEAR = 0.99;
 
 /** The moment at which friction turns from making spin to taking it [s]; NaN where it does not. */
-function reversal({ time, force_y }: Record<string, CoreArray>): number {
-  const least = force_y.values.indexOf(Math.min(...force_y.values));
-  return crossing(time.values.subarray(least), force_y.values.subarray(least));
+function reversal(history: Record<string, CoreArray>): number {
+  const friction = frictionOf(history);
+  const most = friction.indexOf(Math.max(...friction));
+  return crossing(history.time.values.subarray(most), friction.subarray(most));
+}
+
+const frictions = new WeakMap<CoreArray, Float64Array>();
+
+/** Friction along the face, above zero where it makes backspin [N]; of one history the same array. */
+function frictionOf({ force_y }: Record<string, CoreArray>): Float64Array {
+  const known = frictions.get(force_y) ?? Float64Array.from(force_y.values, (force) => -force);
+  frictions.set(force_y, known);
+  return known;
 }
 
 function courseOfSpin(result: LessonResult) {
@@ -82,11 +92,11 @@ export const spin: Lesson = {
       pictures: [
         chartFrame(result.context, {
           name: "lesson-friction",
-          title: "Friction up the face; below zero it makes backspin",
+          title: "Friction along the face",
           x: { label: "time", quantity: "contact_time" },
-          y: { label: "friction up the face", quantity: "force_y" },
+          y: { label: "friction along the face", quantity: "tangential" },
           lines: courses.flatMap(({ label, history }) =>
-            history ? [{ label, x: history.time.values, y: history.force_y.values }] : [],
+            history ? [{ label, x: history.time.values, y: frictionOf(history) }] : [],
           ),
         }),
         chartFrame(result.context, {
