@@ -10,9 +10,8 @@ use serde_json::Value;
 use std::ffi::CString;
 use std::fs::read_to_string;
 
-/// Relative difference: the last bits of logarithms and powers, which come from the machine's library, and of sums over
-/// the steps of a contact, which depend on how many shots are computed side by side: 2e-12 where both are seen.
-const SAME: f64 = 1e-11;
+/// Relative difference: the last bits of logarithms and powers, which come from the machine's library.
+const SAME: f64 = 1e-12;
 /// What is a difference of large numbers, as are components of vectors, is compared on their scale [SI].
 const SCALES: [(&str, f64); 9] = [
     ("side", 100.0),

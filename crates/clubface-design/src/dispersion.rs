@@ -2,14 +2,12 @@
 
 use crate::golfer::Golfer;
 use crate::sequence::Sequence;
+use crate::shot_batch::ShotBatch;
 use crate::slices;
 use crate::strokes::{Hole, LIES};
 use crate::tally::{Scale, Tally, forward};
-use clubface_impact::batch::Batch;
 use clubface_impact::columns::{Column, Reject};
-use clubface_impact::flight::{self, FlightBatch};
-use clubface_impact::launch::OUTPUTS;
-use clubface_impact::quantity::Quantity;
+use clubface_impact::flight;
 use clubface_impact::shot::{DELIVERY_COUNT, INPUT_COUNT, INPUTS};
 use clubface_impact::{Accuracy, ImpactError, ImpactModel};
 use core::f64::consts::FRAC_PI_2;
@@ -159,11 +157,10 @@ impl Shots<'_> {
 
     /// Hits shots from index `first` on, a column a quantity; those without a result are NaN. Returns what is wrong with
     /// the first of them.
-    fn hit(&self, first: u32, mut columns: Vec<&mut [f64]>) -> Option<ImpactError> {
+    fn hit(&self, first: u32, columns: Vec<&mut [f64]>) -> Option<ImpactError> {
         let rows = columns[0].len();
         let room = |count: usize| vec![vec![0.0; rows]; count];
         let (mut uniform, mut deliveries) = (room(self.golfer.dimensions()), room(self.variables.len()));
-        let (mut launches, mut flights) = (room(OUTPUTS.len()), room(flight::OUTPUTS.len()));
         for (dimension, numbers) in uniform.iter_mut().enumerate() {
             Sequence::new(dimension, self.seed).fill(first, numbers);
         }
@@ -174,26 +171,9 @@ impl Shots<'_> {
         for (&place, delivery) in self.variables.iter().zip(&deliveries) {
             inputs[place] = Column::Values(delivery);
         }
-        let parameters: Vec<Column> = self.parameters.iter().map(|&value| Column::Constant(value)).collect();
-        let batch =
-            Batch { model: self.model, inputs: &inputs, parameters: &parameters, accuracy: self.accuracy };
-        let mut rejects = batch.run(0..rows, slices(&mut launches));
-
-        let mut inputs = self.flight.map(Column::Constant);
-        for (input, described) in inputs.iter_mut().zip(&flight::INPUTS) {
-            if let Some(place) = OUTPUTS.iter().position(|output| output.name == described.quantity.name) {
-                *input = Column::Values(&launches[place]);
-            }
-        }
-        rejects.extend(FlightBatch { inputs: &inputs }.run(0..rows, slices(&mut flights)));
-        for (column, (name, _)) in columns.iter_mut().zip(&QUANTITIES) {
-            let place = |outputs: &[&Quantity]| outputs.iter().position(|output| output.name == *name);
-            let launched = place(&OUTPUTS).map(|place| &launches[place]);
-            let flown = place(&flight::OUTPUTS).map(|place| &flights[place]);
-            if let Some(values) = launched.or(flown) {
-                column.copy_from_slice(values);
-            }
-        }
+        let Self { model, parameters, accuracy, ref flight, .. } = *self;
+        let names = QUANTITIES.iter().map(|each| each.0);
+        let rejects = ShotBatch { model, parameters, accuracy, flight }.run(&inputs, names, columns);
         rejects.into_iter().next().map(|reject| reject.error)
     }
 }

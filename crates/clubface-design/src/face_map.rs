@@ -4,12 +4,10 @@
 //! Points are towards the toe and up the face, from its centre, in the plane that is tangent there [m].
 
 use crate::outline::{Outline, SLACK};
+use crate::shot_batch::ShotBatch;
 use crate::slices;
-use clubface_impact::batch::Batch;
 use clubface_impact::columns::{Column, Reject};
-use clubface_impact::flight::{self, FlightBatch};
-use clubface_impact::launch::OUTPUTS;
-use clubface_impact::quantity::Quantity;
+use clubface_impact::flight;
 use clubface_impact::shot::{DELIVERY_COUNT, INPUT_COUNT, INPUTS};
 use clubface_impact::{Accuracy, ImpactError, ImpactModel};
 use core::convert::Infallible;
@@ -126,8 +124,6 @@ impl FaceStrike<'_> {
     }
 
     fn strike(&self, toe: &[f64], high: &[f64], columns: Vec<&mut [f64]>) {
-        let rows = toe.len();
-        let room = |count: usize| vec![vec![0.0; rows]; count];
         let mut inputs = self.inputs.map(Column::Constant);
         for (input, described) in inputs.iter_mut().zip(&INPUTS[..DELIVERY_COUNT]) {
             match described.quantity.name {
@@ -136,36 +132,11 @@ impl FaceStrike<'_> {
                 _ => {}
             }
         }
-        let parameters: Vec<Column> = self.parameters.iter().map(|&value| Column::Constant(value)).collect();
-        let batch =
-            Batch { model: self.model, inputs: &inputs, parameters: &parameters, accuracy: self.accuracy };
-        let mut launches = room(OUTPUTS.len());
+        let FaceStrike { model, parameters, accuracy, flight, .. } = *self;
+        let names = QUANTITIES[..columns.len()].iter().copied();
         // A point without a shot is NaN in all columns.
-        let _ = batch.run(0..rows, slices(&mut launches));
-
-        let mut flights = Vec::new();
-        if columns.len() > LAUNCHED {
-            let mut inputs = self.flight.map(Column::Constant);
-            for (input, described) in inputs.iter_mut().zip(&flight::INPUTS) {
-                if let Some(place) = place_of(&OUTPUTS, described.quantity.name) {
-                    *input = Column::Values(&launches[place]);
-                }
-            }
-            flights = room(flight::OUTPUTS.len());
-            let _ = FlightBatch { inputs: &inputs }.run(0..rows, slices(&mut flights));
-        }
-        for (name, column) in QUANTITIES.iter().zip(columns) {
-            let launched = place_of(&OUTPUTS, name).map(|place| &launches[place]);
-            let values = launched.or_else(|| flights.get(place_of(&flight::OUTPUTS, name)?));
-            if let Some(values) = values {
-                column.copy_from_slice(values);
-            }
-        }
+        let _ = ShotBatch { model, parameters, accuracy, flight }.run(&inputs, names, columns);
     }
-}
-
-fn place_of(outputs: &[&Quantity], name: &str) -> Option<usize> {
-    outputs.iter().position(|output| output.name == name)
 }
 
 /// A point of the face, and a value there.

@@ -8,6 +8,7 @@ pub mod golfer;
 pub mod normal;
 pub mod outline;
 pub mod sequence;
+mod shot_batch;
 pub mod strokes;
 pub mod tally;
 
