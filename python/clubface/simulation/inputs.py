@@ -30,6 +30,8 @@ from clubface.units import parse_values
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from clubface.simulation.pose import Head, Pose
+
 
 @dataclass(frozen=True, kw_only=True)
 class Delivery:
@@ -97,6 +99,113 @@ class Delivery:
         check_names("delivery value", changes, names)
         return replace(self, **changes)
 
+    @classmethod
+    def from_pose(
+        cls,
+        rotation: Any,
+        position: Any,
+        velocity: Any,
+        angular_velocity: Any,
+        *,
+        club: str | os.PathLike[str] | Club,
+        ball: str | os.PathLike[str] | Ball | None = None,
+        ball_position: Any = (0.0, 0.0, 0.0),
+        ball_angular_velocity: Any = (0.0, 0.0, 0.0),
+        point: Any = "cg",
+        hand: Any = None,
+    ) -> Self:
+        """Return the delivery of a head whose pose and motion are known, as in a multibody program.
+
+        World axes: x to the target, y up, z to the right of the target line, also for a left-hander. The head moves on
+        (or back) with constant velocity and angular velocity until it touches the ball, which may be at most
+        a millisecond away. Leading axes broadcast.
+
+        Parameters
+        ----------
+        rotation
+            From the axes of the head to those of the world, shape (..., 3, 3), or a quaternion, real part first, shape
+            (..., 4). The axes of the head are those of the world while the club stands at its static loft with a
+            square face; the centre of mass and the inertia of a club are given in them.
+        position
+            Of a point of the head [m], shape (..., 3).
+        velocity
+            Of the same point [m/s], shape (..., 3).
+        angular_velocity
+            Of the head, in world axes [rad/s], shape (..., 3).
+        club, ball, hand
+            As for :func:`impact`.
+        ball_position
+            Centre of the ball, which is at rest [m], shape (..., 3).
+        ball_angular_velocity
+            Of the ball, in world axes [rad/s], shape (..., 3).
+        point
+            The point of the head that position and velocity are of: "cg", "face_centre", or the vector to it from
+            the CG in the axes of the head [m].
+
+        Raises
+        ------
+        InputError
+            The rotation is none, a shape does not fit, or the head does not touch the ball within a millisecond.
+
+        See Also
+        --------
+        Delivery.pose : the way back.
+        """
+        import numpy as np
+
+        from clubface.simulation.pose import Pose, delivery_of_pose
+
+        turn = _rotation(rotation)
+        vectors = {
+            "position": _vector(position, "position", "length"),
+            "velocity": _vector(velocity, "velocity", "speed"),
+            "angular_velocity": _vector(angular_velocity, "angular_velocity", "angular rate"),
+            "ball_position": _vector(ball_position, "ball_position", "length"),
+            "ball_angular_velocity": _vector(ball_angular_velocity, "ball_angular_velocity", "angular rate"),
+        }
+        common_shape(
+            {name: each[..., 0] for name, each in vectors.items()}
+            | {"rotation": turn[..., 0] if turn.shape[-1] == 4 else turn[..., 0, 0]}
+        )
+        head = head_of(equipment(club, ball), hand)
+        ball_spin, place = vectors.pop("ball_angular_velocity"), vectors.pop("ball_position")
+        with np.errstate(all="ignore"):
+            touch = delivery_of_pose(np, Pose(turn, **vectors), place, head, point_of(head, point))
+        off = ~(np.abs(touch.time) <= LONGEST_ADVANCE)
+        if off.any():
+            first = f"{np.ravel(touch.time)[np.argmax(np.ravel(off))] * 1e3:.3g} ms"
+            allowed = "within 1 ms of first touch at the velocities given, and the head moving towards the ball"
+            raise InputError("position", Wording(f"a pose {first} from first touch"), allowed)
+        spins = dict(zip(BALL_SPINS, (ball_spin[..., 2], -ball_spin[..., 1], ball_spin[..., 0]), strict=True))
+        given = {**touch.values, **(spins if ball_spin.any() else {})}
+        return cls(**{name: value if np.ndim(value) else float(value) for name, value in given.items()})
+
+    def pose(
+        self,
+        club: str | os.PathLike[str] | Club,
+        *,
+        ball: str | os.PathLike[str] | Ball | None = None,
+        ball_position: Any = (0.0, 0.0, 0.0),
+        point: Any = "cg",
+        hand: Any = None,
+    ) -> Pose:
+        """Return rotation, position, velocity and angular velocity of the head at first touch.
+
+        The parameters and the axes are those of :meth:`from_pose`, of which this is the way back.
+        """
+        import numpy as np
+
+        from clubface.simulation.pose import pose_of_delivery
+
+        setup = equipment(club, ball)
+        head = head_of(setup, hand)
+        values = {name: np.asarray(value) for name, value in self.values().items()}
+        values.setdefault(_LOFT, np.asarray(head.static_loft))
+        place, offset = _vector(ball_position, "ball_position", "length"), point_of(head, point)
+        common_shape(values | {"ball_position": place[..., 0], "point": offset[..., 0]})
+        values = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
+        return pose_of_delivery(np, values, place, head, offset)
+
 
 OF_CLUB = {
     "speed": "speed", "attack": "angle", "path": "angle", "loft": "angle", "face": "angle", "lie": "angle",
@@ -112,6 +221,13 @@ UNITS = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"
 """The unit in which each dimension of a delivery is read and written."""
 DELIVERY_QUANTITIES = {name: PhysicalValue(UNITS[dimension]) for name, dimension in DIMENSIONS.items()}
 """The kind of each value of a delivery in a file."""
+BALL_SPINS = tuple(name for name in DIMENSIONS if name not in OF_CLUB)
+LONGEST_ADVANCE = 1e-3
+"""How long a head may move on to first touch [s]: a millisecond of a swing is 45 mm, along which nothing bends yet."""
+NOT_ORTHOGONAL = 1e-6
+"""By how much the product of a rotation and its transpose may miss the identity."""
+CG, FACE_CENTRE = "cg", "face_centre"
+"""The points of a head that go by name."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -145,6 +261,61 @@ class Equipment(NamedTuple):
     club: Club
     ball: Ball
     columns: tuple[float, ...]
+
+
+def head_of(setup: Equipment, hand: Any = None) -> Head:
+    """Return the geometry by which a head touches a ball."""
+    from clubface.simulation.pose import Head
+
+    values = dict(zip(inputs(), setup.columns, strict=True))
+    return Head(
+        (values["cg_x"], values["cg_y"], values["cg_z"]),
+        values["static_loft"],
+        values["bulge"],
+        values["roll"],
+        values["ball_radius"],
+        values[_HAND] if hand is None else hand_value(hand),
+    )
+
+
+def point_of(head: Head, point: Any) -> NDArray[Any]:
+    """Return the vector from the CG of a head to a point of it, in its own axes [m], shape (..., 3)."""
+    import numpy as np
+
+    if isinstance(point, str):
+        check_choice("point", point, (CG, FACE_CENTRE))
+        x, y, z = head.cg_to_face
+        return np.zeros(3) if point == CG else np.stack(np.broadcast_arrays(x, y, head.hand * z), axis=-1)
+    return _vector(point, "point", "length")
+
+
+def _vector(value: Any, name: str, dimension: str) -> NDArray[Any]:
+    """Return vectors as an array of shape (..., 3)."""
+    import numpy as np
+
+    array = np.asarray(parse_values(value, dimension, name=name))
+    if array.shape[-1:] != (3,):
+        raise InputError(name, Wording(f"of shape {array.shape}"), "of shape (..., 3)")
+    return array
+
+
+def _rotation(value: Any) -> NDArray[Any]:
+    """Return rotation matrices, shape (..., 3, 3), or quaternions, shape (..., 4)."""
+    import numpy as np
+
+    array = np.asarray(parse_values(value, units.DIMENSIONLESS, name="rotation"))
+    if array.ndim and array.shape[-1] == 4:
+        if not (np.sum(array * array, axis=-1) > 0.0).all():
+            raise InputError("rotation", Wording("a quaternion of length 0"), "one of any other length")
+        return array
+    if array.shape[-2:] != (3, 3):
+        raise InputError("rotation", Wording(f"of shape {array.shape}"), "of shape (..., 3, 3), or (..., 4)")
+    if not (
+        np.abs(array @ np.swapaxes(array, -1, -2) - np.eye(3)).max() < NOT_ORTHOGONAL
+        and np.linalg.det(array).min() > 0.0
+    ):
+        raise InputError("rotation", Wording("a matrix"), "orthogonal to 1e-6, with determinant 1")
+    return array
 
 
 class Shots(NamedTuple):
