@@ -5,6 +5,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { Context } from "../context";
 import { join } from "../quantities/formatter";
+import { seriesLook } from "./colours";
 import { rootSize } from "./measure";
 
 /** One axis of a chart: what it is called, and the quantity that gives unit and digits. */
@@ -19,7 +20,7 @@ export interface Chart {
   title: string;
   x: ChartAxis;
   y: ChartAxis;
-  /** Places and values in SI; at most six lines, which differ in colour and dashes. */
+  /** Places and values in SI; at most seven lines, which differ in colour and dashes. */
   lines: { label: string; x: ArrayLike<number>; y: ArrayLike<number> }[];
   /** A place that is marked by an upright line [SI]. */
   mark?: number;
@@ -29,7 +30,7 @@ export interface Chart {
 const HEIGHT = 14;
 /** Rows that the tables have. */
 const ROWS = 11;
-const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3], [14, 4], [4, 4]];
+const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3], [14, 4], [4, 4], [12, 3, 4, 3]];
 
 interface Drawn {
   plot: uPlot;
@@ -173,7 +174,7 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
         {},
         ...chart.lines.map(({ label }, i) => ({
           label,
-          stroke: style.getPropertyValue(`--series-${i + 1}`),
+          stroke: style.getPropertyValue(`--series-${seriesLook(i).number}`),
           width: 2,
           dash: DASHES[i],
           spanGaps: true,

@@ -61,10 +61,25 @@ export const rising = (most: number): ColourScale => scaleOf(VIRIDIS, 0, most);
 export const bothSides = (most: number): ColourScale => scaleOf(BOTH_SIDES, -most, most);
 
 /** How many colours of series the page has, `--series-1` and those after it. */
-const SERIES = 6;
+const SERIES = 7;
 
-/** The number of a series' colour, by its place among the series; after the last colour they begin again. */
-export const seriesNumber = (place: number): number => (place % SERIES) + 1;
+/** How a series is drawn. */
+export interface SeriesLook {
+  /** The number of its colour. */
+  number: number;
+  /** Whether its lines are dashed and its marks hollow. */
+  isDashed: boolean;
+}
+
+/** The look of a series by its place among the series: solid in all colours, then dashed; after twice seven again. */
+export const seriesLook = (place: number): SeriesLook => ({
+  number: (place % SERIES) + 1,
+  isDashed: Math.floor(place / SERIES) % 2 === 1,
+});
+
+/** A short line in the look of a series, as a style. */
+export const seriesLine = ({ number, isDashed }: SeriesLook): string =>
+  `border-top: 3px ${isDashed ? "dashed" : "solid"} var(--series-${number})`;
 
 /** Steps of round numbers within a power of ten. */
 const ROUND = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];

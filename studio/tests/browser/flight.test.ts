@@ -201,6 +201,12 @@ describe("a golfer's shots", () => {
     await page.getByRole("button", { name: "A golfer's shots" }).click();
     await page.locator(".spreads td").first().waitFor();
     await page.getByText("The mean delivery is this golfer's own.").waitFor();
+    // They open from above; the shot is then seen from behind again.
+    expect(await page.locator("[aria-label=Seen] [aria-pressed=true]").textContent()).toContain("From above");
+    await page.getByRole("button", { name: "This shot" }).click();
+    expect(await page.locator("[aria-label=Seen] [aria-pressed=true]").textContent()).toContain("From behind");
+    await page.getByRole("button", { name: "A golfer's shots" }).click();
+    await page.locator(".spreads td").first().waitFor();
     const first = await otherPicture(page, before);
     const value = (): Promise<number> =>
       page

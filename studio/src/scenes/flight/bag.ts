@@ -2,10 +2,10 @@
 
 import { html, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { seriesLine, seriesLook } from "../../parts/colours";
 import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { bagOf, driverSpeed } from "./bag-shots";
-import { colourOf } from "./range-content";
 
 const COLUMNS = ["ball_speed", "launch", "total_spin", "apex", "landing_angle", "side", "total"];
 
@@ -47,7 +47,8 @@ function gapTable(context: Context): TemplateResult {
   const { model, state, formatter, equipment } = context;
   const shots = outputOf(model, "bag");
   if (!shots) return html`<p aria-busy="true">The clubs are being computed …</p>`;
-  const places = new Map(shots.map(({ club }, place) => [club, place]));
+  // As the picture draws them.
+  const places = new Map(shots.filter(({ failure }) => !failure).map(({ club }, place) => [club, place]));
   const longest = shots.filter(({ failure }) => !failure).sort((a, b) => b.values.carry - a.values.carry);
   const failed = shots.filter(({ failure }) => failure);
   const heading = (name: string): TemplateResult => {
@@ -76,7 +77,7 @@ function gapTable(context: Context): TemplateResult {
             const next = longest[i + 1]?.values.carry;
             return html`<tr data-club=${club}>
               <th scope="row">
-                <i class="club-colour" style=${`background: var(${colourOf(places.get(club) ?? 0)})`}></i>
+                <i class="club-line" style=${seriesLine(seriesLook(places.get(club) ?? 0))}></i>
                 ${equipment.clubs[club].label}
               </th>
               ${cell("carry", values.carry)}

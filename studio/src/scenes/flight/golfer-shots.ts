@@ -40,6 +40,9 @@ export function withGolfer(
     return [variable, { value: Number(formatter.units.fromSi(own.mean[i], unit).toPrecision(12)), unit }];
   });
   const struck = changed(state, { kind: "club", club }, equipment);
-  const settings = { ...state.settings, golfer: name, flying: "golfer" };
+  const { range_view, ...others } = state.settings;
+  // The shots open from above; a view that was chosen of them stays.
+  const seen: State["settings"] = state.settings.flying === "golfer" && range_view !== undefined ? { range_view } : {};
+  const settings = { ...others, ...seen, golfer: name, flying: "golfer" };
   return { ...struck, delivery: Object.fromEntries(amounts), settings };
 }

@@ -2,7 +2,7 @@
 
 import { type Context, choiceSetting } from "../../context";
 import type { Dispersion, Shot, Values } from "../../core/types";
-import { seriesNumber } from "../../parts/colours";
+import { seriesLook } from "../../parts/colours";
 import type { Vector } from "../../parts/vectors";
 import { outputOf } from "../../state/store";
 
@@ -10,6 +10,7 @@ export interface Flying {
   name: string;
   /** Variable of the page that holds its colour. */
   colour: string;
+  isDashed: boolean;
   values: Values;
   /** Positions [m] of the moments [s]; the last one is the landing. */
   path: Vector[];
@@ -24,9 +25,6 @@ export interface Content {
   ellipses: Dispersion["ellipses"];
 }
 
-/** The colour of a club of the bag, by its place. */
-export const colourOf = (place: number): string => `--series-${seriesNumber(place)}`;
-
 const NONE: Content = { flights: [], landings: [], ellipses: [] };
 
 export function contentOf(context: Context): Content {
@@ -34,20 +32,26 @@ export function contentOf(context: Context): Content {
   const flying = choiceSetting(context, "flying");
   if (flying === "clubs") {
     const bag = (outputOf(model, "bag") ?? []).filter(({ failure }) => !failure);
-    return { ...NONE, flights: bag.map((shot, i) => flight(equipment.clubs[shot.club].label, colourOf(i), shot)) };
+    const flights = bag.map((shot, i) => {
+      const { number, isDashed } = seriesLook(i);
+      return flight(equipment.clubs[shot.club].label, { colour: `--series-${number}`, isDashed }, shot);
+    });
+    return { ...NONE, flights };
   }
   const shot = model.good;
-  const flights = shot ? [flight(equipment.clubs[state.club].label, "--flight", shot)] : [];
+  const flights = shot
+    ? [flight(equipment.clubs[state.club].label, { colour: "--flight", isDashed: false }, shot)]
+    : [];
   const shots = flying === "golfer" ? outputOf(model, "dispersion") : null;
   return { flights, landings: shots?.landings.values ?? [], ellipses: shots?.ellipses ?? [] };
 }
 
-function flight(name: string, colour: string, { path, times, values }: Shot): Flying {
+function flight(name: string, look: Pick<Flying, "colour" | "isDashed">, { path, times, values }: Shot): Flying {
   const points: Vector[] = [];
   for (let i = 0; i + 2 < path.length; i += 3) points.push([path[i], Math.max(path[i + 1], 0), path[i + 2]]);
   const { total, total_side } = values;
   const rest: Vector = [Math.sqrt(Math.max(total ** 2 - total_side ** 2, 0)), 0, total_side];
-  return { name, colour, values, path: points, times, rest };
+  return { name, ...look, values, path: points, times, rest };
 }
 
 /** Extent of what is drawn: how far ahead, to either side and up [m]. */

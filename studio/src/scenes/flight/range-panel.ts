@@ -8,15 +8,19 @@ import { takeGolfer } from "./golfer";
 import { contentOf } from "./range-content";
 import { played, RANGE } from "./range-picture";
 import { play } from "./range-play";
-import { FLYING, VIEWS } from "./settings";
+import { FLYING, VIEWS, viewOf } from "./settings";
 import { STEP } from "./turf";
 
 export function rangePanel(context: Context): TemplateResult {
   const { actions, state } = context;
-  const [flying, view] = [choiceSetting(context, "flying"), choiceSetting(context, "range_view")];
+  const [flying, view] = [choiceSetting(context, "flying"), viewOf(context)];
   const fly = (name: string): void => {
     if (name === "golfer" && !state.settings.golfer) takeGolfer(context, choiceSetting(context, "golfer"));
-    else actions.change({ kind: "settings", settings: { flying: name } });
+    else {
+      // A golfer's shots open from above, and the others as they are usually seen.
+      const isOther = (name === "golfer") !== (flying === "golfer");
+      actions.change({ kind: "settings", settings: { flying: name, ...(isOther ? { range_view: null } : {}) } });
+    }
   };
   const see = (name: string): void => {
     if (name === view) played?.look();
@@ -50,10 +54,13 @@ export function rangePanel(context: Context): TemplateResult {
 }
 
 /** What the lines of the picture are. */
-function legend({ formatter, state }: Context): string {
+function legend(context: Context): string {
+  const { formatter, state } = context;
+  const names =
+    choiceSetting(context, "flying") === "clubs" ? "Names that have no room are left out: the table has all. " : "";
   const symbol = formatter.units.symbol(formatter.reading("carry", state.system).unit);
   return (
-    `Lines every ${STEP} ${symbol}; thin after the landing: bounce and roll. The picture is turned by dragging or the ` +
+    `Lines every ${STEP} ${symbol}; thin after the landing: bounce and roll. ${names}The picture is turned by dragging or the ` +
     "arrow keys, zoomed by the wheel or + and -."
   );
 }

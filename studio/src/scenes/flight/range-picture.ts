@@ -1,16 +1,16 @@
 /** The range in three dimensions: turf, flights as tubes, landings as dots and ellipses, the wind as an arrow. */
 
-import type { Group, Object3D } from "three";
-import { type Context, choiceSetting, settingSi } from "../../context";
-import { rootSize } from "../../parts/measure";
+import type { CatmullRomCurve3, Group, Object3D, TubeGeometry } from "three";
+import { type Context, settingSi } from "../../context";
 import { type Stage, setStage } from "../../parts/stage";
 import { arrow, empty, label, point } from "../../parts/stage-objects";
 import type { Vector } from "../../parts/vectors";
 import { outputOf } from "../../state/store";
 import { takeView } from "./range-camera";
 import { type Content, contentOf, type Extent, extentOf, type Flying, outline } from "./range-content";
+import { type FreeLabel, freeLabel, placeWords } from "./range-labels";
 import { endPlay, type Played } from "./range-play";
-import type { View } from "./settings";
+import { viewOf } from "./settings";
 import { layTurf, type Marks, STEP } from "./turf";
 
 export const RANGE = "range";
@@ -19,7 +19,8 @@ export const RANGE = "range";
 interface Picture {
   turf: Group;
   flying: Group;
-  extent: Extent;
+  /** Names that go where there is room. */
+  free: FreeLabel[];
   /** What the turf was laid for, and the view that was last taken of it. */
   laid: string;
   seen: string;
@@ -45,8 +46,9 @@ function begin(stage: Stage): Picture {
   sun.position.set(-1, 2, 1);
   const [turf, flying] = [new three.Group(), new three.Group()];
   scene.add(new three.HemisphereLight("white", "gray", 1.6), sun, turf, flying);
-  const picture = { turf, flying, extent: { far: 0, side: 0, high: 0 }, laid: "", seen: "" };
+  const picture: Picture = { turf, flying, free: [], laid: "", seen: "" };
   pictures.set(stage, picture);
+  stage.controls.addEventListener("change", () => placeWords(stage, [turf, flying], picture.free));
   return picture;
 }
 
@@ -56,7 +58,7 @@ function draw(context: Context, stage: Stage, picture: Picture): void {
   const marks: Marks = { metres: formatter.units.toSi({ value: 1, unit }), symbol: formatter.units.symbol(unit) };
   const content = contentOf(context);
   const extent = extentOf(content, STEP * marks.metres);
-  const view = choiceSetting(context, "range_view") as View;
+  const view = viewOf(context);
   const isHigh = stage.camera.aspect < 1;
   const ground = JSON.stringify([
     extent,
@@ -73,16 +75,23 @@ function draw(context: Context, stage: Stage, picture: Picture): void {
   }
   endPlay();
   empty(picture.flying);
+  const free = names(stage, content);
+  picture.free = free;
   const objects = [
     ...content.flights.flatMap((flight) => tubes(stage, flight, extent)),
-    ...names(context, stage, content, extent),
+    ...free.flatMap(({ sprite, leader }) => [leader, sprite]),
+    ...heights(context, stage, content),
     ...landings(stage, content, extent),
     ...wind(context, stage, extent),
   ];
   for (const each of objects) picture.flying.add(each);
   const seen = JSON.stringify([view, extent, stage.camera.aspect]);
-  const look = (): void => takeView(stage, view, extent);
+  const look = (): void => {
+    takeView(stage, view, extent);
+    placeWords(stage, [picture.turf, picture.flying], picture.free);
+  };
   if (picture.seen !== seen) look();
+  else placeWords(stage, [picture.turf, picture.flying], free);
   picture.seen = seen;
   played = { stage, group: picture.flying, flights: content.flights, view, extent, look };
 }
@@ -92,13 +101,16 @@ const THICK = 0.0022;
 const SEGMENTS = 96;
 
 /** The flight, its shadow, and the way over the ground from landing to rest. */
-function tubes({ three, colour }: Stage, { path, rest, colour: variable }: Flying, { far }: Extent): Object3D[] {
+function tubes(stage: Stage, flight: Flying, { far }: Extent): Object3D[] {
+  const { path, rest, colour: variable, isDashed } = flight;
   if (path.length < 2) return [];
+  const { three, colour } = stage;
   const points = path.map((each) => new three.Vector3(...each));
   const ink = colour(variable);
-  const flight = new three.Mesh(
-    new three.TubeGeometry(new three.CatmullRomCurve3(points), SEGMENTS, far * THICK, 8),
-    new three.MeshStandardMaterial({ color: ink, roughness: 0.6 }),
+  const curve = new three.CatmullRomCurve3(points);
+  const pieces = isDashed ? dashes(stage, curve, far) : [new three.TubeGeometry(curve, SEGMENTS, far * THICK, 8)];
+  const flown = pieces.map(
+    (piece) => new three.Mesh(piece, new three.MeshStandardMaterial({ color: ink, roughness: 0.6 })),
   );
   const landed = path[path.length - 1];
   const onGround = (places: Vector[], opacity: number): Object3D => {
@@ -125,7 +137,21 @@ function tubes({ three, colour }: Stage, { path, rest, colour: variable }: Flyin
     ),
     new three.MeshStandardMaterial({ color: ink, roughness: 0.9 }),
   );
-  return [flight, roll, onGround(path, 0.45), dot(landed, 0.004), dot(rest, 0.0055)];
+  return [...flown, roll, onGround(path, 0.45), dot(landed, 0.004), dot(rest, 0.0055)];
+}
+
+/** Length of a dash and of the gap after it, as shares of the range. */
+const DASH = 0.025;
+const GAP = 0.015;
+
+/** The tubes of a dashed flight. */
+function dashes({ three }: Stage, curve: CatmullRomCurve3, far: number): TubeGeometry[] {
+  const length = curve.getLength() / far;
+  const count = Math.max(1, Math.round(length / (DASH + GAP)));
+  return Array.from({ length: count }, (_, i) => {
+    const part = [0, 0.5, 1].map((share) => curve.getPointAt(Math.min(1, (i * (DASH + GAP) + share * DASH) / length)));
+    return new three.TubeGeometry(new three.CatmullRomCurve3(part), 4, far * THICK, 8);
+  });
 }
 
 function post({ three, colour }: Stage, from: Vector, to: Vector, variable: string): Object3D {
@@ -133,38 +159,26 @@ function post({ three, colour }: Stage, from: Vector, to: Vector, variable: stri
   return new three.Line(geometry, new three.LineBasicMaterial({ color: colour(variable) }));
 }
 
-/** Width of a picture that has room for the names of clubs, in letters of the page. */
-const ROOM = 35;
+/** The names of several flights, for their landings. */
+const names = (stage: Stage, { flights, landings: dots }: Content): FreeLabel[] =>
+  flights.length > 1 && !dots.length
+    ? flights
+        .filter(({ path }) => path.length > 1)
+        .map(({ name, colour, path }) => freeLabel(stage, name, colour, path))
+    : [];
 
-/** Apex and carry of a single flight; the names of several, at their landings and at different heights. */
-function names(context: Context, stage: Stage, { flights, landings: dots }: Content, extent: Extent): Object3D[] {
-  const { formatter, state } = context;
-  const { far, side } = extent;
-  const isFromSide = choiceSetting(context, "range_view") === "side";
-  // Names that stand side by side need room; the table has the colours, too.
-  const isSmall = stage.renderer.domElement.clientWidth < ROOM * rootSize();
+/** Apex and carry of a single flight. */
+function heights({ formatter, state }: Context, stage: Stage, { flights, landings: dots }: Content): Object3D[] {
+  const [first, ...others] = flights;
+  if (!first || first.path.length < 2 || others.length || dots.length) return [];
+  const { path, values } = first;
   const text = (name: string, value: number): string => `${name} ${formatter.text(name, value, state.system)}`;
-  return flights.flatMap(({ path, name, colour, values }, place) => {
-    if (path.length < 2 || dots.length) return [];
-    const landed = path[path.length - 1];
-    if (flights.length > 1) {
-      if (isFromSide && isSmall) return [];
-      const hand = place % 2 ? 1 : -1;
-      const at: Vector = isFromSide
-        ? [landed[0], far * (0.02 + 0.03 * (place % 4)), landed[2]]
-        : [landed[0], 0, landed[2] + hand * side * (place % 4 < 2 ? 0.5 : 0.85)];
-      return [
-        post(stage, landed, at, colour),
-        label(stage, name, colour, at, [isFromSide || hand < 0 ? 0.5 : 0.2, 0.3]),
-      ];
-    }
-    const apex = path.reduce((highest, each) => (each[1] > highest[1] ? each : highest));
-    return [
-      post(stage, [apex[0], 0, apex[2]], apex, "--ink"),
-      label(stage, text("apex", values.apex), "--ink", apex, [0.5, -0.2]),
-      label(stage, text("carry", values.carry), "--ink", landed, [-0.1, 0]),
-    ];
-  });
+  const apex = path.reduce((highest, each) => (each[1] > highest[1] ? each : highest));
+  return [
+    post(stage, [apex[0], 0, apex[2]], apex, "--ink"),
+    label(stage, text("apex", values.apex), "--ink", apex, [0.5, -0.2]),
+    label(stage, text("carry", values.carry), "--ink", path[path.length - 1], [-0.1, 0]),
+  ];
 }
 
 function landings(stage: Stage, { landings: places, ellipses }: Content, { far }: Extent): Object3D[] {
@@ -178,7 +192,9 @@ function landings(stage: Stage, { landings: places, ellipses }: Content, { far }
     new three.PointsMaterial({ color: colour("--start"), size: 2.5, sizeAttenuation: false, depthWrite: false }),
   );
   cloud.renderOrder = -5;
-  const rings = ellipses.flatMap((ellipse) => {
+  const rings = ellipses.flatMap((ellipse, i) => {
+    // At the far end of one and the near end of the next.
+    const end = outline(ellipse, 4)[i % 2 ? 2 : 0];
     const curve = new three.CatmullRomCurve3(
       outline(ellipse, 72).map((each) => new three.Vector3(...each)),
       true,
@@ -187,7 +203,7 @@ function landings(stage: Stage, { landings: places, ellipses }: Content, { far }
       new three.TubeGeometry(curve, 96, far * THICK * 0.7, 6, true),
       new three.MeshBasicMaterial({ color: colour("--path") }),
     );
-    return [ring, label(stage, `${Math.round(100 * ellipse.share)}%`, "--path", outline(ellipse, 4)[0], [0.5, 0.5])];
+    return [ring, label(stage, `${Math.round(100 * ellipse.share)}%`, "--path", end, [0.5, 0.5])];
   });
   return [cloud, ...rings];
 }
@@ -199,7 +215,7 @@ function wind(context: Context, stage: Stage, { far, side, high }: Extent): Obje
   const from = settingSi(context, "wind_from");
   const blowing = arrow(stage.three, { length: 0.07, radius: 1.6e-3, colour: stage.colour("--face") });
   const blows: Vector = [-Math.cos(from), 0, -Math.sin(from)];
-  const isFromSide = choiceSetting(context, "range_view") === "side";
+  const isFromSide = viewOf(context) === "side";
   const middle: Vector = isFromSide ? [far * 0.85, high, 0] : [far * 0.12, far * 0.03, side * 0.6];
   const reach = far * 0.035;
   point(stage.three, blowing, [middle[0] - blows[0] * reach, middle[1], middle[2] - blows[2] * reach], blows);

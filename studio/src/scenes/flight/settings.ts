@@ -1,5 +1,6 @@
 /** What can be chosen on the range, beyond wind, air and ground, which hold for every scene. */
 
+import { type Context, choiceSetting } from "../../context";
 import type { Settings } from "../../state/settings";
 
 /** What flies, with the words for it. */
@@ -33,8 +34,16 @@ const USUAL_BAG = [
 
 export const flightSettings: Settings = {
   flying: { kind: "choice", options: FLYING.map(([name]) => name), usual: "shot" },
+  /** Where it is not given, see `viewOf`. */
   range_view: { kind: "choice", options: VIEWS.map(([name]) => name), usual: "behind" },
   bag: { kind: "several", options: ({ clubs }) => Object.keys(clubs), usual: USUAL_BAG.join(",") },
   golfer: { kind: "choice", options: ({ golfers }) => Object.keys(golfers), usual: "handicap-10-driver" },
   hole: { kind: "amount", quantity: "total", usual: { value: 400, unit: "yd" } },
 };
+
+/** From where the range is seen: as chosen, or the shots of a golfer from above and all else from behind. */
+export function viewOf(context: Context): View {
+  const given = context.state.settings.range_view;
+  if (given !== undefined) return choiceSetting(context, "range_view") as View;
+  return choiceSetting(context, "flying") === "golfer" ? "above" : "behind";
+}

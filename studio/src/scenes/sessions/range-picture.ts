@@ -3,7 +3,7 @@
 import { html, nothing, svg, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { line, type Scale, scale, ticks } from "../../parts/axes";
-import { seriesNumber } from "../../parts/colours";
+import { type SeriesLook, seriesLine, seriesLook } from "../../parts/colours";
 import { letterZoom, USUAL_WIDTH } from "../../parts/measure";
 import { sideOf } from "../../quantities/formatter";
 import { clubsOf, landing, type ShotRow } from "./shot-rows";
@@ -25,7 +25,7 @@ interface Range {
   alongTicks: number[];
   unit: string;
   convert(metres: number): number;
-  series(club: string): number;
+  series(club: string): SeriesLook;
 }
 
 /** `name` is unique among the pictures of a page. */
@@ -53,13 +53,13 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
     alongTicks: ticks([0, end], Math.max(3, Math.min(10, width / 90))),
     unit: formatter.units.symbol(unit),
     convert,
-    series: (club) => seriesNumber(clubs.findIndex(([each]) => each === club)),
+    series: (club) => seriesLook(clubs.findIndex(([each]) => each === club)),
   };
   return html`
     ${rows.some(({ path }) => path.length) ? fromSide(range) : nothing} ${fromAbove(range)}
     <ul class="legend" aria-label="Clubs of the picture">
       ${clubs.map(
-        ([club, shots]) => html`<li><i class=${`series-${range.series(club)}`}></i>${club || "shots"}, ${shots}</li>`,
+        ([club, shots]) => html`<li><i style=${seriesLine(range.series(club))}></i>${club || "shots"}, ${shots}</li>`,
       )}
     </ul>
   `;
@@ -143,7 +143,7 @@ function fromAbove(range: Range): TemplateResult {
 }
 
 const marks = ({ context, series }: Range, { club, shot, mishit }: Omit<ShotRow, "path">): string =>
-  `series-${series(club)}${mishit ? " off" : ""}${context.model.session.marked === shot ? " marked" : ""}`;
+  `series-${series(club).number}${series(club).isDashed ? " dashed" : ""}${mishit ? " off" : ""}${context.model.session.marked === shot ? " marked" : ""}`;
 
 const flightPath = (range: Range, row: Omit<ShotRow, "path">, points: [number, number][]): TemplateResult =>
   svg`<path class=${`flight-path ${marks(range, row)}`} d=${line(points)}></path>` as TemplateResult;
