@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod answer;
+
+use answer::{c, read};
 use clubface::*;
 use clubface_impact::batch::Batch;
 use clubface_impact::columns::Column;
@@ -11,65 +14,12 @@ use clubface_impact::registry::{self, named};
 use clubface_impact::shot::{INPUT_COUNT, INPUTS};
 use clubface_impact::{Accuracy, ImpactModel};
 use serde_json::{Value, json};
-use std::ffi::{CStr, CString, c_char, c_void};
+use std::ffi::{c_char, c_void};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::ptr::null_mut;
 
 const HERE: &str = env!("CARGO_MANIFEST_DIR");
-
-/// A result read whole: the error or the text, and arrays with their shapes.
-struct Answer {
-    outcome: Result<Value, Value>,
-    arrays: Vec<(String, Vec<usize>, Vec<f64>)>,
-}
-
-impl Answer {
-    fn array(&self, name: &str) -> &(String, Vec<usize>, Vec<f64>) {
-        self.arrays.iter().find(|each| each.0 == name).unwrap_or_else(|| panic!("no array {name}"))
-    }
-}
-
-unsafe fn text(at: *const c_char) -> String {
-    unsafe { CStr::from_ptr(at) }.to_str().unwrap().to_owned()
-}
-
-fn read(result: *mut ClubfaceResult) -> Answer {
-    unsafe {
-        let error = clubface_error(result);
-        let outcome = if error.is_null() {
-            Ok(serde_json::from_str(&text(clubface_text(result))).unwrap())
-        } else {
-            Err(serde_json::from_str(&text(error)).unwrap())
-        };
-        let mut arrays = Vec::new();
-        for i in 0..clubface_array_count(result) {
-            let (mut length, mut kind) = (0, ClubfaceKind::Float64);
-            let start = clubface_array(result, i, &raw mut length, &raw mut kind);
-            let values = match kind {
-                ClubfaceKind::Float64 => std::slice::from_raw_parts(start.cast::<f64>(), length).to_vec(),
-                ClubfaceKind::Float32 => std::slice::from_raw_parts(start.cast::<f32>(), length)
-                    .iter()
-                    .map(|&v| v.into())
-                    .collect(),
-                ClubfaceKind::Uint32 => std::slice::from_raw_parts(start.cast::<u32>(), length)
-                    .iter()
-                    .map(|&v| v.into())
-                    .collect(),
-            };
-            let shape =
-                (0..).map(|axis| clubface_array_size(result, i, axis)).take_while(|&n| n > 0).collect();
-            arrays.push((text(clubface_array_name(result, i)), shape, values));
-        }
-        assert!(clubface_array_name(result, arrays.len()).is_null());
-        clubface_free(result);
-        Answer { outcome, arrays }
-    }
-}
-
-fn c(text: &str) -> CString {
-    CString::new(text).unwrap()
-}
 
 /// A drive; the first rows of a batch differ in speed and strike, the last misses the face.
 fn shot(row: usize, rows: usize) -> [f64; INPUT_COUNT] {

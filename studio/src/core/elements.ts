@@ -149,7 +149,7 @@ function launchOf(core: LoadedCore, face: ElementsCase["described"]["face"], sum
   return outputValues(core.description.outputs, summary.launch);
 }
 
-function thrownOf({ axes, ball_velocity, ball_spin }: Simulated): Values {
+export function thrownOf({ axes, ball_velocity, ball_spin }: Simulated): Values {
   const component = (axis: number[], vector: number[]): number =>
     axis.reduce((sum, each, i) => sum + each * vector[i], 0);
   return {

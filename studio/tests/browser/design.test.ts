@@ -4,7 +4,8 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { isSame, printedBy } from "./command-line";
+import { isSame } from "../golden";
+import { printedBy } from "./command-line";
 import { drop, goTo, type Opened, otherValue, siValueOf, slide, TestStudio, textOf, violations } from "./site";
 
 const FIRST = "#scene=design&club=driver&speed=105mph&attack=2deg&loft=12deg&toe=8mm&high=-4mm&units=golf";

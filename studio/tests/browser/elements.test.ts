@@ -2,15 +2,13 @@ import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { load } from "clubface-core";
 import type { Download, Page } from "playwright-core";
-import { beforeAll, describe, expect, test } from "vitest";
-import { printedBy } from "./command-line";
+import { describe, expect, test } from "vitest";
+import { Comparison, elements, linkOf } from "../golden";
 import { pictureOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const DRIVE =
   "#scene=elements&club=driver&speed=105mph&attack=2deg&loft=13deg&toe=8mm&high=4mm&against=club&follow=contact&units=golf";
-const REFERENCE =
-  "#scene=elements&club=driver&ball=reference&speed=35m/s&loft=11.5deg&against=plane&friction=0.35&follow=millisecond";
 /** A case that is there at once. */
 const COARSE = `${DRIVE}&mesh=coarse`;
 /** What a case may take on a machine that others share [ms]. */
@@ -18,17 +16,7 @@ const PATIENCE = 110e3;
 const FIRST_SHAPE = ".elements:not([data-cases='0'])";
 const DONE = ".status[data-case-name='first'][data-status='done']";
 
-interface Expected {
-  case: object;
-  values: Record<string, number>;
-}
-
 const studio = new TestStudio({}, PATIENCE);
-let expected: Record<"reference" | "drive", Expected>;
-
-beforeAll(() => {
-  expected = printedBy("elements.py");
-});
 
 /** Values of the first column of a table by the names of their quantities. */
 const valuesOf = (page: Page, table: string): Promise<Record<string, number>> =>
@@ -70,33 +58,23 @@ async function pageMemory(): Promise<number | null> {
 }
 
 describe("the numbers", () => {
-  /**
-   * Largest relative difference from the package, which computes in the instructions of the machine. The error of the
-   * energy balance is what remains of energies, and is compared as a share of them.
-   */
-  const TOLERANCE = 1e-12;
-
   test.each([
-    ["reference", REFERENCE],
-    ["drive", DRIVE],
-  ] as const)("of the %s are those of the package, and of the same core to the bit", async (name, link) => {
-    const { page, errors } = await studio.open(link, DONE);
+    ["reference case", elements[0]],
+    ["drive", elements[1]],
+  ] as const)("of the %s are those of the package, and of the same core to the bit", async (name, golden) => {
+    const { page, errors } = await studio.open(linkOf(golden, { scene: "elements", units: "golf" }), DONE);
     const here = await allValues(page);
-    const { values, case: described } = expected[name];
     const core = await load(readFileSync(path("../../generated/clubface-fem.wasm")));
-    const there = core.simulate(described).text as unknown as Record<string, number>;
-    let [compared, largest] = [0, 0];
-    for (const [quantity, value] of Object.entries(values)) {
-      if (!(quantity in here)) continue;
-      compared += 1;
-      const scale = quantity === "energy_error" ? 1 : Math.abs(value) || 1;
-      const difference = Math.abs(here[quantity] - value) / scale;
-      expect(difference, `${quantity}: ${here[quantity]} instead of ${value}`).toBeLessThanOrEqual(TOLERANCE);
-      largest = Math.max(largest, difference);
-      if (typeof there[quantity] === "number") expect(here[quantity], quantity).toBe(there[quantity]);
+    const there = core.simulate(golden.setup).text as unknown as Record<string, number>;
+    const comparison = new Comparison();
+    for (const [quantity, value] of Object.entries(here)) {
+      comparison.add(golden, quantity, value, golden.numbers[quantity]);
+      if (quantity in golden.numbers && typeof there[quantity] === "number")
+        expect(value, quantity).toBe(there[quantity]);
     }
-    expect(compared).toBeGreaterThanOrEqual(15);
-    console.log(`${name}: ${compared} values, largest difference from the package ${largest.toExponential(1)}`);
+    console.log(`${name}: ${comparison.count} values compared with those of the package`);
+    expect(comparison.wrong).toEqual([]);
+    expect(comparison.count).toBeGreaterThanOrEqual(15);
     expect(errors).toEqual([]);
   });
 

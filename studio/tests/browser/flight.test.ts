@@ -1,16 +1,21 @@
-import { readFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
 import { equipment } from "../described";
-import { isSame, printedBy, SCALES } from "./command-line";
-import { goTo, type Opened, otherValue, pictureOf, siValueOf, slide, TestStudio, violations } from "./site";
+import { Comparison, dispersions, flights, linkOf } from "../golden";
+import {
+  goTo,
+  type Opened,
+  otherValue,
+  pictureOf,
+  quantitiesOf,
+  siValueOf,
+  slide,
+  TestStudio,
+  violations,
+} from "./site";
 
-const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const FIRST = "#scene=flight&club=driver&speed=105mph&attack=2deg&loft=13deg&units=golf";
 const CANVAS = '[data-stage="range"] canvas';
-/** Launch angles stand here with their spread, which is a difference of them. */
-const FLIGHT_SCALES = { ...SCALES, launch: 1 };
 const studio = new TestStudio();
 
 /** Waits until a picture is another than before, and returns it. */
@@ -242,75 +247,52 @@ describe("a golfer's shots", () => {
 });
 
 describe("the numbers", () => {
-  test("of twenty flights are those of the command line", async () => {
-    const listed = JSON.parse(readFileSync(path("flights.json"), "utf8")) as Record<string, unknown>[];
-    const expected = printedBy<Record<string, number>[]>("command_line.py", "flights.json");
+  test("of twenty flights are those of the package", async () => {
     const { page, errors } = await openRange(FIRST);
-    const wrong: string[] = [];
-    let compared = 0;
-    for (const [i, { delivery, conditions, ...chosen }] of listed.entries()) {
+    const comparison = new Comparison();
+    for (const flight of flights.cases) {
       const before = await siValueOf(page, "total");
-      const all = { scene: "flight", ...chosen, ...(delivery as object), ...(conditions as object), units: "golf" };
-      const entries = Object.entries(all).map(([key, value]) => `${key}=${encodeURIComponent(String(value))}`);
-      await goTo(page, `#${entries.join("&")}`);
+      await goTo(page, linkOf(flight, { scene: "flight", units: "golf" }));
       await otherValue(page, "total", before);
-      for (const [name, value] of Object.entries(expected[i])) {
-        if (!(await page.locator(`td[data-quantity="${name}"]`).count())) continue;
-        const shown = await siValueOf(page, name);
-        compared += 1;
-        if (!isSame(name, shown, value, FLIGHT_SCALES))
-          wrong.push(`${entries.join("&")}: ${name} ${shown}, by the command line ${value}`);
-      }
+      for (const [name, value] of await quantitiesOf(page)) comparison.add(flight, name, value, flight.numbers[name]);
     }
-    console.log(`${compared} numbers of ${listed.length} flights compared with the command line`);
-    expect(wrong).toEqual([]);
-    expect(listed).toHaveLength(20);
-    expect(compared).toBeGreaterThanOrEqual(5 * listed.length);
+    console.log(`${comparison.count} numbers of ${flights.cases.length} flights compared with those of the package`);
+    expect(comparison.wrong).toEqual([]);
+    expect(flights.cases).toHaveLength(20);
+    expect(comparison.count).toBeGreaterThanOrEqual(5 * flights.cases.length);
     expect(errors).toEqual([]);
   });
 
-  test("of three golfers are those of the command line, and come live", async () => {
-    const listed = JSON.parse(readFileSync(path("dispersions.json"), "utf8")) as {
-      golfer: string;
-      hand: string;
-      conditions: Record<string, string>;
-    }[];
-    const expected = printedBy<Record<string, number>[]>("command_line.py", "dispersions.json");
-    const wrong: string[] = [];
-    let compared = 0;
-    for (const [i, { golfer, hand, conditions }] of listed.entries()) {
-      const given = Object.entries({ hand, ...conditions }).map(([key, value]) => `${key}=${value}`);
-      const { page, errors } = await openRange(`#scene=flight&club=driver&${given.join("&")}&units=golf`);
+  test("of three golfers are those of the package, and come live", async () => {
+    const comparison = new Comparison();
+    for (const each of dispersions) {
+      const { golfer } = each.link;
+      const { page, errors } = await openRange(
+        linkOf(each, { golfer: "", scene: "flight", club: "driver", units: "golf" }),
+      );
       await page.getByRole("button", { name: "A golfer's shots" }).click();
       await page.getByRole("combobox", { name: "Golfer" }).selectOption(golfer);
       await page.waitForURL(new RegExp(`golfer=${golfer}`));
-      const strokes = String(expected[i].strokes);
       await page
         .waitForFunction(
-          (wanted) =>
-            Math.abs(Number(document.querySelector<HTMLElement>("[data-strokes]")?.dataset.strokes) - Number(wanted)) <
-            1e-9,
-          strokes,
+          (strokes) =>
+            Math.abs(Number(document.querySelector<HTMLElement>("[data-strokes]")?.dataset.strokes) - strokes) < 1e-9,
+          each.numbers.strokes,
           { timeout: 20_000 },
         )
-        .catch(() => wrong.push(`${golfer}: other strokes than ${strokes}`));
+        .catch(() => comparison.wrong.push(`${golfer}: other strokes than ${each.numbers.strokes}`));
       const cells = await page.locator("[data-spread]").evaluateAll((all) =>
         all.map((cell) => {
           const { spread, part, value } = (cell as HTMLElement).dataset;
           return [`${spread} ${part}`, Number(value)] as const;
         }),
       );
-      for (const [name, shown] of cells) {
-        const value = expected[i][name];
-        compared += 1;
-        if (!isSame(name.split(" ")[0], shown, value, FLIGHT_SCALES))
-          wrong.push(`${golfer}: ${name} ${shown}, by the command line ${value}`);
-      }
+      for (const [name, value] of cells) comparison.add(each, name, value, each.numbers[name]);
       expect(errors).toEqual([]);
     }
-    console.log(`${compared} numbers of ${listed.length} golfers compared with the command line`);
-    expect(wrong).toEqual([]);
-    expect(compared).toBe(3 * 9 * 7);
+    console.log(`${comparison.count} numbers of ${dispersions.length} golfers compared with those of the package`);
+    expect(comparison.wrong).toEqual([]);
+    expect(comparison.count).toBe(3 * 9 * 7);
   });
 
   test("of 4096 shots come live; the time is printed, since machines differ", async () => {

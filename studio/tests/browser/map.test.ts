@@ -1,13 +1,10 @@
 /** Maps of a face. */
 
-import { readFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { printedBy, SAME } from "./command-line";
+import { Comparison, type GoldenMap, linkOf, maps } from "../golden";
 import { pictureOf, slide, TestStudio, textOf, violations } from "./site";
 
-const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 const FIRST = "#scene=map&club=driver&speed=105mph&attack=2deg&loft=14deg&units=golf";
 const READY = "[data-loss=carry]";
 const CANVAS = ".map canvas";
@@ -212,34 +209,6 @@ describe("the page", () => {
   });
 });
 
-interface Listed {
-  club: string;
-  model?: string;
-  ball?: string;
-  hand?: string;
-  minus?: string;
-  quantity: string;
-  spread: string;
-  delivery: Record<string, string>;
-}
-
-interface Computed {
-  points: Record<string, number>;
-  best: { sweet_spot: number[]; longest: number[]; effective_area: number; face_area: number }[];
-  scatter: { quantity: string; mean: number; deviation: number; loss: number }[];
-}
-
-/** What is a difference of large numbers is compared on their scale [SI]. */
-const SCALES: Record<string, number> = { side: 100, carry: 200, ball_speed: 70 };
-
-const linkOf = ({ delivery, quantity, minus, spread, ...chosen }: Listed): string => {
-  const [strikes_toe, strikes_high] = spread.split(" x ");
-  const entries = { scene: "map", ...chosen, ...delivery, map: quantity, strikes_toe, strikes_high };
-  return `#${Object.entries(minus ? { ...entries, map_minus: minus } : entries)
-    .map(([key, value]) => `${key}=${value.replace(" ", "")}`)
-    .join("&")}`;
-};
-
 /** Data of all elements of a kind. */
 const dataOf = (page: Page, selector: string): Promise<Record<string, string>[]> =>
   page
@@ -249,62 +218,52 @@ const dataOf = (page: Page, selector: string): Promise<Record<string, string>[]>
 /** A place in mm, of which 0 has no sign. */
 const placeKey = (text: string): string => text.replace(/-0\.000/g, "0.000");
 
-/** Numbers of the page next to those of the command line: what, shown, expected and scale. */
-type Pair = [what: string, shown: number, expected: number, scale: number];
-
-async function pairsOf(page: Page, { quantity }: Listed, expected: Computed): Promise<Pair[]> {
-  const pairs: Pair[] = [];
-  const points = Object.fromEntries(Object.entries(expected.points).map(([key, value]) => [placeKey(key), value]));
-  const cells = await dataOf(page, "td[data-toe][data-quantity]");
-  expect(cells.length).toBeGreaterThan(20);
-  for (const { toe, high, value } of cells) {
-    const place = placeKey(`${toe} ${high}`);
-    pairs.push([`${quantity} at ${place}`, Number(value), points[place], SCALES[quantity] ?? 0]);
-  }
-  const [best, areas, faces] = await Promise.all(
-    ["td[data-best$=place]", "td[data-best=effective_area]", "td[data-best=face_area]"].map((each) =>
-      dataOf(page, each),
+/** Compares all numbers of the page with those of a map. */
+async function compareMap(page: Page, map: GoldenMap, comparison: Comparison): Promise<void> {
+  const { map: quantity } = map.link;
+  const millimetres = (place: number): string => placeKey((place / 1e-3).toFixed(3));
+  const points = Object.fromEntries(
+    map.high.flatMap((high, row) =>
+      map.toe.map((toe, column) => [`${millimetres(toe)} ${millimetres(high)}`, map.values[row][column]]),
     ),
   );
-  for (const [club, figures] of expected.best.entries()) {
-    const places = [best[club], best[expected.best.length + club]].map(({ toe, high }) => [Number(toe), Number(high)]);
-    for (const [place, metres] of [...figures.sweet_spot, ...figures.longest].entries())
-      pairs.push([`best point ${place}`, places[place >> 1][place % 2], metres, 0.05]);
-    pairs.push(["effective area", Number(areas[club].value), figures.effective_area, 0]);
-    pairs.push(["face area", Number(faces[club].value), figures.face_area, 0]);
+  const cells = await dataOf(page, "td[data-toe][data-quantity]");
+  expect(cells.length).toBe(Object.values(points).filter((value) => value !== null).length);
+  for (const { toe, high, value } of cells) {
+    const expected = points[placeKey(`${toe} ${high}`)];
+    comparison.add(map, quantity, Number(value), expected ?? Number.NaN);
   }
-  for (const kind of ["mean", "deviation", "loss"] as const)
-    for (const name of Object.keys(SCALES)) {
-      const shown = await dataOf(page, `td[data-${kind}=${name}]`);
-      const rows = expected.scatter.filter((row) => row.quantity === name);
-      expect(shown.length).toBe(rows.length);
-      for (const [club, row] of rows.entries())
-        pairs.push([`${kind} of ${name}`, Number(shown[club].value), row[kind], SCALES[name]]);
+  const cell = async (selector: string, face: number): Promise<Record<string, string>> =>
+    (await dataOf(page, selector))[face];
+  for (const [face, { numbers }] of map.faces.entries()) {
+    for (const best of ["ball_speed", "carry"]) {
+      const place = await cell(`td[data-best="${best} place"]`, face);
+      for (const axis of ["toe", "high"]) {
+        const name = `${axis} ${best}`;
+        comparison.add(map, name, Number(place[axis]), numbers[name]);
+      }
     }
-  return pairs;
+    for (const name of ["effective_area", "face_area"])
+      comparison.add(map, name, Number((await cell(`td[data-best=${name}]`, face)).value), numbers[name]);
+    for (const name of ["carry", "ball_speed", "side"])
+      for (const kind of ["mean", "deviation", "loss"]) {
+        const { value } = await cell(`td[data-${kind}=${name}]`, face);
+        comparison.add(map, `${name} ${kind}`, Number(value), numbers[`${name} ${kind}`]);
+      }
+  }
 }
 
-test("the numbers of five maps are those of the command line", async () => {
-  const listed = JSON.parse(readFileSync(path("maps.json"), "utf8")) as Listed[];
-  const expected = printedBy<Computed[]>("maps.py");
-  const wrong: string[] = [];
-  let [compared, largest] = [0, 0];
-  for (const [i, each] of listed.entries()) {
-    const { page, errors } = await studio.open(linkOf(each), READY);
+test("the numbers of five maps are those of the package", async () => {
+  const comparison = new Comparison();
+  for (const map of maps) {
+    const { page, errors } = await studio.open(linkOf(map, { scene: "map" }), READY);
     await whole(page);
-    for (const [what, shown, value, scale] of await pairsOf(page, each, expected[i])) {
-      const difference = Math.abs(shown - value) / Math.max(Math.abs(value), scale);
-      compared += 1;
-      largest = Math.max(largest, difference);
-      if (!(difference <= SAME)) wrong.push(`${linkOf(each)}: ${what} ${shown}, by the command line ${value}`);
-    }
+    await compareMap(page, map, comparison);
     expect(errors).toEqual([]);
     await page.close();
   }
-  const most = largest.toExponential(1);
-  console.log(
-    `${compared} numbers of ${listed.length} maps compared with the command line, largest difference ${most}`,
-  );
-  expect(expected).toHaveLength(listed.length);
-  expect(wrong).toEqual([]);
+  console.log(`${comparison.count} numbers of ${maps.length} maps compared with those of the package`);
+  expect(maps).toHaveLength(5);
+  expect(comparison.wrong).toEqual([]);
+  expect(comparison.count).toBeGreaterThan(35 * maps.length);
 });

@@ -125,6 +125,17 @@ export class TestStudio extends TestBrowser {
 export const siValueOf = async (page: Page, quantity: string): Promise<number> =>
   Number(await page.locator(`td[data-quantity="${quantity}"]`).first().getAttribute("data-value"));
 
+/** All numbers on the page by the names of their quantities [SI]. */
+export const quantitiesOf = (page: Page): Promise<[name: string, value: number][]> =>
+  page
+    .locator("td[data-quantity]")
+    .evaluateAll((cells) =>
+      cells.map((cell): [string, number] => [
+        cell.getAttribute("data-quantity") ?? "",
+        Number(cell.getAttribute("data-value")),
+      ]),
+    );
+
 /** Waits until the page shows another value of a quantity, and returns it. */
 export async function otherValue(page: Page, quantity: string, before: number): Promise<number> {
   await page.waitForFunction(

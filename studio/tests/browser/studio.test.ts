@@ -4,9 +4,8 @@ import { brotliCompressSync, gzipSync } from "node:zlib";
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
 import { filesUnder } from "../../build/offline";
-import { golden, linkOf } from "../golden";
-import { isSame } from "./command-line";
-import { goTo, otherValue, Site, siValueOf, slide, TestStudio, violations } from "./site";
+import { Comparison, linkOf, shots } from "../golden";
+import { goTo, otherValue, quantitiesOf, Site, siValueOf, slide, TestStudio, violations } from "./site";
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 /** Steps of a slider that are timed. */
@@ -262,33 +261,18 @@ describe("the site", () => {
 });
 
 describe("the numbers", () => {
-  test("are those of the command line for every golden shot", async () => {
+  test("are those of the package for every golden shot", async () => {
     const { page, errors } = await studio.open(FIRST);
-    const wrong: string[] = [];
-    let compared = 0;
-    for (const shot of golden.shots) {
+    const comparison = new Comparison();
+    for (const shot of shots.cases) {
       const before = await siValueOf(page, "carry");
-      await goTo(page, `${linkOf(shot)}&units=golf`);
+      await goTo(page, linkOf(shot, { units: "golf" }));
       if (shot.numbers.carry !== before) await otherValue(page, "carry", before);
-      const shown = await page
-        .locator("td[data-quantity]")
-        .evaluateAll((cells) =>
-          cells.map((cell): [string, number] => [
-            cell.getAttribute("data-quantity") ?? "",
-            Number(cell.getAttribute("data-value")),
-          ]),
-        );
-      for (const [name, value] of shown) {
-        const expected = shot.numbers[name];
-        if (expected === undefined) continue;
-        compared += 1;
-        if (!isSame(name, value, expected))
-          wrong.push(`${linkOf(shot)}: ${name} ${value}, by the command line ${expected}`);
-      }
+      for (const [name, value] of await quantitiesOf(page)) comparison.add(shot, name, value, shot.numbers[name]);
     }
-    console.log(`${compared} numbers of ${golden.shots.length} shots compared with the command line`);
-    expect(compared).toBeGreaterThan(20 * golden.shots.length);
-    expect(wrong).toEqual([]);
+    console.log(`${comparison.count} numbers of ${shots.cases.length} shots compared with those of the package`);
+    expect(comparison.wrong).toEqual([]);
+    expect(comparison.count).toBeGreaterThan(20 * shots.cases.length);
     expect(errors).toEqual([]);
   });
 });

@@ -6,20 +6,39 @@ Each shot is its row, SI, by the names of the quantities.
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import shlex
 import sys
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
-from command_line import printed, row
+from clubface import units
+from clubface.cli.app import run
+
+
+def row(command: str) -> dict[str, float]:
+    """Return the first shot that a command prints, SI."""
+    output, remarks = io.StringIO(), io.StringIO()
+    with redirect_stdout(output), redirect_stderr(remarks):
+        status = run([*shlex.split(command)[1:], "--json"])
+    if status:
+        raise SystemExit(f"{command}: {remarks.getvalue()}")
+    table = json.loads(output.getvalue())["tables"]["shots"]
+    values = table["rows"][0]
+    return {
+        column["quantity"]: units.parse(f"{values[name]!r} {column['unit']}", units.unit(column["unit"]).dimension)
+        for name, column in table["columns"].items()
+        if "quantity" in column and values[name] is not None
+    }
 
 
 def main(path: str) -> None:
     """Run every command."""
     commands = json.loads(Path(path).read_text())
     os.chdir(Path(path).parent)
-    json.dump([row(printed(shlex.split(each)[1:], {})) for each in commands], sys.stdout)
+    json.dump([row(each) for each in commands], sys.stdout)
 
 
 if __name__ == "__main__":
