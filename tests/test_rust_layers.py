@@ -27,7 +27,8 @@ LAYERS = {
         "cases", "sensitivity", "description",
     ),
     "clubface-design": (
-        "normal", "sequence", "golfer", "tally", "strokes", "shot_batch", "dispersion", "outline", "face_map", "feasibility",
+        "normal", "sequence", "golfer", "tally", "strokes", "shot_batch", "dispersion", "outline", "face_map",
+        "feasibility",
     ),
     "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "face_map", "feasibility", "fem"),
 }  # fmt: skip
