@@ -18,6 +18,7 @@ from typing import Any
 from certainty import Numbered, certainty_data, kind_of
 from equations import equations_data
 from lesson_figures import lesson_figures
+from titles import ball_title, club_title, set_title
 
 from clubface import _core, fem
 from clubface.design.contributions import QUANTITIES
@@ -91,7 +92,7 @@ def described_club(each: Club, columns: Mapping[str, float]) -> dict[str, Any]:
     """Return what the pages show and compute of a club."""
     outline = outline_of(each)
     return {
-        "label": each.name,
+        "label": club_title(each.name),
         "kind": each.kind,
         "published_kind": kind_of(each),
         "parameters": each.parameters,
@@ -162,7 +163,7 @@ def club_fields() -> list[dict[str, Any]]:
 
 def described_ball(each: Ball) -> dict[str, Any]:
     """Return what the pages show and compute of a ball."""
-    return {"label": each.name, "description": each.description, "columns": each.inputs()}
+    return {"label": ball_title(each.name), "description": each.description, "columns": each.inputs()}
 
 
 def set_names(model: str, family: str) -> list[str | None]:
@@ -176,6 +177,7 @@ def described_set(each: ParameterSet) -> dict[str, Any]:
     return {
         "model": each.model,
         "name": each.name,
+        "label": set_title(each.name),
         "source": each.source,
         "reference": each.reference,
         "caveats": [*each.caveats, *(f"{name}: {text}" for name, text in each.value_caveats.items())],

@@ -74,6 +74,7 @@ export interface BallEntry {
 export interface SetEntry {
   model: string;
   name: string;
+  label: string;
   source: string;
   reference: string;
   caveats: string[];

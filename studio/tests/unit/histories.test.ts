@@ -19,6 +19,6 @@ const history = {
 } as unknown as History;
 
 test("friction down the face, which makes backspin, is drawn above zero, as in the finite elements", () => {
-  const friction = historyCharts([history]).find(({ y }) => y.quantity === "tangential");
+  const friction = historyCharts({ models: [] }, [history]).find(({ y }) => y.quantity === "tangential");
   expect(Array.from(friction?.lines[0].y ?? [], (force) => force + 0)).toEqual([0, 900, -300]);
 });

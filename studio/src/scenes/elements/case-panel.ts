@@ -192,7 +192,7 @@ function withBalls({ actions, equipment }: Context, { ball }: Setup): TemplateRe
   return html`The pieces of the ball ${label} are not known, so that it cannot be meshed. Choose another:
     ${Object.keys(equipment.elements.balls).map(
       (name) =>
-        html`<button type="button" class="quiet" @click=${() => actions.change({ kind: "ball", ball: name })}>${name}</button> `,
+        html`<button type="button" class="quiet" @click=${() => actions.change({ kind: "ball", ball: name })}>${equipment.balls[name].label}</button> `,
     )}`;
 }
 

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import type { ElementsImpact } from "../../core/elements";
 import type { Values } from "../../core/types";
+import { modelName } from "../../equipment/names";
 import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { ballOf } from "./case";
@@ -52,7 +53,10 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
     const reduced = outputOf(context.model, "shot", modelSlot(name));
     const columns = [{ label: named("finite elements", label, shown), values: { ...impact.launch, ...flight } }];
     if (reduced && !reduced.failure)
-      columns.push({ label: named(`${reduced.model}, rigid head`, label, shown), values: reduced.values });
+      columns.push({
+        label: named(`${modelName(context, reduced.model)}, rigid head`, label, shown),
+        values: reduced.values,
+      });
     return columns;
   });
   const contact = shown.map(({ label, impact }) => ({ label: label || "value", values: summary(impact) }));

@@ -5,6 +5,7 @@ import { type Context, settingSi } from "../../context";
 import type { Case, CaseResult, CasesResult, Curve, CurveResult } from "../../core/lessons";
 import type { Strike, Values } from "../../core/types";
 import { type Chosen, strikeOf } from "../../equipment/equipment";
+import { modelName } from "../../equipment/names";
 import { join, sideOf } from "../../quantities/formatter";
 import type { Amount } from "../../quantities/units";
 import type { Condition } from "../../state/conditions";
@@ -126,6 +127,11 @@ export class LessonResult {
   /** A strike that no slider moves. */
   steadyCase(name: string): CaseResult | undefined {
     return this.steady[name];
+  }
+
+  /** A model as it is called. */
+  model(key: string): TemplateResult {
+    return html`<i>${modelName(this.context, key)}</i>`;
   }
 
   /** A quantity of a strike [SI]. */

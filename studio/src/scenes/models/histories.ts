@@ -1,6 +1,7 @@
 /** What is drawn over time of the contact models. */
 
-import type { CoreArray, History } from "../../core/types";
+import type { CoreArray, Description, History } from "../../core/types";
+import { modelName } from "../../equipment/names";
 import type { Chart } from "../../parts/chart";
 
 interface Drawn {
@@ -42,7 +43,7 @@ const HISTORIES: Drawn[] = [
 /** Charts that were made of the same histories, so that they are drawn once. */
 let made: { histories: History[]; charts: Chart[] } | null = null;
 
-export function historyCharts(histories: History[]): Chart[] {
+export function historyCharts(description: Pick<Description, "models">, histories: History[]): Chart[] {
   if (made?.histories !== histories)
     made = {
       histories,
@@ -51,7 +52,11 @@ export function historyCharts(histories: History[]): Chart[] {
         title,
         x: { label: "time", quantity: "contact_time" },
         y: { label: title, quantity },
-        lines: histories.map(({ model, arrays }) => ({ label: model, x: arrays.time.values, y: values(arrays) })),
+        lines: histories.map(({ model, arrays }) => ({
+          label: modelName({ description }, model),
+          x: arrays.time.values,
+          y: values(arrays),
+        })),
       })),
     };
   return made.charts;

@@ -48,7 +48,7 @@ function view(context: Context): TemplateResult {
       <section aria-labelledby="histories">
         <h2 id="histories">Force, slip and spin over time</h2>
         <p>By the contact models. Friction makes backspin first, and takes some of it back where the ball springs back along the face (below zero).</p>
-        <div class="charts">${historyCharts(comparison?.histories ?? NONE).map((each) => chartFrame(context, each))}</div>
+        <div class="charts">${historyCharts(context.description, comparison?.histories ?? NONE).map((each) => chartFrame(context, each))}</div>
       </section>
     </div>
   `;
@@ -64,7 +64,7 @@ function table({ state, formatter, description }: Context, shots: Computed[]): T
             <th scope="col">Quantity</th>
             ${shots.map((shot) => {
               const entry = description.models.find(({ name }) => name === shot.model);
-              return html`<th scope="col" title=${entry?.title ?? nothing}>${shot.model}</th>`;
+              return html`<th scope="col" title=${entry?.summary ?? nothing}>${entry?.title ?? shot.model}</th>`;
             })}
           </tr>
         </thead>

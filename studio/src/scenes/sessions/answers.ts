@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { ballName, clubName } from "../../equipment/names";
 import { gap, withUnit } from "../../quantities/formatter";
 import type {
   Asked,
@@ -60,13 +61,15 @@ function plain({ formatter }: Context, value: number): string {
   return formatter.format(value, Math.min(6, Math.max(0, DIGITS - 1 - Math.floor(Math.log10(Math.abs(value))))));
 }
 
-/** A text of a cell; the name of a quantity becomes its label. */
-const words = ({ formatter }: Context, text: string): string =>
+/** A text of a cell; the key of a quantity, a club or a ball becomes its name. */
+const words = ({ formatter, equipment }: Context, text: string): string =>
   formatter.knows(text)
     ? formatter.quantity(text).label
-    : /^[a-z]+(_[a-z]+)+$/.test(text)
-      ? text.replaceAll("_", " ")
-      : text;
+    : Object.hasOwn(equipment.clubs, text) || Object.hasOwn(equipment.balls, text)
+      ? ballName({ equipment }, clubName({ equipment }, text))
+      : /^[a-z]+(_[a-z]+)+$/.test(text)
+        ? text.replaceAll("_", " ")
+        : text;
 
 /** A cell as it is read; `unit` is shown where it is not that of the whole column. */
 function shown(context: Context, value: Cell, column: ColumnDocument, row: Row): string {

@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { ballName, clubName } from "../../equipment/names";
 import { choiceOf } from "../../parts/choice";
 import type { Job, Session } from "../../state/session";
 import { mistakeLine, noFile, notesList, resultTable, summary, waiting } from "./answers";
@@ -53,10 +54,20 @@ function wishesForm(context: Context): TemplateResult {
         choose: (loft) => set({ loft }),
       })}
     </div>
-    ${several("Balls", offers.value.balls, wishes.balls, (balls) => set({ balls }))}
+    ${several(
+      "Balls",
+      named(offers.value.balls, (name) => ballName(context, name)),
+      wishes.balls,
+      (balls) => set({ balls }),
+    )}
     <details>
       <summary>Other heads to compare with (${wishes.clubs.length})</summary>
-      ${several("Heads", offers.value.clubs, wishes.clubs, (clubs) => set({ clubs }))}
+      ${several(
+        "Heads",
+        named(offers.value.clubs, (name) => clubName(context, name)),
+        wishes.clubs,
+        (clubs) => set({ clubs }),
+      )}
     </details>
     <p>
       <button type="button" class="main" ?disabled=${isRunning} @click=${() => startFitting(context)}>Start the fitting</button>
@@ -64,22 +75,25 @@ function wishesForm(context: Context): TemplateResult {
   `;
 }
 
+const named = (keys: readonly string[], nameOf: (key: string) => string): (readonly [key: string, name: string])[] =>
+  keys.map((key) => [key, nameOf(key)]);
+
 const several = (
   label: string,
-  names: readonly string[],
+  options: readonly (readonly [key: string, name: string])[],
   chosen: readonly string[],
-  choose: (names: string[]) => void,
+  choose: (keys: string[]) => void,
 ): TemplateResult => html`
   <fieldset class="several">
     <legend>${label}</legend>
-    ${names.map(
-      (name) => html`<label>
+    ${options.map(
+      ([key, name]) => html`<label>
         <input
           type="checkbox"
-          .checked=${chosen.includes(name)}
+          .checked=${chosen.includes(key)}
           @change=${(event: Event) =>
             choose(
-              (event.target as HTMLInputElement).checked ? [...chosen, name] : chosen.filter((each) => each !== name),
+              (event.target as HTMLInputElement).checked ? [...chosen, key] : chosen.filter((each) => each !== key),
             )}
         />
         ${name}

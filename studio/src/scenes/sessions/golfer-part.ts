@@ -2,19 +2,21 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { clubName } from "../../equipment/names";
 import { choiceOf } from "../../parts/choice";
 import { NOTHING, type SessionFile } from "../../state/session";
 import { noFile, notesList, resultTable, summary, waiting } from "./answers";
 
 /** The list of clubs of a file that has several: a golfer is one with one club. */
-export function clubOfGolfer({ model, actions }: Context, { shots }: SessionFile): TemplateResult | typeof nothing {
+export function clubOfGolfer(context: Context, { shots }: SessionFile): TemplateResult | typeof nothing {
+  const { model, actions } = context;
   const names = [...new Set(shots.tables.shots.rows.map(({ club }) => String(club ?? "")))];
   if (names.length < 2) return nothing;
   return choiceOf({
     name: "golfer-club",
     label: "With the club",
     value: model.session.wishes.only,
-    options: names.filter(Boolean).map((name) => [name, name] as const),
+    options: names.filter(Boolean).map((name) => [name, clubName(context, name)] as const),
     choose: (only) => actions.session(({ wishes }) => ({ wishes: { ...wishes, only }, golfer: NOTHING })),
   });
 }

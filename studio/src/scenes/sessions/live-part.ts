@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { clubName } from "../../equipment/names";
 import { choiceOf } from "../../parts/choice";
 import { gap } from "../../quantities/formatter";
 import type { Units } from "../../quantities/units";
@@ -82,7 +83,7 @@ function connection(context: Context, { state, isConnected }: Live): TemplateRes
         name: "live-club",
         label: "Club of the shots to come",
         value: state.club,
-        options: offers.value.clubs.map((each) => [each, each] as const),
+        options: offers.value.clubs.map((each) => [each, clubName(context, each)] as const),
         choose: (club) => choosePlayer(context, { club }),
       })}
       ${choiceOf({

@@ -2,6 +2,7 @@
 
 import { html, nothing, svg, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { clubName } from "../../equipment/names";
 import { line, type Scale, scale, ticks } from "../../parts/axes";
 import { type SeriesLook, seriesLine, seriesLook } from "../../parts/colours";
 import { letterZoom, USUAL_WIDTH } from "../../parts/measure";
@@ -59,7 +60,8 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
     ${rows.some(({ path }) => path.length) ? fromSide(range) : nothing} ${fromAbove(range)}
     <ul class="legend" aria-label="Clubs of the picture">
       ${clubs.map(
-        ([club, shots]) => html`<li><i style=${seriesLine(range.series(club))}></i>${club || "shots"}, ${shots}</li>`,
+        ([club, shots]) =>
+          html`<li><i style=${seriesLine(range.series(club))}></i>${clubName(context, club) || "shots"}, ${shots}</li>`,
       )}
     </ul>
   `;
@@ -152,5 +154,5 @@ function spot(range: Range, row: ShotRow, right: Scale): TemplateResult {
   const [x, z] = landing(row) ?? [0, 0];
   const isMarked = range.context.model.session.marked === row.shot;
   return svg`<circle class=${`spot ${marks(range, row)}`} data-shot=${row.shot} cx=${range.along.at(range.convert(x))}
-    cy=${right.at(range.convert(z))} r=${isMarked ? 6 : 3.5}><title>${row.club} ${row.shot}</title></circle>` as TemplateResult;
+    cy=${right.at(range.convert(z))} r=${isMarked ? 6 : 3.5}><title>${clubName(range.context, row.club)} ${row.shot}</title></circle>` as TemplateResult;
 }

@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
+import { clubName } from "../../equipment/names";
 import { withUnit } from "../../quantities/formatter";
 import type { TableDocument } from "../../state/session";
 import { type Measured, measuredColumns, type ShotRow } from "./shot-rows";
@@ -39,7 +40,7 @@ export function shotTable(
                   ${row.shot}
                 </button>
               </th>
-              ${hasClubs ? html`<td>${row.club}</td>` : nothing}
+              ${hasClubs ? html`<td>${clubName(context, row.club)}</td>` : nothing}
               <td>${row.shape}${row.mishit ? html` <b title="far off in ${formatterLabel(context, row.mishit)}">mishit</b>` : nothing}</td>
               ${columns.map(({ quantity }) => cell(row, quantity))}
             </tr>`,

@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
+import { clubName } from "../../equipment/names";
 import { choiceOf, settingChoice } from "../../parts/choice";
 import type { Units } from "../../quantities/units";
 import type { SessionFile } from "../../state/session";
@@ -39,7 +40,9 @@ export function shotsPart(context: Context): TemplateResult {
                 value: club,
                 options: [
                   ["", `all, ${rows.length}`],
-                  ...clubs.map(([each, count]) => [each, `${each || "without a name"}, ${count}`] as const),
+                  ...clubs.map(
+                    ([each, count]) => [each, `${clubName(context, each) || "without a name"}, ${count}`] as const,
+                  ),
                 ],
                 choose: (value) => context.actions.session(() => ({ club: value, marked: null })),
               })

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { chosenSet, HANDS, setNames } from "../../equipment/equipment";
+import { setName } from "../../equipment/names";
 import { choiceOf } from "../../parts/choice";
 
 const labels = (entries: Record<string, { label: string }>): [name: string, label: string][] =>
@@ -42,7 +43,7 @@ export function equipmentPanel(context: Context): TemplateResult {
           name: "model",
           label: "Model",
           value: state.model,
-          options: description.models.map(({ name }) => [name, name]),
+          options: description.models.map(({ name, title }) => [name, title]),
           choose: (name) => actions.change({ kind: "model", model: name }),
         })}
         ${
@@ -51,7 +52,7 @@ export function equipmentPanel(context: Context): TemplateResult {
                 name: "parameters",
                 label: "Parameters",
                 value: state.parameters,
-                options: names.map((name) => [name, name || "usual"]),
+                options: names.map((name) => [name, setName(context, name)]),
                 choose: (parameters) => actions.change({ kind: "parameters", parameters }),
               })
             : nothing
@@ -62,7 +63,7 @@ export function equipmentPanel(context: Context): TemplateResult {
         <p>${equipment.clubs[state.club].description}.</p>
         <p>${equipment.balls[state.ball].description}.</p>
         <p>${model?.title}: ${model?.summary} Source: ${model?.reference}.</p>
-        <p>Parameters: ${set.name}, ${set.source}.</p>
+        <p>Parameters: ${set.label}, ${set.source}.</p>
         ${set.caveats.length ? html`<ul>${set.caveats.map((caveat) => html`<li>${caveat}</li>`)}</ul>` : nothing}
       </details>
     </section>

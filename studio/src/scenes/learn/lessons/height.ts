@@ -59,8 +59,8 @@ export const height: Lesson = {
           height.
         </p>
         <p>
-          Of irons the models disagree: a groove lower, <code>response</code> has ${lower("Response")} and
-          <code>standard</code> ${lower("Standard")} backspin.
+          Of irons the models disagree: a groove lower, ${result.model("response")} has ${lower("Response")} and
+          ${result.model("standard")} ${lower("Standard")} backspin.
         </p>`,
       pictures: [
         headPicture(result, {

@@ -2,6 +2,7 @@
 
 import { html } from "lit-html";
 import type { CoreArray } from "../../../core/types";
+import { modelName } from "../../../equipment/names";
 import { chartFrame } from "../../../parts/chart";
 import { crossing, type Lesson, type LessonResult, peak, spread } from "../lesson";
 
@@ -86,8 +87,8 @@ export const spin: Lesson = {
           ${courseOfSpin(result)}The more grip, the more is stretched and taken back, so that more friction can mean less spin.
         </p>
         <p>
-          Drawn is the contact model <code>rings</code>. Models of one impulse have no course of time, but
-          <code>response</code>, fitted to finite elements, falls alike.
+          Drawn is the contact model ${result.model("rings")}. Models of one impulse have no course of time, but
+          ${result.model("response")} falls alike.
         </p>`,
       pictures: [
         chartFrame(result.context, {
@@ -105,8 +106,10 @@ export const spin: Lesson = {
           x: { label: "friction", quantity: "friction" },
           y: { label: "backspin", quantity: "backspin" },
           lines: [
-            ...(rings ? [{ label: "rings", x: rings.x, y: rings.y.backspin }] : []),
-            ...(response ? [{ label: "response", x: response.x, y: response.y.backspin }] : []),
+            ...(rings ? [{ label: modelName(result.context, "rings"), x: rings.x, y: rings.y.backspin }] : []),
+            ...(response
+              ? [{ label: modelName(result.context, "response"), x: response.x, y: response.y.backspin }]
+              : []),
           ],
           mark: friction,
         }),
@@ -115,7 +118,7 @@ export const spin: Lesson = {
       now: html`Friction ${result.number("friction", friction)}: the ball leaves with ${result.number("backspin", now)}.`,
       isSolved: now >= NEAR * most,
       answer: html`At about ${result.number("friction", best)}, with ${result.number("backspin", most)} by
-      <code>rings</code>. With less friction the ball slides throughout; with more, more is taken back:
+      ${result.model("rings")}. With less friction the ball slides throughout; with more, more is taken back:
       ${result.number("backspin", least)} are left at ${result.number("friction", rings?.x.at(-1) ?? Number.NaN)}.`,
     };
   },

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../../context";
 import type { PublishedComparison } from "../../../equipment/equipment";
+import { ballName, modelName } from "../../../equipment/names";
 import { join } from "../../../quantities/formatter";
 
 const PER_CENT = "%";
@@ -26,11 +27,11 @@ export function certaintyOf(context: Context, name: string): TemplateResult {
   ];
   if (!all.some(({ certainty }) => certainty !== ANOTHER_MODEL))
     return html`
-      <p><b>No measurement stands behind this number</b> for ${kind} by ${state.model}.</p>
+      <p><b>No measurement stands behind this number</b> for ${kind} by the model ${modelName(context, state.model)}.</p>
       ${all.length ? html`<p>Another model gives something to compare with, which proves nothing:</p>${list(context, all)}` : nothing}
     `;
   return html`
-    <p>Compared with published figures of ${kind}, by ${state.model} with the ball modern:</p>
+    <p>Compared with published figures of ${kind}, by the model ${modelName(context, state.model)} with the ball ${ballName(context, "modern")}:</p>
     ${list(context, all)}
   `;
 }
