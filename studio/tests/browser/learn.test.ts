@@ -48,7 +48,7 @@ const LESSONS: Record<string, Listed> = {
     title: "The rules limit how far a face gives and how steady a head is",
     moves: { "Characteristic time of the face": { PageUp: 3 }, "Moment of inertia, vertical axis": { PageUp: 8 } },
   },
-  monitors: { title: "Two monitors can disagree and both be right", moves: { "Closure rate": { PageUp: 10 } } },
+  monitors: { title: "Two monitors can disagree and both be right", moves: { "Closure rate": { PageUp: 3 } } },
 };
 const NAMES = Object.keys(LESSONS);
 

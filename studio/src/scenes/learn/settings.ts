@@ -26,7 +26,7 @@ export const LESSON_SLIDERS: Settings = {
   wet_loft: amount("loft", 50, "deg"),
   rules_time: amount("characteristic_time", 150, "us"),
   rules_inertia: amount("iyy", 3100, "g cm2"),
-  monitors_closure: amount("closure", 0, "deg/s"),
+  monitors_closure: amount("closure", 2500, "deg/s"),
   monitors_high: amount("high", 8, "mm"),
   monitors_temperature: amount("temperature", 10, "degC"),
 };
