@@ -105,9 +105,11 @@ function table(
       <thead>
         <tr>
           <th scope="col">Quantity</th>
-          <th scope="col" title="over all impacts that hit the face">Mean</th>
-          <th scope="col" title="from impact to impact">Standard deviation</th>
-          <th scope="col" title="value at the impact point less the mean">Point less mean</th>
+          <th scope="col" title="over all impacts that hit the face">On average</th>
+          <th scope="col" title="standard deviation from impact to impact">Spread ±</th>
+          <th scope="col" title="value of a strike at the impact point less the mean of all strikes: what strikes elsewhere on the face take away on average">
+            Lost to off-centre strikes
+          </th>
         </tr>
       </thead>
       <tbody>
