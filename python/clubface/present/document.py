@@ -115,6 +115,10 @@ _STYLE = (
     "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
     "a{color:#005a8f;overflow-wrap:anywhere}"
     "summary{font:bold 1.5em/1.2 system-ui,sans-serif;cursor:pointer;border-bottom:2px solid #0072B2;margin:2em 0 1em}"
+    # Pictures are dark on white: turned round, with the hues as they were.
+    "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;background:#121613}body{color:#e9efea}"
+    "a{color:#79c0ff}figcaption,.save{color:#a7b3ab}th,td{border-color:#343d37}pre{border-color:#343d37}"
+    "h2,summary,thead th{border-color:#79c0ff}img{filter:invert(.92) hue-rotate(180deg)}}"
     "@page{margin:13mm 18mm}"
     "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt;padding:0}"
     ".sheets{font-size:9.5pt;line-height:1.35}.sheets img{max-height:6.4cm}"
