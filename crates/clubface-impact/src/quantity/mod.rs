@@ -57,6 +57,11 @@ impl Quantity {
         Self { metric: Reading { unit: "m", digits: 1 }, golf: Reading { unit: "yd", digits: 1 }, ..self }
     }
 
+    /// Read by golfers in another unit.
+    const fn for_golfers(self, unit: &'static str, digits: usize) -> Self {
+        Self { golf: Reading { unit, digits }, ..self }
+    }
+
     /// With digits behind the point as given, in the units it has.
     const fn digits(self, digits: usize) -> Self {
         let (metric, golf) = (self.metric.unit, self.golf.unit);

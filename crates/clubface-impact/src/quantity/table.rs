@@ -196,10 +196,13 @@ pub static QUANTITIES: [Quantity; COUNT] = [
     entry("peak_force", "F_max", FORCE, "peak force", "largest normal force").read("kN", 1),
     // Air, ground and flight.
     entry("temperature", "T", TEMPERATURE, "air temperature",
-        "air temperature (default: that of normalised carries, 77 F)"),
+        "air temperature (default: that of normalised carries, 77 F)")
+        .for_golfers("degF", 0),
     entry("pressure", "p", PRESSURE, "air pressure", "air pressure at the course (default: standard sea level)"),
     entry("humidity", "h_r", DIMENSIONLESS, "humidity", "relative humidity over liquid water, 0 to 1").read("%", 0),
-    entry("altitude", "z", LENGTH, "altitude", "height of the course above sea level").digits(0),
+    entry("altitude", "z", LENGTH, "altitude", "height of the course above sea level")
+        .digits(0)
+        .for_golfers("ft", 0),
     entry("air_density", "rho", DENSITY, "air density", "density of moist air by temperature, pressure and humidity")
         .digits(3),
     entry("wind_speed", "w", SPEED, "wind speed", "speed of a level wind, the same at all heights"),
