@@ -4,14 +4,16 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context, Scene } from "./context";
 import { choiceOf } from "./parts/choice";
 import { conditionsLine } from "./parts/conditions";
+import { usedClubLine } from "./parts/used-club";
 import { SCENES } from "./scenes/scenes";
 import { THEMES } from "./state/state";
 
 /** `scene` is what is shown, null while it is loaded. */
 export function app(context: Context, scene: Scene | null): TemplateResult {
+  const { hasOwnShots = false } = SCENES.find(({ name }) => name === context.state.scene) ?? {};
   return html`
     <a class="skip" href="#main" @click=${skip}>To the shot</a>
-    ${header(context)} ${conditionsLine(context)} ${notices(context)}
+    ${header(context)} ${conditionsLine(context)} ${hasOwnShots ? nothing : usedClubLine(context)} ${notices(context)}
     <main id="main" tabindex="-1">${scene ? scene.view(context) : html`<p aria-busy="true">The scene is loading …</p>`}</main>
     <footer>
       <p>

@@ -3,7 +3,8 @@
 import type { TemplateResult } from "lit-html";
 import type { Wanted } from "./core/lanes";
 import type { Description, Strike, Values } from "./core/types";
-import { type Chosen, type Equipment, strikeOf, usualValue } from "./equipment/equipment";
+import { type Setup, withClub } from "./equipment/design";
+import { type Chosen, chosenSet, type Equipment, strikeOf, usualValue } from "./equipment/equipment";
 import type { Formatter } from "./quantities/formatter";
 import type { Amount } from "./quantities/units";
 import { flightConditions } from "./state/conditions";
@@ -11,6 +12,7 @@ import type { Session } from "./state/session";
 import type { Settings } from "./state/settings";
 import type { Change, State } from "./state/state";
 import type { Mistake, Model } from "./state/store";
+import { usedNumbers } from "./state/used-club";
 
 export interface Actions {
   change(change: Change, going?: string | null): void;
@@ -51,6 +53,8 @@ export interface SceneEntry {
   /** Name in the link. */
   name: string;
   title: string;
+  /** Whether it shows other shots than that of the club in use. */
+  hasOwnShots?: boolean;
   settings?: Settings;
   load(): Scene | Promise<Scene>;
 }
@@ -66,11 +70,42 @@ export function delivered(context: Context, name: string): number {
   return amount ? formatter.units.toSi(amount) : usualValue(equipment, state, name);
 }
 
-/** The strike of the state in its wind, air and ground; `changes` replace club, ball or model, `values` inputs in SI. */
+/**
+ * The strike of the state in its wind, air and ground; `changes` replace club, ball or model, `values` inputs in SI. With
+ * the club as it was designed where that is used.
+ */
 export function strike(context: Context, changes: Partial<Chosen> = {}, values: Values = {}): Strike {
+  const { state } = context;
+  const own = ownStrike(context, changes, values);
+  const numbers = (changes.club ?? state.club) === state.club ? usedNumbers(context) : {};
+  const kept = Object.entries(numbers).filter(([name]) => values[name] === undefined);
+  if (!kept.length) return own;
+  return withClub(setupOf(context, own, changes), Object.fromEntries(kept)).strike;
+}
+
+/** The same with the club's own numbers. */
+export function ownStrike(context: Context, changes: Partial<Chosen> = {}, values: Values = {}): Strike {
   const { description, equipment, state, formatter } = context;
   const struck = strikeOf(description, equipment, { ...state, ...changes }, { ...deliveryOf(context), ...values });
   return { ...struck, flight: flightConditions(state, equipment, formatter.units) };
+}
+
+/** What belongs to a strike where the numbers of its club change. */
+export const setupOf = (context: Context, struck: Strike, changes: Partial<Chosen> = {}): Setup => ({
+  strike: struck,
+  golfer: null,
+  names: context.description.inputs.map(({ name }) => name),
+  face: chosenSet(context.equipment, { ...context.state, ...changes }),
+  speedExponent: choiceSetting(context, "heavier") === "slower" ? context.equipment.speed_exponent : 0,
+});
+
+/** Corners of the face of a club, towards the toe and up the face [m]: as wide and as high as the one that is used. */
+export function outlineOf(context: Context, club: string = context.state.club): [number, number][] {
+  const { outline, columns } = context.equipment.clubs[club];
+  const used = club === context.state.club ? usedNumbers(context) : {};
+  const share = (name: string): number => (used[name] === undefined ? 1 : used[name] / (columns[name] ?? Number.NaN));
+  const [wide, high] = [share("face_width"), share("face_height")];
+  return wide === 1 && high === 1 ? outline : outline.map(([toe, up]) => [toe * wide, up * high]);
 }
 
 /** The words that were chosen for a setting, or are usual. */

@@ -3,6 +3,7 @@
 import type { SceneEntry } from "../context";
 import { CONDITIONS } from "../state/conditions";
 import type { Settings } from "../state/settings";
+import { USED_CLUB } from "../state/used-club";
 import { DESIGN_SETTINGS } from "./design/settings";
 import { elementsSettings } from "./elements/settings";
 import { flightSettings } from "./flight/settings";
@@ -37,22 +38,30 @@ export const SCENES: readonly SceneEntry[] = [
   {
     name: "design",
     title: "Design",
+    hasOwnShots: true,
     settings: DESIGN_SETTINGS,
     load: () => import("./design/design-scene").then(({ designScene }) => designScene),
   },
   {
     name: "learn",
     title: "Learn",
+    hasOwnShots: true,
     settings: LEARN_SETTINGS,
     load: () => import("./learn/learn-scene").then(({ learnScene }) => learnScene),
   },
   {
     name: "sessions",
     title: "Your shots",
+    hasOwnShots: true,
     settings: sessionsSettings,
     load: () => import("./sessions/sessions-scene").then(({ sessionsScene }) => sessionsScene),
   },
 ];
 
-/** The settings of all scenes, and the conditions that hold for every one of them. */
-export const SETTINGS: Settings = Object.assign({}, CONDITIONS, ...SCENES.map(({ settings = {} }) => settings));
+/** The settings of all scenes, and the conditions and the club that hold for every one of them. */
+export const SETTINGS: Settings = Object.assign(
+  {},
+  CONDITIONS,
+  USED_CLUB,
+  ...SCENES.map(({ settings = {} }) => settings),
+);

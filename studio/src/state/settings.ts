@@ -10,7 +10,13 @@ export type Setting =
   | { kind: "amount"; quantity: string; usual: Amount }
   /** A number of the club in the place of its own, to which another club goes back; usual is no number, in a unit that fits. */
   | { kind: "of-club"; quantity: string; usual: Amount }
-  | { kind: "choice"; options: readonly string[] | ((equipment: Equipment) => readonly string[]); usual: string }
+  | {
+      kind: "choice";
+      options: readonly string[] | ((equipment: Equipment) => readonly string[]);
+      usual: string;
+      /** Whether another club goes back to what is usual. */
+      isOfClub?: boolean;
+    }
   /** Several of the options, in their order, with commas between them. */
   | { kind: "several"; options: readonly string[] | ((equipment: Equipment) => readonly string[]); usual: string };
 
@@ -27,4 +33,7 @@ export const wordsOf = (value: string): string[] => value.split(",").filter(Bool
 
 /** Settings without those of a club. */
 export const withoutClub = (values: Record<string, SettingValue>, settings: Settings): Record<string, SettingValue> =>
-  Object.fromEntries(Object.entries(values).filter(([name]) => settings[name]?.kind !== "of-club"));
+  Object.fromEntries(Object.entries(values).filter(([name]) => !isOfClub(settings[name])));
+
+const isOfClub = (setting: Setting | undefined): boolean =>
+  setting?.kind === "of-club" || (setting?.kind === "choice" && setting.isOfClub === true);

@@ -98,6 +98,51 @@ describe("a changed club", () => {
   });
 });
 
+describe("a club in use", () => {
+  const SHOT = 'td[data-quantity="carry"]';
+
+  test("strikes the shots of the other scenes, by its link too, until the club's own numbers are taken or it is undone", async () => {
+    const { page, errors } = await opened("&cg_y=8mm&static_loft=11deg&club_mass=210g");
+    const [own, designed] = [
+      Number(await attribute(page, '[data-own="carry"]', "data-value")),
+      await siValueOf(page, "carry"),
+    ];
+    expect(Math.abs(designed - own)).toBeGreaterThan(1);
+    await page.getByRole("button", { name: "Use this club" }).press("Enter");
+    // In its own scene it is compared with the original as before.
+    expect(await siValueOf(page, "carry")).toBe(designed);
+    expect(Number(await attribute(page, '[data-own="carry"]', "data-value"))).toBe(own);
+    await page.getByRole("button", { name: "Shot", exact: true }).click();
+    await page.locator(".flight svg").first().waitFor();
+    expect(await siValueOf(page, "carry")).toBe(designed);
+    const line = page.getByRole("complementary", { name: "Designed club" });
+    expect(await line.textContent()).toMatch(/driver as designed.*8\.0 mm.*210/s);
+    await page.waitForURL(/cg_y=8mm.*head=designed/);
+    const other = await studio.open(page.url(), SHOT);
+    expect(await siValueOf(other.page, "carry")).toBe(designed);
+    await line.getByRole("button", { name: "The club's own numbers" }).click();
+    expect(await otherValue(page, "carry", designed)).toBe(own);
+    await page.keyboard.press("Control+z");
+    expect(await otherValue(page, "carry", own)).toBe(designed);
+    await page.locator('select[name="club"]').selectOption("3-wood");
+    await page.waitForURL(/club=3-wood/);
+    expect(page.url()).not.toMatch(/head=|cg_y=/);
+    expect(errors).toEqual([]);
+  });
+
+  test("has its place in the bag, where the other clubs keep their numbers", async () => {
+    const link = "#scene=flight&flying=clubs&bag=driver,7-iron&club=driver&speed=105mph&units=golf&cg_y=8mm";
+    const carries = async (more: string): Promise<(string | null)[]> => {
+      const { page } = await studio.open(link + more, ".gaps td");
+      const cells = ["driver", "7-iron"].map((club) => `.gaps tr[data-club="${club}"] [data-quantity=carry]`);
+      return Promise.all(cells.map((each) => attribute(page, each, "data-value")));
+    };
+    const [own, used] = [await carries(""), await carries("&head=designed")];
+    expect(used[0]).not.toBe(own[0]);
+    expect(used[1]).toBe(own[1]);
+  });
+});
+
 describe("limits", () => {
   test("a value beyond a rule is marked, and says which rule, with its source", async () => {
     const { page } = await opened("&iyy=6100g%20cm2&characteristic_time=258us");

@@ -4,22 +4,41 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
 import { MASS_PROPERTIES } from "../../core/design";
 import { type Band, clubField } from "../../parts/field";
+import { useClub } from "../../parts/used-club";
 import { outputOf } from "../../state/store";
+import { DESIGNED, HEAD } from "../../state/used-club";
 import { changedNames, clubOf, designedValue, given, ownValue, reachOf, verdicts } from "./designed";
 import { CG, FACE, INERTIA, OUTLINE, PRODUCTS, SPACE, type Variable } from "./settings";
 
 export function clubPanel(context: Context): TemplateResult {
   const { actions } = context;
   const changed = changedNames(context);
+  const isUsed = choiceSetting(context, HEAD) === DESIGNED;
   const fields = (variables: Variable[]): TemplateResult[] => variables.map((each) => field(context, each));
   const back = (): void =>
-    actions.change({ kind: "settings", settings: Object.fromEntries(changed.map((name) => [name, null])) });
+    actions.change({
+      kind: "settings",
+      settings: { ...Object.fromEntries(changed.map((name) => [name, null])), [HEAD]: null },
+    });
   const isOpen = (variables: Variable[]): boolean => variables.some(({ name }) => changed.includes(name));
   const known = SPACE.filter(({ name }) => Number.isFinite(ownValue(context, name)));
   return html`
     <section aria-labelledby="numbers-of-club">
       <h2 id="numbers-of-club">The club</h2>
-      <button type="button" ?disabled=${!changed.length} @click=${back}>Back to the club</button>
+      <p class="buttons">
+        <button
+          type="button"
+          aria-pressed=${isUsed}
+          ?disabled=${!isUsed && !changed.length}
+          @click=${() => useClub(context, isUsed ? null : DESIGNED)}
+        >
+          Use this club
+        </button>
+        <button type="button" ?disabled=${!changed.length} @click=${back}>Back to the club</button>
+      </p>
+      <p class="remark">
+        ${isUsed ? "Shots of all scenes are struck with it, and follow its sliders." : "Used, it strikes the shots of all scenes."}
+      </p>
       <ul class="legend" aria-label="Lines below the sliders">
         <li><i class="band rules"></i>within the rules</li>
         <li><i class="band built"></i>can be built, all else as it is</li>

@@ -1,10 +1,10 @@
 /** The club as it was changed: its numbers, its space, the rules for it, and the strikes with it and with its original. */
 
-import { type Context, choiceSetting, strike } from "../../context";
+import { type Context, choiceSetting, ownStrike, setupOf } from "../../context";
 import { MASS_PROPERTIES } from "../../core/design";
 import type { Space, Values } from "../../core/types";
 import { type Setup, withClub } from "../../equipment/design";
-import { type ClubEntry, chosenSet } from "../../equipment/equipment";
+import type { ClubEntry } from "../../equipment/equipment";
 import type { Amount } from "../../quantities/units";
 import { CG, PRODUCTS, SPACE, STRIKE, VARIABLES, type Variable } from "./settings";
 
@@ -60,15 +60,12 @@ export function reachOf(context: Context, { name, reach, ends, unit }: Variable)
 
 /** The strike with the club's own numbers, and with those that are designed. */
 export function setups(context: Context): { own: Setup; designed: Setup } {
-  const { equipment, state, description } = context;
+  const { equipment, state } = context;
   const golfer = choiceSetting(context, "struck_by");
   const hand = state.hand === "left" ? "left" : "right";
   const own: Setup = {
-    strike: strike(context),
+    ...setupOf(context, ownStrike(context)),
     golfer: golfer === STRIKE ? null : equipment.golfers[golfer][hand],
-    names: description.inputs.map(({ name }) => name),
-    face: chosenSet(equipment, state),
-    speedExponent: choiceSetting(context, "heavier") === "slower" ? equipment.speed_exponent : 0,
   };
   return { own, designed: withClub(own, changedValues(context)) };
 }

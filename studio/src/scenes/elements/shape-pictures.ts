@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import { repeat } from "lit-html/directives/repeat.js";
-import { type Context, choiceSetting, delivered } from "../../context";
+import { type Context, choiceSetting, delivered, outlineOf as outlineOfFace } from "../../context";
 import { settingChoice } from "../../parts/choice";
 import { colourLegend } from "../../parts/legend";
 import { setStage, stageFrame } from "../../parts/stage";
@@ -112,7 +112,7 @@ let outline: { key: string; corners: Look["outline"] } = { key: "", corners: SQU
 /** The outline of the face from the point where it is struck; the same object while it is the same. */
 function outlineOf(context: Context, { setup }: DrawnCase): Look["outline"] {
   if (setup.against === "plane") return SQUARE;
-  const { corners } = { corners: context.equipment.clubs[context.state.club].outline };
+  const corners = outlineOfFace(context);
   const [toe, high] = [delivered(context, "toe"), delivered(context, "high")];
   const key = JSON.stringify([context.state.club, toe, high]);
   if (outline.key !== key) outline = { key, corners: corners.map(([z, y]) => [z - toe, y - high] as const) };

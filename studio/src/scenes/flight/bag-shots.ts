@@ -3,7 +3,7 @@
 import { type Context, choiceSetting, strike } from "../../context";
 import type { Strike } from "../../core/types";
 import type { Amount } from "../../quantities/units";
-import { wordsOf } from "../../state/settings";
+import { withoutClub, wordsOf } from "../../state/settings";
 import { changed } from "../../state/state";
 
 const DRIVER = "driver";
@@ -27,7 +27,9 @@ export function bagStrikes(context: Context): { club: string; strike: Strike }[]
   return bagOf(context).map((club) => {
     const [value, unit] = equipment.clubs[club].typical.loft;
     const { delivery, ...rest } = changed(driving, { kind: "club", club }, equipment);
-    const struck = { ...rest, delivery: { ...delivery, loft: { value, unit } } };
+    // Numbers that were designed are those of the club of the shot.
+    const settings = club === state.club ? state.settings : withoutClub(state.settings, context.settings);
+    const struck = { ...rest, settings, delivery: { ...delivery, loft: { value, unit } } };
     return { club, strike: strike({ ...context, state: struck }) };
   });
 }

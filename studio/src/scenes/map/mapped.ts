@@ -1,6 +1,6 @@
 /** What is mapped: the clubs, the quantity, and the values that are shown of what was computed. */
 
-import { type Context, choiceSetting, delivered, settingSi, strike } from "../../context";
+import { type Context, choiceSetting, delivered, outlineOf, settingSi, strike } from "../../context";
 import type { FaceMaps, MapDetails, StruckFace } from "../../core/face-map";
 import type { Wanted } from "../../core/lanes";
 import { handSign } from "../../equipment/equipment";
@@ -24,7 +24,7 @@ export function clubsOf(context: Context): string[] {
 const facesOf = (context: Context): StruckFace[] =>
   clubsOf(context).map((club) => ({
     strike: strike(context, { club, parameters: setFor(context, club) }, { toe: 0, high: 0 }),
-    outline: context.equipment.clubs[club].outline,
+    outline: outlineOf(context, club),
   }));
 
 /** A parameter set that was chosen belongs to the first club. */

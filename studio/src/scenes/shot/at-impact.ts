@@ -1,7 +1,7 @@
 /** Head and ball at impact and around it: the picture, from where it is seen, the moment, and what it shows in words. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
-import { type Context, choiceSetting, delivered, settingSi, strike } from "../../context";
+import { type Context, choiceSetting, delivered, outlineOf, settingSi, strike } from "../../context";
 import type { Shot, Values } from "../../core/types";
 import { settingField } from "../../parts/field";
 import { isMotionReduced } from "../../parts/measure";
@@ -138,7 +138,7 @@ export function setHead(context: Context): void {
     drawHead(stage, {
       club: state.club,
       kind: club.kind,
-      outline: club.outline,
+      outline: outlineOf(context),
       inputs: values,
       outputs: shot.values,
       moment,

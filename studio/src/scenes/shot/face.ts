@@ -1,10 +1,11 @@
 /** The face with the impact point: a click or the arrow keys move it. */
 
 import { html, svg, type TemplateResult } from "lit-html";
-import { type Context, delivered } from "../../context";
+import { type Context, delivered, outlineOf } from "../../context";
 import { handSign } from "../../equipment/equipment";
 import { draggedPlace } from "../../parts/pointer";
 import type { Amount } from "../../quantities/units";
+import { usedNumbers } from "../../state/used-club";
 import { deliveryField } from "./delivery";
 
 /** Space around the face in the drawing [mm]. */
@@ -22,11 +23,14 @@ const ARROWS: Record<string, [number, number]> = {
 export function facePanel(context: Context): TemplateResult {
   const { state, equipment, formatter, actions } = context;
   const club = equipment.clubs[state.club];
-  const [width, height] = [club.columns.face_width ?? 0, club.columns.face_height ?? 0];
+  const used = usedNumbers(context);
+  const [width, height] = ["face_width", "face_height"].map((name) => used[name] ?? club.columns[name] ?? 0);
   // Seen through the head, from behind: the toe is on the right of a right-handed club.
   const side = handSign(state);
   const [across, up] = [width / 2 / MILLIMETRE + MARGIN, height / 2 / MILLIMETRE + MARGIN];
-  const corners = club.outline.map(([toe, high]) => `${(side * toe) / MILLIMETRE},${-high / MILLIMETRE}`).join(" ");
+  const corners = outlineOf(context)
+    .map(([toe, high]) => `${(side * toe) / MILLIMETRE},${-high / MILLIMETRE}`)
+    .join(" ");
   const [toe, high] = [delivered(context, "toe"), delivered(context, "high")];
 
   const within = (value: number, limit: number): number => Math.max(-limit, Math.min(limit, value));
