@@ -155,9 +155,9 @@ def _summary(golfer: Golfer, estimate: Estimate | None, doubts: Doubts | None) -
         if spread := _moment(golfer, "spread", name):
             yield note(f"golfer-{name}-spread", **{f"spread_{name}": spread})
     if golfer.mishit_share > 0.0:
-        yield note("golfer-mishits", percent=100.0 * golfer.mishit_share, scale=golfer.mishit_scale)
+        yield note("golfer-mishit-share", percent=100.0 * golfer.mishit_share, scale=golfer.mishit_scale)
     varies = [name for name, spread in zip(golfer.variables, golfer.spread, strict=True) if spread > 0.0]
-    sourced = [name.replace("_", " ") for name in varies if not is_assumed(golfer, f"spread of {name}")]
+    sourced = [name for name in varies if not is_assumed(golfer, f"spread of {name}")]
     if not sourced:
         yield note("golfer-all-assumed")
     else:

@@ -91,7 +91,8 @@ class _Sentence(Formatter):
     a third word that word alone where the value is zero to the digits shown; the value stands where a word has "#", as
     in ``{curve:curves # right/curves # left/flies straight}``; ``{shots:n shot}`` counts ("1 shot",
     "3 shots"), ``{shots:?was/were}`` agrees with a count. A list is joined by commas, by ``{names:and}`` or
-    ``{names:;}``; ``{names:3}`` counts those after the third, and ``{frames:ranges}`` says "3, 7-12". A mapping lists
+    ``{names:;}``; ``{names:labels}`` lists the labels of quantities; ``{names:3}`` counts those after
+    the third, and ``{frames:ranges}`` says "3, 7-12". A mapping lists
     quantities with their labels ("launch angle 12.1 deg"), by ``{figures:changes}`` with signs and without zeros, by
     ``{figures:values}`` without labels; a pair of numbers in it is a value with its standard deviation, a whole number
     counts ("3 Measured"), and a text stands in brackets ("Carry (yd)"). Any other format is Python's, applied to the
@@ -110,6 +111,8 @@ class _Sentence(Formatter):
             return _listed(given, format_spec)
         if isinstance(given, (list, tuple)) and format_spec.startswith("?"):
             given = len(given)
+        if isinstance(given, (list, tuple)) and format_spec == "labels":
+            return _joined([_label(str(each)) for each in given], "and")
         if isinstance(given, (list, tuple)):
             return _joined([str(each) for each in given], format_spec)
         if given is None or isinstance(given, (str, bool)):
@@ -166,6 +169,11 @@ def _quantity_of(name: str) -> Quantity | None:
         return quantity_named(name)
     except UnknownNameError:
         return None
+
+
+def _label(name: str) -> str:
+    quantity = _quantity_of(name)
+    return name.replace("_", " ") if quantity is None else quantity.label
 
 
 def _is_zero(text: str) -> bool:

@@ -116,24 +116,26 @@ SENTENCES = {
         "most on the {figure} ({state}): if that were {off:.0%} larger, the shots would differ by {more:.0%} more."
     ),
     "golfer-drift": (
-        "drift compares the whole session with shots that follow each other: well above 1, something was changed on "
-        "the way; well below 1, the rows do not stand in the order of play; chance alone moves it by {chance:.2f} "
-        "(standard deviation)"
+        "drift: well above 1, something changed during the session; well below 1, the rows are not in the order of "
+        "play; chance alone moves it by {chance:.2f} (standard deviation)"
     ),
-    "golfer-drifted": "the session drifted in {names}; the drift is not in the spreads",
-    "golfer-error": "error of ± is how well that is known, as a standard error",
-    "golfer-face-spread": "The face angle differs by {spread_face} from shot to shot.",
+    "golfer-drifted": "during the session {names:labels} drifted; the drift is not in the spreads",
+    "golfer-error": "error of ± is how well ± is known (standard error)",
+    "golfer-face-spread": "Two swings in three bring the face back within {spread_face} of where it points on average.",
     "golfer-few-for-mishits": (
-        "{shots:n shot} are too few to show how often the club is delivered far off: that is taken as of {like}"
+        "{shots:n shot} are too few to tell how often a swing goes badly wrong: that is taken from {like}"
     ),
     "golfer-list": "± is the standard deviation from shot to shot; clubface golfer show NAME gives the sources",
-    "golfer-mishits": "{percent:.3g}% of the shots are mishits, {scale:.3g} times as far off in everything",
-    "golfer-mishits-left-out": (
-        "{mishits:n shot} of {shots} {mishits:?is a mishit/are mishits}, by ball speed, carry, launch angle or start "
-        "direction far off the others, and not in the golfer: topped and other failed shots are in no fitting for him"
+    "golfer-mishit-share": (
+        "About {percent:.3g} swings in 100 are mishits, with everything {scale:.3g} times as far off."
     ),
-    "golfer-monitor-errors": "the errors of the monitor are in the spreads",
-    "golfer-not-measured": "not measured, and therefore as of {like}: {names}",
+    "golfer-mishits": "{percent:.3g}% of the swings are mishits, with everything {scale:.3g} times as far off",
+    "golfer-mishits-left-out": (
+        "{mishits} of {shots:n shot} {mishits:?is/are} left out: topped or otherwise missed, far off the rest in ball "
+        "speed, carry, launch angle or start direction; fittings leave them out, too"
+    ),
+    "golfer-monitor-errors": "the spreads include the errors of the monitor",
+    "golfer-not-measured": "not measured, and taken from {like}: {names:labels}",
     "golfer-place-of-face-unknown": (
         "where on the face loft and face angle were taken is not known, or not in all shots: what the curved face adds "
         "off its centre may count twice"
@@ -141,20 +143,20 @@ SENTENCES = {
     "golfer-place-of-speed-unknown": (
         "speed, attack angle and path are not all known to be those of the head's centre of gravity"
     ),
-    "golfer-rest-assumed": "For the rest it is assumed.",
-    "golfer-same-in-every-shot": "the same in every shot, and therefore spread as of {like}: {names}",
-    "golfer-shots": "These figures come from {shots:n shot}, in the order in which they were hit.",
+    "golfer-rest-assumed": "The rest is assumed.",
+    "golfer-same-in-every-shot": "the same in every shot, so that the spread is taken from {like}: {names:labels}",
+    "golfer-shots": "This is what {shots:n shot} of the session show.",
     "golfer-shots-left-out": "{left} of {shots:n shot} lack some of the club data and were left out",
     "golfer-shrunk": (
-        "correlations from {shots:n shot} are drawn towards 0 by {shrinkage:.0%} (Ledoit and Wolf, 2004): the fewer "
-        "the shots, the more of them is chance"
+        "much of the correlation in {shots:n shot} is chance, so that it is reduced by {shrinkage:.0%} (Ledoit and "
+        "Wolf, 2004)"
     ),
-    "golfer-sourced": "How much these differ from shot to shot was measured or published: {names}.",
+    "golfer-sourced": "How much a swing differs from the next was measured or published for {names:labels}.",
     "golfer-source": "{figures}: {source}",
-    "golfer-speed": "The club reaches the ball at {speed:0}.",
-    "golfer-speed-spread": "Two shots of three are within {spread_speed} of that.",
+    "golfer-speed": "The club comes into the ball at {speed:0} on average.",
+    "golfer-speed-spread": "Two swings in three are within {spread_speed} of that.",
     "golfer-spread": "± is the standard deviation from shot to shot, mishits left out",
-    "golfer-weak-correlations": "{weak:n correlation} below ±{limit:g} are not listed",
+    "golfer-weak-correlations": "{weak:n correlation} below ±{limit:g} {weak:?is/are} not listed",
     "map-centre": (
         "Struck at the centre of the face, {club} sends the ball off at {ball_speed} and carries it {carry:0}."
     ),

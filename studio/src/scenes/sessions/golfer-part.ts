@@ -27,7 +27,7 @@ export function golferPart(context: Context): TemplateResult {
   const query = wishes.only ? `?${new URLSearchParams({ only: wishes.only })}&save` : "?save";
   return html`
     <section aria-labelledby="golfer">
-      <h2 id="golfer">The golfer: how the deliveries spread from shot to shot</h2>
+      <h2 id="golfer">Your golfer: how you deliver the club, and how much that varies</h2>
       <div class="filters">${clubOfGolfer(context, file.value)}</div>
       ${
         golfer.state === "there"
