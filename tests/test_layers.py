@@ -18,7 +18,7 @@ FLOORS = (
     ("shots",),
     ("fem", "validation"),
     ("inference", "capture"),
-    ("design", "studies", "plots"),
+    ("design", "studies", "plots", "jax"),
     ("studio",),
     ("cli", "__main__"),
     ("clubface",),

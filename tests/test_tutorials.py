@@ -21,8 +21,9 @@ def pages_with(name):
 
 
 def check(page, folder, **options):
-    for module in NEEDED:
-        pytest.importorskip(module)
+    text = page.read_text(encoding="utf-8")
+    for module in (*NEEDED, *(name for name in ("jax", "torch") if f"clubface.{name}" in text)):
+        pytest.importorskip(module, reason=f"{module} is not installed")
     pytest.importorskip("matplotlib").use("agg")
     try:
         for ran in run_page.run(page, folder, **options):

@@ -95,6 +95,9 @@ _MODULES = (
     "validation",
 )  # fmt: skip
 
+_ARRAY_LIBRARIES = ("jax", "torch")
+"""Modules for libraries that come with extras; ``from clubface import *`` leaves them out."""
+
 _MOVED = {
     "benchmark_data": "validation.benchmark_data",
     "evaluation": "inference.evaluation",
@@ -118,7 +121,7 @@ def __getattr__(name: str) -> Any:
         value = getattr(import_module(f"clubface.{_HOME[name]}"), name)
         globals()[name] = value
         return value
-    if name in _MODULES or name in _MOVED:
+    if name in (*_MODULES, *_ARRAY_LIBRARIES, *_MOVED):
         return import_module(f"clubface.{name}")
     raise AttributeError(f"module 'clubface' has no attribute {name!r}")
 

@@ -13,6 +13,7 @@ mirrored back.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 Vector = tuple[Any, Any, Any]
@@ -77,7 +78,22 @@ class Touch(NamedTuple):
     time: Any
 
 
-def delivery_of_pose(xp: Any, pose: Pose, ball_position: Any, head: Head, point: Any) -> Touch:
+def repeated(step: Callable[[Any], Any], count: int) -> Any:
+    """Return what ``count`` steps make of 0."""
+    result = 0.0
+    for _ in range(count):
+        result = step(result)
+    return result
+
+
+def delivery_of_pose(
+    xp: Any,
+    pose: Pose,
+    ball_position: Any,
+    head: Head,
+    point: Any,
+    repeat: Callable[[Callable[[Any], Any], int], Any] = repeated,
+) -> Touch:
     """Return the delivery of a head, which moves on with constant velocities until it touches the ball.
 
     Parameters
@@ -92,6 +108,8 @@ def delivery_of_pose(xp: Any, pose: Pose, ball_position: Any, head: Head, point:
         Its geometry.
     point
         The point of the head that ``pose`` is of, from its CG in its own axes [m], shape (..., 3).
+    repeat
+        As :func:`repeated`, for a library that compiles loops.
     """
     hand = head.hand
     turn = _mirror_matrix(_matrix(pose.rotation), hand)
@@ -102,21 +120,21 @@ def delivery_of_pose(xp: Any, pose: Pose, ball_position: Any, head: Head, point:
     away = _mirror(_minus(_components(ball_position), _components(pose.position)), hand)
     away = _plus(away, lever)
 
-    time = 0.0
-    for _ in range(ROUNDS):
+    def nearer(time: Any) -> Any:
         turned, apart = _product(_rotation_by(spin, time), turn), _along(away, velocity, -time)
         gap, normal = _nearest(xp, _ball_in_face(xp, turned, apart, head), head)
         approach = _apply_transposed(turned, _plus(velocity, _cross(spin, apart)))
-        time = time + (gap - head.ball_radius) / _dot(normal, _to_face(xp, approach, head))
+        return time + (gap - head.ball_radius) / _dot(normal, _to_face(xp, approach, head))
 
-    turn = _product(_rotation_by(spin, time), turn)
-    ball = _ball_in_face(xp, turn, _along(away, velocity, -time), head)
+    time = repeat(nearer, ROUNDS)
+    turned = _product(_rotation_by(spin, time), turn)
+    ball = _ball_in_face(xp, turned, _along(away, velocity, -time), head)
     gap, normal = _nearest(xp, ball, head)
     sin_loft, cos_loft = xp.sin(head.static_loft), xp.cos(head.static_loft)
-    facing = _apply(turn, (cos_loft, sin_loft, 0.0))
+    facing = _apply(turned, (cos_loft, sin_loft, 0.0))
     face = xp.arctan(facing[2] / facing[0])
     sideways = (-xp.sin(face), 0.0, xp.cos(face))
-    up, right = _column(turn, 1), _column(turn, 2)
+    up, right = _column(turned, 1), _column(turned, 2)
     values = {
         "speed": xp.sqrt(_dot(velocity, velocity)),
         "attack": xp.arctan(velocity[1] / _level(xp, velocity)),

@@ -300,7 +300,7 @@ def sensitivity(
     accuracy, cores = tolerance(accuracy), thread_count(threads)
     reduced_model(model, "one with derivatives")
     values = dict(as_values(delivery, values))
-    known_columns = _known_variables(model)
+    known_columns = known_variables(model)
     across = _chosen("variable", variables, {name: each for name, (_, each) in known_columns.items()})
     places = [known_columns[name][0] for name in across]
     size = len(launch_outputs()) * (1 + len(across))
@@ -343,7 +343,7 @@ def _known_outputs(computed: Sequence[float] | NDArray[Any]) -> dict[str, tuple[
     return {name: (row, each) for row, (name, each) in rows if computed[row] == computed[row]}
 
 
-def _known_variables(model: str) -> dict[str, tuple[int, Variable]]:
+def known_variables(model: str) -> dict[str, tuple[int, Variable]]:
     """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
     known = {name: (column, each) for column, (name, each) in enumerate(inputs().items()) if each.differentiable}
     for column, each in enumerate(model_named(model).parameters, len(inputs())):

@@ -19,6 +19,8 @@ EXTRAS = {
     "starlette": "studio",
     "uvicorn": "studio",
     "websockets": "studio",
+    "jax": "jax",
+    "torch": "torch",
 }
 """The extra of the package that brings each optional library."""
 

@@ -1,0 +1,391 @@
+"""Launches and flights as functions of a row of numbers, with first and second derivatives, for array libraries.
+
+JAX and PyTorch differentiate a function of arrays by a rule that its author gives. The functions here take what such a
+rule needs: values alone, values and exact derivatives together from one run of the core on dual numbers, and second
+derivatives, which the core does not have: they are five-point differences of the exact first derivatives, made
+symmetric.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from clubface import units
+from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import Model, reduced_model
+from clubface.errors import InputError, Wording
+from clubface.simulation import core
+from clubface.simulation.flight import AXES, BALL, Air, conditions
+from clubface.simulation.inputs import Delivery, as_values, check_on_error, equipped, shots, thread_count, tolerance
+from clubface.simulation.launch import vectors
+from clubface.simulation.results import (
+    Variable,
+    first_error,
+    flight_inputs,
+    flight_outputs,
+    inputs,
+    outputs as launch_outputs,
+)
+from clubface.simulation.sensitivity import known_variables
+from clubface.simulation.spin import SPINS
+from clubface.support.checks import check_names
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+STEP = 2e-3
+"""Distance of the points of a second difference, as a part of the size of a variable: rounding and what the difference
+of fourth order neglects are then of the same order, 1e-11, for models in closed form and 1e-7 for flights."""
+CONTACT_STEP, CONTACT_ACCURACY = 2e-2, 1e-10
+"""The same for a contact that is integrated, with the accuracy that it needs. The lengths of its steps, which change
+with the inputs, make its first derivatives uneven; second ones are good to 1e-3 then."""
+SMOOTH = ("volumetric",)
+"""Contact models whose first derivatives are smooth enough to be differentiated again."""
+ROUGH = ("total", "total_side", "outside_fit")
+"""Quantities of a flight that are not: the number of bounces changes with the inputs."""
+SIZES = {"speed": 10.0, "angle": 0.2, "length": 0.02, "angular rate": 50.0, "inertia": 1e-4}
+"""Least size of a variable by its dimension [SI], for variables that may be zero."""
+STENCIL = ((-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.0 / 12.0))
+"""Places and weights of the difference of fourth order."""
+
+
+class Differentiable(ABC):
+    """A function of some variables, each row of the last axis a shot.
+
+    Attributes
+    ----------
+    variables
+        Names of the variables, in the order of the last axis of what it is called with.
+    outputs
+        Names of what it returns, in the order of the last axis.
+    """
+
+    def __init__(
+        self,
+        variables: Mapping[str, tuple[int, Variable]],
+        outputs: Mapping[str, int],
+        columns: Sequence[Any],
+        threads: int,
+        on_error: Literal["raise", "nan"],
+        step: float = STEP,
+        once: str = "",
+    ) -> None:
+        self._step, self._once = step, once
+        self.variables = tuple(variables)
+        self.outputs = tuple(outputs)
+        self._places = [place for place, _ in variables.values()]
+        self._sizes = np.array([SIZES.get(each.dimension, 0.0) for _, each in variables.values()])
+        self._rows = list(outputs.values())
+        self._columns = list(columns)
+        self._threads = threads
+        self._on_error = on_error
+        self.shape = np.broadcast_shapes(*(np.shape(each) for each in columns))
+        """Shape of the inputs that are no variables."""
+
+    def values(self, x: NDArray[Any]) -> NDArray[Any]:
+        """Return the outputs [SI], shape (..., outputs), of variables [SI], shape (..., variables)."""
+        columns, shape = self._laid_out(x)
+        computed, problems = self._compute(columns, math.prod(shape))
+        self._check(problems, columns, shape, self._on_error)
+        return np.moveaxis(computed[self._rows].reshape(-1, *shape), 0, -1)
+
+    def values_and_jacobian(self, x: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Return the outputs and their derivatives, shape (..., outputs, variables)."""
+        return self._values_and_jacobian(x, self._on_error)
+
+    def _values_and_jacobian(self, x: NDArray[Any], on_error: str) -> tuple[NDArray[Any], NDArray[Any]]:
+        columns, shape = self._laid_out(x)
+        computed, problems = self._differentiate(columns, math.prod(shape))
+        self._check(problems, columns, shape, on_error)
+        table = computed.reshape(len(self._rows), 1 + len(self._places), *shape)
+        table = np.ascontiguousarray(np.moveaxis(table, (0, 1), (-2, -1)))
+        return table[..., 0], table[..., 1:]
+
+    def hessian(self, x: NDArray[Any]) -> NDArray[Any]:
+        """Return the second derivatives, shape (..., outputs, variables, variables).
+
+        They are NaN where a shot a difference needs, a few thousandths away, cannot be computed.
+        """
+        self.check_twice()
+        x = np.asarray(x, dtype=np.float64)
+        size = np.maximum(np.abs(x), self._sizes)
+        step = self._step * np.where(np.isfinite(size) & (size > 0.0), size, 1.0)
+        width = len(self.variables)
+        shifts = np.array([place for place, _ in STENCIL])[:, None, None] * np.eye(width)
+        axes = (1,) * (x.ndim - 1)
+        moved = x + shifts.reshape(len(STENCIL), width, *axes, width) * step
+        _, jacobian = self._values_and_jacobian(moved, "nan")
+        weights = np.array([weight for _, weight in STENCIL])
+        differences = np.moveaxis(np.tensordot(weights, jacobian, 1), 0, -1) / step[..., None, None, :]
+        return 0.5 * (differences + np.swapaxes(differences, -1, -2))
+
+    def _laid_out(self, x: NDArray[Any]) -> tuple[list[Any], tuple[int, ...]]:
+        """Return the columns of the core, flat or single numbers, and the shape of the batch."""
+        x = np.asarray(x, dtype=np.float64)
+        shape = np.broadcast_shapes(x.shape[:-1], self.shape)
+        columns = [each if isinstance(each, float) else _flat(each, shape) for each in self._columns]
+        for place, column in zip(self._places, np.moveaxis(x, -1, 0), strict=True):
+            columns[place] = _flat(column, shape)
+        return columns, shape
+
+    def check_twice(self) -> None:
+        """Refuse second derivatives where first ones are not smooth."""
+        if self._once:
+            raise InputError("order of derivatives", 2, self._once)
+
+    def _check(self, problems: Any, columns: Sequence[Any], shape: tuple[int, ...], on_error: str) -> None:
+        if problems and on_error == "raise":
+            row, name, _ = problems[0]
+            names = self._names()
+            value = columns[names.index(name)] if name in names else None
+            raise first_error(problems, value if isinstance(value, float | None) else float(value[row]), shape)
+
+    @abstractmethod
+    def _names(self) -> Sequence[str]:
+        """Return the names of the columns."""
+
+    @abstractmethod
+    def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
+        """Return all outputs by shots, and problems."""
+
+    @abstractmethod
+    def _differentiate(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
+        """Return for each output wanted its value and derivatives, by shots, and problems."""
+
+
+class LaunchFunction(Differentiable):
+    """The launch of a ball by one of the reduced models; the parameters are those of :func:`clubface.impact`."""
+
+    def __init__(
+        self,
+        club: str | os.PathLike[str] | Club,
+        values: Mapping[str, Any],
+        variables: Iterable[str],
+        *,
+        model: str,
+        parameters: Any = None,
+        ball: str | os.PathLike[str] | Ball | None = None,
+        accuracy: float | None = None,
+        hand: Any = None,
+        outputs: Iterable[str] | None = None,
+        threads: int | None = None,
+        on_error: Literal["raise", "nan"] = "raise",
+    ) -> None:
+        check_on_error(on_error)
+        described = reduced_model(model, "one with derivatives")
+        self._model, self._accuracy = model, tolerance(accuracy)
+        known = known_variables(model)
+        variables = tuple(variables)
+        for name in variables:
+            if name in inputs() and name not in known:
+                raise InputError(name, Wording("a variable"), "a plain number: there are no derivatives by it")
+        check_names("variable", variables, known)
+        setup, chosen = equipped(model, club, ball, parameters)
+        # A variable is in its column only when the function is called; until then any number stands for it.
+        given = {**values, **{name: 1.0 for name in variables if name in inputs()}}
+        fixed = [*shots(setup, given, hand=hand).columns, *chosen.columns()]
+        self._width = len(inputs())
+        self._parameter_names = tuple(chosen.values)
+        rows = {name: row for row, name in enumerate(launch_outputs()) if name not in described.lacks}
+        is_contact = described.kind == "contact"
+        super().__init__(
+            {name: known[name] for name in variables}, _rows("output", outputs, rows), fixed, thread_count(threads),
+            on_error, CONTACT_STEP if is_contact else STEP, self._once_only(described) if is_contact else "",
+        )  # fmt: skip
+
+    def _once_only(self, model: Model) -> str:
+        """Return what to do where a contact model has no second derivatives."""
+        if model.name not in SMOOTH:
+            return f"use a model in closed form, such as response: those of {model.name} are not smooth"
+        if self._accuracy is None or self._accuracy > CONTACT_ACCURACY:
+            return f"give accuracy={CONTACT_ACCURACY:g} or less: those of {model.name} need it"
+        return ""
+
+    def _names(self) -> Sequence[str]:
+        return (*inputs(), *self._parameter_names)
+
+    def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
+        own, parameters = columns[: self._width], columns[self._width :]
+        return core.impact(self._model, own, parameters, count, self._accuracy, self._threads, None)
+
+    def _differentiate(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
+        return core.sensitivities(
+            self._model, columns[: self._width], columns[self._width :], count, self._rows, self._places,
+            self._accuracy, self._threads, None,
+        )  # fmt: skip
+
+
+class FlightFunction(Differentiable):
+    """The flight of a ball, its bounces and its roll."""
+
+    def __init__(
+        self,
+        values: Mapping[str, Any],
+        variables: Iterable[str],
+        *,
+        outputs: Iterable[str] | None = None,
+        threads: int | None = None,
+        on_error: Literal["raise", "nan"] = "raise",
+    ) -> None:
+        check_on_error(on_error)
+        known = {name: (place, each) for place, (name, each) in enumerate(flight_inputs().items())}
+        variables = tuple(variables)
+        check_names("variable", variables, known)
+        rows = {name: row for row, name in enumerate(flight_outputs())}
+        columns = [values[name] for name in known]
+        chosen = {name: known[name] for name in variables}
+        wanted = _rows("output", outputs, rows)
+        rough = [name for name in wanted if name in ROUGH]
+        once = f"leave {', '.join(rough)} out of the outputs: bounces make steps in them" if rough else ""
+        super().__init__(chosen, wanted, columns, thread_count(threads), on_error, STEP, once)
+
+    def _names(self) -> Sequence[str]:
+        return tuple(flight_inputs())
+
+    def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
+        return core.fly(columns, count, self._threads, None)
+
+    def _differentiate(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
+        return core.fly_sensitivities(columns, count, self._rows, self._places, self._threads, None)
+
+
+def _rows(what: str, names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str, int]:
+    names = list(known) if names is None else [names] if isinstance(names, str) else list(names)
+    check_names(what, names, known)
+    return {name: known[name] for name in names}
+
+
+def _flat(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
+
+
+IsArray = Callable[[Any], bool]
+TERMS = ("ball_speed", "launch", "azimuth", *SPINS)
+"""The terms of a launch monitor in which a launch may be given as arrays of a library."""
+
+
+def launch_function(
+    is_array: IsArray,
+    club: str | os.PathLike[str] | Club,
+    delivery: Delivery | Mapping[str, Any] | None,
+    values: Mapping[str, Any],
+    parameters: Any,
+    **options: Any,
+) -> tuple[LaunchFunction, list[Any]]:
+    """Return the function of those inputs and parameters that are arrays of a library, and these arrays.
+
+    Parameters
+    ----------
+    is_array
+        Whether a value is such an array.
+    club, delivery, values, parameters, **options
+        As for :func:`clubface.impact`.
+    """
+    given = {name: value for name, value in as_values(delivery, values).items() if value is not None}
+    if "loft" not in given and is_array(given.get("static_loft")):
+        given["loft"] = given["static_loft"]
+    arrays = {name: value for name, value in given.items() if is_array(value)}
+    if isinstance(parameters, Mapping):
+        of_model = {name: value for name, value in parameters.items() if is_array(value)}
+        parameters = {name: value for name, value in parameters.items() if name not in of_model} or None
+        arrays |= of_model
+    rest = {name: value for name, value in given.items() if name not in arrays}
+    function = LaunchFunction(club, rest, arrays, parameters=parameters, **options)
+    return function, list(arrays.values())
+
+
+def flight_function(
+    is_array: IsArray,
+    xp: Any,
+    launch: Mapping[str, Any],
+    *,
+    air: Air | Mapping[str, Any] | None,
+    wind: Any,
+    ground: str | Mapping[str, Any] | None,
+    ball: str | os.PathLike[str] | Ball | None,
+    **options: Any,
+) -> tuple[FlightFunction, list[Any]]:
+    """Return the function of those inputs of a flight that are arrays of a library, and these arrays.
+
+    Parameters
+    ----------
+    is_array
+        Whether a value is such an array.
+    xp
+        The library.
+    launch
+        What ``impact`` of the same library returned, or what :func:`clubface.fly` takes.
+    air, wind, ground, ball, **options
+        As for :func:`clubface.fly`; the ball where it is not the default one.
+    """
+    if not isinstance(launch, Mapping):
+        raise InputError("launch", launch, "a mapping of values, as impact of this module returns it")
+    given = {name: value for name, value in launch.items() if value is not None}
+    if "velocity_x" in given:  # of an impact: its vectors say everything
+        given = {
+            name: value for name, value in given.items() if name in flight_inputs() or name not in launch_outputs()
+        }
+    elif any(is_array(value) for value in given.values()):
+        given = _vectors(xp, given)
+    if wind is not None and not isinstance(wind, Mapping) and len(wind) == len(AXES):
+        wind = {f"wind_{axis}": wind[place] for place, axis in enumerate(AXES)}
+    groups = {"wind": wind, "air": air, "ground": ground}
+    surroundings: dict[str, Any] = {}
+    for group, values in groups.items():
+        if isinstance(values, Mapping):
+            arrays = {name: value for name, value in values.items() if is_array(value)}
+            check_names(f"array of the {group}", arrays, flight_inputs())
+            surroundings |= arrays
+            groups[group] = {name: value for name, value in values.items() if name not in arrays}
+    arrays = {name: value for name, value in given.items() if is_array(value)} | surroundings
+    rest = {name: 0.0 if name in arrays else value for name, value in given.items()}
+    inputs_of_flight = {name: each.default for name, each in flight_inputs().items()} | ball_named(ball).inputs()
+    inputs_of_flight |= vectors(rest) | conditions(groups["air"], groups["wind"], groups["ground"])
+    columns = {
+        name: value
+        if isinstance(value, float)
+        else units.parse_values(value, flight_inputs()[name].dimension, name=name)
+        for name, value in inputs_of_flight.items()
+    }
+    return FlightFunction(columns, arrays, **options), list(arrays.values())
+
+
+def _vectors(xp: Any, terms: Mapping[str, Any]) -> dict[str, Any]:
+    """Return velocity and spin of a launch in the terms of a launch monitor, as :func:`vectors` does with numbers."""
+    check_names("launch value", terms, (*TERMS, *BALL))
+    spins = [name for name in SPINS if name in terms]
+    if spins and not set(spins) <= {"backspin", "sidespin"} and spins != ["total_spin", "spin_axis"]:
+        raise InputError("spin", Wording(", ".join(spins)), "backspin and sidespin, or total_spin and spin_axis")
+    given = {name: value for name, value in terms.items() if name in BALL}
+    parsed = {
+        name: xp.asarray(units.parse_values(value, launch_outputs()[name].dimension, name=name))
+        if isinstance(value, str | float | int)
+        else value
+        for name, value in terms.items()
+        if name not in given
+    }
+    for name in ("ball_speed", "launch"):
+        if name not in parsed:
+            raise InputError(name, None, "give it: a flight cannot start without")
+    zero = xp.zeros_like(xp.asarray(parsed["ball_speed"]))
+    speed, launch, azimuth = parsed["ball_speed"], parsed["launch"], parsed.get("azimuth", zero)
+    if "total_spin" in parsed:
+        axis = parsed["spin_axis"]
+        parsed |= {"backspin": parsed["total_spin"] * xp.cos(axis), "sidespin": parsed["total_spin"] * xp.sin(axis)}
+    backspin, sidespin = parsed.get("backspin", zero), parsed.get("sidespin", zero)
+    return {
+        **given,
+        "velocity_x": speed * xp.cos(launch) * xp.cos(azimuth),
+        "velocity_y": speed * xp.sin(launch),
+        "velocity_z": speed * xp.cos(launch) * xp.sin(azimuth),
+        "spin_x": -backspin * xp.sin(azimuth),
+        "spin_y": -sidespin,
+        "spin_z": backspin * xp.cos(azimuth),
+    }
