@@ -65,11 +65,13 @@ pub fn lift_coefficient<S: Scalar>(s: S) -> S {
     held_parabola(LIFT, s)
 }
 
-/// Whether the spin parameter lies outside the range of the fit; `spin` and `speed` are magnitudes.
+/// Whether the spin parameter lies outside the range of the fit; `spin` is a magnitude.
 #[inline(always)]
-pub fn outside_fit<S: Scalar>(radius: S, spin: S, speed: S) -> S::Mask {
-    let (rim, speed) = (radius * spin, speed.max(S::from_f64(STILL)));
-    rim.lt(speed * LOWEST_SPIN_PARAMETER).or(rim.gt(speed * HIGHEST_SPIN_PARAMETER))
+pub fn outside_fit<S: Scalar>(radius: S, spin: S, square_speed: S) -> S::Mask {
+    let (square_rim, square_speed) = ((radius * spin).squared(), square_speed.max(S::from_f64(STILL * STILL)));
+    square_rim
+        .lt(square_speed * (LOWEST_SPIN_PARAMETER * LOWEST_SPIN_PARAMETER))
+        .or(square_rim.gt(square_speed * (HIGHEST_SPIN_PARAMETER * HIGHEST_SPIN_PARAMETER)))
 }
 
 /// What the air does to the ball, each in units of 0.5 rho A.

@@ -6,7 +6,7 @@
 //! full arithmetic, so derivatives go through the landing event exactly.
 
 use super::aerodynamics::{air_load, drag_coefficient, held_spin_parameter, outside_fit};
-use super::event::Step;
+use super::event::{Event, Step};
 use crate::ball::Ball;
 use clubface_math::ode::{Control, DORMAND_PRINCE, Observer, System, integrate};
 use clubface_math::{Mask, Scalar, Vec3};
@@ -14,9 +14,9 @@ use core::f64::consts::PI;
 
 /// Standard acceleration of gravity, m/s2 (ISO 80000-3).
 pub const GRAVITY: f64 = 9.806_65;
-/// Tolerated error of a step, relative to 1 m, 1 m/s or the launch spin plus the value itself. A carry is then
-/// within 0.1 mm of the limit of small steps, after some twenty.
-pub const TOLERANCE: f64 = 1e-7;
+/// Tolerated error of a step, relative to 1 m, 1 m/s or the launch spin plus the value itself. The carry
+/// of a drive is then within 0.1 mm of the limit of small steps, and that of any shot within 1 mm.
+pub const TOLERANCE: f64 = 1e-6;
 /// Longest step, s.
 const LONGEST_STEP: f64 = 2.0;
 /// Steps after which a ball that has not come down is given up (strong rising air).
@@ -26,7 +26,8 @@ const MAX_STEPS: usize = 1000;
 pub const STATES: usize = 7;
 /// Place of the height in the state.
 pub const HEIGHT: usize = 1;
-const CLIMB: usize = 4;
+/// Place of the vertical velocity in the state.
+pub const CLIMB: usize = 4;
 const SPIN: usize = 6;
 
 /// Air that moves as one.
@@ -81,8 +82,8 @@ impl<S: Scalar> Flight<S> {
     /// Whether the spin parameter of a state lies outside the range of the fit.
     #[inline(always)]
     fn outside_fit(&self, y: &[S; STATES]) -> S::Mask {
-        let speed = (Vec3::from_slice(y, 3) - self.wind).norm();
-        outside_fit(self.radius, self.launch_spin_speed * y[SPIN], speed)
+        let square_speed = (Vec3::from_slice(y, 3) - self.wind).norm_squared();
+        outside_fit(self.radius, self.launch_spin_speed * y[SPIN], square_speed)
     }
 }
 
@@ -137,8 +138,8 @@ pub struct Landing<S: Scalar> {
 struct ToGround<'a, S: Scalar, F> {
     flight: &'a Flight<S>,
     grounded: S::Mask,
-    apex: Step<S, STATES>,
-    landing: Step<S, STATES>,
+    apex: Step<S>,
+    landing: Step<S>,
     outside_fit: S::Mask,
     on_step: F,
 }
@@ -214,13 +215,8 @@ pub fn fly_to_ground<S: Scalar>(
         on_step,
     };
     let outcome = integrate(&DORMAND_PRINCE, flight, launch, &control, &mut observer);
-    let mut events = [(zero, launch); 2];
-    for (event, (step, component)) in
-        events.iter_mut().zip([(&observer.apex, CLIMB), (&observer.landing, HEIGHT)])
-    {
-        *event = step.at_zero_of(component, flight);
-    }
-    let [(_, top), (time, touch)] = events;
+    let (_, top) = observer.apex.at(Event::Apex, flight);
+    let (time, touch) = observer.landing.at(Event::Landing, flight);
     let landed_outside = grounded.not().and(flight.outside_fit(&touch));
     let state = |i: usize| S::select(grounded, launch[i], touch[i]);
     Landing {

@@ -19,7 +19,8 @@ fn the_curve_is_the_distance_from_the_start_line_to_the_landing() {
     assert!(up.value == -1.5 && up.tangent[0].is_finite());
 }
 
-/// Turned about the vertical, start and wind alike, a flight curves as much as before.
+/// Turned about the vertical, start and wind alike, a flight curves as much as before, but for the errors of other steps,
+/// which are sized by the components of place and velocity.
 #[test]
 fn a_shot_that_is_turned_as_a_whole_curves_as_much() {
     let turned = |angle: f64| {
@@ -35,7 +36,7 @@ fn a_shot_that_is_turned_as_a_whole_curves_as_much() {
     let straight = turned(0.0);
     assert!(straight > 10.0);
     for angle in [0.1, -0.4, 1.2] {
-        assert_close(turned(angle), straight, 1e-9);
+        assert_close(turned(angle), straight, 1e-6);
     }
 }
 
