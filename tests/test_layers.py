@@ -18,7 +18,7 @@ FLOORS = (
     ("shots",),
     ("fem", "validation"),
     ("inference", "capture"),
-    ("design", "studies", "plots", "jax"),
+    ("design", "studies", "plots", "jax", "torch"),
     ("studio",),
     ("cli", "__main__"),
     ("clubface",),

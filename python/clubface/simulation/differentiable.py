@@ -133,6 +133,8 @@ class Differentiable(ABC):
         columns = [each if isinstance(each, float) else _flat(each, shape) for each in self._columns]
         for place, column in zip(self._places, np.moveaxis(x, -1, 0), strict=True):
             columns[place] = _flat(column, shape)
+        if math.prod(shape) == 1:  # an array of one element is slower, and deprecated where a number is expected
+            columns = [float(each if isinstance(each, float) else each[0]) for each in columns]
         return columns, shape
 
     def check_twice(self) -> None:
