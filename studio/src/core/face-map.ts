@@ -13,12 +13,11 @@ export interface StruckFace {
 /** What is asked beyond the values over the face. */
 export interface MapDetails {
   /** Quantities whose greatest values are searched. */
-  best: string[];
+  best?: string[];
   /** Share of the best ball speed from which a point counts as part of the effective face. */
-  share: number;
+  share?: number;
   /** The point that impacts scatter about and their standard deviations [m], towards the toe and up. */
-  about: [number, number];
-  deviations: [number, number];
+  scatter?: { about: [number, number]; deviations: [number, number] };
 }
 
 export interface MapInput {
@@ -67,7 +66,7 @@ export function mapFaces(core: LoadedCore, input: MapInput): FaceMaps {
   return { input, ...places, faces };
 }
 
-interface Setup {
+interface Setup extends MapDetails {
   model: string;
   inputs: number[];
   parameters: number[];
@@ -75,9 +74,6 @@ interface Setup {
   outline: [number, number][];
   points?: [number[], number[]];
   grid?: [number, number];
-  best?: string[];
-  share?: number;
-  scatter?: { about: [number, number]; deviations: [number, number] };
 }
 
 function setupOf(
@@ -87,10 +83,7 @@ function setupOf(
   where: Pick<Setup, "points" | "grid">,
 ): Setup {
   const { model, inputs, parameters } = strike;
-  const setup: Setup = { model, inputs, parameters, flight: flightInputs(core, strike, {}), outline, ...where };
-  if (!details) return setup;
-  const { best, share, about, deviations } = details;
-  return { ...setup, best, share, scatter: { about, deviations } };
+  return { model, inputs, parameters, flight: flightInputs(core, strike, {}), outline, ...where, ...details };
 }
 
 /** The map; without forgiveness where impacts cannot scatter so. */

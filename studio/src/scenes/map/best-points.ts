@@ -7,11 +7,11 @@ import { areDetailsOld, clubsOf, detailedMaps } from "./mapped";
 import { placeInWords } from "./scales";
 
 export function bestPanel(context: Context): TemplateResult {
-  const maps = detailedMaps(context);
+  const maps = detailedMaps(context, "map");
   const clubs = clubsOf(context);
   if (maps?.faces.length !== clubs.length) return html``;
   return html`
-    <section class=${areDetailsOld(context) ? "best old" : "best"} aria-labelledby="best">
+    <section class=${areDetailsOld(context, "map") ? "best old" : "best"} aria-labelledby="best">
       <h2 id="best">Sweet spot and effective face</h2>
       <div class="scroll" tabindex="0" role="region" aria-label="Table of sweet spot and effective face">
         <table>
@@ -26,7 +26,7 @@ export function bestPanel(context: Context): TemplateResult {
             ${rows(context).map(
               ({ title, meaning, text }) => html`<tr>
                 <th scope="row" title=${meaning}>${title}</th>
-                ${maps.faces.map((face) => text(face))}
+                ${maps.faces.map((face, i) => text(face, i))}
               </tr>`,
             )}
           </tbody>
@@ -39,7 +39,7 @@ export function bestPanel(context: Context): TemplateResult {
 interface Row {
   title: string;
   meaning: string;
-  text(face: FaceValues): TemplateResult;
+  text(face: FaceValues, place: number): TemplateResult;
 }
 
 function rows(context: Context): Row[] {
@@ -55,6 +55,8 @@ function rows(context: Context): Row[] {
       ${placeInWords(context, [best.toe, best.high])}
     </td>`;
     };
+  const isOld = areDetailsOld(context, "map-area");
+  const area = isOld ? null : detailedMaps(context, "map-area");
   const least = formatter.format(100 * (1 - equipment.face_map.share), 0);
   return [
     { title: "Sweet spot", meaning: "where the ball speed is greatest", text: place("ball_speed") },
@@ -72,7 +74,10 @@ function rows(context: Context): Row[] {
     {
       title: "Effective face",
       meaning: `where the ball speed is within ${least}% of that of the sweet spot`,
-      text: ({ summary }) => number("face_area", "effective_area", summary.effective_area),
+      text: (_, i) =>
+        area === null
+          ? html`<td aria-busy="true">being computed …</td>`
+          : number("face_area", "effective_area", area.faces[i]?.summary.effective_area),
     },
     {
       title: "Whole face",

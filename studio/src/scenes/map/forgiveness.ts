@@ -19,10 +19,10 @@ const LEAST_MISSED = 5e-4;
 const RANGE = [1e-3, 20e-3] as const;
 
 export function forgivenessPanel(context: Context): TemplateResult {
-  const maps = detailedMaps(context);
+  const maps = detailedMaps(context, "map-forgiveness");
   const clubs = clubsOf(context);
   return html`
-    <section class=${areDetailsOld(context) ? "forgiveness old" : "forgiveness"} aria-labelledby="forgiveness">
+    <section class=${areDetailsOld(context, "map-forgiveness") ? "forgiveness old" : "forgiveness"} aria-labelledby="forgiveness">
       <h2 id="forgiveness">Forgiveness</h2>
       ${golferChoice(context)}
       ${settingField(context, {

@@ -91,7 +91,7 @@ function mapOf(context: Context, shown: Shown, title: string): TemplateResult {
       tabindex="0"
       aria-label="Map of the face. The arrow keys move the cursor by 1 mm, with Shift by 5 mm; Enter strikes there."
       data-sized="map"
-      data-milliseconds=${["map-first", "map", "map-details"].map((slot) => model.results[slot]?.milliseconds ?? 0).join(" ")}
+      data-milliseconds=${["map-first", "map", "map-forgiveness", "map-area"].map((slot) => model.results[slot]?.milliseconds ?? 0).join(" ")}
       @keydown=${press}
     >
       <canvas

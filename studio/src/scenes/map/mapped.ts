@@ -30,23 +30,30 @@ const facesOf = (context: Context): StruckFace[] =>
 /** A parameter set that was chosen belongs to the first club. */
 const setFor = ({ state }: Context, club: string): string => (club === state.club ? state.parameters : "");
 
-function detailsOf(context: Context): MapDetails {
-  return {
-    best: ["ball_speed", "carry"],
-    share: context.equipment.face_map.share,
-    about: [delivered(context, "toe"), delivered(context, "high")],
-    deviations: [settingSi(context, "strikes_toe"), settingSi(context, "strikes_high")],
-  };
-}
+/** What is asked about a face as a whole, and where it stands: by contact models the last takes some seconds. */
+const DETAILS = ["map", "map-forgiveness", "map-area"] as const;
+export type Details = (typeof DETAILS)[number];
+
+const detailsOf = (context: Context): Record<Details, MapDetails> => ({
+  map: { best: ["ball_speed", "carry"] },
+  "map-forgiveness": {
+    scatter: {
+      about: [delivered(context, "toe"), delivered(context, "high")],
+      deviations: [settingSi(context, "strikes_toe"), settingSi(context, "strikes_high")],
+    },
+  },
+  "map-area": { share: context.equipment.face_map.share },
+});
 
 /** What takes less than this is computed on the page [ms]. */
 const AT_ONCE = 8;
-/** How long the delivery rests before the face is searched and integrated over [ms]. */
+/** How long the delivery rests before the face is integrated over [ms]. */
 const REST = 150;
 
-/** A few points at once, then all of them, then what is searched and integrated over the face. */
+/** A few points at once, then all of them with the best ones, then what is integrated over the face. */
 export function wantedMaps(context: Context): Wanted[] {
   const faces = facesOf(context);
+  const details = detailsOf(context);
   const before = context.model.results["map-first"]?.milliseconds ?? Infinity;
   const map = (slot: string, grid: [number, number], details: MapDetails | null): Wanted<"faceMap"> => ({
     kind: "faceMap",
@@ -56,8 +63,10 @@ export function wantedMaps(context: Context): Wanted[] {
   });
   return [
     { ...map("map-first", COARSE, null), lane: before < AT_ONCE ? "page" : "batch" },
-    map("map", FINE, null),
-    { ...map("map-details", FINE, detailsOf(context)), rest: REST },
+    map("map", FINE, details.map),
+    // Integrals have points of their own, whatever those of the map.
+    { ...map("map-forgiveness", COARSE, details["map-forgiveness"]), rest: REST },
+    { ...map("map-area", COARSE, details["map-area"]), rest: REST },
   ];
 }
 
@@ -70,11 +79,11 @@ export function newestMaps({ model }: Context): FaceMaps | null {
   return facesKey(first) === facesKey(whole) ? whole : first;
 }
 
-export const detailedMaps = ({ model }: Context): FaceMaps | null => outputOf(model, "faceMap", "map-details");
+export const detailedMaps = ({ model }: Context, name: Details): FaceMaps | null => outputOf(model, "faceMap", name);
 
-/** Whether the details are still those of another face or delivery. */
-export function areDetailsOld(context: Context): boolean {
-  const [details, newest] = [detailedMaps(context), newestMaps(context)];
+/** Whether details are still those of another face or delivery. */
+export function areDetailsOld(context: Context, name: Details): boolean {
+  const [details, newest] = [detailedMaps(context, name), newestMaps(context)];
   return details !== null && newest !== null && facesKey(details) !== facesKey(newest);
 }
 

@@ -25,7 +25,7 @@ export interface Marks {
 }
 
 export function marksOf(context: Context): Marks {
-  const details = detailedMaps(context);
+  const details = detailedMaps(context, "map");
   const best = details?.faces[0].summary.best.ball_speed;
   return {
     impact: [delivered(context, "toe"), delivered(context, "high")],
