@@ -26,8 +26,9 @@ export interface Chart {
   mark?: number;
 }
 
-/** Height of a chart, in letters of the page. */
-const HEIGHT = 14;
+/** Least and greatest height of a chart, in letters of the page, and its height as a share of the width in between. */
+const HEIGHTS = [14, 22] as const;
+const SHARE = 0.55;
 /** Rows that the tables have. */
 const ROWS = 11;
 const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3], [14, 4], [4, 4], [12, 3, 4, 3]];
@@ -156,7 +157,7 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
   const plot = new uPlot(
     {
       width,
-      height: HEIGHT * rem,
+      height: Math.max(HEIGHTS[0] * rem, Math.min(HEIGHTS[1] * rem, SHARE * width)),
       scales: { x: { time: false } },
       cursor: { y: false },
       hooks: { draw: [drawMark] },
