@@ -24,7 +24,7 @@ CLUBS = {
 
 BALLS = {
     "modern-2026": "modern, 2026",
-    "paper": "Roh and Lee's",
+    "paper": "of Roh and Lee",
     "published": "of the published models",
 }
 

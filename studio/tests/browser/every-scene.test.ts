@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
+import { equipment } from "../described";
 import { TestStudio } from "./site";
 
 const studio = new TestStudio({ viewport: { width: 360, height: 740 } });
@@ -21,6 +22,14 @@ const blank = (page: Page): Promise<number> =>
       }).length,
   );
 
+/** Keys of clubs and balls that stand where their names should, in lists and in texts. */
+async function keysShown(page: Page): Promise<string[]> {
+  const text = (await page.locator("main").textContent()) ?? "";
+  const entries = [...Object.entries(equipment.clubs), ...Object.entries(equipment.balls)];
+  const keys = entries.filter(([key, { label }]) => key.includes("-") && key !== label).map(([key]) => key);
+  return keys.filter((key) => text.includes(key));
+}
+
 test("every scene opens from the head of the page, draws, fits a narrow screen, and its link opens it again", async () => {
   const { page, errors } = await studio.open("#club=driver&speed=105mph&units=golf");
   const titles = await page.locator("header nav button").allInnerTexts();
@@ -32,6 +41,7 @@ test("every scene opens from the head of the page, draws, fits a narrow screen, 
     await settled(page);
     await expect.poll(() => blank(page), { timeout: 20_000, message: title }).toBe(0);
     expect(await page.evaluate(() => document.documentElement.scrollWidth), title).toBeLessThanOrEqual(360);
+    expect(await keysShown(page), title).toEqual([]);
     // The address is written a moment after the click.
     if (title !== titles[0]) await expect.poll(() => page.url()).not.toBe(address);
     address = page.url();

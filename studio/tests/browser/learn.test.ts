@@ -245,7 +245,7 @@ describe("from lesson to lesson", () => {
     await page.getByRole("button", { name: "Take this strike to the Shot scene" }).click();
     const shown = page.locator('td[data-quantity="carry"]');
     await expect.poll(async () => Number(await shown.getAttribute("data-value"))).toBeCloseTo(carry, 9);
-    await page.waitForURL(/club=driver.*high=5mm/);
+    await page.waitForURL(/club=driver.*&high=5mm/);
     expect(page.url()).not.toContain("height_high");
     await page.keyboard.press("Control+z");
     await page.getByRole("heading", { name: new RegExp(LESSONS.height.title) }).waitFor();

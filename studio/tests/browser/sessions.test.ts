@@ -109,6 +109,15 @@ describe("a file", () => {
     await frame.waitFor();
     expect(await frame.getAttribute("sandbox")).toBe("allow-downloads");
     await page.frameLocator("iframe.report").getByRole("heading", { name: "Your shots, and what they say" }).waitFor();
+    // It has the theme that was chosen for the page, whatever that of the system.
+    const ink = (): Promise<string> =>
+      page
+        .frameLocator("iframe.report")
+        .locator("body")
+        .evaluate((body) => getComputedStyle(body).color);
+    const light = await ink();
+    await page.locator('select[name="theme"]').selectOption("dark");
+    await expect.poll(ink).not.toBe(light);
     await part(page, "Golfer");
     await page.getByRole("row", { name: /club speed/ }).waitFor();
     expect(await page.locator('select[name="golfer-club"]').inputValue()).toBe("driver");

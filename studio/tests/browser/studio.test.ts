@@ -166,7 +166,7 @@ describe("models side by side", () => {
   test("all models have numbers, the charts are drawn and change with the input", async () => {
     const { page, errors } = await studio.open(`${FIRST}&scene=models`);
     await page.locator(".models td[data-quantity]").first().waitFor();
-    expect(await page.locator("thead th").allInnerTexts()).toContain("rings");
+    expect(await page.locator("thead th").allInnerTexts()).toContain("Concentric rings");
     await page.locator(".charts canvas").nth(3).waitFor();
     const pictures = (): Promise<string[]> =>
       page

@@ -37,7 +37,7 @@ export function freeLabel(stage: Stage, text: string, variable: string, path: re
 /** Whether an object is a word of the picture. */
 const isWord = (object: Object3D): object is Sprite => (object as Sprite).isSprite;
 
-/** Sets all words into the picture, those of the marks first, and hides what would cover another. */
+/** Sets all words into the picture, those of earlier groups first, and hides what would cover another. */
 export function placeWords(stage: Stage, fixed: readonly Group[], free: readonly FreeLabel[]): void {
   const { three, camera, renderer } = stage;
   const { x: width, y: height } = renderer.getSize(new three.Vector2());

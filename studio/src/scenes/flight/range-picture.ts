@@ -48,7 +48,7 @@ function begin(stage: Stage): Picture {
   scene.add(new three.HemisphereLight("white", "gray", 1.6), sun, turf, flying);
   const picture: Picture = { turf, flying, free: [], laid: "", seen: "" };
   pictures.set(stage, picture);
-  stage.controls.addEventListener("change", () => placeWords(stage, [turf, flying], picture.free));
+  stage.controls.addEventListener("change", () => placeWords(stage, [flying, turf], picture.free));
   return picture;
 }
 
@@ -88,10 +88,10 @@ function draw(context: Context, stage: Stage, picture: Picture): void {
   const seen = JSON.stringify([view, extent, stage.camera.aspect]);
   const look = (): void => {
     takeView(stage, view, extent);
-    placeWords(stage, [picture.turf, picture.flying], picture.free);
+    placeWords(stage, [picture.flying, picture.turf], picture.free);
   };
   if (picture.seen !== seen) look();
-  else placeWords(stage, [picture.turf, picture.flying], free);
+  else placeWords(stage, [picture.flying, picture.turf], free);
   picture.seen = seen;
   played = { stage, group: picture.flying, flights: content.flights, view, extent, look };
 }
