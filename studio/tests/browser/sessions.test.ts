@@ -186,7 +186,8 @@ describe("a fitting", () => {
     const { page, errors } = await withFile(SESSION);
     await page.locator(".shots td[data-quantity]").first().waitFor();
     await part(page, "Fitting");
-    for (const ball of ["conforming", "reference", "paper"]) await page.getByLabel(ball, { exact: true }).check();
+    for (const ball of ["conforming", "reference", "of Roh and Lee"])
+      await page.getByLabel(ball, { exact: true }).check();
     await page.locator("summary", { hasText: "Other heads" }).click();
     for (const head of ["3-wood", "5-wood", "hybrid"]) await page.getByLabel(head, { exact: true }).check();
     await page.getByRole("button", { name: "Start the fitting" }).click();

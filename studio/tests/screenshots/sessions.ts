@@ -21,6 +21,10 @@ const CLUB = { Speed: 101, AngleOfAttack: 1, Loft: 13, Path: 2, FaceToTarget: 1 
 /** Each picture by what leads to it, once a file has been read. */
 const PICTURES: Record<string, (page: Page) => Promise<void>> = {
   sessions: async (page) => page.locator(".shots-range path.flight-path").first().waitFor(),
+  report: async (page) => {
+    await page.getByRole("button", { name: "Report" }).click();
+    await page.frameLocator("iframe.report").getByRole("heading").first().waitFor();
+  },
   golfer: async (page) => {
     await page.getByRole("button", { name: "Golfer" }).click();
     await page.locator(".advice").waitFor();

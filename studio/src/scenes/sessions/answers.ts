@@ -13,6 +13,7 @@ import type {
   Row,
   ServerMistake,
 } from "../../state/session";
+import type { Theme } from "../../state/state";
 
 export const mistakeLine = ({ where, what }: ServerMistake): TemplateResult =>
   html`<p class="failure" role="alert">${where && !what.startsWith(where) ? `${where}: ` : ""}${what}.</p>`;
@@ -120,6 +121,14 @@ export const summary = ({ summary: [first, ...others] }: ResultDocument): Templa
   ${others.length ? html`<p>${others.map(({ text }) => text).join(" ")}</p>` : nothing}
 `;
 
+/** When a report is dark: as the system is, unless a theme was chosen for the page. */
+const DARK = "(prefers-color-scheme:dark)";
+const IN_THEME: Record<Theme, (report: string) => string> = {
+  auto: (report) => report,
+  dark: (report) => report.replaceAll(`screen and ${DARK}`, "screen"),
+  light: (report) => report.replaceAll(DARK, "(max-width:0)"),
+};
+
 /** A report of the package, which runs no script and reads nothing from elsewhere. */
-export const reportFrame = (page: string, title: string): TemplateResult =>
-  html`<iframe class="report" title=${title} sandbox="allow-downloads" .srcdoc=${page}></iframe>`;
+export const reportFrame = ({ state }: Context, page: string, title: string): TemplateResult =>
+  html`<iframe class="report" title=${title} sandbox="allow-downloads" .srcdoc=${IN_THEME[state.theme](page)}></iframe>`;

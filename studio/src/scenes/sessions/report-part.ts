@@ -13,7 +13,7 @@ export function reportPart(context: Context): TemplateResult {
       ${
         report.state === "there"
           ? html`<p><a href=${`${file.value.place}/report?save`} download>Save the report</a>, one file that any browser shows and prints.</p>
-              ${reportFrame(report.value, `Report on ${file.value.read.title}`)}`
+              ${reportFrame(context, report.value, `Report on ${file.value.read.title}`)}`
           : waiting(report, "The report is being written; with many shots that takes some seconds")
       }
     </section>

@@ -31,7 +31,7 @@ export function studiesPart(context: Context): TemplateResult {
       ${
         study
           ? study.report.state === "there"
-            ? reportFrame(study.report.value, `Summary of ${study.name}`)
+            ? reportFrame(context, study.report.value, `Summary of ${study.name}`)
             : waiting(study.report, "The study is being summed up")
           : nothing
       }
