@@ -186,7 +186,7 @@ def _call(function: Differentiable, tensors: list[Any]) -> dict[str, torch.Tenso
     columns = [each.to(kind).expand(shape) for each in tensors]
     x = torch.stack(columns, dim=-1) if columns else torch.zeros((*shape, 0), dtype=kind)
     y = _Values.apply(x, function)
-    return {name: y[..., place] for place, name in enumerate(function.outputs)}
+    return dict(zip(function.outputs, y.unbind(-1), strict=True))
 
 
 class _OnCore(torch.autograd.Function):
@@ -214,13 +214,13 @@ class _Values(_OnCore):
     @staticmethod
     def backward(ctx: Any, *gradients: Any) -> Any:
         (x,), (gradient,) = ctx.saved_tensors, gradients
-        return (_Jacobian.apply(x, ctx.function) * gradient[..., None]).sum(-2), None
+        return torch.matmul(gradient[..., None, :], _Jacobian.apply(x, ctx.function)).squeeze(-2), None
 
     @staticmethod
     def jvp(ctx: Any, *tangents: Any) -> Any:
         with forward_ad._set_fwd_grad_enabled(True):
             x = forward_ad.unpack_dual(*ctx.saved_tensors).primal
-            return (_Jacobian.apply(x, ctx.function) * tangents[0][..., None, :]).sum(-1)
+            return torch.matmul(_Jacobian.apply(x, ctx.function), tangents[0][..., None]).squeeze(-1)
 
     @staticmethod
     def vmap(info: Any, in_dims: Any, x: Any, function: Differentiable) -> Any:
