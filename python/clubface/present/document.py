@@ -119,6 +119,7 @@ _STYLE = (
     "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;background:#121613}body{color:#e9efea}"
     "a{color:#79c0ff}figcaption,.save{color:#a7b3ab}th,td{border-color:#343d37}pre{border-color:#343d37}"
     "h2,summary,thead th{border-color:#79c0ff}img{filter:invert(.92) hue-rotate(180deg)}}"
+    "@media screen and (min-width:1800px){body{zoom:1.4}}@media screen and (min-width:3000px){body{zoom:1.8}}"
     "@page{margin:13mm 18mm}"
     "@media print{.save{display:none}body{margin:0;max-width:none;font-size:11pt;padding:0}"
     ".sheets{font-size:9.5pt;line-height:1.35}.sheets img{max-height:6.4cm}"
