@@ -14,6 +14,8 @@ Second derivatives (``hessian``) are differences of the exact first ones: good t
 scaled by the size of the variables, for models in closed form, to 1e-6 for flights without ``total`` and
 ``total_side``, and to 1e-3 for ``volumetric`` with ``accuracy=1e-10``. Other contact models have none, nor have third
 derivatives; asking for them raises an error that says so.
+
+No warning is given of shots outside the range for which a model is valid; :func:`clubface.impact` gives it.
 """
 
 from __future__ import annotations
@@ -149,7 +151,9 @@ def delivery_from_pose(
         The values by name [SI], as :func:`impact` takes them.
     """
     given = Pose(rotation, position, velocity, angular_velocity)
-    return array_delivery(jnp, jnp.asarray, given, ball_position, club, ball, point, hand, _repeated)
+    values = array_delivery(jnp, jnp.asarray, given, ball_position, club, ball, point, hand, _repeated)
+    kind = _kind([*given, ball_position, point])
+    return {name: each.astype(kind) for name, each in values.items()}
 
 
 def pose(
@@ -162,7 +166,10 @@ def pose(
     hand: Any = None,
 ) -> Pose:
     """Return where the head of a delivery is at first touch and how it moves, as :meth:`clubface.Delivery.pose`."""
-    return array_pose(jnp, jnp.asarray, delivery, ball_position, club, ball, point, hand)
+    result = array_pose(jnp, jnp.asarray, delivery, ball_position, club, ball, point, hand)
+    given = delivery.values() if isinstance(delivery, Delivery) else delivery
+    kind = _kind([*given.values(), ball_position, point])
+    return Pose(*(each.astype(kind) for each in result))
 
 
 def _repeated(step: Callable[[Any], Any], count: int) -> Any:
@@ -175,10 +182,14 @@ def _is_array(value: Any) -> bool:
     return isinstance(value, jax.Array)
 
 
+def _kind(values: Iterable[Any]) -> Any:
+    """Return the precision of results: that of the arrays among the values, or the default one."""
+    kinds = [each.dtype for each in values if _is_array(each) and jnp.issubdtype(each.dtype, jnp.floating)]
+    return jnp.result_type(*kinds) if kinds else jnp.result_type(float)
+
+
 def _call(function: Differentiable, arrays: list[Any]) -> dict[str, jax.Array]:
-    kind = jnp.result_type(float, *arrays) if arrays else jnp.result_type(float)
-    if arrays and all(jnp.issubdtype(each.dtype, jnp.floating) for each in arrays):
-        kind = jnp.result_type(*arrays)
+    kind = _kind(arrays)
     shape = np.broadcast_shapes(function.shape, *(each.shape for each in arrays))
     columns = [jnp.broadcast_to(each, shape).astype(kind) for each in arrays]
     x = jnp.stack(columns, axis=-1) if columns else jnp.zeros((*shape, 0), kind)

@@ -12,7 +12,7 @@ core computes on the processor, in double precision; results have the precision 
 
 Derivatives are computed when they are asked for, those by all variables in one run. Second ones are as
 :mod:`clubface.jax` describes them: differences of the exact first ones, for models in closed form, flights, and
-``volumetric`` with ``accuracy=1e-10``.
+``volumetric`` with ``accuracy=1e-10``. No warning is given of shots outside the range for which a model is valid.
 """
 
 from __future__ import annotations

@@ -211,6 +211,11 @@ def test_a_pose_is_differentiated_down_to_the_carry(hand):
     point = there.position - 2.5e-4 * there.velocity, there.velocity, there.angular_velocity
     check_grads(distance, point, order=1, modes=["fwd", "rev"], eps=1e-5, atol=1e-2, rtol=1e-4)
     assert jax.vmap(distance)(*(jnp.stack([each, each]) for each in point)).shape == (2,)
+    single = [each.astype(jnp.float32) for each in there]
+    delivery = clubface.jax.delivery_from_pose(*single, club="driver", hand=hand)
+    assert {each.dtype for each in delivery.values()} == {jnp.dtype(jnp.float32)}
+    for name, value in DRIVE.items():  # coordinates are rounded to 1e-8 m or so, and what is left of a sum may be more
+        assert delivery[name] == pytest.approx(value, rel=1e-4, abs=1e-5), name
 
 
 def test_shots_that_cannot_be_computed_are_nan_or_an_error():
