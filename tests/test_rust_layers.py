@@ -16,7 +16,8 @@ CRATES = Path(__file__).parent.parent / "crates"
 LAYERS = {
     "clubface-math": ("scalar", "elementary", "vec3", "mat3", "quat", "dual", "pack", "ode"),
     "clubface-impact": (
-        "error", "fault", "description", "series", "unit", "quantity", "ball", "face", "face_spring", "club",
+        "error", "fault", "description", "series", "unit", "quantity", "ball", "face", "face_spring",
+        "head_inertia", "club",
         "delivery", "shot", "inertia_check", "check", "launch", "first_touch", "guided_mass", "giving_face", "impact",
         "columns",
         "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch",

@@ -10,6 +10,7 @@ use clubface_impact::Accuracy;
 use clubface_impact::flight::{FlightShot, default_inputs, fly};
 use clubface_impact::registry::named;
 use clubface_impact::sensitivity::sensitivity_to_all;
+use clubface_impact::shot::INPUT_COUNT;
 use proptest::prelude::*;
 
 fn numbers(dimension: usize, seed: u64, first: u32, count: usize) -> Vec<f64> {
@@ -196,7 +197,7 @@ fn golfer(mishit_share: f64) -> Golfer {
 }
 
 fn shots(golfer: &Golfer) -> Shots<'_> {
-    let mut inputs = [0.0; 35];
+    let mut inputs = [0.0; INPUT_COUNT];
     inputs[3] = 0.24;
     inputs[14..18].copy_from_slice(&[0.204, 40.8e-3, 11.4e-3, 1e-3]);
     inputs[18..24].copy_from_slice(&[2843e-7, 5679e-7, 4085e-7, -733e-7, 530.2e-7, 0.5e-7]);

@@ -15,7 +15,7 @@ use clubface_fem::material::{Material, Maxwell, law_from_name, map_law};
 use clubface_fem::sensitivity::ImpactSetup;
 use clubface_fem::solve::{Options, Simulation};
 use clubface_impact::first_touch::FirstTouch;
-use clubface_impact::shot::{INPUT_COUNT, Shot};
+use clubface_impact::shot::{INPUT_COUNT, Shot, with_free_head};
 use clubface_math::Dual;
 use std::time::{Duration, Instant};
 
@@ -25,7 +25,7 @@ const RUNS: usize = 5;
 const MARCH: usize = 8;
 const FRICTION: f64 = 0.2;
 /// Speed 45 m/s, loft 0.2 rad, the club called "driver", the ball called "modern".
-const INPUTS: [f64; INPUT_COUNT] = [
+const INPUTS: [f64; INPUT_COUNT] = with_free_head(&[
     45.0,
     0.0,
     0.0,
@@ -61,7 +61,7 @@ const INPUTS: [f64; INPUT_COUNT] = [
     0.02135,
     8.105_4e-6,
     0.0,
-];
+]);
 /// What is differentiated by: the delivery, constants of materials, the shape of the mesh; with a rigid head, and with
 /// one of shells, its walls and its metal.
 const CASES: [(bool, [&str; 4]); 6] = [

@@ -3,6 +3,7 @@
 use clubface_math::{Mat3, Scalar, Vec3};
 
 use crate::face::{Face, curvature};
+use crate::head_inertia::{HeadInertia, SPATIAL_COUNT, SpatialMatrix};
 
 /// Mass properties and face of a clubhead, in Caldwell and McPhee's axes with the club at its static loft (meanings and
 /// signs: [`crate::shot::INPUTS`]). A left-handed club is the mirror image of the right-handed one of the same numbers.
@@ -28,6 +29,8 @@ pub struct Club<S> {
     pub characteristic_time: S,
     /// 1 for a right-hander, -1 for a left-hander.
     pub hand: S,
+    /// What shaft and hands add to the inertia about the CG, as of [`SpatialMatrix::from_values`].
+    pub added: [S; SPATIAL_COUNT],
 }
 
 impl<S: Scalar> Club<S> {
@@ -41,10 +44,13 @@ impl<S: Scalar> Club<S> {
     pub fn lever(&self) -> Vec3<S> {
         Mat3::rotation_z(self.static_loft.sin_cos()).transpose() * self.cg_to_face
     }
-    /// Inertia about the CG in face axes, kg m2.
+    /// Inertia about the CG in face axes.
     #[inline(always)]
-    pub fn face_inertia(&self) -> Mat3<S> {
+    pub fn head_inertia(&self) -> HeadInertia<S> {
         let turn = Mat3::rotation_z(self.static_loft.sin_cos());
-        turn.transpose() * (Mat3::symmetric(self.inertia) * turn)
+        let inertia = turn.transpose() * (Mat3::symmetric(self.inertia) * turn);
+        let free = self.added.iter().all(|value| value.vanishes());
+        let added = (!free).then(|| SpatialMatrix::from_values(&self.added).in_axes(turn));
+        HeadInertia { mass: self.mass, inertia, added }
     }
 }

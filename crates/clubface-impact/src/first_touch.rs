@@ -3,6 +3,7 @@
 use crate::ball::Ball;
 use crate::face::{Face, tangents};
 use crate::face_spring::FaceSpring;
+use crate::head_inertia::{HeadInertia, HeadMobility};
 use crate::launch::Launch;
 use crate::shot::{INPUT_COUNT, Shot};
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
@@ -23,10 +24,8 @@ pub struct FirstTouch<S> {
     pub spring: FaceSpring<S>,
     /// The ball.
     pub ball: Ball<S>,
-    /// Clubhead mass, kg.
-    pub club_mass: S,
-    /// Clubhead inertia about its CG, face axes, kg m2.
-    pub inertia: Mat3<S>,
+    /// Inertia of the clubhead, face axes.
+    pub head: HeadInertia<S>,
     /// CG to face centre, face axes, m.
     pub lever: Vec3<S>,
     /// CG to impact point, face axes, m.
@@ -63,8 +62,7 @@ impl<S: Scalar> FirstTouch<S> {
             included_time: *included_time,
             spring: FaceSpring::new(club.characteristic_time),
             ball: *ball,
-            club_mass: club.mass,
-            inertia: club.face_inertia(),
+            head: club.head_inertia(),
             lever,
             contact: lever + point,
             normal: face.nearest(point).normal,
@@ -91,8 +89,13 @@ impl<S: Scalar> FirstTouch<S> {
     /// Speed of approach gained per normal impulse at the impact point, 1/kg.
     #[inline(always)]
     pub fn normal_mobility(&self) -> S {
-        let arm = self.contact.cross(self.normal);
-        self.ball.mass.recip() + self.club_mass.recip() + arm.dot(self.inertia.inverse() * arm)
+        self.ball.mass.recip() + self.head_mobility().along(self.contact, self.normal)
+    }
+
+    /// Velocities of the head by impulses, face axes.
+    #[inline(always)]
+    pub fn head_mobility(&self) -> HeadMobility<S> {
+        self.head.mobility()
     }
 
     /// Whether the face gives otherwise than the one that the parameters include, or a derivative asks if it did.

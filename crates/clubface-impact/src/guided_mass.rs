@@ -11,6 +11,7 @@
 
 use crate::face_spring::FaceSpring;
 use crate::first_touch::Motion;
+use crate::head_inertia::HeadMobility;
 use clubface_math::{Scalar, Vec3};
 
 /// The guided mass in a head that is struck at some point. Vectors are fixed in the head.
@@ -22,37 +23,23 @@ pub struct GuidedMass<S> {
     pub inward: Vec3<S>,
     /// c x a, with c from CG to impact point, m.
     arm: Vec3<S>,
-    /// Share of the head's mass that is guided.
-    share: S,
-    /// m I^-1 (c x a): change of the head's spin for a rate of the guided mass, 1/m.
+    /// Change of the head's velocity for a rate of the guided mass; m a / M in a free head.
+    shift: Vec3<S>,
+    /// Change of the head's spin for a rate of the guided mass, 1/m; m I^-1 (c x a) in a free head.
     turn: Vec3<S>,
     /// Inverse of the guided mass as it resists a change of its rate in a head that is free, 1/kg.
     mobility: S,
 }
 
 impl<S: Scalar> GuidedMass<S> {
-    /// In a head of this mass (kg), struck at a point (m, from its CG) with an outward normal; `turned` multiplies a
-    /// vector by the inverse inertia.
+    /// In a head struck at a point (m, from its CG) with an outward normal.
     #[inline(always)]
-    pub fn new(
-        spring: FaceSpring<S>,
-        mass: S,
-        turned: impl Fn(Vec3<S>) -> Vec3<S>,
-        contact: Vec3<S>,
-        normal: Vec3<S>,
-    ) -> Self {
+    pub fn new(spring: FaceSpring<S>, head: &HeadMobility<S>, contact: Vec3<S>, normal: Vec3<S>) -> Self {
         let inward = -normal;
         let arm = contact.cross(inward);
-        let turn = turned(arm) * spring.mass;
-        let share = spring.mass / mass;
-        Self {
-            spring,
-            inward,
-            arm,
-            share,
-            turn,
-            mobility: spring.inverse_mass / (-share - arm.dot(turn) + 1.0),
-        }
+        let (shift, turn) = head.response(inward * spring.mass, arm * spring.mass);
+        let mobility = spring.inverse_mass / (-inward.dot(shift) - arm.dot(turn) + 1.0);
+        Self { spring, inward, arm, shift, turn, mobility }
     }
 
     /// Momentum of the mass while it does not move in the head, for a motion of the head, kg m/s.
@@ -71,6 +58,6 @@ impl<S: Scalar> GuidedMass<S> {
     /// its place, how far that body lies from where the head as a whole would be.
     #[inline(always)]
     pub fn recoil(&self, rate: S) -> Motion<S> {
-        Motion { velocity: -(self.inward * (self.share * rate)), spin: -(self.turn * rate) }
+        Motion { velocity: -(self.shift * rate), spin: -(self.turn * rate) }
     }
 }

@@ -20,6 +20,7 @@ pub mod first_touch;
 pub mod flight;
 pub mod giving_face;
 pub mod guided_mass;
+pub mod head_inertia;
 pub mod impact;
 pub mod impact_model;
 mod inertia_check;

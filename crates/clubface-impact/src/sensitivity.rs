@@ -3,6 +3,7 @@
 use crate::batch::Batch;
 use crate::columns::{Reject, gather};
 use crate::error::ImpactError;
+use crate::first_touch::FirstTouch;
 use crate::impact::Accuracy;
 use crate::impact_model::ImpactModel;
 use crate::kernels::{Differentiated, MOST_PARAMETERS};
@@ -38,7 +39,8 @@ pub fn sensitivity(
     Ok(Sensitivity { values, jacobian })
 }
 
-/// Derivatives of a launch by every input and parameter; NaN by an input that is not differentiable.
+/// Derivatives of a launch by every input and parameter; NaN by an input that is not differentiable, and by what shaft and
+/// hands would add to a free head, which takes time and is hardly ever asked for.
 ///
 /// # Errors
 /// As [`sensitivity`].
@@ -49,7 +51,9 @@ pub fn sensitivity_to_all(
     accuracy: Accuracy,
 ) -> Result<Sensitivity, ImpactError> {
     let count = INPUT_COUNT + parameters.len();
-    let variables: Vec<usize> = (0..count).filter(|&i| differentiable(model, i)).collect();
+    let is_free = FirstTouch::from_inputs(inputs).head.added.is_none();
+    let left_out = |i: usize| is_free && INPUTS.get(i).is_some_and(|input| input.group == "attachment");
+    let variables: Vec<usize> = (0..count).filter(|&i| differentiable(model, i) && !left_out(i)).collect();
     let mut result = sensitivity(model, inputs, parameters, &variables, accuracy)?;
     for row in &mut result.jacobian {
         let mut whole = vec![f64::NAN; count];

@@ -5,6 +5,7 @@ use crate::club::Club;
 use crate::delivery::Delivery;
 use crate::description::Bounds;
 use crate::face_spring::CHARACTERISTIC_TIMES;
+use crate::head_inertia::SPATIAL_COUNT;
 use crate::quantity::{Quantity, known};
 use clubface_math::Scalar;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -14,7 +15,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 pub struct Input {
     /// Its name, unit, meaning and sign.
     pub quantity: &'static Quantity,
-    /// "delivery", "club", "ball" or "parameters".
+    /// "delivery", "club", "ball", "parameters" or "attachment".
     pub group: &'static str,
     /// Whether launch is differentiable with respect to it.
     pub differentiable: bool,
@@ -47,8 +48,11 @@ impl Input {
 /// Number of inputs that describe the delivery: the first ones.
 pub const DELIVERY_COUNT: usize = 14;
 
+/// Number of inputs of a shot with a free head: the first ones. The others are what shaft and hands add.
+pub const FREE_COUNT: usize = 35;
+
 /// Number of inputs.
-pub const INPUT_COUNT: usize = 35;
+pub const INPUT_COUNT: usize = FREE_COUNT + SPATIAL_COUNT;
 
 /// Largest loft, rad: beyond it the face no longer drives the ball forwards.
 pub const LARGEST_LOFT: f64 = 80.0 * PI / 180.0;
@@ -89,6 +93,11 @@ const fn ball(name: &str) -> Input {
     Input::new(name, "ball", POSITIVE)
 }
 
+/// An element of what shaft and hands add to the inertia of the head.
+const fn attached(name: &str) -> Input {
+    Input::new(name, "attachment", ANY)
+}
+
 /// All inputs, in the order of the columns of a batch.
 pub static INPUTS: [Input; INPUT_COUNT] = [
     delivery("speed", Bounds::new(SMALLEST, HIGHEST_SPEED)).usual(20.0 * MPH, 140.0 * MPH),
@@ -126,7 +135,40 @@ pub static INPUTS: [Input; INPUT_COUNT] = [
     ball("ball_radius"),
     ball("ball_inertia"),
     Input::new("included_time", "parameters", TIMES).constant(),
+    attached("added_mass_xx"),
+    attached("added_mass_yy"),
+    attached("added_mass_zz"),
+    attached("added_mass_xy"),
+    attached("added_mass_xz"),
+    attached("added_mass_yz"),
+    attached("added_coupling_xx"),
+    attached("added_coupling_xy"),
+    attached("added_coupling_xz"),
+    attached("added_coupling_yx"),
+    attached("added_coupling_yy"),
+    attached("added_coupling_yz"),
+    attached("added_coupling_zx"),
+    attached("added_coupling_zy"),
+    attached("added_coupling_zz"),
+    attached("added_inertia_xx"),
+    attached("added_inertia_yy"),
+    attached("added_inertia_zz"),
+    attached("added_inertia_xy"),
+    attached("added_inertia_xz"),
+    attached("added_inertia_yz"),
 ];
+
+/// The inputs of a shot with a free head, given without those of what shaft and hands add.
+#[must_use]
+pub const fn with_free_head(given: &[f64; FREE_COUNT]) -> [f64; INPUT_COUNT] {
+    let mut inputs = [0.0; INPUT_COUNT];
+    let mut i = 0;
+    while i < FREE_COUNT {
+        inputs[i] = given[i];
+        i += 1;
+    }
+    inputs
+}
 
 /// A club, a ball and how they meet.
 #[derive(Clone, Copy, Debug)]
@@ -173,6 +215,7 @@ impl<S: Scalar> Shot<S> {
                 face_height: v[28],
                 characteristic_time: v[29],
                 hand: v[30],
+                added: core::array::from_fn(|i| v[FREE_COUNT + i]),
             },
             ball: Ball { mass: v[31], radius: v[32], inertia: v[33] },
             included_time: v[34],

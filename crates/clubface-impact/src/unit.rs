@@ -96,6 +96,8 @@ pub static UNITS: &[Unit] = &[
     multiple("mass", "oz", "", (28_349_523_125.0, 1e12)),
     multiple("inertia", "kg m2", "", (1.0, 1.0)),
     multiple("inertia", "g cm2", "", (1.0, 1e7)),
+    multiple("mass moment", "kg m", "", (1.0, 1.0)),
+    multiple("mass moment", "g cm", "", (1.0, 1e5)),
     multiple("angular rate", "rad/s", "radps,rad_s", (1.0, 1.0)),
     multiple("angular rate", "deg/s", "degps,deg_s,°/s", (PI, 180.0)),
     multiple("angular rate", "rpm", "rev/min,RPM", (PI, 30.0)),
@@ -176,6 +178,7 @@ dimensions! {
     VOLUME "volume" ["m3"], "cm3" 0, "cm3" 0;
     MASS "mass" ["kg"], "g" 1, "g" 1;
     INERTIA "inertia" ["kg m2"], "g cm2" 0, "g cm2" 0;
+    MASS_MOMENT "mass moment" ["kg m"], "g cm" 0, "g cm" 0;
     ANGULAR_RATE "angular rate" ["rad/s"], "rpm" 0, "rpm" 0;
     TEMPERATURE "temperature" ["K"], "degC" 1, "degC" 1;
     PRESSURE "pressure" ["Pa"], "hPa" 1, "hPa" 1;

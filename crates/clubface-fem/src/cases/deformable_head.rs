@@ -40,6 +40,10 @@ pub(crate) fn deformable_head_in_steps<R: Kernels>(
 ) -> Result<Simulation<R>, FemError> {
     head.check()?;
     check_approach(touch)?;
+    if touch.head.added.is_some() {
+        let allowed = "a head of finite elements is free; leave the mesh out for a rigid head on its shaft";
+        return Err(FemError::input("attachment", "a spatial inertia that is added to the head", allowed));
+    }
     let (up, toe) = touch.tangents();
     let axes = [touch.normal, up, toe];
     let radius = R::from_f64(ball.radius());

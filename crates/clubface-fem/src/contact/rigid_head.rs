@@ -4,6 +4,7 @@ use super::RigidSurface;
 use clubface_impact::face::Face;
 use clubface_impact::first_touch::{FirstTouch, Motion};
 use clubface_impact::guided_mass::GuidedMass;
+use clubface_impact::head_inertia::{HeadInertia, HeadMobility};
 use clubface_math::{Mat3, Quat, Real, Vec3};
 
 /// The head, in face axes of first touch with the origin at its CG then.
@@ -12,17 +13,24 @@ pub struct RigidHead<R> {
     face: Face<R>,
     /// Vector from CG to face centre in face axes, m.
     centre_to_face: Vec3<R>,
-    mass: R,
-    inverse_inertia: Mat3<R>,
+    inertia: HeadInertia<R>,
+    mobility: HeadMobility<R>,
     guided: GuidedMass<R>,
+    /// Velocity of the CG at first touch.
+    approach: Vec3<R>,
     /// The CG.
     centre: Vec3<R>,
     attitude: Quat<R>,
     /// Rotation from face axes to those of first touch.
     rotation: Mat3<R>,
-    /// Momentum over mass, and inverse inertia times angular momentum.
+    /// Motion of the head as a whole.
     mean: Motion<R>,
+    /// Momentum of head and mechanism in a frame that moves as the CG did at first touch, and angular momentum about the
+    /// CG.
+    momentum: Vec3<R>,
     angular_momentum: Vec3<R>,
+    /// What the mechanism has of the momentum, half a step before.
+    carried: Vec3<R>,
     /// Momentum of the guided mass inwards, kg m/s.
     guided_momentum: R,
     /// How far the face has given, m.
@@ -40,21 +48,24 @@ pub struct RigidHead<R> {
 impl<R: Real> RigidHead<R> {
     /// The head of a shot at first touch.
     pub fn new(touch: &FirstTouch<R>) -> Self {
-        let inverse_inertia = touch.inertia.inverse();
-        let turned = |v| inverse_inertia * v;
+        let mobility = touch.head_mobility();
         let motion = Motion { velocity: touch.club_velocity, spin: touch.club_spin };
-        let guided = GuidedMass::new(touch.spring, touch.club_mass, turned, touch.contact, touch.normal);
+        let guided = GuidedMass::new(touch.spring, &mobility, touch.contact, touch.normal);
+        let (momentum, angular_momentum) = touch.head.momenta(Vec3::zero(), touch.club_spin);
         Self {
             face: touch.face,
             centre_to_face: touch.lever,
-            mass: touch.club_mass,
-            inverse_inertia,
+            inertia: touch.head,
+            mobility,
             guided,
+            approach: touch.club_velocity,
             centre: Vec3::zero(),
             attitude: Quat::identity(),
             rotation: Mat3::diagonal(R::one()),
             mean: motion,
-            angular_momentum: touch.inertia * touch.club_spin,
+            momentum,
+            angular_momentum,
+            carried: momentum,
             guided_momentum: guided.carried(motion),
             depth: R::zero(),
             around: motion,
@@ -85,21 +96,36 @@ impl<R: Real> RigidSurface<R> for RigidHead<R> {
     fn advance(&mut self, dt: f64) {
         let step = R::from_f64(dt);
         let stiffness = self.guided.spring.stiffness;
-        self.mean.velocity += self.force * (step / self.mass);
+        self.momentum += self.force * step;
         self.angular_momentum += self.torque * step;
+        if self.inertia.added.is_some() {
+            // A free head's momentum is along its velocity.
+            let change = self.mean.velocity - self.approach;
+            self.angular_momentum += self.momentum.cross(change) * step;
+        }
         let inwards = (self.rotation * self.guided.inward).dot(self.force);
         self.guided_momentum += (inwards - stiffness * self.depth) * step;
         // Momenta half a step later, velocities half a step earlier.
-        let kinetic = self.mass * self.mean.velocity.dot(self.around.velocity)
+        let own = self.approach * self.inertia.mass + self.momentum;
+        let carried = self.carried_momentum();
+        let kinetic = own.dot(self.around.velocity)
             + self.angular_momentum.dot(self.around.spin)
-            + self.guided_momentum * self.rate;
+            + self.guided_momentum * self.rate
+            + self.approach.dot(self.carried + carried) * R::from_f64(0.5);
+        self.carried = carried;
         self.energy = 0.5 * (kinetic + stiffness * self.depth.squared()).re();
         // Midpoint rule: half a step with the old rotation, then the whole step with the rotation found there.
         let middle = self.rotated(self.body_spin(self.rotation), dt * 0.5);
         self.attitude = self.rotated(self.body_spin(middle.matrix()), dt);
         self.rotation = self.attitude.matrix();
         let mean = self.mean_motion(self.rotation);
-        self.mean.spin = self.rotation * mean.spin;
+        self.mean = Motion {
+            velocity: match self.inertia.added {
+                None => self.approach + self.momentum * self.inertia.mass.recip(),
+                Some(_) => self.rotation * mean.velocity,
+            },
+            spin: self.rotation * mean.spin,
+        };
         self.rate = self.guided.rate(self.guided_momentum, mean);
         let recoil = self.guided.recoil(self.rate);
         self.around = Motion {
@@ -124,8 +150,16 @@ impl<R: Real> RigidHead<R> {
     /// Mean motion in body axes, given the rotation of the body.
     fn mean_motion(&self, rotation: Mat3<R>) -> Motion<R> {
         let inverse = rotation.transpose();
-        let spin = self.inverse_inertia * (inverse * self.angular_momentum);
-        Motion { velocity: inverse * self.mean.velocity, spin }
+        let (change, spin) = self.mobility.response(inverse * self.momentum, inverse * self.angular_momentum);
+        Motion { velocity: inverse * self.approach + change, spin }
+    }
+    /// Momentum of the mechanism in the moving frame; zero for a free head.
+    fn carried_momentum(&self) -> Vec3<R> {
+        let Some(added) = &self.inertia.added else { return Vec3::zero() };
+        let mean = self.mean_motion(self.rotation);
+        let recoil = self.guided.recoil(self.guided.rate(self.guided_momentum, mean));
+        let change = mean.velocity + recoil.velocity - self.rotation.transpose() * self.approach;
+        self.rotation * added.multiply(change, mean.spin + recoil.spin).0
     }
     /// Angular velocity of the body around the guided mass in body axes, given the rotation of the body.
     fn body_spin(&self, rotation: Mat3<R>) -> Vec3<R> {

@@ -1,12 +1,14 @@
 //! Equations of motion during contact.
 
+use super::head_motion::HeadMotion;
 use super::law::{ContactLaw, Core, Indentation, Sliding};
 use super::state::*;
 use crate::face::{Face, tangents};
 use crate::first_touch::FirstTouch;
 use crate::giving_face::GivingFace;
+use crate::head_inertia::{HeadInertia, HeadMobility};
 use clubface_math::ode::System;
-use clubface_math::{Dual, Mat3, Quat, Scalar, Vec3};
+use clubface_math::{Computation, Dual, Quat, Scalar, Vec3};
 
 /// Club, ball and law of one contact.
 #[derive(Clone, Copy, Debug)]
@@ -16,10 +18,10 @@ pub struct Contact<S, L> {
     pub(super) face: Face<S>,
     pub(super) giving: GivingFace<S>,
     pub(super) lever: Vec3<S>,
-    pub(super) inertia: Mat3<S>,
-    pub(super) inverse_inertia: Mat3<S>,
-    /// 1 / ball mass + 1 / club mass, 1/kg.
-    pub(super) inverse_mass: S,
+    pub(super) head: HeadInertia<S>,
+    pub(super) mobility: HeadMobility<S>,
+    pub(super) motion: HeadMotion<S>,
+    pub(super) inverse_ball_mass: S,
     pub(super) radius: S,
     /// Inertia of the ball, or of its cover, kg m2.
     pub(super) surface_inertia: S,
@@ -43,9 +45,10 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
             face: touch.face,
             giving: GivingFace::from_touch(touch),
             lever: touch.lever,
-            inertia: touch.inertia,
-            inverse_inertia: touch.inertia.inverse(),
-            inverse_mass: touch.ball.mass.recip() + touch.club_mass.recip(),
+            head: touch.head,
+            mobility: touch.head_mobility(),
+            motion: HeadMotion::new(touch),
+            inverse_ball_mass: touch.ball.mass.recip(),
             radius: touch.ball.radius,
             surface_inertia,
             inverse_surface_inertia: surface_inertia.recip(),
@@ -113,9 +116,9 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         let position = Vec3::from_slice(y, POSITION);
         let mut rate = [S::zero(); N];
         (velocity - club_spin.cross(position)).put(&mut rate, POSITION);
-        (force * self.inverse_mass - club_spin.cross(velocity)).put(&mut rate, VELOCITY);
-        let club_torque = -t.point.cross(force) - club_spin.cross(self.inertia * club_spin);
-        (self.inverse_inertia * club_torque).put(&mut rate, CLUB_SPIN);
+        let (club_rate, club_spin_rate) = self.club_rates(y, t.point, force);
+        (force * self.inverse_ball_mass - club_rate - club_spin.cross(velocity)).put(&mut rate, VELOCITY);
+        club_spin_rate.put(&mut rate, CLUB_SPIN);
         let attitude = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.rate(club_spin);
         rate[ATTITUDE] = attitude.w;
         attitude.v.put(&mut rate, ATTITUDE + 1);
@@ -147,6 +150,42 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         }
         (ball_torque * self.inverse_surface_inertia - club_spin.cross(ball_spin)).put(&mut rate, BALL_SPIN);
         rate
+    }
+}
+
+impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
+    /// Acceleration of the clubhead's CG and its angular acceleration in state `y` under `force` on the ball.
+    #[inline(always)]
+    fn club_rates(&self, y: &[S], point: Vec3<S>, force: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
+        let moment = -point.cross(force);
+        let spin = Vec3::from_slice(y, CLUB_SPIN);
+        if self.head.added.is_none() {
+            return self.mobility.response(-force, moment - spin.cross(self.head.inertia * spin));
+        }
+        S::outline(AttachedRates { contact: self, y, force, moment, spin })
+    }
+}
+
+/// Rates of an attached head, a function of its own.
+struct AttachedRates<'a, S, L> {
+    contact: &'a Contact<S, L>,
+    y: &'a [S],
+    force: Vec3<S>,
+    moment: Vec3<S>,
+    spin: Vec3<S>,
+}
+
+impl<S: Scalar, L> Computation for AttachedRates<'_, S, L> {
+    type Output = (Vec3<S>, Vec3<S>);
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { contact, y, force, moment, spin } = self;
+        let velocity = contact.motion.velocity(&contact.head, y);
+        let (linear, angular) = contact.head.momenta(velocity, spin);
+        let (rate, spin_rate) = contact
+            .mobility
+            .response(linear.cross(spin) - force, angular.cross(spin) + linear.cross(velocity) + moment);
+        (rate + spin.cross(velocity), spin_rate)
     }
 }
 

@@ -1,6 +1,7 @@
 //! One instant of a contact in the terms a reader wants.
 
 use super::dynamics::Contact;
+use super::head_motion::motions;
 use super::law::ContactLaw;
 use super::state::*;
 use crate::face::tangents;
@@ -46,7 +47,7 @@ pub struct Frame {
     pub club_spin: [f64; 3],
     /// Clubhead attitude relative to first touch in face axes of first touch: quaternion w, x, y, z.
     pub club_attitude: [f64; 4],
-    /// Kinetic energy of both bodies, J.
+    /// Kinetic energy of both bodies, and of what an attached head carries along, J.
     pub kinetic_energy: f64,
     /// How far the face has moved inwards in the head, m, beyond the face that the parameters include.
     pub face_depth: f64,
@@ -63,12 +64,13 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Reads the state `y` of a contact.
+    /// Reads the state `y` of a contact; `before` is the frame before, None at first touch.
     pub fn record<L: ContactLaw<f64>, const N: usize>(
         touch: &FirstTouch<f64>,
         contact: &Contact<f64, L>,
         time: f64,
         y: &[f64; N],
+        before: Option<&Self>,
     ) -> Self {
         let t = contact.touching(y);
         let normal_force = contact.normal_force(&t);
@@ -79,10 +81,21 @@ impl Frame {
         let turn = Vec3::from_slice(y, ATTITUDE + 1);
         let attitude = clubface_math::Quat { w: y[ATTITUDE], v: turn };
         let relative = attitude.matrix() * Vec3::from_slice(y, POSITION);
-        // Both centres, from the uniform motion of their common centre of mass.
-        let share = touch.ball.mass / (touch.ball.mass + touch.club_mass);
-        let start = touch.contact + touch.normal * touch.ball.radius;
-        let common = start * share + touch.club_velocity * ((1.0 - share) * time);
+        let club_velocity = touch.world_velocity(club.velocity);
+        let club_position = match (&touch.head.added, before) {
+            // From the uniform motion of the common centre of mass of club and ball.
+            (None, _) | (_, None) => {
+                let share = touch.ball.mass / (touch.ball.mass + touch.head.mass);
+                let start = touch.contact + touch.normal * touch.ball.radius;
+                let common = start * share + touch.club_velocity * ((1.0 - share) * time);
+                touch.world_velocity(common - relative * share)
+            }
+            // Steps are short enough for the mean of the velocities at their ends.
+            (Some(_), Some(before)) => {
+                let mean = (Vec3::from_f64(before.club_velocity) + club_velocity) * 0.5;
+                Vec3::from_f64(before.club_position) + mean * (time - before.time)
+            }
+        };
         let club_spin = Vec3::from_slice(y, CLUB_SPIN);
         let surface_spin = Vec3::from_slice(y, BALL_SPIN);
         let mut spin_energy = 0.5 * touch.ball.inertia * surface_spin.norm_squared();
@@ -100,10 +113,19 @@ impl Frame {
             work.copy_from_slice(&y[N - LEDGER..]);
         }
         let [face_depth, face_rate] = face(N).map_or([0.0; 2], |at| [y[at], y[at + 1]]);
+        let mut added_energy = 0.0;
+        if let Some(added) = &touch.head.added {
+            // Of a mechanism that moves as the head did at first touch, which has no part in its motion then.
+            let change = contact.motion.velocity(&touch.head, y);
+            let (linear, angular) = added.multiply(change, club_spin);
+            added_energy = touch.club_velocity.dot(attitude.matrix() * linear)
+                + 0.5 * (change.dot(linear) + club_spin.dot(angular));
+        }
         let kinetic_energy = spin_energy
+            + added_energy
             + 0.5 * touch.ball.mass * ball.velocity.norm_squared()
-            + 0.5 * touch.club_mass * club.velocity.norm_squared()
-            + 0.5 * club_spin.dot(touch.inertia * club_spin);
+            + 0.5 * touch.head.mass * club.velocity.norm_squared()
+            + 0.5 * club_spin.dot(touch.head.inertia * club_spin);
         Self {
             time,
             normal_force,
@@ -113,13 +135,13 @@ impl Frame {
             sliding_y: t.sliding.dot(up),
             sliding_z: t.sliding.dot(toe),
             contact_area: contact.area(&t),
-            ball_position: touch.world_velocity(common + relative * (1.0 - share)).array(),
+            ball_position: (club_position + touch.world_velocity(relative)).array(),
             ball_velocity: touch.world_velocity(ball.velocity).array(),
             ball_spin: touch.world_spin(ball.spin).array(),
             cover_spin: touch.world_spin(attitude.matrix() * surface_spin).array(),
             core_spin: touch.world_spin(attitude.matrix() * core_spin).array(),
-            club_position: touch.world_velocity(common - relative * share).array(),
-            club_velocity: touch.world_velocity(club.velocity).array(),
+            club_position: club_position.array(),
+            club_velocity: club_velocity.array(),
             club_spin: touch.world_spin(club.spin).array(),
             club_attitude: [attitude.w, turn.x, turn.y, turn.z],
             kinetic_energy,

@@ -63,7 +63,8 @@ impl Recorder<f64> for History {
         time: f64,
         y: &[f64; N],
     ) {
-        self.frames.push(Frame::record(&self.touch, contact, time, y));
+        let frame = Frame::record(&self.touch, contact, time, y, self.frames.last());
+        self.frames.push(frame);
     }
     fn record_rings(&mut self, rings: &[RingFrame]) {
         self.rings.push(rings.to_vec());

@@ -117,14 +117,14 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
     fn factor(&self, jacobian: &ContactJacobian<S>, g: S) -> ContactSolver<S> {
         let t = *jacobian;
         let layer = self.layer::<N>(g);
-        let cross = Mat3::cross(t.point);
         let arm = t.arm.squared() * layer.compliance;
-        let mobility = Mat3::diagonal(self.inverse_mass + arm)
+        let mobility = Mat3::diagonal(self.inverse_ball_mass + arm)
             + Mat3::outer(t.normal, t.normal * -arm)
-            + (cross * (self.inverse_inertia * cross)).scale(-S::one());
-        let mut implicit = Mat3::diagonal(S::one())
-            + (t.by_velocity * mobility).scale(-g)
-            + t.by_position.scale(-(g * g * self.inverse_mass));
+            + self.mobility.between(t.point, t.point);
+        let by_impulse =
+            t.by_position.scale(self.inverse_ball_mass) + self.mobility.times_central(t.by_position);
+        let mut implicit =
+            Mat3::diagonal(S::one()) + (t.by_velocity * mobility).scale(-g) + by_impulse.scale(-(g * g));
         let give = self.give::<N>(g);
         if face(N).is_some() {
             // Face and ball part alike, whichever of them moves along the normal.
@@ -158,10 +158,11 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
             moved += t.normal * (b[at] + swing * *g);
         }
         let impulse = *inverse * (t.by_velocity * surface + t.by_position * moved) * *g;
-        let velocity = velocity + impulse * self.inverse_mass;
+        let (slowed, turned) = self.mobility.response(impulse, t.point.cross(impulse));
+        let velocity = velocity + impulse * self.inverse_ball_mass + slowed;
         (position + velocity * *g).put(&mut x, POSITION);
         velocity.put(&mut x, VELOCITY);
-        (club_spin - self.inverse_inertia * t.point.cross(impulse)).put(&mut x, CLUB_SPIN);
+        (club_spin - turned).put(&mut x, CLUB_SPIN);
         if let Some(at) = face(N) {
             x[at + 1] = swing + t.normal.dot(impulse) * give.by_impulse;
             x[at] = b[at] + x[at + 1] * *g;

@@ -6,6 +6,7 @@
 
 mod dynamics;
 mod frame;
+mod head_motion;
 mod history;
 mod law;
 mod linear;
@@ -16,6 +17,7 @@ mod state;
 
 pub use dynamics::Contact;
 pub use frame::Frame;
+pub use head_motion::motions;
 pub use history::History;
 pub use law::{ContactLaw, Core, Indentation, Sliding};
 pub use linear::ContactJacobian;
@@ -24,6 +26,5 @@ pub use run::run;
 pub use separation::Separation;
 pub use state::{
     BALL_SPIN, CLUB_SPIN, ContactPoint, LAYERED, LAYERED_GIVING, POSITION, RECORDED_LAYERED,
-    RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY, face, initial, motions,
-    scales,
+    RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY, face, initial, scales,
 };

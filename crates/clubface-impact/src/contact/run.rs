@@ -1,6 +1,7 @@
 //! Runs a contact from first touch to launch.
 
 use super::dynamics::Contact;
+use super::head_motion::motions;
 use super::law::ContactLaw;
 use super::recorder::Recorder;
 use super::separation::Separation;

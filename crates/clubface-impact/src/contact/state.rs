@@ -1,8 +1,8 @@
 //! The state vector of a contact and what it says about the contact point.
 
 use crate::face::Nearest;
-use crate::first_touch::{FirstTouch, Motion};
-use clubface_math::{Quat, Scalar, Vec3};
+use crate::first_touch::FirstTouch;
+use clubface_math::{Scalar, Vec3};
 
 /// Ball centre relative to the clubhead CG, m.
 pub const POSITION: usize = 0;
@@ -163,29 +163,4 @@ pub fn scales<S: Scalar, const N: usize>(touch: &FirstTouch<S>) -> [S; N] {
         set(N - LEDGER, LEDGER, S::from_f64(UNMEASURED));
     }
     scale
-}
-
-/// Motions of ball and club in face axes of first touch: velocities by momentum, ball spin from all its angular
-/// momentum.
-#[inline(always)]
-pub fn motions<S: Scalar, const N: usize>(
-    touch: &FirstTouch<S>,
-    core_inertia: Option<S>,
-    y: &[S; N],
-) -> (Motion<S>, Motion<S>) {
-    let turn = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.matrix();
-    let total = (touch.ball.mass + touch.club_mass).recip();
-    let relative = turn * Vec3::from_slice(y, VELOCITY);
-    let common = touch.club_velocity * (touch.club_mass * total);
-    let mut ball_spin = Vec3::from_slice(y, BALL_SPIN);
-    if let (true, Some(core)) = (layered(N), core_inertia) {
-        let share = core / touch.ball.inertia;
-        ball_spin += (Vec3::from_slice(y, CORE_SPIN) - ball_spin) * share;
-    }
-    let ball = Motion { velocity: common + relative * (touch.club_mass * total), spin: turn * ball_spin };
-    let club = Motion {
-        velocity: common - relative * (touch.ball.mass * total),
-        spin: turn * Vec3::from_slice(y, CLUB_SPIN),
-    };
-    (ball, club)
 }

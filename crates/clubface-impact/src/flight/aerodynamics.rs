@@ -68,7 +68,8 @@ pub fn lift_coefficient<S: Scalar>(s: S) -> S {
 /// Whether the spin parameter lies outside the range of the fit; `spin` is a magnitude.
 #[inline(always)]
 pub fn outside_fit<S: Scalar>(radius: S, spin: S, square_speed: S) -> S::Mask {
-    let (square_rim, square_speed) = ((radius * spin).squared(), square_speed.max(S::from_f64(STILL * STILL)));
+    let (square_rim, square_speed) =
+        ((radius * spin).squared(), square_speed.max(S::from_f64(STILL * STILL)));
     square_rim
         .lt(square_speed * (LOWEST_SPIN_PARAMETER * LOWEST_SPIN_PARAMETER))
         .or(square_rim.gt(square_speed * (HIGHEST_SPIN_PARAMETER * HIGHEST_SPIN_PARAMETER)))

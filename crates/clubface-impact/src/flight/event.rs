@@ -1,8 +1,14 @@
 //! Where a ball is highest and where it lands within a step of Dormand and Prince, with exact derivatives.
 
-use super::trajectory::{CLIMB, Flight, HEIGHT, STATES};
 use clubface_math::Scalar;
-use clubface_math::ode::{DORMAND_PRINCE, Method};
+use clubface_math::ode::{DORMAND_PRINCE, Method, System};
+
+/// Numbers of the state of a flight: position, velocity, part of the launch spin left.
+pub const STATES: usize = 7;
+/// Place of the height in the state.
+pub const HEIGHT: usize = 1;
+/// Place of the vertical velocity in the state.
+pub const CLIMB: usize = 4;
 
 /// What happens once in a flight.
 #[derive(Clone, Copy, Debug)]
@@ -88,7 +94,7 @@ impl<S: Scalar> Step<S> {
 
     /// Time and state at an event of this step.
     #[inline(always)]
-    pub fn at(&self, event: Event, flight: &Flight<S>) -> (S, [S; STATES]) {
+    pub fn at(&self, event: Event, flight: &impl System<S, STATES>) -> (S, [S; STATES]) {
         let (y, rate) = &self.start;
         let h = self.zero_of_polynomial(event);
         // The polynomial is good to some 1e-7 s. One correction in full arithmetic is good to rounding and carries the

@@ -6,7 +6,7 @@
 //! full arithmetic, so derivatives go through the landing event exactly.
 
 use super::aerodynamics::{air_load, drag_coefficient, held_spin_parameter, outside_fit};
-use super::event::{Event, Step};
+use super::event::{CLIMB, Event, HEIGHT, STATES, Step};
 use crate::ball::Ball;
 use clubface_math::ode::{Control, DORMAND_PRINCE, Observer, System, integrate};
 use clubface_math::{Mask, Scalar, Vec3};
@@ -22,12 +22,6 @@ const LONGEST_STEP: f64 = 2.0;
 /// Steps after which a ball that has not come down is given up (strong rising air).
 const MAX_STEPS: usize = 1000;
 
-/// Position, velocity, part of the launch spin left.
-pub const STATES: usize = 7;
-/// Place of the height in the state.
-pub const HEIGHT: usize = 1;
-/// Place of the vertical velocity in the state.
-pub const CLIMB: usize = 4;
 const SPIN: usize = 6;
 
 /// Air that moves as one.

@@ -12,7 +12,7 @@ use crate::error::ImpactError;
 use crate::first_touch::FirstTouch;
 use crate::impact::Impact;
 use crate::model::Describe;
-use crate::shot::{DELIVERY_COUNT, INPUT_COUNT};
+use crate::shot::{DELIVERY_COUNT, INPUT_COUNT, with_free_head};
 use clubface_math::pack::ONE_WIDTH;
 use clubface_math::{Computation, Kernel, Lanes, Mask, Scalar, dispatch};
 use core::marker::PhantomData;
@@ -240,8 +240,8 @@ fn parameters_of(shots: &Shots, info: &ModelInfo, row: usize) -> Result<(), Impa
 
 /// A plain central impact, in the order of [`INPUTS`](crate::shot::INPUTS).
 #[rustfmt::skip]
-const HARMLESS: [f64; INPUT_COUNT] = [
+const HARMLESS: [f64; INPUT_COUNT] = with_free_head(&[
     40.0, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.2, 0.04, 0.0, 0.0, 3e-4, 5e-4, 4e-4, 0.0, 0.0, 0.0, 0.2, 0.3, 0.3, 0.1, 0.05, 0.0, 1.0,
     0.0459, 0.0213, 8.336e-6, 0.0,
-];
+]);

@@ -59,8 +59,7 @@ impl<S: Scalar> Computation for Equations<'_, S> {
         let Self { touch, restitution, extra_mass, ball_offset } = self;
         let x = touch.normal;
         let (y, z) = touch.tangents();
-        let club_mass = touch.club_mass + extra_mass;
-        let inverse_inertia = touch.inertia.inverse();
+        let head = touch.head.with_mass(extra_mass).mobility();
         let club_arm = touch.contact;
         let ball_arm = x * -(touch.ball.radius + ball_offset.x) - y * ball_offset.y - z * ball_offset.z;
 
@@ -74,20 +73,16 @@ impl<S: Scalar> Computation for Equations<'_, S> {
         // Relative velocity gained per impulse on the ball at the contact point (Eqs. 1-4, 6, 7).
         let inverse_ball_inertia = touch.ball.inertia.recip();
         let ball_cross = Mat3::cross(ball_arm);
-        let club_cross = Mat3::cross(club_arm);
-        let turning = (ball_cross * ball_cross).scale(-inverse_ball_inertia)
-            + (club_cross * (inverse_inertia * club_cross)).scale(-S::one());
-        let mobility = Mat3::diagonal(touch.ball.mass.recip() + club_mass.recip()) + turning;
+        let turning = (ball_cross * ball_cross).scale(-inverse_ball_inertia);
+        let mobility = Mat3::diagonal(touch.ball.mass.recip()) + turning + head.between(club_arm, club_arm);
         let impulse = mobility.inverse() * (after - before);
 
         let ball = Motion {
             velocity: impulse * touch.ball.mass.recip(),
             spin: touch.ball_spin + ball_arm.cross(impulse) * inverse_ball_inertia,
         };
-        let club = Motion {
-            velocity: touch.club_velocity - impulse * club_mass.recip(),
-            spin: touch.club_spin - inverse_inertia * club_arm.cross(impulse),
-        };
+        let (slowed, turned) = head.response(impulse, club_arm.cross(impulse));
+        let club = Motion { velocity: touch.club_velocity - slowed, spin: touch.club_spin - turned };
         (ball, club)
     }
 }

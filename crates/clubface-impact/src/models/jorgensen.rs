@@ -66,8 +66,9 @@ impl<S: Scalar> Model<S> for Jorgensen<S> {
         let velocity = x * x.dot(ball.velocity) + face_point.reject(x) + left;
         let spin = x.cross(left) * touch.ball.radius.recip() + x * x.dot(touch.ball_spin);
         // The club takes the momentum the ball has; its angular motion is that of the standard model.
-        let club_velocity = touch.club_velocity - velocity * (touch.ball.mass / touch.club_mass);
-        let club = Motion { velocity: club_velocity, spin: club.spin };
+        let momentum = velocity * touch.ball.mass;
+        let (slowed, _) = touch.head_mobility().response(momentum, touch.contact.cross(momentum));
+        let club = Motion { velocity: touch.club_velocity - slowed, spin: club.spin };
         Impact::certain(touch.launch(Motion { velocity, spin }, club))
     }
 }

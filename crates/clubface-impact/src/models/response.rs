@@ -71,7 +71,7 @@ const FACE: f64 = 250e-6;
 impl<S: Scalar> Model<S> for Response<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, _: Accuracy, _: &mut R) -> Impact<S> {
-        let bodies = Bodies { touch, inverse_inertia: touch.inertia.inverse(), friction: self.friction };
+        let bodies = Bodies { touch, head: touch.head_mobility(), friction: self.friction };
         let speed = touch.approach();
         let Contact { middle, end, time } = self.contact(&bodies, speed);
         let mobility = bodies.mobility(middle);
@@ -90,7 +90,7 @@ impl<S: Scalar> Model<S> for Response<S> {
 
         let turning = Mat3::cross(end.normal) * Mat3::cross(middle.normal);
         let gained =
-            bodies.head(end.point, middle.point) + turning.scale(-arm.squared() / touch.ball.inertia);
+            bodies.relative(end.point, middle.point) + turning.scale(-arm.squared() / touch.ball.inertia);
         let linear = self.within_friction(&bodies, gained, wanted, middle.normal, end.normal);
         let normal_impulse = middle.normal.dot(linear);
         let couple = self.couple(&bodies, &at, middle, linear, arm);
@@ -145,9 +145,8 @@ impl<S: Scalar> Response<S> {
             * self.time
             * (face * self.time_face + 1.0);
         let impulse = bodies.estimate(first, speed, &mobility);
-        let turned = bodies.inverse_inertia * impulse.cross(first.point);
-        let pushed = impulse * (touch.ball.mass.recip() + touch.club_mass.recip());
-        let changes = Changes { turned, pushed, time };
+        let (slowed, turned) = bodies.head.response(impulse, first.point.cross(impulse));
+        let changes = Changes { turned: -turned, pushed: impulse * touch.ball.mass.recip() + slowed, time };
         let middle = [self.middle_turn, self.middle_turned, self.middle_shift, self.middle_pushed];
         let end = [self.end_turn, self.end_turned, self.end_shift, self.end_pushed];
         Contact { middle: changes.place(bodies, middle), end: changes.place(bodies, end), time }
@@ -222,7 +221,7 @@ impl<S: Scalar> Response<S> {
         let Place { point, normal } = middle;
         let touch = bodies.touch;
         let inertia = touch.ball.inertia;
-        let turned = bodies.inverse_inertia * linear.cross(point);
+        let turned = -bodies.head.response(linear, point.cross(linear)).1;
         let before = touch.club_spin * self.twist_before - touch.ball_spin * self.twist_spin;
         let twist = normal.dot(before + turned) * self.torsion(at) * inertia;
         let limit = self.friction * linear.dot(normal) * touch.ball.radius * self.twist_arm + 1e-30;

@@ -3,7 +3,8 @@
 use super::Quantity;
 use crate::unit::{
     ANGLE, ANGULAR_RATE, AREA, AREA_DAMPING, DENSITY, DIMENSIONLESS, ENERGY, FORCE, INERTIA, INVERSE_SPEED,
-    LENGTH, MASS, PRESSURE, ROTARY_DAMPING, ROTARY_STIFFNESS, SPEED, TEMPERATURE, TIME, VOLUMETRIC_STIFFNESS,
+    LENGTH, MASS, MASS_MOMENT, PRESSURE, ROTARY_DAMPING, ROTARY_STIFFNESS, SPEED, TEMPERATURE, TIME,
+    VOLUMETRIC_STIFFNESS,
 };
 
 const fn entry(
@@ -17,7 +18,7 @@ const fn entry(
 }
 
 /// Number of quantities.
-const COUNT: usize = 177;
+const COUNT: usize = 198;
 
 /// All quantities: one table, which others point into.
 #[rustfmt::skip]
@@ -107,6 +108,64 @@ pub static QUANTITIES: [Quantity; COUNT] = [
     entry("ball_inertia", "I_b", INERTIA, "ball inertia", "moment of inertia of the ball about any diameter").digits(1),
     entry("included_time", "t_CT0", TIME, "included characteristic time",
         "characteristic time of the face that the parameters include").read("us", 0),
+    // What shaft and hands add to the head.
+    entry("added_mass_xx", "A_xx", MASS, "added mass xx",
+        "mass that shaft and hands add to the head at its CG at static loft: force along x by acceleration along x"),
+    entry("added_mass_yy", "A_yy", MASS, "added mass yy",
+        "mass that shaft and hands add to the head at its CG at static loft: force along y by acceleration along y"),
+    entry("added_mass_zz", "A_zz", MASS, "added mass zz",
+        "mass that shaft and hands add to the head at its CG at static loft: force along z by acceleration along z"),
+    entry("added_mass_xy", "A_xy", MASS, "added mass xy",
+        "mass that shaft and hands add to the head at its CG at static loft: force along x by acceleration along y")
+        .sign("element of the matrix"),
+    entry("added_mass_xz", "A_xz", MASS, "added mass xz",
+        "mass that shaft and hands add to the head at its CG at static loft: force along x by acceleration along z")
+        .sign("element of the matrix"),
+    entry("added_mass_yz", "A_yz", MASS, "added mass yz",
+        "mass that shaft and hands add to the head at its CG at static loft: force along y by acceleration along z")
+        .sign("element of the matrix"),
+    entry("added_coupling_xx", "B_xx", MASS_MOMENT, "added coupling xx",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along x by angular acceleration about x")
+        .sign("element of the matrix"),
+    entry("added_coupling_xy", "B_xy", MASS_MOMENT, "added coupling xy",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along x by angular acceleration about y")
+        .sign("element of the matrix"),
+    entry("added_coupling_xz", "B_xz", MASS_MOMENT, "added coupling xz",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along x by angular acceleration about z")
+        .sign("element of the matrix"),
+    entry("added_coupling_yx", "B_yx", MASS_MOMENT, "added coupling yx",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along y by angular acceleration about x")
+        .sign("element of the matrix"),
+    entry("added_coupling_yy", "B_yy", MASS_MOMENT, "added coupling yy",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along y by angular acceleration about y")
+        .sign("element of the matrix"),
+    entry("added_coupling_yz", "B_yz", MASS_MOMENT, "added coupling yz",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along y by angular acceleration about z")
+        .sign("element of the matrix"),
+    entry("added_coupling_zx", "B_zx", MASS_MOMENT, "added coupling zx",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along z by angular acceleration about x")
+        .sign("element of the matrix"),
+    entry("added_coupling_zy", "B_zy", MASS_MOMENT, "added coupling zy",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along z by angular acceleration about y")
+        .sign("element of the matrix"),
+    entry("added_coupling_zz", "B_zz", MASS_MOMENT, "added coupling zz",
+        "coupling that shaft and hands add to the head at its CG at static loft: force along z by angular acceleration about z")
+        .sign("element of the matrix"),
+    entry("added_inertia_xx", "D_xx", INERTIA, "added inertia xx",
+        "inertia that shaft and hands add to the head at its CG at static loft: moment about x by angular acceleration about x"),
+    entry("added_inertia_yy", "D_yy", INERTIA, "added inertia yy",
+        "inertia that shaft and hands add to the head at its CG at static loft: moment about y by angular acceleration about y"),
+    entry("added_inertia_zz", "D_zz", INERTIA, "added inertia zz",
+        "inertia that shaft and hands add to the head at its CG at static loft: moment about z by angular acceleration about z"),
+    entry("added_inertia_xy", "D_xy", INERTIA, "added inertia xy",
+        "inertia that shaft and hands add to the head at its CG at static loft: moment about x by angular acceleration about y")
+        .sign("element of the matrix"),
+    entry("added_inertia_xz", "D_xz", INERTIA, "added inertia xz",
+        "inertia that shaft and hands add to the head at its CG at static loft: moment about x by angular acceleration about z")
+        .sign("element of the matrix"),
+    entry("added_inertia_yz", "D_yz", INERTIA, "added inertia yz",
+        "inertia that shaft and hands add to the head at its CG at static loft: moment about y by angular acceleration about z")
+        .sign("element of the matrix"),
     // Parameters of models.
     entry("friction", "mu", DIMENSIONLESS, "friction", "coefficient of Coulomb friction between ball and face"),
     entry("cor", "e", DIMENSIONLESS, "coefficient of restitution", "coefficient of restitution"),

@@ -179,7 +179,8 @@ fn a_batch_with_missing_columns_or_rows_says_so() {
         let batch = Batch { model: STANDARD, inputs, parameters, accuracy: Accuracy::Fast };
         batch.validate(4).unwrap_err()
     };
-    assert_eq!(check(&inputs[..30], &parameters).to_string(), "inputs: 30 columns given, 35 needed");
+    let needed = format!("inputs: 30 columns given, {INPUT_COUNT} needed");
+    assert_eq!(check(&inputs[..30], &parameters).to_string(), needed);
     assert_eq!(check(&inputs, &parameters[..1]).to_string(), "parameters: 1 columns given, 2 needed");
     assert_eq!(check(&uneven, &parameters).to_string(), "inputs: a column has 3 rows, the batch 4");
 }

@@ -110,7 +110,7 @@ proptest! {
         let touch = FirstTouch::from_inputs(&inputs.0);
         let lever = touch.attitude * touch.lever;
         prop_assert!(near(lever, Vec3::new(inputs.at("cg_x"), inputs.at("cg_y"), inputs.at("cg_z"))));
-        let inertia = touch.attitude * (touch.inertia * touch.attitude.transpose());
+        let inertia = touch.attitude * (touch.head.inertia * touch.attitude.transpose());
         let table = [["ixx", "ixy", "ixz"], ["ixy", "iyy", "iyz"], ["ixz", "iyz", "izz"]];
         for (row, names) in inertia.rows.iter().zip(table) {
             for (value, name) in row.array().iter().zip(names) {

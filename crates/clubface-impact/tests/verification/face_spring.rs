@@ -11,8 +11,7 @@ fn touch(club: Club, characteristic_time: f64) -> FirstTouch<f64> {
 }
 
 fn guided(touch: &FirstTouch<f64>) -> GuidedMass<f64> {
-    let inverse = touch.inertia.inverse();
-    GuidedMass::new(touch.spring, touch.club_mass, |v| inverse * v, touch.contact, touch.normal)
+    GuidedMass::new(touch.spring, &touch.head_mobility(), touch.contact, touch.normal)
 }
 
 /// A motion of the body around the mass, and a speed of the mass in it inwards.
@@ -26,12 +25,14 @@ fn velocities_follow_from_momenta_and_energy_is_half_of_both() {
         let touch = touch(club, 250e-6);
         let (guided, inward, arm) = (guided(&touch), -touch.normal, touch.contact.cross(-touch.normal));
         let of_mass = |v: Vec3<f64>| v * GUIDED_MASS;
-        let momentum = AROUND.velocity * touch.club_mass + of_mass(inward * RATE);
-        let angular = touch.inertia * AROUND.spin + of_mass(arm * RATE);
+        let momentum = AROUND.velocity * touch.head.mass + of_mass(inward * RATE);
+        let angular = touch.head.inertia * AROUND.spin + of_mass(arm * RATE);
         let at_contact = inward.dot(AROUND.velocity + AROUND.spin.cross(touch.contact));
         let inwards = GUIDED_MASS * (at_contact + RATE);
-        let mean =
-            Motion { velocity: momentum * touch.club_mass.recip(), spin: touch.inertia.inverse() * angular };
+        let mean = Motion {
+            velocity: momentum * touch.head.mass.recip(),
+            spin: touch.head.inertia.inverse() * angular,
+        };
         let rate = guided.rate(inwards, mean);
         assert!((rate - RATE).abs() < 1e-12 * RATE, "{rate}");
         let recoil = guided.recoil(rate);
@@ -42,8 +43,8 @@ fn velocities_follow_from_momenta_and_energy_is_half_of_both() {
         }
         // Kinetic energy, by the speeds of its parts: the mass moves with the body and in it.
         let body = 0.5
-            * (touch.club_mass * AROUND.velocity.norm_squared()
-                + AROUND.spin.dot(touch.inertia * AROUND.spin));
+            * (touch.head.mass * AROUND.velocity.norm_squared()
+                + AROUND.spin.dot(touch.head.inertia * AROUND.spin));
         let energy = body + GUIDED_MASS * RATE * at_contact + 0.5 * GUIDED_MASS * RATE * RATE;
         let halves = 0.5 * (momentum.dot(AROUND.velocity) + angular.dot(AROUND.spin) + inwards * RATE);
         assert!((energy - halves).abs() < 1e-12 * energy, "{energy} {halves}");

@@ -158,7 +158,7 @@ fn the_face_is_the_guided_mass_on_its_spring() {
     let touch = FirstTouch::from_inputs(&inputs.0);
     let result = face(&touch);
     let arm = touch.contact.cross(touch.normal);
-    let share = GUIDED_MASS * (touch.club_mass.recip() + arm.dot(touch.inertia.inverse() * arm));
+    let share = GUIDED_MASS * (touch.head.mass.recip() + arm.dot(touch.head.inertia.inverse() * arm));
     let compliance = COMPLIANCE * 250e-6f64.powi(2);
     assert!((result.compliance / (compliance * (1.0 - share).powi(2)) - 1.0).abs() < 1e-12);
     assert!((result.square_time / (compliance * GUIDED_MASS * (1.0 - share)) - 1.0).abs() < 1e-12);

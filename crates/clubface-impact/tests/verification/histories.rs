@@ -70,7 +70,7 @@ fn angular_momentum_is_kept_at_every_step() {
             upright(f.ball_position, hand).cross(upright(f.ball_velocity, hand)) * ball
                 + upright(f.club_position, hand).cross(upright(f.club_velocity, hand)) * club
                 + upright_spin(f.ball_spin, hand) * inputs.at("ball_inertia")
-                + turn * (touch.inertia * (turn.transpose() * club_spin))
+                + turn * (touch.head.inertia * (turn.transpose() * club_spin))
         };
         let start = total(&frames[0]);
         let end = frames.last().map_or(0.0, |f| vec(f.ball_spin).norm()) * inputs.at("ball_inertia");
@@ -112,7 +112,7 @@ fn the_kinetic_energy_is_that_of_both_bodies() {
                 * (inputs.at("ball_mass") * vec(frame.ball_velocity).norm_squared()
                     + inputs.at("ball_inertia") * vec(frame.ball_spin).norm_squared()
                     + inputs.at("club_mass") * vec(frame.club_velocity).norm_squared()
-                    + club_spin.dot(touch.inertia * club_spin));
+                    + club_spin.dot(touch.head.inertia * club_spin));
             assert!((energy / frame.kinetic_energy - 1.0).abs() < 1e-12);
         }
     }

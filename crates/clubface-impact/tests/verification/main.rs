@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod area;
+mod attachment;
 mod bad_input;
 mod batch_derivatives;
 mod batches;

@@ -30,7 +30,7 @@ impl Rigid {
         let velocity = |v: Vec3<f64>| to_face * Vec3::new(v.x, v.y, v.z * touch.hand);
         let spin = |v: Vec3<f64>| to_face * Vec3::new(v.x * touch.hand, v.y * touch.hand, v.z);
         Self {
-            club_mass: touch.club_mass + named("extra_mass"),
+            club_mass: touch.head.mass + named("extra_mass"),
             ball_arm: touch.normal * -touch.ball.radius - displaced,
             ball_velocity: velocity(outputs.ball_velocity()),
             ball_spin: spin(outputs.ball_spin()),
@@ -70,7 +70,8 @@ impl Rigid {
         let touch = &self.touch;
         let ball = (-self.ball_arm).cross(self.impulse()) + self.spin_gained() * touch.ball.inertia;
         let club_velocity = (self.club_velocity - touch.club_velocity) * self.club_mass;
-        let club = (-touch.contact).cross(club_velocity) + touch.inertia * (self.club_spin - touch.club_spin);
+        let club =
+            (-touch.contact).cross(club_velocity) + touch.head.inertia * (self.club_spin - touch.club_spin);
         let (change, impulse) = (ball + club, self.impulse());
         let change =
             if self.moves { change.dot(impulse).abs() / (impulse.norm() + 1e-300) } else { change.norm() };
@@ -81,7 +82,7 @@ impl Rigid {
         0.5 * (self.touch.ball.mass * ball.0.norm_squared()
             + self.touch.ball.inertia * ball.1.norm_squared()
             + self.club_mass * club.0.norm_squared()
-            + club.1.dot(self.touch.inertia * club.1))
+            + club.1.dot(self.touch.head.inertia * club.1))
     }
 
     /// Kinetic energy before impact, J.
@@ -111,7 +112,7 @@ impl Rigid {
     /// Matrix from the impulse on the ball to the relative velocity it gives, by its columns, 1/kg.
     pub fn mobility(&self) -> Mat3<f64> {
         let touch = &self.touch;
-        let inverse = touch.inertia.inverse();
+        let inverse = touch.head.inertia.inverse();
         let angular = |p: Vec3<f64>| {
             let ball = p * touch.ball.mass.recip()
                 + (self.ball_arm.cross(p) * touch.ball.inertia.recip()).cross(self.ball_arm);

@@ -1,6 +1,7 @@
 //! What the contact is on average: where club and ball touch, with which normal, and how easily they move there.
 
 use crate::first_touch::{FirstTouch, Motion};
+use crate::head_inertia::HeadMobility;
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
 
 /// Lever of friction on the ball over its radius, where only an estimate is needed.
@@ -35,7 +36,7 @@ pub struct Mobility<S> {
 /// The head and the ball of one impact.
 pub struct Bodies<'a, S> {
     pub touch: &'a FirstTouch<S>,
-    pub inverse_inertia: Mat3<S>,
+    pub head: HeadMobility<S>,
     pub friction: S,
 }
 
@@ -81,10 +82,8 @@ impl<S: Scalar> Bodies<'_, S> {
 
     /// Relative velocity at `seen` per impulse at `point`, without the turning of the ball.
     #[inline(always)]
-    pub fn head(&self, seen: Vec3<S>, point: Vec3<S>) -> Mat3<S> {
-        let mass = self.touch.ball.mass.recip() + self.touch.club_mass.recip();
-        let turning = Mat3::cross(seen) * (self.inverse_inertia * Mat3::cross(point));
-        Mat3::diagonal(mass) + turning.scale(-S::one())
+    pub fn relative(&self, seen: Vec3<S>, point: Vec3<S>) -> Mat3<S> {
+        Mat3::diagonal(self.touch.ball.mass.recip()) + self.head.between(seen, point)
     }
 
     #[inline(always)]
@@ -140,7 +139,7 @@ impl<S: Scalar> Computation for MobilityAt<'_, S> {
     #[inline(always)]
     fn run(self) -> Mobility<S> {
         let Self { bodies, place } = self;
-        let head = bodies.head(place.point, place.point);
+        let head = bodies.relative(place.point, place.point);
         let gained = head * place.normal;
         let normal = place.normal.dot(gained);
         let coupling = gained.reject(place.normal);
@@ -191,26 +190,24 @@ impl<S: Scalar> Impulse<S> {
     pub fn motions(&self, bodies: &Bodies<S>) -> (Motion<S>, Motion<S>) {
         let Self { place, linear, couple, arm } = *self;
         let touch = bodies.touch;
-        let (ball, mass) = (&touch.ball, touch.club_mass);
+        let ball = &touch.ball;
         let spin = (linear.cross(place.normal) * arm + couple) * ball.inertia.recip();
         let head_torque = place.point.cross(linear) + couple;
-        let head_spin = bodies.inverse_inertia * head_torque;
+        let (slowed, head_spin) = bodies.head.response(linear, head_torque);
         // Energy gained by a share of the impulse: share * first + share^2 * second.
         let first = linear.dot(bodies.approach(place, arm)) - couple.dot(touch.club_spin - touch.ball_spin);
-        let second = (linear.norm_squared() * (ball.mass.recip() + mass.recip())
+        let second = (linear.norm_squared() * ball.mass.recip()
+            + linear.dot(slowed)
             + spin.norm_squared() * ball.inertia
             + head_spin.dot(head_torque))
             * 0.5;
         let nothing = second.le(S::zero());
         let most = -first / S::select(nothing, S::one(), second);
         let share = S::zero().max(S::one().min(most));
-        let (linear, spin, head_spin) = (linear * share, spin * share, head_spin * share);
+        let [linear, spin, slowed, head_spin] = [linear, spin, slowed, head_spin].map(|each| each * share);
         (
             Motion { velocity: linear * ball.mass.recip(), spin: touch.ball_spin + spin },
-            Motion {
-                velocity: touch.club_velocity - linear * mass.recip(),
-                spin: touch.club_spin - head_spin,
-            },
+            Motion { velocity: touch.club_velocity - slowed, spin: touch.club_spin - head_spin },
         )
     }
 }

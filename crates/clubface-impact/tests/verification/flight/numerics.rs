@@ -3,8 +3,8 @@
 use super::{INPUT_COUNT, assert_close, column, drive, flown, launch, with};
 use clubface_impact::ball::Ball;
 use clubface_impact::columns::{Column, Reject};
-use clubface_impact::flight::event::{Event, Step};
-use clubface_impact::flight::trajectory::{Air, Flight, HEIGHT};
+use clubface_impact::flight::event::{Event, HEIGHT, Step};
+use clubface_impact::flight::trajectory::{Air, Flight};
 use clubface_impact::flight::{
     FlightBatch, FlightSensitivities, FlightShot, INPUTS, OUTPUTS, check, fly, sensitivity,
 };
