@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from clubface.equipment.clubs import Club as Club, club as club
     from clubface.equipment.models import Model as Model, models as models
     from clubface.equipment.parameters import ParameterSet as ParameterSet
+    from clubface.equipment.shafts import Shaft as Shaft
     from clubface.errors import ClubfaceError as ClubfaceError
 
 
@@ -51,6 +52,7 @@ _HOME = {
     "Golfer": "design.golfer",
     "History": "simulation.history",
     "Hole": "design.strokes",
+    "HoselReaction": "simulation.hosel",
     "Identification": "inference.identification.result",
     "Launch": "simulation.launch",
     "Model": "equipment.models",
@@ -60,6 +62,7 @@ _HOME = {
     "Prior": "inference.prior",
     "RecordedShots": "shots.recorded",
     "Sensitivity": "simulation.sensitivity",
+    "Shaft": "equipment.shafts",
     "Touch": "simulation.own_law",
     "Trajectory": "simulation.flight",
     "ball": "equipment.balls",
@@ -75,6 +78,7 @@ _HOME = {
     "golfer": "design.golfer",
     "golfers": "design.golfer",
     "history": "simulation.history",
+    "hosel_reaction": "simulation.hosel",
     "identify": "inference.identification.run",
     "impact": "simulation.impact",
     "impact_at_launch": "simulation.launch_conditioned",

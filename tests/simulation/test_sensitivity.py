@@ -61,13 +61,27 @@ def test_derivatives_by_parameters_are_those_of_differences():
 
 def test_every_differentiable_input_and_every_parameter_is_there():
     table = clubface.sensitivity("driver", **DRIVE, model="volumetric")
-    differentiable = [name for name, each in inputs().items() if each.differentiable]
+    differentiable = [name for name, each in inputs().items() if each.differentiable and each.group != "attachment"]
     assert list(table.variables) == differentiable + [each.name for each in models()["volumetric"].parameters]
     assert not {"hand", "face_width", "face_height"} & set(table.variables)
     assert table.si.shape == (len(table.outputs), len(table.variables))
     assert np.isfinite(table.si).all()
     assert "contact_time" in table.outputs
     assert "contact_time" not in clubface.sensitivity("driver", **DRIVE, model="standard").outputs
+
+
+def test_inertia_that_is_added_is_there_for_an_attached_head_and_by_name():
+    added = [name for name, each in inputs().items() if each.group == "attachment"]
+    attached = clubface.sensitivity(clubface.club("driver").on_shaft("graphite"), **DRIVE)
+    assert set(added) <= set(attached.variables)
+    free = clubface.sensitivity("driver", **DRIVE, variables=["added_mass_xx", "club_mass"])
+    # A mass that moves with the head in every direction.
+    along = [
+        clubface.sensitivity("driver", **DRIVE, variables=[f"added_mass_{axis}"]).si for axis in ("xx", "yy", "zz")
+    ]
+    speed = free.outputs.index("ball_speed")
+    assert sum(along)[speed] == pytest.approx(free.si[speed, 1], rel=1e-6)
+    assert "added_mass_xx" in clubface.sensitivity("driver", **DRIVE, added_mass_xx=0.01).variables
 
 
 def test_derivatives_are_shown_in_the_units_people_use():

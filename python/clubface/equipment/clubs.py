@@ -11,9 +11,17 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from clubface import units
+from clubface.equipment.attachment import (
+    ADDED_INERTIA,
+    CONTACT_TIME,
+    added_inputs,
+    on_mechanism,
+    spatial_inertia,
+    symmetric_rows,
+)
 from clubface.equipment.backends import CLUB_FILES
 from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
@@ -22,6 +30,9 @@ from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.schema import NAME, TEXT, Choice, Document, PhysicalValue, file_key, quantities, quoted
 from clubface.support.checks import check_name, warn_once
 from clubface.support.files import builtin_names, builtin_path, is_path
+
+if TYPE_CHECKING:
+    from clubface.equipment.shafts import Shaft
 
 RIGID = 0.7762
 """Coefficient of restitution of the built-in driver with a rigid face, struck in front of its CG by the ball ``modern``
@@ -90,6 +101,10 @@ class Club(ClubOrBall):
     Inertia is about the CG. A face is flat where its radius is ``math.inf``. ``hand`` is +1 right, -1 left. The
     characteristic time, if left out, is that which goes with ``cor``, or 0, a rigid face; one that gives has 20 to 600
     us. ``sources`` say where each value comes from, by field name. All values are SI.
+
+    ``added_inertia`` is what shaft and hands add to the spatial inertia of the head about its CG in the time of an
+    impact, shape (6, 6): force and moment by velocity and angular velocity [kg, kg m, kg m2], in the same axes. A head
+    without it is free. :meth:`on_shaft` finds it for a shaft, :meth:`on_mechanism` for a multibody program.
     """
 
     SOURCE_GROUPS: ClassVar = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
@@ -120,13 +135,18 @@ class Club(ClubOrBall):
     cor: float | None = file_key(
         PhysicalValue("1"), "coefficient of restitution at 160 ft/s, in its place", example="0.826", default=None
     )
+    added_inertia: tuple[tuple[float, ...], ...] | None = file_key(
+        ADDED_INERTIA, "what shaft and hands add to the inertia about the CG, SI", default=None
+    )
     sources: Mapping[str, str] = file_key(
-        sources_of(lambda: Club), "where each value comes from", default_factory=dict, hash=False
+        sources_of(lambda: Club, "added_inertia"), "where each value comes from", default_factory=dict, hash=False
     )
 
     def __post_init__(self) -> None:
         if not self.parameters:
             object.__setattr__(self, "parameters", "7-iron" if self.kind == "iron" else "driver")
+        if self.added_inertia is not None:
+            object.__setattr__(self, "added_inertia", symmetric_rows(self.added_inertia))
         set_si(self)
         self._set_face()
         check_body("club", self.inputs())
@@ -205,7 +225,44 @@ class Club(ClubOrBall):
         """Return the values the models take, SI, under the core's names and in its order."""
         renamed = {"mass": "club_mass", "loft": "static_loft"}
         values = {renamed.get(key, key): getattr(self, key) for key in CLUB_PROPERTIES if key != "cor"}
-        return {**values, "hand": float(self.hand)}
+        return {**values, "hand": float(self.hand), **added_inputs(self.added_inertia)}
+
+    def on_mechanism(self, operational_inertia: Any) -> Self:
+        """Return the club on the mechanism of a multibody program.
+
+        Parameters
+        ----------
+        operational_inertia
+            Spatial inertia of the head as it hangs in the mechanism, the inverse of J M^-1 J^T, with J the Jacobian of
+            velocity and angular velocity of the head's CG in the axes of the head and M the inertia matrix of the whole
+            (O. Khatib, IEEE J. Robot. Autom. 3, 1987, 43-53), shape (6, 6) [kg, kg m, kg m2].
+
+        Raises
+        ------
+        InputError
+            It is less than that of the free head in some motion.
+        """
+        return self.replace(added_inertia=on_mechanism(self.mass, self.inertia, operational_inertia))
+
+    def on_shaft(
+        self, shaft: str | os.PathLike[str] | Shaft, *, contact_time: Any = CONTACT_TIME, matching: str = "motion"
+    ) -> Self:
+        """Return the club on a shaft: a built-in name, the path of a TOML file, or a :class:`clubface.Shaft`.
+
+        ``contact_time`` [s] and ``matching`` are as for :meth:`clubface.Shaft.added_inertia`.
+        """
+        from clubface.equipment.shafts import shaft as shaft_of
+
+        chosen = shaft_of(shaft)
+        added = chosen.added_inertia(self, contact_time=contact_time, matching=matching)
+        return self.replace(
+            added_inertia=added, sources={**self.sources, "added_inertia": f"on the shaft {chosen.name}"}
+        )
+
+    @property
+    def spatial_inertia(self) -> tuple[tuple[float, ...], ...]:
+        """Spatial inertia about the CG with what shaft and hands add, shape (6, 6) [kg, kg m, kg m2]."""
+        return spatial_inertia(self.mass, self.inertia, self.added_inertia)
 
     def to_toml(self) -> str:
         """Write the club as TOML text, which :meth:`from_text` reads back exactly."""

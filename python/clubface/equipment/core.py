@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from clubface._core import check, inputs, models as models
+from clubface.equipment.attachment import ADDED_NAMES
 from clubface.errors import ShotError
 
 _OWN_NAMES = {"club_mass": "mass", "static_loft": "loft", "ball_mass": "mass", "ball_radius": "radius",
@@ -18,7 +19,8 @@ def check_body(group: str, values: Mapping[str, float]) -> None:
     fault = check(group, [values.get(name, 0.0) for name in _input_names()])
     if fault is not None:
         name, message = fault
-        raise ShotError(_OWN_NAMES.get(name, name), values[name], message)
+        own = "added_inertia" if name in ADDED_NAMES else _OWN_NAMES.get(name, name)
+        raise ShotError(own, values[name], message)
 
 
 @cache

@@ -14,6 +14,7 @@ __all__ = ["FILES", "file_schema"]
 FILES = {
     "club": "equipment.clubs.Club",
     "ball": "equipment.balls.Ball",
+    "shaft": "equipment.shafts.Shaft",
     "parameters": "equipment.parameters.ParameterFile",
     "ball-of-pieces": "fem.balls.PIECES_FILE",
     "driver-head": "fem.heads.read.DRIVER_FILE",

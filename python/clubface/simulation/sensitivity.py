@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
+from clubface.equipment.attachment import ADDED_NAMES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
@@ -22,7 +23,7 @@ from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
 from clubface.simulation.impact import Parameters, impact, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values, check_on_error, prepare, thread_count, tolerance
+from clubface.simulation.inputs import Delivery, as_values, check_on_error, equipment, prepare, thread_count, tolerance
 from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
@@ -287,7 +288,7 @@ def sensitivity(
     outputs
         Names of launch quantities; left out, all the model gives.
     variables
-        Names of inputs and parameters; left out, all that are differentiable.
+        Names of inputs and parameters; left out, all that are differentiable, without ``added_...`` for a free head.
     units
         The unit to show an output or variable in, by name; left out, practical ones ("rpm per mm").
 
@@ -301,6 +302,9 @@ def sensitivity(
     reduced_model(model, "one with derivatives")
     values = dict(as_values(delivery, values))
     known_columns = known_variables(model)
+    if variables is None:
+        is_free = equipment(club, ball).club.added_inertia is None and values.keys().isdisjoint(ADDED_NAMES)
+        variables = [name for name in known_columns if not (is_free and name in ADDED_NAMES)]
     across = _chosen("variable", variables, {name: each for name, (_, each) in known_columns.items()})
     places = [known_columns[name][0] for name in across]
     size = len(launch_outputs()) * (1 + len(across))
@@ -326,6 +330,13 @@ def sensitivity(
             computed, jacobian = core.sensitivity(model, prepared.shots.columns, prepared.parameters, accuracy)
         except ValueError as error:
             raise prepared.error(error) from None
+        if not ADDED_NAMES.isdisjoint(across):
+            # One shot alone leaves them out of a free head; a batch has whatever is asked for.
+            table, _ = core.sensitivities(
+                model, prepared.shots.columns, prepared.parameters, 1, list(range(len(launch_outputs()))), places,
+                accuracy, cores, None,
+            )  # fmt: skip
+            jacobian[:, places] = table.reshape(len(launch_outputs()), 1 + len(across))[:, 1:]
         known_rows = _known_outputs(computed)
         rows = _chosen("output", outputs, known_rows)
         si = jacobian[[known_rows[name][0] for name in rows]][:, places]

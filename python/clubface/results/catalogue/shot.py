@@ -81,6 +81,11 @@ SENTENCES = {
         "A higher strike lowers the spin, by {backspin:0} a mm, although it launches higher: the blow turns the head "
         "back, and the face rolls the ball forward like a gear."
     ),
+    "hosel-energy": (
+        "The ball gains {gained:.1f} J, of which the shaft gives {carried:.1f} J and the head the rest; {lost:.1f} J are "
+        "lost."
+    ),
+    "hosel-force": "Head and shaft act on each other with {force:.0f} N on average over {contact_time}.",
     "lie-held": (
         "The lie of {lie} turns the head about the target line but not its face: the face angle is given and holds. A "
         "club that is simply tilted so far points {turned_face:right/left} as well; add that to the face angle if you "

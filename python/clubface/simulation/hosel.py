@@ -1,0 +1,171 @@
+"""What passes between an attached head and its shaft during impact: impulse, moment and energy."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from clubface.equipment.attachment import ADDED_NAMES, matrix_of
+from clubface.equipment.models import model
+from clubface.equipment.shafts import Shaft, shaft as shaft_of
+from clubface.errors import InputError, Wording
+from clubface.results.notes import note
+from clubface.results.result import Result
+from clubface.results.table import column, table, text
+from clubface.simulation.inputs import Delivery
+from clubface.simulation.launch import Launch, assumptions_of
+from clubface.simulation.provenance import provenance_of
+
+__all__ = ["HoselReaction", "hosel_reaction"]
+
+AXES = ("to the target", "up", "towards the toe")
+INERTIA = ("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class HoselReaction:
+    """What the head does to its shaft during one impact, and where the energy goes.
+
+    Attributes
+    ----------
+    impulse
+        Of the head on the shaft [N s], in the axes of the head at first touch (x to the target, y up, z towards the toe
+        while it stands at its static loft), shape (3,).
+    moment
+        Impulse of moment on the shaft about ``point`` [N m s], in the same axes, shape (3,).
+    point
+        From the CG of the head [m], in the same axes, shape (3,).
+    contact_time
+        Over which they act [s]; NaN where the model has none.
+    head_energy, shaft_energy, ball_energy
+        What each gains [J].
+    launch
+        The impact.
+    """
+
+    impulse: Any
+    moment: Any
+    point: Any
+    contact_time: float
+    head_energy: float
+    shaft_energy: float
+    ball_energy: float
+    launch: Launch
+
+    @property
+    def lost_energy(self) -> float:
+        """What becomes heat, vibration of the ball, or stays in the face [J]."""
+        return -(self.head_energy + self.shaft_energy + self.ball_energy)
+
+    def to_result(self) -> Result:
+        """Return it as a result: the energy ledger, and impulse and moment by axis."""
+        ledger = table(
+            "energy",
+            text("body", ["head", "shaft", "ball", "lost"]),
+            column("gain", [self.head_energy, self.shaft_energy, self.ball_energy, self.lost_energy], "J"),
+            title="Energy",
+        )
+        reaction = table(
+            "reaction",
+            text("axis", list("xyz")),
+            text("direction", AXES),
+            column("impulse_n_s", self.impulse, "1", digits=3, label="impulse, N s"),
+            column("moment_n_m_s", self.moment, "1", digits=4, label="moment, N m s"),
+            column("mean_force", self.impulse / self.contact_time, "N"),
+            title="Head on shaft, in the axes of the head",
+        )
+        size = float(np.linalg.norm(self.impulse))
+        summary = [note("hosel-energy", gained=self.ball_energy, carried=-self.shaft_energy, lost=self.lost_energy)]
+        if self.contact_time > 0.0:
+            summary.append(note("hosel-force", force=size / self.contact_time, contact_time=self.contact_time))
+        return Result(
+            "hosel-reaction", f"{self.launch.club.name}: hosel reaction, by {self.launch.model}", (ledger, reaction),
+            summary=tuple(summary), assumptions=assumptions_of([self.launch]), provenance=provenance_of([self.launch]),
+        )  # fmt: skip
+
+    def __repr__(self) -> str:
+        return str(self.to_result())
+
+
+def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None = None) -> HoselReaction:
+    """Compute what an attached head does to its shaft during an impact, from how its own motion changes.
+
+    The added inertia of the club takes part with velocity v and angular velocity w of the head: its momenta are A v +
+    B w and B' v + D w, in a frame that moves as the CG did at first touch.
+
+    Parameters
+    ----------
+    launch
+        Of a single shot with a club on a shaft, as :func:`clubface.impact` returns it.
+    shaft
+        The shaft, for the place of the hosel; left out, the moment is about the CG.
+
+    Raises
+    ------
+    InputError
+        The head is free, or there are several shots.
+    """
+    if launch.shape:
+        raise InputError("launch", Wording(f"a batch of shape {launch.shape}"), "a single launch")
+    values = {name: launch.input(name) for name in ADDED_NAMES}
+    if not any(values.values()):
+        allowed = 'one on a shaft, as by clubface.club("driver").on_shaft("graphite")'
+        raise InputError("club", Wording(f"{launch.club.name}, a free head"), allowed)
+    hand = launch.input("hand")
+    # A left-handed head is a mirror image in z, where angular velocities mirror the other way round.
+    mirror = np.array([1.0, 1.0, hand, hand, hand, 1.0])
+    added = matrix_of(values) * np.outer(mirror, mirror)
+    inertia = np.array([[launch.input(name) for name in row] for row in INERTIA]) * np.outer(mirror[3:], mirror[3:])
+    mass = launch.input("club_mass")
+    pose = Delivery(**launch.delivery).pose(launch.club, ball=launch.ball, hand=hand)
+    club_after, spin_after, ball_velocity, ball_spin = (
+        np.array([getattr(launch, f"{name}_{axis}") for axis in "xyz"])
+        for name in ("club_velocity", "club_spin", "velocity", "spin")
+    )
+    contact_time = float(launch.contact_time)
+    start = pose.rotation
+    # Models in closed form leave the head where it is.
+    moving_time = contact_time if model(launch.model).kind != "impulse" else 0.0
+    end = _rotation(0.5 * moving_time * (pose.angular_velocity + spin_after)) @ start
+    before = np.concatenate([np.zeros(3), start.T @ pose.angular_velocity])
+    after = np.concatenate([end.T @ (club_after - pose.velocity), end.T @ spin_after])
+    first, last = added @ before, added @ after
+    # Back to the axes of first touch, to which both belong.
+    turn = start.T @ end
+    impulse = turn @ last[:3] - first[:3]
+    moment = turn @ last[3:] - first[3:]
+    point = np.zeros(3) if shaft is None else mirror[:3] * (np.array(launch.club.cg) + shaft_of(shaft).hosel)
+    relative = 0.5 * (after @ last - before @ first)
+    ball_mass, ball_inertia = launch.input("ball_mass"), launch.input("ball_inertia")
+    ball_before = np.array([launch.input(f"ball_{name}") for name in ("backspin", "sidespin", "riflespin")])
+
+    def turning(rotation: Any, spin: Any) -> float:
+        own = rotation.T @ spin
+        return 0.5 * float(own @ inertia @ own)
+
+    return HoselReaction(
+        impulse,
+        moment - np.cross(point, impulse),
+        point,
+        contact_time,
+        0.5 * mass * float(club_after @ club_after - pose.velocity @ pose.velocity)
+        + turning(end, spin_after)
+        - turning(start, pose.angular_velocity),
+        float(relative + (start.T @ pose.velocity) @ impulse),
+        0.5 * ball_mass * float(ball_velocity @ ball_velocity)
+        + 0.5 * ball_inertia * float(ball_spin @ ball_spin - ball_before @ ball_before),
+        launch,
+    )
+
+
+def _rotation(turn: Any) -> Any:
+    """Return the rotation by a vector of angles [rad], by Rodrigues' formula."""
+    angle = float(np.linalg.norm(turn))
+    if angle == 0.0:
+        return np.eye(3)
+    x, y, z = turn / angle
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross

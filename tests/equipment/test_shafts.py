@@ -1,0 +1,112 @@
+"""Shafts as data, and what they add to a head."""
+
+import math
+
+import numpy as np
+import pytest
+
+import clubface
+from clubface import Shaft
+from clubface.equipment.shafts import shaft, shaft_names
+from clubface.errors import ClubfaceError, InputError
+
+CLUBS = {"graphite": "driver", "steel": "7-iron"}
+
+
+def normal_mass(club):
+    """What the head resists with at the face centre, along the normal [kg]."""
+    normal = np.array([math.cos(club.loft), math.sin(club.loft), 0.0])
+    push = np.concatenate([normal, np.cross(club.cg, normal)])
+    return 1.0 / (push @ np.linalg.solve(club.spatial_inertia, push))
+
+
+@pytest.mark.parametrize("name", shaft_names())
+def test_a_shaft_written_to_a_file_reads_back_the_same(name, tmp_path):
+    path = tmp_path / "shaft.toml"
+    path.write_text(shaft(name).to_toml())
+    assert shaft(path) == Shaft.builtin(name)
+
+
+def test_the_template_is_a_shaft():
+    assert Shaft.from_text(Shaft.template()).name == "my-shaft"
+
+
+def test_builtin_shafts_weigh_what_their_descriptions_say():
+    assert shaft("graphite").mass == pytest.approx(0.062, rel=1e-3)
+    assert shaft("steel").mass == pytest.approx(0.120, rel=1e-3)
+    assert shaft("graphite").length == pytest.approx(1.05)
+
+
+@pytest.mark.parametrize(("name", "club"), CLUBS.items())
+@pytest.mark.parametrize("grip", ["free", "pinned", "clamped"])
+@pytest.mark.parametrize(
+    ("time", "matching"), [("200 us", "motion"), ("450 us", "motion"), ("450 us", "work"), ("1500 us", "work")]
+)
+def test_no_motion_of_the_head_is_pushed_along(name, club, grip, time, matching):
+    each = clubface.club(club)
+    added = np.array(shaft(name).replace(grip=grip).added_inertia(each, contact_time=time, matching=matching))
+    assert (added == added.T).all()
+    size = np.sqrt(np.diag(added))
+    # Directions are made comparable; rounding of the inverse of the mobility is 1e-12 of the head's own.
+    assert np.linalg.eigvalsh(added / np.outer(size, size))[0] > -1e-9
+    assert each.replace(added_inertia=added).added_inertia is not None  # the core agrees
+
+
+def test_the_hands_are_too_far_away_to_matter():
+    # Bending waves come 0.4 m far in a contact; only along the shaft waves return.
+    driver = clubface.club("driver")
+    free, clamped = (normal_mass(driver.on_shaft(shaft("graphite").replace(grip=grip))) for grip in ("free", "clamped"))
+    added = free - normal_mass(driver)
+    assert abs(clamped - free) < 0.05 * added
+
+
+def test_a_heavier_shaft_adds_more():
+    driver = clubface.club("driver")
+    light = shaft("graphite")
+    heavy = light.replace(mass_per_length=[1.3 * each for each in light.mass_per_length])
+    masses = [normal_mass(driver.on_shaft(each)) for each in (light, heavy)]
+    assert normal_mass(driver) < masses[0] < masses[1]
+
+
+def test_a_spring_holds_the_hands_between_pinned_and_clamped():
+    driver = clubface.club("driver")
+    # In 2 ms waves return from the hands.
+    pinned, soft, stiff, clamped = (
+        driver.on_shaft(shaft("graphite").replace(**grip), contact_time="2 ms", matching="work").added_inertia[0][0]
+        for grip in (
+            {"grip": "pinned"},
+            {"grip": "pinned", "grip_stiffness": 100.0},
+            {"grip": "pinned", "grip_stiffness": 1e7},
+            {"grip": "clamped"},
+        )
+    )
+    assert (pinned < soft < stiff) or (pinned > soft > stiff)
+    assert stiff == pytest.approx(clamped, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"position": ["0 mm", "500 mm", "400 mm", "800 mm", "900 mm"]}, "farther"),
+        ({"position": ["10 mm", "500 mm", "600 mm", "800 mm", "900 mm"]}, "0 mm at the tip"),
+        ({"diameter": ["8 mm", "9 mm"]}, "one for each station"),
+        ({"mass_per_length": [0.06, 0.06, -0.01, 0.06, 0.06]}, "above 0"),
+        ({"grip": "loose"}, "clamped"),
+        ({"grip_stiffness": 10.0}, "pinned"),
+        ({"lie": "120 deg"}, "90"),
+        ({"colour": "red"}, "colour"),
+    ],
+)
+def test_a_mistake_in_a_shaft_is_named(change, words):
+    with pytest.raises(ClubfaceError, match=words):
+        shaft("graphite").replace(**change)
+
+
+def test_a_time_that_no_contact_has_is_refused():
+    with pytest.raises(InputError, match="50 to 2000 us"):
+        clubface.club("driver").on_shaft("graphite", contact_time="5 s")
+
+
+def test_an_unknown_shaft_names_those_there_are():
+    with pytest.raises(ClubfaceError, match="graphite"):
+        clubface.club("driver").on_shaft("titanium")
