@@ -388,3 +388,24 @@ def test_the_total_of_a_low_shot_is_an_interval(clubface_):
     assert totals["total_soft_m"] < totals["total_m"] < totals["total_firm_m"]
     drive = ("flight", "--ball-speed", "171 mph", "--launch", "10.4 deg", "--backspin", "2545 rpm")
     assert "total_soft_m" not in clubface_(*drive, "--json").values
+
+
+def test_a_club_on_a_shaft_hits_harder_and_says_what_it_weighs(clubface_, tmp_path):
+    command = ("shot", "driver", "--speed", "105 mph", "--loft", "13 deg")
+    path = tmp_path / "shaft.toml"
+    path.write_text(clubface.Shaft.builtin("graphite").to_toml())
+    free, graphite, own = (
+        clubface_(*command, *shaft, "--json").json for shaft in ((), ("--shaft", "graphite"), ("--shaft", str(path)))
+    )
+    speeds = [each["tables"]["shots"]["rows"][0]["ball_speed_m_s"] for each in (free, graphite, own)]
+    club = clubface.club("driver").on_shaft("graphite")
+    assert speeds[1] == speeds[2] == clubface.impact(club, speed="105 mph", loft="13 deg").ball_speed > speeds[0]
+    (note,) = [each for each in graphite["notes"] if each["code"] == "attached-head"]
+    assert note["data"]["attached_club_mass_kg"] == club.effective_mass
+
+
+def test_a_shaft_that_is_not_there_is_a_mistake_without_a_traceback(clubface_):
+    ran = clubface_("shot", "driver", "--speed", "105 mph", "--shaft", "titanium")
+    assert ran.status != 0
+    assert "graphite" in ran.err
+    assert "Traceback" not in ran.err

@@ -28,9 +28,7 @@ def test_head_shaft_and_ball_keep_their_momentum(model, hand):
     launch = clubface.impact(club, **DRIVE, model=model, accuracy=1e-10)
     pose = clubface.Delivery(**DRIVE).pose(club)
     reaction = clubface.hosel_reaction(launch)
-    change = [
-        np.array([getattr(launch, f"{name}_{axis}") for axis in "xyz"]) for name in ("velocity", "club_velocity")
-    ]
+    change = [np.array([getattr(launch, f"{name}_{axis}") for axis in "xyz"]) for name in ("velocity", "club_velocity")]
     ball, head = launch.input("ball_mass") * change[0], club.mass * (change[1] - pose.velocity)
     # Contact models turn the head by a degree meanwhile, which is known to a few per cent of it.
     tolerance = 1e-9 if model != "volumetric" else 2e-3

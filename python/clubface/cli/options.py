@@ -141,6 +141,11 @@ EQUIPMENT: Group = {
     "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; its own unless given."),
     **BALL,
 }
+SHAFT: Group = {
+    "shaft": text_option(
+        "--shaft", _EQUIPMENT, "NAME|FILE", "A built-in shaft or a TOML file; a free head unless given."
+    ),
+}
 
 PLAYER_HAND = text_option(
     "--hand", None, "right|left", "Hand of the player, for the name of the shot; right unless given."

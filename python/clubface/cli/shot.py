@@ -20,15 +20,16 @@ DRAWN = 1e-8
 
 @app.command()
 @options.takes(
-    options.DELIVERY, options.EQUIPMENT, options.MODELS, options.AIR, options.GROUND, show.UNITS,
+    options.DELIVERY, options.EQUIPMENT, options.SHAFT, options.MODELS, options.AIR, options.GROUND, show.UNITS,
     show.table_option("Write the table, CSV or Parquet by its ending."), show.plot_option("forces and flight"),
     show.REPORT, show.JSON,
 )  # fmt: skip
 def shot(club: options.ClubArgument, **texts: Any) -> None:
     """Compute one shot: how the ball leaves and where it flies."""
-    output = show.Output.check(texts, [club, texts["ball"]])
+    output = show.Output.check(texts, [club, texts["ball"], texts["shaft"]])
     delivery = options.delivery(texts)
     head = options.club_of(club, texts["hand"], texts["model"])
+    head = head if texts["shaft"] is None else head.on_shaft(texts["shaft"])
     names = options.model_names(texts["model"], DEFAULT_MODEL)
     options.check_accuracy(names, texts["accuracy"])
     sets = options.parameter_sets(names, head.parameters, texts["parameters"], texts["setting"])

@@ -204,6 +204,15 @@ class Club(ClubOrBall):
         return self.cg_x * math.sin(self.loft) - self.cg_y * math.cos(self.loft)
 
     @property
+    def effective_mass(self) -> float:
+        """What resists a push along the normal at the face centre, with what shaft and hands add [kg]."""
+        import numpy as np
+
+        normal = np.array([math.cos(self.loft), math.sin(self.loft), 0.0])
+        push = np.concatenate([normal, np.cross(self.cg, normal)])
+        return float(1.0 / (push @ np.linalg.solve(np.array(self.spatial_inertia), push)))
+
+    @property
     def category(self) -> str:
         """One of ``CATEGORIES``, by kind and loft."""
         if self.kind == "hybrid":

@@ -152,8 +152,8 @@ class Modes(NamedTuple):
     def mobility(self, time: float, matching: str = MATCHINGS[0]) -> NDArray[Any]:
         """Return a matrix by which impulses on the head (6), half sines of the given length [s], move it (6).
 
-        With x = w T / pi and s = cos(w T / 2)^2, a mode of frequency w gives the head s / (1 - x^2) of the velocity that
-        an instantaneous impulse gives it, at the end of the pulse, and takes s / (1 - x^2)^2 of the work.
+        With x = w T / pi and s = cos(w T / 2)^2, a mode of frequency w has in the end s / (1 - x^2) of the velocity by
+        an instantaneous impulse, and has taken s / (1 - x^2)^2 of the work.
 
         Parameters
         ----------

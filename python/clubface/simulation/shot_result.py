@@ -129,6 +129,11 @@ def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> lis
         shape_note("shot-shape", flights[first]) if alone
         else shape_note("shot-shape-by-model", flights[first], model=first)
     ]  # fmt: skip
+    club = launches[first].club
+    if club.added_inertia is not None:
+        free = club.replace(added_inertia=None).effective_mass
+        source = club.sources.get("added_inertia", "in a mechanism")
+        notes.append(note("attached-head", how=source, attached_club_mass=club.effective_mass, free_club_mass=free))
     if held := lie_note(launches[first]):
         notes.append(held)
     if outside := [name for name in launches if flights[name].outside_fit]:

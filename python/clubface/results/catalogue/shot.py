@@ -6,6 +6,10 @@ SENTENCES = {
         "A steeper upward blow lowers the spin, by {backspin:0} a degree, because the dynamic loft is held: less angle "
         "is left between path and face."
     ),
+    "attached-head": (
+        "The head is {how}: along the normal at the face centre it acts like {attached_club_mass}, free like "
+        "{free_club_mass}."
+    ),
     "caveat-of-model": "{model}: {caveat}",
     "caveats-listed": "Caveats: clubface models {model}",
     "coefficients-hidden": "{hidden:n coefficient} of {model} are left out; --by NAME and --json have them.",
@@ -82,8 +86,8 @@ SENTENCES = {
         "back, and the face rolls the ball forward like a gear."
     ),
     "hosel-energy": (
-        "The ball gains {gained:.1f} J, of which the shaft gives {carried:.1f} J and the head the rest; {lost:.1f} J are "
-        "lost."
+        "The ball gains {gained:.1f} J and {lost:.1f} J are lost; of both the shaft gives {carried:.1f} J, the head "
+        "the rest."
     ),
     "hosel-force": "Head and shaft act on each other with {force:.0f} N on average over {contact_time}.",
     "lie-held": (
