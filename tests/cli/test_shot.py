@@ -397,11 +397,11 @@ def test_a_club_on_a_shaft_hits_harder_and_says_what_it_weighs(clubface_, tmp_pa
     free, graphite, own = (
         clubface_(*command, *shaft, "--json").json for shaft in ((), ("--shaft", "graphite"), ("--shaft", str(path)))
     )
-    speeds = [each["tables"]["shots"]["rows"][0]["ball_speed_m_s"] for each in (free, graphite, own)]
+    speeds = [each["tables"]["shots"]["rows"][0]["ball_speed_mps"] for each in (free, graphite, own)]
     club = clubface.club("driver").on_shaft("graphite")
     assert speeds[1] == speeds[2] == clubface.impact(club, speed="105 mph", loft="13 deg").ball_speed > speeds[0]
     (note,) = [each for each in graphite["notes"] if each["code"] == "attached-head"]
-    assert note["data"]["attached_club_mass_kg"] == club.effective_mass
+    assert note["data"]["attached_club_mass_g"] == pytest.approx(1e3 * club.effective_mass, rel=1e-12)
 
 
 def test_a_shaft_that_is_not_there_is_a_mistake_without_a_traceback(clubface_):

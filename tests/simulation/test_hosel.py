@@ -30,8 +30,8 @@ def test_head_shaft_and_ball_keep_their_momentum(model, hand):
     reaction = clubface.hosel_reaction(launch)
     change = [np.array([getattr(launch, f"{name}_{axis}") for axis in "xyz"]) for name in ("velocity", "club_velocity")]
     ball, head = launch.input("ball_mass") * change[0], club.mass * (change[1] - pose.velocity)
-    # Contact models turn the head by a degree meanwhile, which is known to a few per cent of it.
-    tolerance = 1e-9 if model != "volumetric" else 2e-3
+    # Contact models turn the head by a degree meanwhile, which is known to a per cent of it.
+    tolerance = 1e-9 if model != "volumetric" else 2e-4
     assert ball + head + pose.rotation @ reaction.impulse == pytest.approx(0.0, abs=tolerance * np.linalg.norm(ball))
 
 
@@ -43,7 +43,7 @@ def test_an_impact_without_losses_loses_no_energy(model, hand):
     reaction = clubface.hosel_reaction(launch, "graphite")
     # Standard makes the ball roll, which costs what sliding friction takes; that of a square blow is little.
     if model == "volumetric":
-        assert reaction.lost_energy == pytest.approx(0.0, abs=2e-3 * reaction.ball_energy)
+        assert reaction.lost_energy == pytest.approx(0.0, abs=5e-5 * reaction.ball_energy)
     else:
         assert 0.0 < reaction.lost_energy < 0.05 * reaction.ball_energy
 
