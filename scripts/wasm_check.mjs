@@ -1,7 +1,7 @@
 // Runs what scripts/wasm_check.py asks for (JSON on stdin) in WebAssembly, and prints what came out (JSON on stdout).
 
 import { readFileSync } from "node:fs";
-import { gzipSync } from "node:zlib";
+import { brotliCompressSync } from "node:zlib";
 import { load } from "../crates/clubface-c/clubface.js";
 
 const asked = JSON.parse(readFileSync(0, "utf8"));
@@ -82,6 +82,6 @@ process.stdout.write(
     description: core.description, launches, derivatives, chosen, flights, shapes, refusals, reference, seen, stopped,
     flight_derivatives: [Array.from(inAir.values), inAir.jacobian.map((row) => Array.from(row))],
     path: plain(path), history: plain(history),
-    sizes: [bytes, elements].map((each) => [each.length, gzipSync(each, { level: 9 }).length]),
+    sizes: [bytes, elements].map((each) => [each.length, brotliCompressSync(each).length]),
   }),
 );

@@ -22,7 +22,8 @@ from clubface.simulation.shot_shape import shot_shape
 
 SHOTS = 300
 LARGEST = 400e3
-"""Bytes that the module without finite elements may have, compressed: it is what a first visitor waits for."""
+"""Bytes that the module without finite elements may have, compressed as browsers ask for it: a first visitor waits for
+them."""
 COUNT = 4096
 CHOSEN = {"outputs": [0, 4], "variables": [1, 6]}
 """Places of outputs and variables that are differentiated for all shots."""
@@ -287,7 +288,7 @@ def main(module: str, fem: str) -> int:
     report.line("progress", answer["seen"] > 100 and interrupted, f"{answer['seen']} calls; {answer['stopped']}")
     for name, (size, compressed) in zip(("size", "size with fem"), answer["sizes"], strict=True):
         good = name != "size" or compressed <= LARGEST
-        report.line(name, good, f"{size / 1e3:.0f} kB, {compressed / 1e3:.0f} kB compressed by gzip")
+        report.line(name, good, f"{size / 1e3:.0f} kB, {compressed / 1e3:.0f} kB compressed by brotli")
     return int(report.failed)
 
 

@@ -148,7 +148,14 @@ fn check_face_spring(club: &Club<f64>, included: f64) -> Result<(), ImpactError>
 
 /// Checks what shaft and hands add to the inertia of a head: no motion of it may take energy below zero.
 fn check_attachment(club: &Club<f64>) -> Result<(), ImpactError> {
-    let SpatialMatrix { linear, coupling, angular } = SpatialMatrix::from_values(&club.added);
+    if club.added.iter().all(|&value| value == 0.0) {
+        return Ok(());
+    }
+    let Some(SpatialMatrix { linear, coupling, angular, .. }) = SpatialMatrix::from_values(&club.added)
+    else {
+        let message = "must be 0, as of a free head: the module for browsers has no heads on shafts";
+        return Err(ImpactError::new("added_mass_xx", message));
+    };
     let (linear, coupling, angular) = (linear.rows, coupling.rows, angular.rows);
     // A length that makes the matrix one of masses, and room for rounding and for mechanisms that add nothing in some
     // direction.

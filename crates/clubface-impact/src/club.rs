@@ -49,8 +49,7 @@ impl<S: Scalar> Club<S> {
     pub fn head_inertia(&self) -> HeadInertia<S> {
         let turn = Mat3::rotation_z(self.static_loft.sin_cos());
         let inertia = turn.transpose() * (Mat3::symmetric(self.inertia) * turn);
-        let free = self.added.iter().all(|value| value.vanishes());
-        let added = (!free).then(|| SpatialMatrix::from_values(&self.added).in_axes(turn));
+        let added = SpatialMatrix::from_values(&self.added).map(|added| added.in_axes(turn));
         HeadInertia { mass: self.mass, inertia, added }
     }
 }

@@ -12,6 +12,15 @@
 
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
 
+/// What heads that hang in a mechanism are made of: without the feature "attachment" there is no value of it, and the
+/// compiler leaves out all code of such heads.
+#[cfg(feature = "attachment")]
+#[derive(Clone, Copy, Debug)]
+struct Attachable;
+#[cfg(not(feature = "attachment"))]
+#[derive(Clone, Copy, Debug)]
+enum Attachable {}
+
 /// A symmetric 6 x 6 matrix of forces and moments at the CG by velocities there, or its inverse: [A B; B' D].
 #[derive(Clone, Copy, Debug)]
 pub struct SpatialMatrix<S> {
@@ -21,22 +30,34 @@ pub struct SpatialMatrix<S> {
     pub coupling: Mat3<S>,
     /// D: moment by angular velocity (kg m2), or its inverse.
     pub angular: Mat3<S>,
+    #[allow(dead_code)]
+    attachable: Attachable,
 }
 
 /// Number of values of a [`SpatialMatrix`].
 pub const SPATIAL_COUNT: usize = 21;
 
 impl<S: Scalar> SpatialMatrix<S> {
-    /// From A (xx, yy, zz, xy, xz, yz), B (row by row) and D (as A).
+    /// From A (xx, yy, zz, xy, xz, yz), B (row by row) and D (as A); None where all of it is zero.
     #[inline(always)]
-    pub fn from_values(v: &[S; SPATIAL_COUNT]) -> Self {
-        let symmetric = |i: usize| Mat3::symmetric([v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4], v[i + 5]]);
-        let row = |i: usize| Vec3::from_slice(v, i);
-        Self {
-            linear: symmetric(0),
-            coupling: Mat3::from_rows(row(6), row(9), row(12)),
-            angular: symmetric(15),
+    pub fn from_values(v: &[S; SPATIAL_COUNT]) -> Option<Self> {
+        #[cfg(feature = "attachment")]
+        if !v.iter().all(|value| value.vanishes()) {
+            let symmetric =
+                |i: usize| Mat3::symmetric([v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4], v[i + 5]]);
+            let row = |i: usize| Vec3::from_slice(v, i);
+            let coupling = Mat3::from_rows(row(6), row(9), row(12));
+            return Some(Self::new(symmetric(0), coupling, symmetric(15)));
         }
+        _ = v;
+        None
+    }
+
+    /// From its blocks A, B and D.
+    #[cfg(feature = "attachment")]
+    #[inline(always)]
+    pub fn new(linear: Mat3<S>, coupling: Mat3<S>, angular: Mat3<S>) -> Self {
+        Self { linear, coupling, angular, attachable: Attachable }
     }
 
     /// Product with a linear and an angular vector.
@@ -55,7 +76,7 @@ impl<S: Scalar> SpatialMatrix<S> {
         let back = turn.transpose();
         let [linear, coupling, angular] =
             [self.linear, self.coupling, self.angular].map(|block| back * (block * turn));
-        Self { linear, coupling, angular }
+        Self { linear, coupling, angular, ..*self }
     }
 
     #[inline(always)]
@@ -65,7 +86,7 @@ impl<S: Scalar> SpatialMatrix<S> {
         let negative = |block: Mat3<S>| block.scale(-S::one());
         let angular = (self.angular + negative(self.coupling.transpose() * carried)).inverse();
         let coupling = negative(carried * angular);
-        Self { linear: inverse + negative(coupling * carried.transpose()), coupling, angular }
+        Self { linear: inverse + negative(coupling * carried.transpose()), coupling, angular, ..*self }
     }
 }
 
@@ -95,20 +116,18 @@ impl<S: Scalar> HeadInertia<S> {
             linear: added.linear + Mat3::diagonal(self.mass),
             coupling: added.coupling,
             angular: added.angular + self.inertia,
+            ..*added
         }
     }
 
     /// Velocities by impulses.
     #[inline(always)]
     pub fn mobility(&self) -> HeadMobility<S> {
-        HeadMobility {
-            inverse_mass: self.mass.recip(),
-            inverse_inertia: self.inertia.inverse(),
-            attached: self.added.as_ref().map(|added| S::outline(Inverse(self.total(added)))),
-        }
+        S::outline(Invert(self))
     }
 
     /// Momenta of head and mechanism by velocities in the frame that moves as the CG did at first touch.
+    #[cfg_attr(not(feature = "attachment"), allow(unreachable_code))]
     #[inline(always)]
     pub fn momenta(&self, velocity: Vec3<S>, spin: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
         match &self.added {
@@ -118,13 +137,18 @@ impl<S: Scalar> HeadInertia<S> {
     }
 }
 
-struct Inverse<S>(SpatialMatrix<S>);
+struct Invert<'a, S>(&'a HeadInertia<S>);
 
-impl<S: Scalar> Computation for Inverse<S> {
-    type Output = SpatialMatrix<S>;
+impl<S: Scalar> Computation for Invert<'_, S> {
+    type Output = HeadMobility<S>;
     #[inline(always)]
-    fn run(self) -> SpatialMatrix<S> {
-        self.0.inverse()
+    fn run(self) -> HeadMobility<S> {
+        let head = self.0;
+        HeadMobility {
+            inverse_mass: head.mass.recip(),
+            inverse_inertia: head.inertia.inverse(),
+            attached: head.added.as_ref().map(|added| head.total(added).inverse()),
+        }
     }
 }
 
@@ -202,7 +226,7 @@ impl<S: Scalar> Computation for Between<'_, S> {
     type Output = Mat3<S>;
     #[inline(always)]
     fn run(self) -> Mat3<S> {
-        let SpatialMatrix { linear, coupling, angular } = *self.attached;
+        let SpatialMatrix { linear, coupling, angular, .. } = *self.attached;
         let (seen, point) = (Mat3::cross(self.seen), Mat3::cross(self.point));
         let velocity = linear + coupling * point;
         let spin = coupling.transpose() + angular * point;

@@ -4,7 +4,7 @@
 use super::state::{ATTITUDE, BALL_SPIN, CLUB_SPIN, CORE_SPIN, VELOCITY, layered};
 use crate::first_touch::{FirstTouch, Motion};
 use crate::head_inertia::HeadInertia;
-use clubface_math::{Mat3, Quat, Scalar, Vec3};
+use clubface_math::{Computation, Mat3, Quat, Scalar, Vec3};
 
 /// Momentum of club and ball in a frame that moves as the clubhead's CG did at first touch, axes of first touch.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,11 @@ pub struct HeadMotion<S> {
 impl<S: Scalar> HeadMotion<S> {
     #[inline(always)]
     pub fn new(touch: &FirstTouch<S>) -> Self {
+        S::outline(Start(touch))
+    }
+
+    #[inline(always)]
+    fn at_first_touch(touch: &FirstTouch<S>) -> Self {
         let ball_mass = touch.ball.mass;
         let (carried, _) = touch.head.momenta(Vec3::zero(), touch.club_spin);
         let own = Mat3::diagonal(touch.head.mass + ball_mass);
@@ -31,12 +36,38 @@ impl<S: Scalar> HeadMotion<S> {
     /// Velocity of the CG in that frame in state `y`, head axes, m/s.
     #[inline(always)]
     pub fn velocity(&self, head: &HeadInertia<S>, y: &[S]) -> Vec3<S> {
+        S::outline(Velocity { motion: self, head, y })
+    }
+}
+
+struct Start<'a, S>(&'a FirstTouch<S>);
+
+impl<S: Scalar> Computation for Start<'_, S> {
+    type Output = HeadMotion<S>;
+    #[inline(always)]
+    fn run(self) -> HeadMotion<S> {
+        HeadMotion::at_first_touch(self.0)
+    }
+}
+
+struct Velocity<'a, S> {
+    motion: &'a HeadMotion<S>,
+    head: &'a HeadInertia<S>,
+    y: &'a [S],
+}
+
+impl<S: Scalar> Computation for Velocity<'_, S> {
+    type Output = Vec3<S>;
+    #[inline(always)]
+    fn run(self) -> Vec3<S> {
+        let Self { motion, head, y } = self;
         let turn = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.matrix();
-        let mut momentum = turn.transpose() * self.momentum - Vec3::from_slice(y, VELOCITY) * self.ball_mass;
+        let mut momentum =
+            turn.transpose() * motion.momentum - Vec3::from_slice(y, VELOCITY) * motion.ball_mass;
         if let Some(added) = &head.added {
             momentum = momentum - added.coupling * Vec3::from_slice(y, CLUB_SPIN);
         }
-        self.by_momentum * momentum
+        motion.by_momentum * momentum
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where a ball is highest and where it lands within a step of Dormand and Prince, with exact derivatives.
 
-use clubface_math::Scalar;
 use clubface_math::ode::{DORMAND_PRINCE, Method, System};
+use clubface_math::{Computation, Scalar};
 
 /// Numbers of the state of a flight: position, velocity, part of the launch spin left.
 pub const STATES: usize = 7;
@@ -95,8 +95,23 @@ impl<S: Scalar> Step<S> {
     /// Time and state at an event of this step.
     #[inline(always)]
     pub fn at(&self, event: Event, flight: &impl System<S, STATES>) -> (S, [S; STATES]) {
-        let (y, rate) = &self.start;
-        let h = self.zero_of_polynomial(event);
+        S::outline(At { step: self, event, flight })
+    }
+}
+
+struct At<'a, S, P> {
+    step: &'a Step<S>,
+    event: Event,
+    flight: &'a P,
+}
+
+impl<S: Scalar, P: System<S, STATES>> Computation for At<'_, S, P> {
+    type Output = (S, [S; STATES]);
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { step, event, flight } = self;
+        let (y, rate) = &step.start;
+        let h = step.zero_of_polynomial(event);
         // The polynomial is good to some 1e-7 s. One correction in full arithmetic is good to rounding and carries the
         // derivatives.
         let trial = DORMAND_PRINCE.attempt(flight, y, rate, h);
@@ -106,6 +121,6 @@ impl<S: Scalar> Step<S> {
         };
         let correction = -(trial.y[component] / trial.rate[component]);
         let state = core::array::from_fn(|n| trial.y[n] + trial.rate[n] * correction);
-        (self.time + h + correction, state)
+        (step.time + h + correction, state)
     }
 }

@@ -79,11 +79,8 @@ fn a_head_on_a_rigid_mechanism_moves_as_one_with_its_mass() {
     let (mass, place) = (0.03, Vec3::new(-0.03, 0.05, -0.04));
     let about = |mass: f64, point: Vec3<f64>| (Mat3::cross(point) * Mat3::cross(point)).scale(-mass);
     let mut attached = free;
-    attached.head.added = Some(SpatialMatrix {
-        linear: Mat3::diagonal(mass),
-        coupling: Mat3::cross(place).scale(-mass),
-        angular: about(mass, place),
-    });
+    attached.head.added =
+        Some(SpatialMatrix::new(Mat3::diagonal(mass), Mat3::cross(place).scale(-mass), about(mass, place)));
     let total = free.head.mass + mass;
     let centre = place * (mass / total);
     let mut whole = free;
