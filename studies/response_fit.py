@@ -283,7 +283,7 @@ def run(
 
     with without_warnings():
         shots = {place: inputs_of(one_shot(each.club, each.delivery, ball)) for place, each in planned.items()}
-    sums = {place: _sum([*inputs, planned[place].friction]) for place, inputs in shots.items()}
+    sums = {place: _sum([*inputs[:FREE], planned[place].friction]) for place, inputs in shots.items()}
 
     def one(place: Place, keep_going: Any, threads: int) -> Row:
         strike_of = int(place[0]), int(place[1])
@@ -312,6 +312,10 @@ def in_fit(strikes: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
 def of_clubs(strikes: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     """Return which strikes are with built-in clubs."""
     return np.isin(strikes.part, [place for place, part in enumerate(parts.values()) if part.built_in])
+
+
+FREE = sum(each.group != "attachment" for each in inputs().values())
+"""The inputs of a free head, as of all strikes of the tables: the first ones."""
 
 
 def _sum(values: Iterable[float]) -> str:
