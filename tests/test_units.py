@@ -25,6 +25,7 @@ FACTORS = {
     "volume": {"m3": 1.0, "cm3": 0.000001},
     "mass": {"kg": 1.0, "g": 0.001, "oz": 0.45359237 / 16.0},
     "inertia": {"kg m2": 1.0, "g cm2": 0.0000001},
+    "mass moment": {"kg m": 1.0, "g cm": 0.00001},
     "angular rate": {"rad/s": 1.0, "deg/s": TURN / 360.0, "rpm": TURN / 60.0},
     "temperature": {"K": 1.0, "degC": 1.0, "degF": 5.0 / 9.0},
     "pressure": {"Pa": 1.0, "hPa": 100.0, "kPa": 1000.0, "MPa": 1000000.0, "GPa": 1000000000.0, "inHg": 3386.389},

@@ -261,11 +261,8 @@ def test_a_golfer_of_whom_little_is_told_has_a_report(clubface_, tmp_path, text,
 def test_what_was_measured_is_not_called_assumed(clubface_, files, monkeypatch):
     monkeypatch.chdir(files)
     words = words_of(clubface_, files / "report.html", *COMMANDS["estimate"])
-    assert words.startswith("These figures come from 60 shots")
-    assert (
-        "How much these differ from shot to shot was measured or published: speed, attack, path, loft, face, lie"
-        in words
-    )
+    assert "60 shots of the session" in words[:60]
+    assert "How much a swing differs from the next was measured or published for club speed" in words
 
 
 def test_a_part_that_yields_is_called_too_weak(clubface_, files, monkeypatch):

@@ -7,6 +7,7 @@ use clubface_design::sequence::{MOST_DIMENSIONS, Sequence};
 use clubface_design::strokes::{Hole, LIES, StrokesTable};
 use clubface_design::tally::{Scale, Tally, forward};
 use clubface_impact::Accuracy;
+use clubface_impact::flight::trajectory::TOLERANCE;
 use clubface_impact::flight::{FlightShot, default_inputs, fly};
 use clubface_impact::registry::named;
 use clubface_impact::sensitivity::sensitivity_to_all;
@@ -249,7 +250,7 @@ fn a_dispersion_is_that_of_its_shots_one_by_one() {
         };
         let mut air = default_inputs();
         air[3..9].copy_from_slice(&impact.values[8..14]);
-        let flown = fly(&FlightShot::from_inputs(&air), 1e-7).outputs();
+        let flown = fly(&FlightShot::from_inputs(&air), TOLERANCE).outputs();
         carry += flown[0];
         side += flown[1];
         landings.push([forward(flown[0], flown[1]), flown[1]]);
