@@ -11,20 +11,17 @@ from __future__ import annotations
 import math
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from clubface import units
-from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import Model, reduced_model
 from clubface.errors import InputError, Wording
 from clubface.simulation import core
-from clubface.simulation.flight import AXES, BALL, Air, conditions
-from clubface.simulation.inputs import Delivery, as_values, check_on_error, equipped, shots, thread_count, tolerance
-from clubface.simulation.launch import vectors
+from clubface.simulation.inputs import check_on_error, equipped, shots, thread_count, tolerance
 from clubface.simulation.results import (
     Variable,
     first_error,
@@ -34,7 +31,6 @@ from clubface.simulation.results import (
     outputs as launch_outputs,
 )
 from clubface.simulation.sensitivity import known_variables
-from clubface.simulation.spin import SPINS
 from clubface.support.checks import check_names
 
 if TYPE_CHECKING:
@@ -266,128 +262,3 @@ def _rows(what: str, names: Iterable[str] | None, known: Mapping[str, int]) -> d
 
 def _flat(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
     return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
-
-
-IsArray = Callable[[Any], bool]
-TERMS = ("ball_speed", "launch", "azimuth", *SPINS)
-"""The terms of a launch monitor in which a launch may be given as arrays of a library."""
-
-
-def launch_function(
-    is_array: IsArray,
-    club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None,
-    values: Mapping[str, Any],
-    parameters: Any,
-    **options: Any,
-) -> tuple[LaunchFunction, list[Any]]:
-    """Return the function of those inputs and parameters that are arrays of a library, and these arrays.
-
-    Parameters
-    ----------
-    is_array
-        Whether a value is such an array.
-    club, delivery, values, parameters, **options
-        As for :func:`clubface.impact`.
-    """
-    given = {name: value for name, value in as_values(delivery, values).items() if value is not None}
-    if "loft" not in given and is_array(given.get("static_loft")):
-        given["loft"] = given["static_loft"]
-    arrays = {name: value for name, value in given.items() if is_array(value)}
-    if isinstance(parameters, Mapping):
-        of_model = {name: value for name, value in parameters.items() if is_array(value)}
-        parameters = {name: value for name, value in parameters.items() if name not in of_model} or None
-        arrays |= of_model
-    rest = {name: value for name, value in given.items() if name not in arrays}
-    function = LaunchFunction(club, rest, arrays, parameters=parameters, **options)
-    return function, list(arrays.values())
-
-
-def flight_function(
-    is_array: IsArray,
-    xp: Any,
-    launch: Mapping[str, Any],
-    *,
-    air: Air | Mapping[str, Any] | None,
-    wind: Any,
-    ground: str | Mapping[str, Any] | None,
-    ball: str | os.PathLike[str] | Ball | None,
-    **options: Any,
-) -> tuple[FlightFunction, list[Any]]:
-    """Return the function of those inputs of a flight that are arrays of a library, and these arrays.
-
-    Parameters
-    ----------
-    is_array
-        Whether a value is such an array.
-    xp
-        The library.
-    launch
-        What ``impact`` of the same library returned, or what :func:`clubface.fly` takes.
-    air, wind, ground, ball, **options
-        As for :func:`clubface.fly`; the ball where it is not the default one.
-    """
-    if not isinstance(launch, Mapping):
-        raise InputError("launch", launch, "a mapping of values, as impact of this module returns it")
-    given = {name: value for name, value in launch.items() if value is not None}
-    if "velocity_x" in given:  # of an impact: its vectors say everything
-        given = {
-            name: value for name, value in given.items() if name in flight_inputs() or name not in launch_outputs()
-        }
-    elif any(is_array(value) for value in given.values()):
-        given = _vectors(xp, given)
-    if wind is not None and not isinstance(wind, Mapping) and len(wind) == len(AXES):
-        wind = {f"wind_{axis}": wind[place] for place, axis in enumerate(AXES)}
-    groups = {"wind": wind, "air": air, "ground": ground}
-    surroundings: dict[str, Any] = {}
-    for group, values in groups.items():
-        if isinstance(values, Mapping):
-            arrays = {name: value for name, value in values.items() if is_array(value)}
-            check_names(f"array of the {group}", arrays, flight_inputs())
-            surroundings |= arrays
-            groups[group] = {name: value for name, value in values.items() if name not in arrays}
-    arrays = {name: value for name, value in given.items() if is_array(value)} | surroundings
-    rest = {name: 0.0 if name in arrays else value for name, value in given.items()}
-    inputs_of_flight = {name: each.default for name, each in flight_inputs().items()} | ball_named(ball).inputs()
-    inputs_of_flight |= vectors(rest) | conditions(groups["air"], groups["wind"], groups["ground"])
-    columns = {
-        name: value
-        if isinstance(value, float)
-        else units.parse_values(value, flight_inputs()[name].dimension, name=name)
-        for name, value in inputs_of_flight.items()
-    }
-    return FlightFunction(columns, arrays, **options), list(arrays.values())
-
-
-def _vectors(xp: Any, terms: Mapping[str, Any]) -> dict[str, Any]:
-    """Return velocity and spin of a launch in the terms of a launch monitor, as :func:`vectors` does with numbers."""
-    check_names("launch value", terms, (*TERMS, *BALL))
-    spins = [name for name in SPINS if name in terms]
-    if spins and not set(spins) <= {"backspin", "sidespin"} and spins != ["total_spin", "spin_axis"]:
-        raise InputError("spin", Wording(", ".join(spins)), "backspin and sidespin, or total_spin and spin_axis")
-    given = {name: value for name, value in terms.items() if name in BALL}
-    parsed = {
-        name: xp.asarray(units.parse_values(value, launch_outputs()[name].dimension, name=name))
-        if isinstance(value, str | float | int)
-        else value
-        for name, value in terms.items()
-        if name not in given
-    }
-    for name in ("ball_speed", "launch"):
-        if name not in parsed:
-            raise InputError(name, None, "give it: a flight cannot start without")
-    zero = xp.zeros_like(xp.asarray(parsed["ball_speed"]))
-    speed, launch, azimuth = parsed["ball_speed"], parsed["launch"], parsed.get("azimuth", zero)
-    if "total_spin" in parsed:
-        axis = parsed["spin_axis"]
-        parsed |= {"backspin": parsed["total_spin"] * xp.cos(axis), "sidespin": parsed["total_spin"] * xp.sin(axis)}
-    backspin, sidespin = parsed.get("backspin", zero), parsed.get("sidespin", zero)
-    return {
-        **given,
-        "velocity_x": speed * xp.cos(launch) * xp.cos(azimuth),
-        "velocity_y": speed * xp.sin(launch),
-        "velocity_z": speed * xp.cos(launch) * xp.sin(azimuth),
-        "spin_x": -backspin * xp.sin(azimuth),
-        "spin_y": -sidespin,
-        "spin_z": backspin * xp.cos(azimuth),
-    }
