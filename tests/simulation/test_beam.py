@@ -38,25 +38,25 @@ def bending(roots, beam=BENDING):
 
 def test_a_free_beam_has_the_frequencies_of_euler():
     # cosh x cos x = 1. Cubics of 60 elements err by (x h)^4 / 720 < 1e-6; that of a section's rotary inertia is less.
-    found = frequencies(uniform(), [])
-    assert found[6:12] == pytest.approx(bending([4.730041, 7.853205, 10.995608]), rel=2e-6)
-    assert found[:6] == pytest.approx(0.0, abs=1.0)
+    computed = frequencies(uniform(), [])
+    assert computed[6:12] == pytest.approx(bending([4.730041, 7.853205, 10.995608]), rel=2e-6)
+    assert computed[:6] == pytest.approx(0.0, abs=1.0)
 
 
 def test_a_clamped_beam_has_the_frequencies_of_euler():
     # cosh x cos x = -1
-    found = frequencies(uniform(), range(6))
-    assert found[:6] == pytest.approx(bending([1.875104, 4.694091, 7.854757]), rel=2e-6)
+    computed = frequencies(uniform(), range(6))
+    assert computed[:6] == pytest.approx(bending([1.875104, 4.694091, 7.854757]), rel=2e-6)
 
 
 def test_rotary_inertia_lowers_the_frequencies_of_a_hinged_beam_as_rayleigh_says():
     # m (1 + r^2 k^2) w^2 = EI k^4, with k a multiple of pi / length.
     radius = 0.02
     hinged = [1, 2, 3, -5, -4, -3]  # both directions across at both ends, and the twist at both
-    found = frequencies(uniform(gyration=radius, torsion=1e5), [0, *hinged])
+    computed = frequencies(uniform(gyration=radius, torsion=1e5), [0, *hinged])
     k = math.pi * np.array([1.0, 2.0, 3.0, 4.0]) / LENGTH
     expected = np.repeat(np.sqrt(BENDING * k**4 / (MASS * (1.0 + (radius * k) ** 2))), 2)
-    assert found[:8] == pytest.approx(expected, rel=2e-6)
+    assert computed[:8] == pytest.approx(expected, rel=2e-6)
 
 
 @pytest.mark.parametrize(("stiffness", "density", "freedoms"), [(AXIAL, MASS, 0), (TORSION, 2.0 * MASS * 0.02**2, 3)])
@@ -84,9 +84,9 @@ def test_a_head_on_a_rigid_beam_moves_as_one_rigid_body():
         total += np.block([[mass * np.eye(3), -mass * cross], [mass * cross, own - mass * cross @ cross]])
     scale = np.sqrt(np.outer(np.diag(total), np.diag(total)))
     for matching in MATCHINGS:
-        found = np.linalg.inv(modes(stiff, HEAD, TIP, AXIS).mobility(450e-6, matching))
+        computed = np.linalg.inv(modes(stiff, HEAD, TIP, AXIS).mobility(450e-6, matching))
         # Stiff, not rigid: the butt swings at 2e5 rad/s, and gives way by (pi / (w T))^2 = 1e-3 of what it adds.
-        assert (found - total) / scale == pytest.approx(0.0, abs=1e-3)
+        assert (computed - total) / scale == pytest.approx(0.0, abs=1e-3)
 
 
 def test_the_mobility_is_what_a_half_sine_leaves():
@@ -146,5 +146,5 @@ def test_sixty_elements_are_enough(name):
     coarse, usual, fine = (added(count) for count in (30, 60, 120))
     scale = np.sqrt(np.outer(np.diag(fine), np.diag(fine)))
     error = np.abs((usual - fine) / scale).max()
-    assert error < 1e-3
+    assert error < 1e-4  # a hundredth of what the matrix itself misses of the shaft
     assert error < 0.4 * np.abs((coarse - fine) / scale).max()  # second order, by the linear shapes
