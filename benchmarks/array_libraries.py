@@ -1,7 +1,7 @@
 """What a launch, its derivatives and the gradient of a carry cost in NumPy, JAX and PyTorch.
 
-``python benchmarks/array_libraries.py [FILE]`` prints, in two minutes, the shortest of several times on the clock,
-with what was computed beside it, which must agree from row to row, and puts both into FILE; the page
+``python benchmarks/array_libraries.py [FILE]`` prints, in two minutes, the shortest of several times on the clock
+and the result of each computation, which must agree from row to row, and puts both into FILE; the page
 docs/plug-into-jax.md reads docs/array-libraries.json. A library that is not installed is left out, and keeps its
 entries in the file. On a machine that does other work, the times are too long.
 """

@@ -6,7 +6,7 @@ inputs of the core through the C interface, those of Python the options of the c
 inputs in WebAssembly and the links in a browser. ``make golden`` writes the files again after a change of physics,
 clubs, balls, golfers or parameters that is meant.
 
-``shots.json`` has shots drawn at random with a fixed seed; the other links stand in ``golden_links.toml``.
+``shots.json`` has shots drawn at random with a fixed seed; the other links are those of ``golden_links.toml``.
 ``flights.json`` has shots in wind, other air and on other grounds, ``maps.json`` maps of faces, ``dispersions.json``
 shots of golfers, ``elements.json`` impacts by finite elements, and ``tolerance.json`` when two numbers are the same.
 
@@ -65,7 +65,7 @@ difference of larger numbers: those lose their last bits, not it.
 
 SHOTS = 200
 CHOICES = ("model", "ball", "hand")
-"""What a link says besides the club and the delivery."""
+"""What a link gives in addition to the club and the delivery."""
 CONDITIONS = ("wind", "wind_from", "altitude", "temperature", "humidity", "pressure", "ground")
 SPREADS = {
     "path": (4.0, 1, "deg"), "face": (3.0, 1, "deg"), "lie": (2.0, 1, "deg"), "toe": (8.0, 1, "mm"),
@@ -179,7 +179,7 @@ def shots_at_random() -> Iterable[dict[str, Any]]:
 
 
 def shots(made: Iterable[Any]) -> dict[str, Any]:
-    """Return shots; inputs that do not belong to the delivery, and parameters, are those of many, and stand once."""
+    """Return shots; inputs that do not belong to the delivery, and parameters, are those of many: written once."""
     lists: dict[str, list[Any]] = {"equipment": [], "parameters": []}
     cases = []
     for each in made:

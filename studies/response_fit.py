@@ -227,6 +227,8 @@ TARGETS = (
 COLUMNS = ("part", "number", *TARGETS, "stopped", "inputs")
 """Columns of the table: the strike (the design gives its delivery), its results, and a checksum of its inputs: the row
 is run again where the design gives its number to another strike."""
+FREE = sum(each.group != "attachment" for each in inputs().values())
+"""Number of inputs of a free head, which come first: all strikes of the tables are of one."""
 DIGITS = 9
 _SETTINGS = Settings(duration=2.5e-3, interval=2e-5, until_separation=True, threads=1)
 
@@ -312,10 +314,6 @@ def in_fit(strikes: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
 def of_clubs(strikes: Strikes, parts: Mapping[str, Part]) -> NDArray[Any]:
     """Return which strikes are with built-in clubs."""
     return np.isin(strikes.part, [place for place, part in enumerate(parts.values()) if part.built_in])
-
-
-FREE = sum(each.group != "attachment" for each in inputs().values())
-"""The inputs of a free head, as of all strikes of the tables: the first ones."""
 
 
 def _sum(values: Iterable[float]) -> str:

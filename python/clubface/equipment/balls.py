@@ -15,7 +15,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 from clubface import units
 from clubface.equipment.core import check_body
-from clubface.equipment.described import ClubOrBall, set_si, sources_of, template_lines, to_toml
+from clubface.equipment.described import EquipmentItem, set_si, sources_of, template_lines, to_toml
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterValue
 from clubface.errors import InputError, RuleWarning
@@ -150,7 +150,7 @@ def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Map
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Ball(ClubOrBall):
+class Ball(EquipmentItem):
     """A golf ball, SI.
 
     ``parameters`` replace the defaults of a model, unless a set or the value itself is given. ``construction`` is what

@@ -25,7 +25,16 @@ from clubface.equipment.attachment import (
 from clubface.equipment.backends import CLUB_FILES
 from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.core import check_body
-from clubface.equipment.described import FLAT, HANDS, ClubOrBall, changed, set_si, sources_of, template_lines, to_toml
+from clubface.equipment.described import (
+    FLAT,
+    HANDS,
+    EquipmentItem,
+    changed,
+    set_si,
+    sources_of,
+    template_lines,
+    to_toml,
+)
 from clubface.errors import ImplausibleWarning, InputError, RuleWarning
 from clubface.schema import NAME, TEXT, Choice, Document, PhysicalValue, file_key, quantities, quoted
 from clubface.support.checks import check_name, warn_once
@@ -93,7 +102,7 @@ RADIUS = PhysicalValue("mm", special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Club(ClubOrBall):
+class Club(EquipmentItem):
     """A clubhead, SI and radians, described for a right-handed club (its mirror image carries ``hand = -1``).
 
     Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.

@@ -1,4 +1,4 @@
-"""The common base of clubs and balls: reading, writing and changing an object whose fields are the keys of its file."""
+"""The common base of clubs, balls and shafts: reading, writing and changing what has the keys of its file as fields."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ FLAT = "flat"
 T = TypeVar("T")
 
 
-def sources_of(schema: Callable[[], type[ClubOrBall]], *others: str) -> Record:
+def sources_of(schema: Callable[[], type[EquipmentItem]], *others: str) -> Record:
     """Return the kind of a table that says where each quantity of a dataclass comes from, or another value."""
     return Record(lambda: dict.fromkeys([*quantities(schema()), *schema().SOURCE_GROUPS, *others], TEXT))
 
 
-class ClubOrBall:
-    """A club or a ball: read from TOML, changed in part; its subclass is a frozen dataclass with ``sources``."""
+class EquipmentItem:
+    """A club, ball or shaft: read from TOML, changed in part; each subclass is a frozen dataclass with ``sources``."""
 
     SOURCE_GROUPS: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """Words that stand for several fields under [sources]."""

@@ -12,7 +12,7 @@ import numpy as np
 
 from clubface import units
 from clubface.equipment.attachment import CONTACT_TIME, spatial_inertia
-from clubface.equipment.described import ClubOrBall, set_si, sources_of, to_toml
+from clubface.equipment.described import EquipmentItem, set_si, sources_of, to_toml
 from clubface.errors import InputError
 from clubface.schema import NAME, TEXT, Choice, Items, PhysicalValue, file_key, quoted, template
 from clubface.simulation.beam import GRIPS, MATCHINGS, Beam, Modes, added_inertia, modes
@@ -54,7 +54,7 @@ class Head(Protocol):
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Shaft(ClubOrBall):
+class Shaft(EquipmentItem):
     """A shaft as a beam, SI and radians, on a right-handed club, in the axes of :class:`clubface.Club`.
 
     Each list has a value for every station from the tip, where the shaft leaves the hosel, to the butt; between

@@ -91,12 +91,11 @@ class _Sentence(Formatter):
     a third word that word alone where the value is zero to the digits shown; the value stands where a word has "#", as
     in ``{curve:curves # right/curves # left/flies straight}``; ``{shots:n shot}`` counts ("1 shot",
     "3 shots"), ``{shots:?was/were}`` agrees with a count. A list is joined by commas, by ``{names:and}`` or
-    ``{names:;}``; ``{names:labels}`` lists the labels of quantities; ``{names:3}`` counts those after
-    the third, and ``{frames:ranges}`` says "3, 7-12". A mapping lists
-    quantities with their labels ("launch angle 12.1 deg"), by ``{figures:changes}`` with signs and without zeros, by
-    ``{figures:values}`` without labels; a pair of numbers in it is a value with its standard deviation, a whole number
-    counts ("3 Measured"), and a text stands in brackets ("Carry (yd)"). Any other format is Python's, applied to the
-    number as it is.
+    ``{names:;}``; ``{names:labels}`` lists the labels of quantities; ``{names:3}`` counts those after the third, and
+    ``{frames:ranges}`` says "3, 7-12". A mapping lists quantities with their labels ("launch angle 12.1 deg"), by
+    ``{figures:changes}`` with signs and without zeros, by ``{figures:values}`` without labels; a pair of numbers in it
+    is a value with its standard deviation, a whole number counts ("3 Measured"), and a text stands in brackets ("Carry
+    (yd)"). Any other format is Python's, applied to the number as it is.
     """
 
     def get_value(self, key: int | str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:

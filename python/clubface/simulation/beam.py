@@ -1,4 +1,4 @@
-"""A clubhead on its shaft: a Rayleigh beam of finite elements, its modes, and how the head moves under a short blow.
+"""A clubhead on its shaft: a Rayleigh beam of finite elements, its modes, and how the head moves under a short impulse.
 
 Bending has Hermite cubics with rotary inertia, stretch and twist have linear shapes (O. C. Zienkiewicz, R. L. Taylor,
 The Finite Element Method). Properties are linear between stations. The head is rigid and rigidly on the tip, so that

@@ -15,6 +15,7 @@ from clubface.errors import InputError, Wording
 from clubface.results.notes import note
 from clubface.results.result import Result
 from clubface.results.table import column, table, text
+from clubface.simulation.beam import cross_matrix
 from clubface.simulation.inputs import Delivery
 from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import provenance_of
@@ -166,6 +167,5 @@ def _rotation(turn: Any) -> Any:
     angle = float(np.linalg.norm(turn))
     if angle == 0.0:
         return np.eye(3)
-    x, y, z = turn / angle
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    cross = cross_matrix(turn / angle)
     return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
