@@ -311,7 +311,8 @@ ClubfaceResult *clubface_launches(const char *model,
                                   double *outputs);
 
 // Computes one launch and all its derivatives: in `jacobian` a row an output, by the inputs and then the parameters. It
-// is NaN by an input that is not differentiable, and by the group "attachment" where all of it is zero. The rest as for [`clubface_launches`].
+// is NaN by an input that is not differentiable, and by the group "attachment" where all of it is zero. The rest as for
+// [`clubface_launches`].
 //
 // # Safety
 // The arrays hold as many numbers as stated; `model` ends with a null byte.

@@ -65,7 +65,8 @@ pub unsafe extern "C" fn clubface_launches(
 }
 
 /// Computes one launch and all its derivatives: in `jacobian` a row an output, by the inputs and then the parameters. It
-/// is NaN by an input that is not differentiable, and by the group "attachment" where all of it is zero. The rest as for [`clubface_launches`].
+/// is NaN by an input that is not differentiable, and by the group "attachment" where all of it is zero. The rest as for
+/// [`clubface_launches`].
 ///
 /// # Safety
 /// The arrays hold as many numbers as stated; `model` ends with a null byte.

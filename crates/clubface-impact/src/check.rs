@@ -5,14 +5,13 @@ use crate::description::ModelInfo;
 use crate::error::ImpactError;
 use crate::face_spring::{CHARACTERISTIC_TIMES, GUIDED_MASS};
 use crate::fault::{angle_fault, fault, shown};
-use crate::head_inertia::SpatialMatrix;
-use crate::inertia_check::{ROUNDING, check_inertia};
+use crate::inertia_check::{ROUNDING, check_added_inertia, check_inertia};
 use crate::quantity::quantity;
 use crate::shot::{
     DELIVERY_COUNT, HIGHEST_SPEED, INPUT_COUNT, INPUTS, LARGEST, LARGEST_LOFT, LARGEST_RATE, LARGEST_SPIN,
     SMALLEST, Shot,
 };
-use clubface_math::{Mask, Scalar, Vec3};
+use clubface_math::{Mask, Scalar};
 use core::f64::consts::FRAC_PI_2;
 
 /// Checks the values of a shot, in the order of [`INPUTS`].
@@ -107,7 +106,7 @@ pub fn check_club(values: &[f64; INPUT_COUNT]) -> Result<(), ImpactError> {
         return Err(ImpactError::new("bulge", message));
     }
     check_face_spring(&club, shot.included_time)?;
-    check_attachment(&club)?;
+    check_added_inertia(&club)?;
     if club.hand.abs() != 1.0 {
         return Err(fault("hand", club.hand, "must be 1 (right-handed) or -1 (left-handed)"));
     }
@@ -144,59 +143,6 @@ fn check_face_spring(club: &Club<f64>, included: f64) -> Result<(), ImpactError>
         return Err(fault("characteristic_time", time, &allowed));
     }
     Ok(())
-}
-
-/// Checks what shaft and hands add to the inertia of a head: no motion of it may take energy below zero.
-fn check_attachment(club: &Club<f64>) -> Result<(), ImpactError> {
-    if club.added.iter().all(|&value| value == 0.0) {
-        return Ok(());
-    }
-    let Some(SpatialMatrix { linear, coupling, angular, .. }) = SpatialMatrix::from_values(&club.added)
-    else {
-        let message = "must be 0, as of a free head: the module for browsers has no heads on shafts";
-        return Err(ImpactError::new("added_mass_xx", message));
-    };
-    let (linear, coupling, angular) = (linear.rows, coupling.rows, angular.rows);
-    // A length that makes the matrix one of masses, and room for rounding and for mechanisms that add nothing in some
-    // direction.
-    let [xx, yy, zz] = [club.inertia[0], club.inertia[1], club.inertia[2]];
-    let length = ((xx + yy + zz) / club.mass).sqrt();
-    let row = |v: Vec3<f64>, w: Vec3<f64>, scale: f64| {
-        [v.x, v.y, v.z, w.x / length, w.y / length, w.z / length].map(|each| each * scale)
-    };
-    let column = |i: usize| Vec3::new(coupling[0].array()[i], coupling[1].array()[i], coupling[2].array()[i]);
-    let mut matrix = [[0.0; 6]; 6];
-    for i in 0..3 {
-        matrix[i] = row(linear[i], coupling[i], 1.0);
-        matrix[3 + i] = row(column(i), angular[i], length.recip());
-    }
-    let largest = (0..6).map(|i| matrix[i][i]).fold(0.0, f64::max);
-    for i in 0..6 {
-        matrix[i][i] += 1e-9 * largest.max(club.mass);
-    }
-    if cholesky_exists(matrix) {
-        return Ok(());
-    }
-    let message = "what shaft and hands add to the inertia of the head must be positive semidefinite, and is not: \
-                   there is a motion in which they would push the head along; check units, axes and signs of its \
-                   6 x 6 matrix";
-    Err(ImpactError::new("added_mass_xx", message))
-}
-
-/// Whether a symmetric matrix is positive definite.
-fn cholesky_exists<const N: usize>(mut matrix: [[f64; N]; N]) -> bool {
-    for i in 0..N {
-        if matrix[i][i].is_nan() || matrix[i][i] <= 0.0 {
-            return false;
-        }
-        for j in i + 1..N {
-            let factor = matrix[j][i] / matrix[i][i];
-            for k in j..N {
-                matrix[k][j] -= factor * matrix[k][i];
-            }
-        }
-    }
-    true
 }
 
 /// The lanes whose delivery [`check_delivery`] lets pass: packs of good shots need no look at each.

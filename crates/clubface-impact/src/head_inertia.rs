@@ -69,6 +69,16 @@ impl<S: Scalar> SpatialMatrix<S> {
         )
     }
 
+    /// All its elements, velocities before angular velocities.
+    pub fn rows(&self) -> [[S; 6]; 6] {
+        let back = self.coupling.transpose();
+        let row = |a: Vec3<S>, b: Vec3<S>| [a.x, a.y, a.z, b.x, b.y, b.z];
+        core::array::from_fn(|i| match i {
+            0..3 => row(self.linear.rows[i], self.coupling.rows[i]),
+            _ => row(back.rows[i - 3], self.angular.rows[i - 3]),
+        })
+    }
+
     /// The same matrix in other axes; `turn` leads from those to the present ones.
     #[inline(always)]
     #[must_use]

@@ -29,7 +29,7 @@ pub struct RigidHead<R> {
     /// CG.
     momentum: Vec3<R>,
     angular_momentum: Vec3<R>,
-    /// What the mechanism has of the momentum, half a step before.
+    /// The mechanism's part of the momentum, half a step before the others.
     carried: Vec3<R>,
     /// Momentum of the guided mass inwards, kg m/s.
     guided_momentum: R,

@@ -20,7 +20,7 @@ pub struct Contact<S, L> {
     pub(super) lever: Vec3<S>,
     pub(super) head: HeadInertia<S>,
     pub(super) mobility: HeadMobility<S>,
-    pub(super) motion: HeadMotion<S>,
+    pub(super) head_motion: HeadMotion<S>,
     pub(super) inverse_ball_mass: S,
     pub(super) radius: S,
     /// Inertia of the ball, or of its cover, kg m2.
@@ -47,7 +47,7 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
             lever: touch.lever,
             head: touch.head,
             mobility: touch.head_mobility(),
-            motion: HeadMotion::new(touch),
+            head_motion: HeadMotion::new(touch),
             inverse_ball_mass: touch.ball.mass.recip(),
             radius: touch.ball.radius,
             surface_inertia,
@@ -151,9 +151,7 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         (ball_torque * self.inverse_surface_inertia - club_spin.cross(ball_spin)).put(&mut rate, BALL_SPIN);
         rate
     }
-}
 
-impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     /// Acceleration of the clubhead's CG and its angular acceleration in state `y` under `force` on the ball.
     #[inline(always)]
     fn club_rates(&self, y: &[S], point: Vec3<S>, force: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
@@ -180,7 +178,7 @@ impl<S: Scalar, L> Computation for AttachedRates<'_, S, L> {
     #[inline(always)]
     fn run(self) -> Self::Output {
         let Self { contact, y, force, moment, spin } = self;
-        let velocity = contact.motion.velocity(&contact.head, y);
+        let velocity = contact.head_motion.velocity(&contact.head, y);
         let (linear, angular) = contact.head.momenta(velocity, spin);
         let (rate, spin_rate) = contact
             .mobility

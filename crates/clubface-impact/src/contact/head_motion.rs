@@ -21,18 +21,6 @@ impl<S: Scalar> HeadMotion<S> {
         S::outline(Start(touch))
     }
 
-    #[inline(always)]
-    fn at_first_touch(touch: &FirstTouch<S>) -> Self {
-        let ball_mass = touch.ball.mass;
-        let (carried, _) = touch.head.momenta(Vec3::zero(), touch.club_spin);
-        let own = Mat3::diagonal(touch.head.mass + ball_mass);
-        let by_momentum = match &touch.head.added {
-            None => Mat3::diagonal((touch.head.mass + ball_mass).recip()),
-            Some(added) => (added.linear + own).inverse(),
-        };
-        Self { ball_mass, momentum: carried - touch.club_velocity * ball_mass, by_momentum }
-    }
-
     /// Velocity of the CG in that frame in state `y`, head axes, m/s.
     #[inline(always)]
     pub fn velocity(&self, head: &HeadInertia<S>, y: &[S]) -> Vec3<S> {
@@ -46,7 +34,15 @@ impl<S: Scalar> Computation for Start<'_, S> {
     type Output = HeadMotion<S>;
     #[inline(always)]
     fn run(self) -> HeadMotion<S> {
-        HeadMotion::at_first_touch(self.0)
+        let touch = self.0;
+        let ball_mass = touch.ball.mass;
+        let (carried, _) = touch.head.momenta(Vec3::zero(), touch.club_spin);
+        let own = touch.head.mass + ball_mass;
+        let by_momentum = match &touch.head.added {
+            None => Mat3::diagonal(own.recip()),
+            Some(added) => (added.linear + Mat3::diagonal(own)).inverse(),
+        };
+        HeadMotion { ball_mass, momentum: carried - touch.club_velocity * ball_mass, by_momentum }
     }
 }
 

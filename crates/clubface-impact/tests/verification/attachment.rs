@@ -1,5 +1,6 @@
 //! Heads that hang in a mechanism, against free heads that move alike, conservation laws and finite differences.
 
+use crate::histories::ledger;
 use crate::shots::*;
 use clubface_impact::check::check;
 use clubface_impact::contact::Frame;
@@ -213,10 +214,6 @@ fn momentum_is_kept_at_every_step() {
 #[test]
 fn energy_is_accounted_for_at_every_step() {
     each_history(|model, _, frames| {
-        let ledger = |f: &Frame| {
-            let kept = f.kinetic_energy + f.face_energy + f.layer_energy;
-            kept + f.normal_work + f.friction_work + f.layer_work
-        };
         for frame in frames {
             let error = (ledger(frame) - ledger(&frames[0])).abs() / ledger(&frames[0]);
             assert!(error < 1e-8, "{}: {error:e}", model.info().name);

@@ -81,15 +81,17 @@ fn angular_momentum_is_kept_at_every_step() {
     });
 }
 
+/// Energy that is kept and that was taken, J.
+pub fn ledger(f: &Frame) -> f64 {
+    let kept = f.kinetic_energy + f.face_energy + f.layer_energy;
+    kept + f.normal_work + f.friction_work + f.layer_work
+}
+
 /// Kinetic energy, energy between cover and core, and what normal force, friction and damper have taken. Of the 240 J
 /// of a drive 1e-8 at steps of 1e-10.
 #[test]
 fn energy_is_accounted_for_at_every_step() {
     each_history(|model, _, frames| {
-        let ledger = |f: &Frame| {
-            let kept = f.kinetic_energy + f.face_energy + f.layer_energy;
-            kept + f.normal_work + f.friction_work + f.layer_work
-        };
         let start = frames[0].kinetic_energy;
         for frame in frames {
             let error = (ledger(frame) - start).abs() / start;
