@@ -63,6 +63,8 @@ _HOME = {
     "RecordedShots": "shots.recorded",
     "Sensitivity": "simulation.sensitivity",
     "Shaft": "equipment.shafts",
+    "SteppedContact": "simulation.multibody",
+    "StruckBall": "simulation.multibody",
     "Touch": "simulation.own_law",
     "Trajectory": "simulation.flight",
     "ball": "equipment.balls",

@@ -46,6 +46,43 @@ def sensitivities(
 def history(
     model: str, inputs: Sequence[float], parameters: Sequence[float], accuracy: float | None = None
 ) -> dict[str, NDArray[float64]]: ...
+
+class HeldContact:
+    def __init__(
+        self,
+        model: str,
+        inputs: Sequence[float],
+        parameters: Sequence[float],
+        head: Sequence[float],
+        ball: Sequence[float],
+    ) -> None: ...
+    @property
+    def names(self) -> list[str]: ...
+    @property
+    def initial(self) -> NDArray[float64]: ...
+    def evaluate(
+        self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]
+    ) -> tuple[NDArray[float64], NDArray[float64]]: ...
+    def jacobian(self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]) -> NDArray[float64]: ...
+    def commit(self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]) -> NDArray[float64]: ...
+
+class HeldBall:
+    def __init__(
+        self,
+        model: str,
+        inputs: Sequence[float],
+        parameters: Sequence[float],
+        ball: Sequence[float],
+        gives_way: bool,
+    ) -> None: ...
+    def advance(self, head: Sequence[float], duration: float) -> NDArray[float64]: ...
+    @property
+    def motion(self) -> NDArray[float64]: ...
+    @property
+    def phase(self) -> int: ...
+    @property
+    def launch(self) -> list[float] | None: ...
+
 def quasi_random(dimensions: int, count: int, seed: int = 0, first: int = 0, threads: int = 0) -> NDArray[float64]: ...
 def golfer_deliveries(
     mean: Sequence[float],

@@ -17,6 +17,25 @@
 // Number of this interface; it grows with every change that a compiled caller would notice.
 #define CLUBFACE_ABI 2
 
+// Numbers of a head.
+#define CLUBFACE_HEAD HEAD
+
+// Numbers of a ball.
+#define CLUBFACE_BALL BODY
+
+// Numbers of what acts between head and ball: force on the ball, whose opposite acts on the head (N), torque on the ball
+// about its centre, torque on the head about its CG (N m), the point at which the force acts (m), each three; normal force
+// (N), penetration (m, negative when apart) and its rate (m/s).
+#define CLUBFACE_WRENCH WRENCH
+
+// Numbers of motion that a wrench is differentiated by: position, small turn about the axes of the world (rad), velocity
+// and angular velocity of the head; position, velocity and angular velocity of the ball.
+#define CLUBFACE_MOTION MOTION
+
+// Numbers of a step of a struck ball: mean force on the head (N) and mean torque on it about its CG (N m), each three,
+// normal force (N) and penetration (m) at the end.
+#define CLUBFACE_STEP 8
+
 // Kind of the numbers of an array.
 enum ClubfaceKind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -61,8 +80,14 @@ typedef uint32_t ClubfaceColumns;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+// A contact between a head and a ball that the caller moves. End it with [`clubface_contact_end`].
+typedef struct ClubfaceContact ClubfaceContact;
+
 // A result: an error, or text and arrays. End it with [`clubface_free`].
 typedef struct ClubfaceResult ClubfaceResult;
+
+// A ball that is moved through the contact with a head that the caller moves. End it with [`clubface_ball_end`].
+typedef struct ClubfaceStruckBall ClubfaceStruckBall;
 
 // Called by a running simulation with the caller's pointer, the simulated time and the duration, s; `false` stops it.
 typedef bool (*ClubfaceProgress)(void *context, double time, double duration);
@@ -352,6 +377,106 @@ ClubfaceResult *clubface_history(const char *model,
                                  const double *inputs,
                                  const double *parameters,
                                  double tolerance);
+
+// Begins a contact of a model where head and ball are now, which should be at first touch.
+//
+// `inputs` are a shot's, of which those of the delivery have no part; `parameters` are the model's. `contact` takes the
+// contact, null after an error. The text of the result lists the names of the internal states of the law, and the array
+// `internal` their values at first touch. States that belong to a face are in its axes: x along the normal at its centre, y
+// up, z towards the toe.
+//
+// # Safety
+// The arrays hold as many numbers as stated; `model` ends with a null byte; `contact` may be written.
+ClubfaceResult *clubface_contact_begin(const char *model,
+                                       const double *inputs,
+                                       const double *parameters,
+                                       const double *head,
+                                       const double *ball,
+                                       ClubfaceContact **contact);
+
+// Computes what acts between head and ball: `wrench` takes [`CLUBFACE_WRENCH`] numbers, `rates` those of the internal
+// states. A function of its arguments alone. Where a number of head or ball is not finite, all of them are NaN.
+//
+// # Safety
+// `contact` comes from [`clubface_contact_begin`] and has not been ended; the arrays hold as many numbers as stated.
+void clubface_contact_evaluate(const ClubfaceContact *contact,
+                               const double *head,
+                               const double *ball,
+                               const double *internal,
+                               double *wrench,
+                               double *rates);
+
+// Computes the derivatives of what acts: `values` takes a row for each of the [`CLUBFACE_WRENCH`] numbers and then for each
+// rate of an internal state, with its value first and then its derivatives by the [`CLUBFACE_MOTION`] numbers of motion and
+// by the internal states.
+//
+// # Safety
+// As of [`clubface_contact_evaluate`].
+void clubface_contact_jacobian(const ClubfaceContact *contact,
+                               const double *head,
+                               const double *ball,
+                               const double *internal,
+                               double *values);
+
+// Ends a step of the caller's integrator: brings what a law remembers (rings) up to date, in `internal`. The other states
+// are the caller's to integrate. To be called after every step that is accepted, with the motion at its end.
+//
+// # Safety
+// As of [`clubface_contact_evaluate`]; `internal` may be written.
+void clubface_contact_commit(const ClubfaceContact *contact,
+                             const double *head,
+                             const double *ball,
+                             double *internal);
+
+// Ends a contact; null is allowed.
+//
+// # Safety
+// `contact` comes from [`clubface_contact_begin`] and has not been ended.
+void clubface_contact_end(ClubfaceContact *contact);
+
+// Places a ball that a head will strike, for programs that exchange forces at steps of their own.
+//
+// `gives_way`: 1 for a head that within a step gives way to the ball by the inertia of the inputs, as a body does; 0 for one
+// that moves as prescribed. `struck` takes the ball, null after an error. The rest as for [`clubface_contact_begin`].
+//
+// # Safety
+// The arrays hold as many numbers as stated; `model` ends with a null byte; `struck` may be written.
+ClubfaceResult *clubface_ball_place(const char *model,
+                                    const double *inputs,
+                                    const double *parameters,
+                                    const double *ball,
+                                    bool gives_way,
+                                    ClubfaceStruckBall **struck);
+
+// Moves a ball on by `duration` seconds while the head moves on from where it is now. `loads` takes [`CLUBFACE_STEP`]
+// numbers, to be applied to the head over the step, `ball` takes where the ball is then and how it moves.
+//
+// # Safety
+// `struck` comes from [`clubface_ball_place`] and has not been ended; the arrays hold as many numbers as stated.
+ClubfaceResult *clubface_ball_advance(ClubfaceStruckBall *struck,
+                                      const double *head,
+                                      double duration,
+                                      double *loads,
+                                      double *ball);
+
+// Returns 0 while the head has not reached the ball, 1 while they touch, 2 once the ball has left the face.
+//
+// # Safety
+// `struck` comes from [`clubface_ball_place`] and has not been ended.
+int32_t clubface_ball_phase(const ClubfaceStruckBall *struck);
+
+// Writes the outputs of the impact once the ball has left the face, and says whether it has.
+//
+// # Safety
+// `struck` comes from [`clubface_ball_place`] and has not been ended; `outputs` has room for those of the description.
+bool clubface_ball_launch(const ClubfaceStruckBall *struck,
+                          double *outputs);
+
+// Ends a struck ball; null is allowed.
+//
+// # Safety
+// `struck` comes from [`clubface_ball_place`] and has not been ended.
+void clubface_ball_end(ClubfaceStruckBall *struck);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -28,6 +28,8 @@ mod names;
 mod result;
 mod rows;
 mod shots;
+#[cfg(feature = "multibody")]
+mod stepped;
 
 pub use dispersion::*;
 pub use face_map::*;
@@ -38,6 +40,8 @@ pub use flights::*;
 pub use names::*;
 pub use result::*;
 pub use shots::*;
+#[cfg(feature = "multibody")]
+pub use stepped::*;
 
 use clubface_impact::describe::Tables;
 use std::ffi::c_char;

@@ -15,7 +15,7 @@ use std::ffi::c_char;
 ///
 /// # Safety
 /// `model` is null or ends with a null byte.
-unsafe fn model_from(model: *const c_char) -> Result<ImpactModel, Failure> {
+pub(crate) unsafe fn model_from(model: *const c_char) -> Result<ImpactModel, Failure> {
     // SAFETY: the caller's promise.
     Ok(named(unsafe { text_from(model, "model") }?)?)
 }

@@ -10,6 +10,7 @@ use clubface_impact::batch::Batch;
 use clubface_impact::columns::Column;
 use clubface_impact::flight;
 use clubface_impact::launch::OUTPUT_COUNT;
+use clubface_impact::multibody::{Body, Head, HeadContact};
 use clubface_impact::registry::{self, named};
 use clubface_impact::shot::{INPUT_COUNT, INPUTS};
 use clubface_impact::{Accuracy, ImpactModel};
@@ -335,6 +336,88 @@ fn what_cannot_be_computed_names_the_input() {
     assert_eq!(unsafe { clubface_column(ClubfaceColumns::Outputs as u32, name.as_ptr()) }, -1);
     assert_eq!(unsafe { clubface_column(7, name.as_ptr()) }, -1);
     unsafe { clubface_free(null_mut()) };
+}
+
+#[test]
+fn a_contact_that_is_stepped_is_that_of_the_core() {
+    let model = named("volumetric").unwrap();
+    let (inputs, parameters) = (shot(0, 2), model.info().defaults());
+    let normal = [inputs[24].cos(), inputs[24].sin(), 0.0];
+    // The head stands at its loft, the ball lies at its face centre and 0.1 mm in it.
+    let mut head = [0.0; CLUBFACE_HEAD];
+    (0..3).for_each(|i| head[4 * i] = 1.0);
+    (head[12], head[17]) = (45.0, 20.0);
+    let mut ball = [0.0; CLUBFACE_BALL];
+    (0..3).for_each(|i| ball[i] = inputs[15 + i] + normal[i] * (inputs[32] - 1e-4));
+    let mut contact = null_mut();
+    // SAFETY: arrays of the sizes that the interface asks for.
+    unsafe {
+        let begun = clubface_contact_begin(
+            c("volumetric").as_ptr(),
+            inputs.as_ptr(),
+            parameters.as_ptr(),
+            head.as_ptr(),
+            ball.as_ptr(),
+            &raw mut contact,
+        );
+        let begun = read(begun);
+        let internal = begun.array("internal").2.clone();
+        assert_eq!(begun.outcome.unwrap().as_array().unwrap().len(), internal.len());
+        let core = HeadContact::<f64>::begin(model, &inputs, &parameters, &head, &ball).unwrap();
+        assert_same(&internal, core.initial());
+        let (mut wrench, mut rates) = ([f64::NAN; CLUBFACE_WRENCH], vec![f64::NAN; internal.len()]);
+        clubface_contact_evaluate(
+            contact,
+            head.as_ptr(),
+            ball.as_ptr(),
+            internal.as_ptr(),
+            wrench.as_mut_ptr(),
+            rates.as_mut_ptr(),
+        );
+        let mut expected = vec![0.0; internal.len()];
+        let acting =
+            core.evaluate(&Head::from_values(&head), &Body::from_values(&ball), &internal, &mut expected);
+        assert_same(&wrench, &acting.values());
+        assert_same(&rates, &expected);
+        assert!(wrench[0] > 1.0 && wrench[12] > 1.0, "{wrench:?}");
+        let columns = 1 + CLUBFACE_MOTION + internal.len();
+        let mut rows = vec![f64::NAN; (CLUBFACE_WRENCH + internal.len()) * columns];
+        clubface_contact_jacobian(
+            contact,
+            head.as_ptr(),
+            ball.as_ptr(),
+            internal.as_ptr(),
+            rows.as_mut_ptr(),
+        );
+        assert!((rows[0] - wrench[0]).abs() < 1e-9 * wrench[0] && rows.iter().all(|value| value.is_finite()));
+        clubface_contact_end(contact);
+
+        // The same head strikes the ball, from 20 us before.
+        let mut struck = null_mut();
+        let (name, start) = (c("volumetric"), ball.as_ptr());
+        let placed = clubface_ball_place(
+            name.as_ptr(),
+            inputs.as_ptr(),
+            parameters.as_ptr(),
+            start,
+            true,
+            &raw mut struck,
+        );
+        assert!(read(placed).outcome.is_ok() && clubface_ball_phase(struck) == 0);
+        head[9] -= 45.0 * 20e-6;
+        let (mut loads, mut moved, mut launch) = ([0.0; CLUBFACE_STEP], ball, [0.0; OUTPUT_COUNT]);
+        let (loads_at, moved_at) = (loads.as_mut_ptr(), moved.as_mut_ptr());
+        assert!(!clubface_ball_launch(struck, launch.as_mut_ptr()));
+        assert!(read(clubface_ball_advance(struck, head.as_ptr(), 1e-3, loads_at, moved_at)).outcome.is_ok());
+        assert!(clubface_ball_launch(struck, launch.as_mut_ptr()) && clubface_ball_phase(struck) == 2);
+        assert_eq!(launch[8], moved[3]);
+        assert!((loads[0] * 1e-3 + inputs[31] * moved[3]).abs() < 1e-9, "momentum along x");
+        head[0] = 2.0;
+        let refused =
+            read(clubface_ball_advance(struck, head.as_ptr(), 1e-6, loads_at, moved_at)).outcome.unwrap_err();
+        assert_eq!(refused["input"], "head");
+        clubface_ball_end(struck);
+    }
 }
 
 #[test]

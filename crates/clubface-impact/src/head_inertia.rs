@@ -12,12 +12,12 @@
 
 use clubface_math::{Computation, Mat3, Scalar, Vec3};
 
-/// What heads that hang in a mechanism are made of: without the feature "attachment" there is no value of it, and the
+/// What heads that hang in a mechanism are made of: without the feature "multibody" there is no value of it, and the
 /// compiler leaves out all code of such heads.
-#[cfg(feature = "attachment")]
+#[cfg(feature = "multibody")]
 #[derive(Clone, Copy, Debug)]
 struct Attachable;
-#[cfg(not(feature = "attachment"))]
+#[cfg(not(feature = "multibody"))]
 #[derive(Clone, Copy, Debug)]
 enum Attachable {}
 
@@ -41,7 +41,7 @@ impl<S: Scalar> SpatialMatrix<S> {
     /// From A (xx, yy, zz, xy, xz, yz), B (row by row) and D (as A); None where all of it is zero.
     #[inline(always)]
     pub fn from_values(v: &[S; SPATIAL_COUNT]) -> Option<Self> {
-        #[cfg(feature = "attachment")]
+        #[cfg(feature = "multibody")]
         if !v.iter().all(|value| value.vanishes()) {
             let symmetric =
                 |i: usize| Mat3::symmetric([v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4], v[i + 5]]);
@@ -54,7 +54,7 @@ impl<S: Scalar> SpatialMatrix<S> {
     }
 
     /// From its blocks A, B and D.
-    #[cfg(feature = "attachment")]
+    #[cfg(feature = "multibody")]
     #[inline(always)]
     pub fn new(linear: Mat3<S>, coupling: Mat3<S>, angular: Mat3<S>) -> Self {
         Self { linear, coupling, angular, attachable: Attachable }
@@ -137,7 +137,7 @@ impl<S: Scalar> HeadInertia<S> {
     }
 
     /// Momenta of head and mechanism by velocities in the frame that moves as the CG did at first touch.
-    #[cfg_attr(not(feature = "attachment"), allow(unreachable_code))]
+    #[cfg_attr(not(feature = "multibody"), allow(unreachable_code))]
     #[inline(always)]
     pub fn momenta(&self, velocity: Vec3<S>, spin: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
         match &self.added {

@@ -1,14 +1,24 @@
 //! A model as it is chosen at run time: its description and its kernels, which are compiled once.
 
+#[cfg(feature = "multibody")]
+use crate::check::check_parameters;
 use crate::columns::{Reject, Shots};
 use crate::contact::History;
+#[cfg(feature = "multibody")]
+use crate::contact::SteppedContact;
 use crate::description::{ModelInfo, ModelKind};
 use crate::error::ImpactError;
+#[cfg(feature = "multibody")]
+use crate::first_touch::FirstTouch;
 use crate::impact::Accuracy;
+#[cfg(feature = "multibody")]
+use crate::kernels::stepped;
 use crate::kernels::{Differentiated, MOST_PARAMETERS, derivatives, history, launches};
 use crate::launch::OUTPUT_COUNT;
 use crate::model::Describe;
 use crate::shot::INPUT_COUNT;
+#[cfg(feature = "multibody")]
+use clubface_math::{Dual, Scalar};
 use core::fmt;
 use core::ops::Range;
 
@@ -29,6 +39,39 @@ pub struct Kernels {
     derivatives: Derivatives,
     /// None for a model that does not follow the contact in time.
     history: Option<Histories>,
+    #[cfg(feature = "multibody")]
+    stepped: Stepped<f64>,
+    #[cfg(feature = "multibody")]
+    stepped_dual: Stepped<Tangents>,
+}
+
+/// The contact of a model from first touch, by its parameters.
+#[cfg(feature = "multibody")]
+type Stepped<S> = fn(&FirstTouch<S>, &[S]) -> Option<Box<dyn SteppedContact<S>>>;
+
+/// Numbers with derivatives, of contacts that are stepped: some at a time, as many as keep the code short.
+#[cfg(feature = "multibody")]
+pub type Tangents = Dual<f64, 8>;
+
+/// A kind of number for which contacts that are stepped are compiled.
+#[cfg(feature = "multibody")]
+pub trait SteppedScalar: Scalar {
+    #[doc(hidden)]
+    fn kernel(kernels: &Kernels) -> Stepped<Self>;
+}
+
+#[cfg(feature = "multibody")]
+impl SteppedScalar for f64 {
+    fn kernel(kernels: &Kernels) -> Stepped<Self> {
+        kernels.stepped
+    }
+}
+
+#[cfg(feature = "multibody")]
+impl SteppedScalar for Tangents {
+    fn kernel(kernels: &Kernels) -> Stepped<Self> {
+        kernels.stepped_dual
+    }
 }
 
 impl Kernels {
@@ -40,7 +83,16 @@ impl Kernels {
             ModelKind::Impulse => None,
             ModelKind::Contact => Some(history::<M>),
         };
-        Self { info: M::INFO, launches: launches::<M>, derivatives: derivatives::<M>, history }
+        Self {
+            info: M::INFO,
+            launches: launches::<M>,
+            derivatives: derivatives::<M>,
+            history,
+            #[cfg(feature = "multibody")]
+            stepped: stepped::<M, f64>,
+            #[cfg(feature = "multibody")]
+            stepped_dual: stepped::<M, Tangents>,
+        }
     }
 }
 
@@ -97,6 +149,27 @@ impl ImpactModel {
         };
         self.check_count(parameters)?;
         history(inputs, parameters, accuracy)
+    }
+
+    /// The contact of the model from first touch, for a program that moves the bodies itself.
+    ///
+    /// # Errors
+    /// A model without a contact, or a parameter that is missing or not allowed.
+    #[cfg(feature = "multibody")]
+    pub fn stepped<S: SteppedScalar>(
+        self,
+        touch: &FirstTouch<S>,
+        parameters: &[f64],
+    ) -> Result<Box<dyn SteppedContact<S>>, ImpactError> {
+        let info = self.info();
+        self.check_count(parameters)?;
+        check_parameters(info, parameters)?;
+        let parameters: Vec<S> = parameters.iter().map(|&value| S::from_f64(value)).collect();
+        S::kernel(self.0)(touch, &parameters).ok_or_else(|| {
+            let message =
+                format!("{} is an impulse model: it has no contact that could be stepped", info.name);
+            ImpactError::new("model", message)
+        })
     }
 
     /// Checks that there are as many parameters as the model has.

@@ -28,6 +28,8 @@ mod kernels;
 pub mod launch;
 pub mod model;
 pub mod models;
+#[cfg(feature = "multibody")]
+pub mod multibody;
 #[cfg(feature = "threads")]
 pub mod parallel;
 pub mod quantity;
@@ -36,6 +38,8 @@ pub mod rings;
 pub mod sensitivity;
 pub mod series;
 pub mod shot;
+#[cfg(feature = "multibody")]
+pub mod struck_ball;
 pub mod unit;
 
 pub use description::{Law, ModelInfo, ModelKind};

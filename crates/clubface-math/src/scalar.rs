@@ -84,6 +84,7 @@ pub trait Scalar:
     + Sub<f64, Output = Self>
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
+    + Send
     + 'static
 {
     /// Comparison result.

@@ -7,6 +7,7 @@ mod face_map;
 mod fem;
 mod flight;
 mod impact;
+mod multibody;
 
 use pyo3::prelude::*;
 
@@ -34,4 +35,6 @@ mod _core {
     use crate::flight::{curves, fly, fly_sensitivities, fly_sensitivity, shot_shape_names, trajectory};
     #[pymodule_export]
     use crate::impact::{check, history, impact, sensitivities, sensitivity};
+    #[pymodule_export]
+    use crate::multibody::{HeldBall, HeldContact};
 }

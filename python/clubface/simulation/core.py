@@ -1,6 +1,8 @@
 """What the compiled core computes of impacts and flights; the one place where this room names it."""
 
 from clubface._core import (
+    HeldBall as HeldBall,
+    HeldContact as HeldContact,
     curves as curves,
     flight_inputs as flight_inputs,
     flight_outputs as flight_outputs,

@@ -31,6 +31,17 @@ pub struct Contact<S, L> {
     pub(super) inverse_core_inertia: S,
 }
 
+/// What acts between head and ball at one instant, in axes fixed in the head.
+#[derive(Clone, Copy, Debug)]
+pub struct Loads<S> {
+    /// Force on the ball, N; its opposite acts on the head.
+    pub force: Vec3<S>,
+    /// Where it acts, from the CG of the head, m.
+    pub point: Vec3<S>,
+    /// Torque on the ball, or on the cover of a layered one, about its centre, N m.
+    pub torque: Vec3<S>,
+}
+
 impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
     /// The contact that begins at first touch.
     #[inline(always)]
@@ -109,29 +120,46 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         normal_force: S,
         friction: Vec3<S>,
     ) -> [S; N] {
-        let force = t.normal * normal_force + friction;
+        let mut rate = [S::zero(); N];
+        let Loads { force, point, torque } = self.loads(y, t, normal_force, friction, &mut rate);
         let club_spin = Vec3::from_slice(y, CLUB_SPIN);
         let ball_spin = Vec3::from_slice(y, BALL_SPIN);
         let velocity = Vec3::from_slice(y, VELOCITY);
         let position = Vec3::from_slice(y, POSITION);
-        let mut rate = [S::zero(); N];
         (velocity - club_spin.cross(position)).put(&mut rate, POSITION);
-        let (club_rate, club_spin_rate) = self.club_rates(y, t.point, force);
+        let (club_rate, club_spin_rate) = self.club_rates(y, point, force);
         (force * self.inverse_ball_mass - club_rate - club_spin.cross(velocity)).put(&mut rate, VELOCITY);
         club_spin_rate.put(&mut rate, CLUB_SPIN);
         let attitude = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.rate(club_spin);
         rate[ATTITUDE] = attitude.w;
         attitude.v.put(&mut rate, ATTITUDE + 1);
-        let mut ball_torque = t.normal.cross(friction) * -t.arm;
+        (torque * self.inverse_surface_inertia - club_spin.cross(ball_spin)).put(&mut rate, BALL_SPIN);
+        rate
+    }
+
+    /// What acts between head and ball in state `y` under these forces, and the rates of the states behind those of the
+    /// bodies, which go into `rate`.
+    #[inline(always)]
+    pub(super) fn loads<const N: usize>(
+        &self,
+        y: &[S; N],
+        t: &ContactPoint<S>,
+        normal_force: S,
+        friction: Vec3<S>,
+        rate: &mut [S; N],
+    ) -> Loads<S> {
+        let force = t.normal * normal_force + friction;
+        let club_spin = Vec3::from_slice(y, CLUB_SPIN);
+        let mut torque = t.normal.cross(friction) * -t.arm;
         let mut layer_work = S::zero();
         if let (true, Some(core)) = (layered(N), self.core) {
             let core_spin = Vec3::from_slice(y, CORE_SPIN);
             let twist = Vec3::from_slice(y, TWIST);
-            let twisting = ball_spin - core_spin;
-            let torque = twist * core.stiffness + twisting * core.damping;
-            ball_torque = ball_torque - torque;
-            (torque * self.inverse_core_inertia - club_spin.cross(core_spin)).put(&mut rate, CORE_SPIN);
-            (twisting - club_spin.cross(twist)).put(&mut rate, TWIST);
+            let twisting = Vec3::from_slice(y, BALL_SPIN) - core_spin;
+            let between = twist * core.stiffness + twisting * core.damping;
+            torque = torque - between;
+            (between * self.inverse_core_inertia - club_spin.cross(core_spin)).put(rate, CORE_SPIN);
+            (twisting - club_spin.cross(twist)).put(rate, TWIST);
             layer_work = core.damping * twisting.norm_squared();
         }
         if recorded(N) {
@@ -148,8 +176,7 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
             rate[SLIP] = t.sliding.dot(up);
             rate[SLIP + 1] = t.sliding.dot(toe);
         }
-        (ball_torque * self.inverse_surface_inertia - club_spin.cross(ball_spin)).put(&mut rate, BALL_SPIN);
-        rate
+        Loads { force, point: t.point, torque }
     }
 
     /// Acceleration of the clubhead's CG and its angular acceleration in state `y` under `force` on the ball.

@@ -46,6 +46,17 @@ pub trait ContactLaw<S: Scalar> {
         None
     }
 
+    /// Makes the instant of the last call of [`ContactLaw::remembered`] the one that the law remembers.
+    fn commit(&self) {}
+
+    /// What the law remembers of the last committed instant, beyond the state of the contact.
+    fn memory(&self) -> Vec<S> {
+        Vec::new()
+    }
+
+    /// Makes this, once read by [`ContactLaw::memory`], what the law remembers.
+    fn remember(&self, _memory: &[S]) {}
+
     /// Contact area, m2.
     fn area(&self, depth: S, curvature: S, radius: S) -> S;
 

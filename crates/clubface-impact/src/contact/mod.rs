@@ -14,8 +14,10 @@ mod recorder;
 mod run;
 mod separation;
 mod state;
+#[cfg(feature = "multibody")]
+mod stepped;
 
-pub use dynamics::Contact;
+pub use dynamics::{Contact, Loads};
 pub use frame::Frame;
 pub use head_motion::motions;
 pub use history::History;
@@ -28,3 +30,5 @@ pub use state::{
     BALL_SPIN, CLUB_SPIN, ContactPoint, LAYERED, LAYERED_GIVING, POSITION, RECORDED_LAYERED,
     RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY, face, initial, scales,
 };
+#[cfg(feature = "multibody")]
+pub use stepped::{Instant, RelativeMotion, SteppedContact, stepped};

@@ -8,4 +8,6 @@ mod run;
 
 pub use derivatives::{Differentiated, derivatives};
 pub use launches::launches;
+#[cfg(feature = "multibody")]
+pub use run::stepped;
 pub use run::{MOST_PARAMETERS, history};

@@ -1,6 +1,8 @@
 //! The impact of one model, and one shot with every step of its contact.
 
 use crate::check::{check, check_approach, check_parameters, unseparated};
+#[cfg(feature = "multibody")]
+use crate::contact::SteppedContact;
 use crate::contact::{History, Recorder};
 use crate::description::FromValues;
 use crate::error::ImpactError;
@@ -28,6 +30,15 @@ impl<M: Model<S>, S: Scalar, R: Recorder<S>> Computation for Run<'_, M, S, R> {
     fn run(self) -> Impact<S> {
         self.model.impact(self.touch, self.accuracy, self.recorder)
     }
+}
+
+/// The contact of a model from first touch, for a program that moves the bodies itself.
+#[cfg(feature = "multibody")]
+pub fn stepped<M: Describe, S: Scalar>(
+    touch: &FirstTouch<S>,
+    parameters: &[S],
+) -> Option<Box<dyn SteppedContact<S>>> {
+    M::Over::<S>::from_values(parameters).stepped(touch)
 }
 
 /// The history of one shot and its outputs.

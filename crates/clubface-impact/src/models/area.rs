@@ -2,6 +2,8 @@
 
 use super::hertz;
 use crate::contact::{ContactLaw, Indentation, RECORDED_SOLID, Recorder, SOLID, SOLID_GIVING, Sliding, run};
+#[cfg(feature = "multibody")]
+use crate::contact::{SteppedContact, stepped};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
@@ -77,5 +79,10 @@ impl<S: Scalar> Model<S> for Area<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
         run::<S, _, R, SOLID, SOLID_GIVING, RECORDED_SOLID>(touch, *self, accuracy, record)
+    }
+
+    #[cfg(feature = "multibody")]
+    fn stepped(&self, touch: &FirstTouch<S>) -> Option<Box<dyn SteppedContact<S>>> {
+        Some(stepped::<S, _, SOLID_GIVING>(touch, *self))
     }
 }

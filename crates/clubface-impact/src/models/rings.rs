@@ -6,6 +6,8 @@ use crate::contact::{
     CLUB_SPIN, Contact, ContactLaw, ContactPoint, Indentation, RECORDED_SLIDING, Recorder, RingFrame,
     SLIDING, Separation, Sliding, VELOCITY, face, initial, motions, scales,
 };
+#[cfg(feature = "multibody")]
+use crate::contact::{SteppedContact, stepped};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::face::tangents;
 use crate::first_touch::FirstTouch;
@@ -76,11 +78,6 @@ struct RingLaw<S> {
 }
 
 impl<S: Scalar> RingLaw<S> {
-    #[inline(always)]
-    fn commit(&self) {
-        self.rings.borrow_mut().commit();
-    }
-
     /// The rings of the instant last evaluated.
     fn frame(&self) -> Vec<RingFrame> {
         let rings = self.rings.borrow();
@@ -115,6 +112,16 @@ impl<S: Scalar> ContactLaw<S> for RingLaw<S> {
         let [along_up, along_toe] = self.rings.borrow_mut().force(slip, load);
         let (up, toe) = tangents(t.normal);
         Some(up * along_up + toe * along_toe)
+    }
+    #[inline(always)]
+    fn commit(&self) {
+        self.rings.borrow_mut().commit();
+    }
+    fn memory(&self) -> Vec<S> {
+        self.rings.borrow().history()
+    }
+    fn remember(&self, memory: &[S]) {
+        self.rings.borrow_mut().set_history(memory);
     }
     #[inline(always)]
     fn area(&self, depth: S, curvature: S, radius: S) -> S {
@@ -154,17 +161,28 @@ impl<S: Scalar> Model<S> for Rings<S> {
             self.integrate::<R, SLIDING>(touch, accuracy, record)
         }
     }
+
+    #[cfg(feature = "multibody")]
+    fn stepped(&self, touch: &FirstTouch<S>) -> Option<Box<dyn SteppedContact<S>>> {
+        Some(stepped::<S, _, SLIDING>(touch, self.laid_out(touch).law))
+    }
+}
+
+/// Rings as an impact needs them.
+struct Layout<S> {
+    law: RingLaw<S>,
+    /// Greatest penetration expected, m.
+    deepest: S,
+    /// Penetration at which the contact reaches the last ring, m.
+    largest_depth: S,
+    /// Longest step, s.
+    longest: S,
 }
 
 impl<S: Scalar> Rings<S> {
-    /// From first touch to launch, in `N` states.
+    /// Rings that reach as far as the contact will.
     #[inline(always)]
-    fn integrate<R: Recorder<S>, const N: usize>(
-        &self,
-        touch: &FirstTouch<S>,
-        accuracy: Accuracy,
-        recorder: &mut R,
-    ) -> Impact<S> {
+    fn laid_out(&self, touch: &FirstTouch<S>) -> Layout<S> {
         let speed = touch.approach();
         let curvature = touch.face.nearest(touch.contact - touch.lever).curvature;
         let equivalent = hertz::equivalent_radius(touch.ball.radius, curvature);
@@ -185,7 +203,24 @@ impl<S: Scalar> Rings<S> {
         let material =
             RingMaterial { friction: self.friction, poisson: self.poisson, modulus: self.ring_modulus };
         let rings = RefCell::new(RingContact::new(RINGS, material, largest_radius));
-        let contact = Contact::new(touch, RingLaw { parameters: *self, rings });
+        Layout {
+            law: RingLaw { parameters: *self, rings },
+            deepest,
+            largest_depth: largest_radius.squared() / equivalent,
+            longest,
+        }
+    }
+
+    /// From first touch to launch, in `N` states.
+    #[inline(always)]
+    fn integrate<R: Recorder<S>, const N: usize>(
+        &self,
+        touch: &FirstTouch<S>,
+        accuracy: Accuracy,
+        recorder: &mut R,
+    ) -> Impact<S> {
+        let Layout { law, deepest, largest_depth, longest } = self.laid_out(touch);
+        let contact = Contact::new(touch, law);
         let start = initial::<S, N>(touch);
         if R::ACTIVE {
             recorder.record(&contact, S::zero(), &start);
@@ -195,19 +230,15 @@ impl<S: Scalar> Rings<S> {
         let mut history = CommitSteps { law: &contact.law, watch };
         let separated = match accuracy {
             Accuracy::Fast => {
-                let steps = RingSteps {
-                    rings: RINGS,
-                    steps_per_ring: STEPS_PER_RING,
-                    largest_depth: largest_radius.squared() / equivalent,
-                    longest,
-                };
+                let steps =
+                    RingSteps { rings: RINGS, steps_per_ring: STEPS_PER_RING, largest_depth, longest };
                 S::Mask::splat(ring_by_ring(&contact, start, &steps, &mut history))
             }
             Accuracy::Tolerance(tolerance) => {
                 let control = Control {
                     tolerance,
                     scale: scales::<S, N>(touch),
-                    first: deepest / speed * 1e-3,
+                    first: deepest / touch.approach() * 1e-3,
                     longest,
                     max_steps: MOST_STEPS[1],
                 };

@@ -4,6 +4,8 @@
 use crate::contact::{
     ContactLaw, Core, Indentation, LAYERED, LAYERED_GIVING, RECORDED_LAYERED, Recorder, Sliding, run,
 };
+#[cfg(feature = "multibody")]
+use crate::contact::{SteppedContact, stepped};
 use crate::description::{Law, ModelInfo, ModelKind};
 use crate::first_touch::FirstTouch;
 use crate::impact::{Accuracy, Impact};
@@ -102,5 +104,10 @@ impl<S: Scalar> Model<S> for Volumetric<S> {
     #[inline(always)]
     fn impact<R: Recorder<S>>(&self, touch: &FirstTouch<S>, accuracy: Accuracy, record: &mut R) -> Impact<S> {
         run::<S, _, R, LAYERED, LAYERED_GIVING, RECORDED_LAYERED>(touch, *self, accuracy, record)
+    }
+
+    #[cfg(feature = "multibody")]
+    fn stepped(&self, touch: &FirstTouch<S>) -> Option<Box<dyn SteppedContact<S>>> {
+        Some(stepped::<S, _, LAYERED_GIVING>(touch, *self))
     }
 }

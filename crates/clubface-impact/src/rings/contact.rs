@@ -211,6 +211,30 @@ impl<S: Scalar> RingContact<S> {
         self.past.contact = contact;
     }
 
+    /// The history: sliding distance along both axes, squared contact radius, rings in contact, and of every ring its
+    /// displacement and the drift of it, each along the first axis and then along the second.
+    #[must_use]
+    pub fn history(&self) -> Vec<S> {
+        let Past { position, displacement, drift, squared_radius, contact } = &self.past;
+        let mut values = position.to_vec();
+        values.extend([*squared_radius, S::from_f64(*contact as f64)]);
+        values.extend(displacement.iter().chain(drift).flatten());
+        values
+    }
+
+    /// Takes up a history that [`Self::history`] has read from a contact of as many rings.
+    pub fn set_history(&mut self, values: &[S]) {
+        let rings = self.rings();
+        let (head, of_rings) = values.split_at(4);
+        self.past.position = [head[0], head[1]];
+        self.past.squared_radius = head[2];
+        self.past.contact = (head[3].re() as usize).min(rings);
+        let all = self.past.displacement.iter_mut().chain(&mut self.past.drift);
+        for (own, given) in all.zip(of_rings.chunks_exact(rings)) {
+            own.copy_from_slice(given);
+        }
+    }
+
     /// Number of rings.
     #[must_use]
     pub fn rings(&self) -> usize {

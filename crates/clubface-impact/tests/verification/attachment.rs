@@ -26,7 +26,7 @@ fn spatial(mass: Mat3<f64>, coupling: Mat3<f64>, inertia: Mat3<f64>) -> Vec<(Str
     values
 }
 
-fn with(inputs: Inputs, values: &[(String, f64)]) -> Inputs {
+pub fn with(inputs: Inputs, values: &[(String, f64)]) -> Inputs {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     inputs.with(&values)
 }
@@ -50,7 +50,7 @@ fn fixed_masses(masses: &[(f64, Vec3<f64>)]) -> Vec<(String, f64)> {
 
 /// A mechanism as a shaft may be: heavy along one direction, coupled and lopsided. A sum of squares, so no motion of it
 /// takes energy.
-fn shaft() -> Vec<(String, f64)> {
+pub fn shaft() -> Vec<(String, f64)> {
     let masses = [(0.008, Vec3::new(-0.03, 0.05, -0.04)), (0.004, Vec3::new(-0.04, 0.20, -0.08))];
     let mut values = fixed_masses(&masses);
     for (name, value) in &mut values {

@@ -33,4 +33,5 @@ mod response;
 mod rigid;
 mod rings;
 mod shots;
+mod stepped;
 mod symmetry;
