@@ -51,6 +51,7 @@ $(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
 	@$(PYTHON) scripts/requirements.py cli excel tables plots fem capture fit studio jax | $(PYTHON) -m pip install --quiet -r /dev/stdin & \
 	$(BIN)/maturin develop --release --skip-install --quiet && wait $$!
 	$(BIN)/maturin develop --release --quiet
+	@scripts/fmi-library.sh release
 	@touch $@
 
 $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
@@ -58,6 +59,7 @@ $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 	@touch $@
 
 wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole
+	scripts/fmi-library.sh dist
 	$(BIN)/maturin build --profile dist
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
