@@ -18,7 +18,7 @@ FLOORS = (
     ("shots",),
     ("fem", "validation"),
     ("inference", "capture"),
-    ("design", "studies", "plots", "jax", "torch"),
+    ("design", "studies", "plots", "jax", "torch", "export"),
     ("studio",),
     ("cli", "__main__"),
     ("clubface",),

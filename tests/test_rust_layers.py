@@ -20,8 +20,8 @@ LAYERS = {
         "head_inertia", "club",
         "delivery", "shot", "inertia_check", "check", "launch", "first_touch", "guided_mass", "giving_face", "impact",
         "columns",
-        "parallel", "contact", "rings", "model", "models", "kernels", "impact_model", "registry", "batch",
-        "sensitivity", "flight", "describe",
+        "parallel", "contact", "own_law", "rings", "model", "models", "kernels", "impact_model", "multibody",
+        "struck_ball", "registry", "batch", "sensitivity", "flight", "describe",
     ),
     "clubface-fem": (
         "error", "environment", "block", "moments", "mesh", "material", "element", "contact", "solve", "ball", "head",
@@ -31,7 +31,10 @@ LAYERS = {
         "normal", "sequence", "golfer", "tally", "strokes", "shot_batch", "dispersion", "outline", "face_map",
         "feasibility",
     ),
-    "clubface-c": ("result", "rows", "names", "shots", "flights", "dispersion", "face_map", "feasibility", "fem"),
+    "clubface-c": (
+        "result", "rows", "names", "shots", "stepped", "flights", "dispersion", "face_map", "feasibility", "fem",
+    ),
+    "clubface-fmi": ("unit", "fmi2", "fmi3"),
 }  # fmt: skip
 
 USE = re.compile(r"\b(pub(?:\([a-z ]+\))?\s+)?use\s+([^;]+);")

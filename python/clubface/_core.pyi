@@ -66,6 +66,22 @@ class HeldContact:
     def jacobian(self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]) -> NDArray[float64]: ...
     def commit(self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]) -> NDArray[float64]: ...
 
+class HeldLaw:
+    def __init__(
+        self,
+        call: Callable[[Any, Any, Any], Sequence[float]],
+        dual_call: Callable[[Any, Any, Any], Sequence[float]],
+        sizes: Sequence[float],
+    ) -> None: ...
+    @staticmethod
+    def at(address: int, complex_address: int, sizes: Sequence[float]) -> HeldLaw: ...
+    def impact(
+        self, inputs: Sequence[float], parameters: Sequence[float], tolerance: float
+    ) -> tuple[NDArray[float64] | None, str]: ...
+    def sensitivity(
+        self, inputs: Sequence[float], parameters: Sequence[float], variables: Sequence[int], tolerance: float
+    ) -> tuple[tuple[NDArray[float64], NDArray[float64]] | None, str]: ...
+
 class HeldBall:
     def __init__(
         self,

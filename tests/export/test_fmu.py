@@ -1,5 +1,7 @@
 """Units for co-simulation, as a master of FMI 2.0 and 3.0 uses them: through FMPy."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -27,8 +29,8 @@ class Master:
         described = fmpy.read_model_description(unit)
         self.two = described.fmiVersion.startswith("2")
         self.references = {each.name: each.valueReference for each in described.modelVariables}
-        slave = fmi2.FMU2Slave if self.two else fmi3.FMU3Slave
-        self.unit = slave(
+        slave: Any = fmi2.FMU2Slave if self.two else fmi3.FMU3Slave
+        self.unit: Any = slave(
             guid=described.guid,
             unzipDirectory=fmpy.extract(unit),
             modelIdentifier=described.coSimulation.modelIdentifier,

@@ -30,6 +30,8 @@ pub mod model;
 pub mod models;
 #[cfg(feature = "multibody")]
 pub mod multibody;
+#[cfg(feature = "multibody")]
+pub mod own_law;
 #[cfg(feature = "threads")]
 pub mod parallel;
 pub mod quantity;

@@ -8,6 +8,7 @@ mod fem;
 mod flight;
 mod impact;
 mod multibody;
+mod own_law;
 
 use pyo3::prelude::*;
 
@@ -37,4 +38,6 @@ mod _core {
     use crate::impact::{check, history, impact, sensitivities, sensitivity};
     #[pymodule_export]
     use crate::multibody::{HeldBall, HeldContact};
+    #[pymodule_export]
+    use crate::own_law::HeldLaw;
 }

@@ -197,6 +197,11 @@ def model_names() -> tuple[str, ...]:
     return (*_registered(), *MODULES, *OWN)
 
 
+def differentiable_model(name: str) -> Model:
+    """Return the model called ``name``, a reduced one or a law of one's own; others have no derivatives of launches."""
+    return OWN[name].MODEL if isinstance(name, str) and name in OWN else reduced_model(name, "one with derivatives")
+
+
 def reduced_model(name: str, wanted: str) -> Model:
     """Return the reduced model called ``name``; for a model of another backend the error says what was ``wanted``."""
     if isinstance(name, str) and (name in MODULES or name in OWN):

@@ -1,0 +1,1 @@
+"""Clubs, models and deliveries for other programs."""

@@ -24,8 +24,8 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import reduced_model
 from clubface.errors import InputError, RunError
-from clubface.simulation.multibody import DEFAULT_MODEL, SPEED
 from clubface.simulation.inputs import prepare
+from clubface.simulation.multibody import DEFAULT_MODEL, SPEED
 from clubface.simulation.results import inputs, outputs
 from clubface.support.checks import check_choice
 from clubface.support.version import __version__
@@ -140,7 +140,7 @@ def native_library(version: str) -> tuple[bytes, str, str]:
     file = importlib.resources.files("clubface.export").joinpath("native", f"clubface_fmi{suffix}")
     if not file.is_file():
         raise RunError(
-            "this installation has no library for units of FMI; wheels have one, and a checkout has one after `make build`"
+            "this installation has no library for units of FMI: install a wheel, or run `make build` in a checkout"
         )
     if version == "3.0":
         return file.read_bytes(), f"{machine}-{system}", suffix
@@ -154,7 +154,9 @@ def _vector(stem: str, unit: str, meaning: str, causality: str) -> Iterator[Vari
 
 
 def _head() -> Iterator[Variable]:
-    turn = "rotation from the axes of the head, which stands at its static loft with a square face, to those of the world"
+    turn = (
+        "rotation from the axes of the head, which stands at its static loft with a square face, to those of the world"
+    )
     for part, start in (("w", 1.0), ("x", 0.0), ("y", 0.0), ("z", 0.0)):
         yield Variable(f"head_q{part}", "1", f"{turn}: {part} of the quaternion", "input", start)
     yield from _vector("head_", "m", "centre of mass of the head", "input")
@@ -183,7 +185,9 @@ def _described(values: dict[str, float], chosen: dict[str, float], described: An
 
 def _outputs() -> Iterator[Variable]:
     yield from _vector("force_", "N", "mean force on the head over the last step", "output")
-    yield from _vector("torque_", "N m", "mean torque on the head about its centre of mass over the last step", "output")
+    yield from _vector(
+        "torque_", "N m", "mean torque on the head about its centre of mass over the last step", "output"
+    )
     yield Variable("normal_force", "N", "normal force at the end of the step", "output")
     yield Variable("penetration", "m", "penetration at the end of the step, negative when apart", "output")
     yield from _vector("ball_", "m", "centre of the ball", "output")
@@ -212,7 +216,9 @@ def _text(root: ElementTree.Element) -> bytes:
 
 
 def _value(each: Variable) -> str:
-    return {"Real": repr(each.start), "Integer": str(int(each.start)), "Boolean": str(bool(each.start)).lower()}[each.kind]
+    return {"Real": repr(each.start), "Integer": str(int(each.start)), "Boolean": str(bool(each.start)).lower()}[
+        each.kind
+    ]
 
 
 def _attributes(each: Variable, reference: int) -> dict[str, str]:

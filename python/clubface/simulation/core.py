@@ -3,6 +3,7 @@
 from clubface._core import (
     HeldBall as HeldBall,
     HeldContact as HeldContact,
+    HeldLaw as HeldLaw,
     curves as curves,
     flight_inputs as flight_inputs,
     flight_outputs as flight_outputs,

@@ -118,6 +118,15 @@ class ReducedCore:
             shots.model, shots.inputs, shots.parameters, shots.size, shots.accuracy, shots.threads, shots.progress
         )
 
+    def sensitivities(
+        self, shots: Request, chosen: Sequence[int], variables: Sequence[int]
+    ) -> tuple[NDArray[Any], Problems]:
+        """Differentiate all shots at once."""
+        return core.sensitivities(
+            shots.model, shots.inputs, shots.parameters, shots.size, list(chosen), list(variables), shots.accuracy,
+            shots.threads, shots.progress,
+        )  # fmt: skip
+
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
         """Return None: :func:`clubface.history` returns more."""
         return None

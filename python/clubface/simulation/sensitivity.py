@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.attachment import ADDED_NAMES
+from clubface.equipment.backends import OWN
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import DEFAULT_MODEL, model as model_named, reduced_model
+from clubface.equipment.models import DEFAULT_MODEL, differentiable_model, model as model_named
 from clubface.errors import InputError, UnitError, Wording
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
@@ -22,7 +23,7 @@ from clubface.results.result import Result
 from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
-from clubface.simulation.impact import Parameters, impact, warn_if_outside
+from clubface.simulation.impact import REDUCED, Parameters, Request, impact, warn_if_outside
 from clubface.simulation.inputs import Delivery, as_values, check_on_error, equipment, prepare, thread_count, tolerance
 from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import provenance_of
@@ -299,7 +300,7 @@ def sensitivity(
     """
     check_on_error(on_error)
     accuracy, cores = tolerance(accuracy), thread_count(threads)
-    reduced_model(model, "one with derivatives")
+    differentiable_model(model)
     values = dict(as_values(delivery, values))
     known_columns = known_variables(model)
     if variables is None:
@@ -310,7 +311,7 @@ def sensitivity(
     size = len(launch_outputs()) * (1 + len(across))
     prepared = prepare(model, club, values, ball, parameters, hand, outputs=size)
     shape = prepared.shots.shape
-    if shape:
+    if shape or model in OWN:
         launch = impact(
             club, values, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand, threads=threads,
             on_error=on_error,
@@ -320,10 +321,11 @@ def sensitivity(
         )
         rows = _chosen("output", outputs, known_rows)
         chosen = [known_rows[name][0] for name in rows]
-        computed, _ = core.sensitivities(
-            model, prepared.shots.columns, prepared.parameters, math.prod(shape), chosen, places, accuracy, cores,
-            progress,
+        batch = Request(
+            None, prepared.shots.club, model, prepared.shots.columns, prepared.parameters, math.prod(shape), accuracy,
+            cores, progress, on_error,
         )  # fmt: skip
+        computed, _ = (OWN[model].BACKEND if model in OWN else REDUCED).sensitivities(batch, chosen, places)
         si = computed.reshape(len(rows), 1 + len(across), *shape)[:, 1:]
     else:
         try:

@@ -18,10 +18,7 @@ pub struct Contact<S, L> {
     pub(super) face: Face<S>,
     pub(super) giving: GivingFace<S>,
     pub(super) lever: Vec3<S>,
-    pub(super) head: HeadInertia<S>,
-    pub(super) mobility: HeadMobility<S>,
-    pub(super) head_motion: HeadMotion<S>,
-    pub(super) inverse_ball_mass: S,
+    pub(super) bodies: Bodies<S>,
     pub(super) radius: S,
     /// Inertia of the ball, or of its cover, kg m2.
     pub(super) surface_inertia: S,
@@ -56,10 +53,7 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
             face: touch.face,
             giving: GivingFace::from_touch(touch),
             lever: touch.lever,
-            head: touch.head,
-            mobility: touch.head_mobility(),
-            head_motion: HeadMotion::new(touch),
-            inverse_ball_mass: touch.ball.mass.recip(),
+            bodies: Bodies::new(touch),
             radius: touch.ball.radius,
             surface_inertia,
             inverse_surface_inertia: surface_inertia.recip(),
@@ -121,19 +115,8 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         friction: Vec3<S>,
     ) -> [S; N] {
         let mut rate = [S::zero(); N];
-        let Loads { force, point, torque } = self.loads(y, t, normal_force, friction, &mut rate);
-        let club_spin = Vec3::from_slice(y, CLUB_SPIN);
-        let ball_spin = Vec3::from_slice(y, BALL_SPIN);
-        let velocity = Vec3::from_slice(y, VELOCITY);
-        let position = Vec3::from_slice(y, POSITION);
-        (velocity - club_spin.cross(position)).put(&mut rate, POSITION);
-        let (club_rate, club_spin_rate) = self.club_rates(y, point, force);
-        (force * self.inverse_ball_mass - club_rate - club_spin.cross(velocity)).put(&mut rate, VELOCITY);
-        club_spin_rate.put(&mut rate, CLUB_SPIN);
-        let attitude = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.rate(club_spin);
-        rate[ATTITUDE] = attitude.w;
-        attitude.v.put(&mut rate, ATTITUDE + 1);
-        (torque * self.inverse_surface_inertia - club_spin.cross(ball_spin)).put(&mut rate, BALL_SPIN);
+        let loads = self.loads(y, t, normal_force, friction, &mut rate);
+        self.bodies.put_rates(y, &loads, self.inverse_surface_inertia, &mut rate);
         rate
     }
 
@@ -178,6 +161,46 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         }
         Loads { force, point: t.point, torque }
     }
+}
+
+/// How head and ball respond to what acts between them.
+#[derive(Clone, Copy, Debug)]
+pub struct Bodies<S> {
+    pub(super) head: HeadInertia<S>,
+    pub(super) mobility: HeadMobility<S>,
+    pub(super) head_motion: HeadMotion<S>,
+    pub(super) inverse_ball_mass: S,
+}
+
+impl<S: Scalar> Bodies<S> {
+    /// The bodies of an impact.
+    #[inline(always)]
+    pub fn new(touch: &FirstTouch<S>) -> Self {
+        Self {
+            head: touch.head,
+            mobility: touch.head_mobility(),
+            head_motion: HeadMotion::new(touch),
+            inverse_ball_mass: touch.ball.mass.recip(),
+        }
+    }
+
+    /// Writes the rates of the first [`SOLID`] states, those of the bodies, in state `y` under these loads.
+    #[inline(always)]
+    pub fn put_rates(&self, y: &[S], loads: &Loads<S>, inverse_surface_inertia: S, rate: &mut [S]) {
+        let Loads { force, point, torque } = *loads;
+        let club_spin = Vec3::from_slice(y, CLUB_SPIN);
+        let ball_spin = Vec3::from_slice(y, BALL_SPIN);
+        let velocity = Vec3::from_slice(y, VELOCITY);
+        let position = Vec3::from_slice(y, POSITION);
+        (velocity - club_spin.cross(position)).put(rate, POSITION);
+        let (club_rate, club_spin_rate) = self.club_rates(y, point, force);
+        (force * self.inverse_ball_mass - club_rate - club_spin.cross(velocity)).put(rate, VELOCITY);
+        club_spin_rate.put(rate, CLUB_SPIN);
+        let attitude = Quat { w: y[ATTITUDE], v: Vec3::from_slice(y, ATTITUDE + 1) }.rate(club_spin);
+        rate[ATTITUDE] = attitude.w;
+        attitude.v.put(rate, ATTITUDE + 1);
+        (torque * inverse_surface_inertia - club_spin.cross(ball_spin)).put(rate, BALL_SPIN);
+    }
 
     /// Acceleration of the clubhead's CG and its angular acceleration in state `y` under `force` on the ball.
     #[inline(always)]
@@ -187,27 +210,27 @@ impl<S: Scalar, L: ContactLaw<S>> Contact<S, L> {
         if self.head.added.is_none() {
             return self.mobility.response(-force, moment - spin.cross(self.head.inertia * spin));
         }
-        S::outline(AttachedRates { contact: self, y, force, moment, spin })
+        S::outline(AttachedRates { bodies: self, y, force, moment, spin })
     }
 }
 
 /// Rates of an attached head, a function of its own.
-struct AttachedRates<'a, S, L> {
-    contact: &'a Contact<S, L>,
+struct AttachedRates<'a, S> {
+    bodies: &'a Bodies<S>,
     y: &'a [S],
     force: Vec3<S>,
     moment: Vec3<S>,
     spin: Vec3<S>,
 }
 
-impl<S: Scalar, L> Computation for AttachedRates<'_, S, L> {
+impl<S: Scalar> Computation for AttachedRates<'_, S> {
     type Output = (Vec3<S>, Vec3<S>);
     #[inline(always)]
     fn run(self) -> Self::Output {
-        let Self { contact, y, force, moment, spin } = self;
-        let velocity = contact.head_motion.velocity(&contact.head, y);
-        let (linear, angular) = contact.head.momenta(velocity, spin);
-        let (rate, spin_rate) = contact
+        let Self { bodies, y, force, moment, spin } = self;
+        let velocity = bodies.head_motion.velocity(&bodies.head, y);
+        let (linear, angular) = bodies.head.momenta(velocity, spin);
+        let (rate, spin_rate) = bodies
             .mobility
             .response(linear.cross(spin) - force, angular.cross(spin) + linear.cross(velocity) + moment);
         (rate + spin.cross(velocity), spin_rate)

@@ -116,7 +116,7 @@ impl Frame {
         let mut added_energy = 0.0;
         if let Some(added) = &touch.head.added {
             // Of a mechanism that moves as the head did at first touch, which has no part in its motion then.
-            let change = contact.head_motion.velocity(&touch.head, y);
+            let change = contact.bodies.head_motion.velocity(&touch.head, y);
             let (linear, angular) = added.multiply(change, club_spin);
             added_energy = touch.club_velocity.dot(attitude.matrix() * linear)
                 + 0.5 * (change.dot(linear) + club_spin.dot(angular));

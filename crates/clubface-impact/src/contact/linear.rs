@@ -118,11 +118,11 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
         let t = *jacobian;
         let layer = self.layer::<N>(g);
         let arm = t.arm.squared() * layer.compliance;
-        let mobility = Mat3::diagonal(self.inverse_ball_mass + arm)
+        let mobility = Mat3::diagonal(self.bodies.inverse_ball_mass + arm)
             + Mat3::outer(t.normal, t.normal * -arm)
-            + self.mobility.between(t.point, t.point);
-        let by_impulse =
-            t.by_position.scale(self.inverse_ball_mass) + self.mobility.times_central(t.by_position);
+            + self.bodies.mobility.between(t.point, t.point);
+        let by_impulse = t.by_position.scale(self.bodies.inverse_ball_mass)
+            + self.bodies.mobility.times_central(t.by_position);
         let mut implicit =
             Mat3::diagonal(S::one()) + (t.by_velocity * mobility).scale(-g) + by_impulse.scale(-(g * g));
         let give = self.give::<N>(g);
@@ -158,8 +158,8 @@ impl<S: Scalar, L: ContactLaw<S>, const N: usize> StiffSystem<S, N> for Contact<
             moved += t.normal * (b[at] + swing * *g);
         }
         let impulse = *inverse * (t.by_velocity * surface + t.by_position * moved) * *g;
-        let (slowed, turned) = self.mobility.response(impulse, t.point.cross(impulse));
-        let velocity = velocity + impulse * self.inverse_ball_mass + slowed;
+        let (slowed, turned) = self.bodies.mobility.response(impulse, t.point.cross(impulse));
+        let velocity = velocity + impulse * self.bodies.inverse_ball_mass + slowed;
         (position + velocity * *g).put(&mut x, POSITION);
         velocity.put(&mut x, VELOCITY);
         (club_spin - turned).put(&mut x, CLUB_SPIN);

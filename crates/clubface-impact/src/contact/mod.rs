@@ -17,7 +17,7 @@ mod state;
 #[cfg(feature = "multibody")]
 mod stepped;
 
-pub use dynamics::{Contact, Loads};
+pub use dynamics::{Bodies, Contact, Loads};
 pub use frame::Frame;
 pub use head_motion::motions;
 pub use history::History;
@@ -26,6 +26,8 @@ pub use linear::ContactJacobian;
 pub use recorder::{Recorder, RingFrame, Unrecorded};
 pub use run::run;
 pub use separation::Separation;
+#[cfg(feature = "multibody")]
+pub(crate) use separation::{hermite_root, parabola_peak};
 pub use state::{
     BALL_SPIN, CLUB_SPIN, ContactPoint, LAYERED, LAYERED_GIVING, POSITION, RECORDED_LAYERED,
     RECORDED_SLIDING, RECORDED_SOLID, SLIDING, SLIP, SOLID, SOLID_GIVING, VELOCITY, face, initial, scales,

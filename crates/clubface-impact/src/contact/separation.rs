@@ -107,7 +107,7 @@ impl<S: Scalar, L: ContactLaw<S>, R: Recorder<S>, const N: usize> Observer<S, N>
 
 /// Largest value of the parabola through three equally spaced values within their interval.
 #[inline(always)]
-fn parabola_peak<S: Scalar>(start: S, middle: S, end: S) -> S {
+pub(crate) fn parabola_peak<S: Scalar>(start: S, middle: S, end: S) -> S {
     let bend = (start + end - middle * 2.0) * 2.0;
     let slope = middle * 4.0 - start * 3.0 - end;
     let ends = start.max(end);
@@ -118,7 +118,7 @@ fn parabola_peak<S: Scalar>(start: S, middle: S, end: S) -> S {
 
 /// Fraction of a step at which the cubic through depth (positive, then not) and its rates (per step) vanishes.
 #[inline(always)]
-fn hermite_root<S: Scalar>(d0: S, r0: S, d1: S, r1: S) -> S {
+pub(crate) fn hermite_root<S: Scalar>(d0: S, r0: S, d1: S, r1: S) -> S {
     let c2 = (d1 - d0) * 3.0 - r0 * 2.0 - r1;
     let c3 = (d0 - d1) * 2.0 + r0 + r1;
     let mut x = d0 / (d0 - d1);
