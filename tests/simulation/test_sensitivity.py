@@ -7,8 +7,9 @@ import pytest
 
 import clubface
 from clubface.equipment.models import models
-from clubface.errors import InputError, ShotError, UnitError, UnknownNameError
+from clubface.errors import ClubfaceError, InputError, ShotError, UnitError, UnknownNameError
 from clubface.simulation.results import inputs
+from ring_derivatives import ring_errors
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -241,3 +242,38 @@ def test_signs_are_explained_only_where_they_are_so():
 def test_every_printed_derivative_names_its_step():
     result = clubface.sensitivity("driver", **DRIVE, model="slip").to_result().table()
     assert all(", per " in each for each in result["per"].values)
+
+
+def test_products_with_vectors_are_those_of_the_whole_table():
+    toe = np.array([-0.01, 0.0, 0.012])
+    table = clubface.sensitivity("driver", speed=48.0, loft="12 deg", toe=toe, variables=["loft", "toe", "friction"])
+    change = table.jvp({"loft": "1 deg", "toe": [1e-3, 2e-3, 0.0]})
+    assert list(change) == list(table.outputs)
+    row = table.outputs.index("backspin")
+    expected = table.si[row, 0] * math.radians(1.0) + table.si[row, 1] * np.array([1e-3, 2e-3, 0.0])
+    assert change["backspin"] == pytest.approx(expected)
+    weighed = table.vjp({"backspin": 2.0, "ball_speed": [1.0, 0.0, -1.0]})
+    assert list(weighed) == ["loft", "toe", "friction"]
+    # <u, J v> is <u J, v>, shot by shot.
+    v = {"loft": 0.3, "toe": -0.2, "friction": 0.7}
+    one = 2.0 * table.jvp(v)["backspin"] + np.array([1.0, 0.0, -1.0]) * table.jvp(v)["ball_speed"]
+    assert one == pytest.approx(sum(weighed[name] * value for name, value in v.items()))
+    alone = clubface.sensitivity("driver", speed=48.0, variables=["loft"])
+    assert isinstance(alone.jvp({"loft": "1 deg"})["backspin"], float)
+    assert alone.jvp({})["backspin"] == 0.0
+    for wrong in (
+        lambda: alone.jvp({"lift": 1.0}),
+        lambda: alone.jvp({"loft": "1 m"}),
+        lambda: alone.vjp({"carry": 1.0}),
+    ):
+        with pytest.raises(ClubfaceError):
+            wrong()
+
+
+def test_derivatives_of_rings_are_as_good_as_the_page_says():
+    usual, largest = ring_errors(shots=8)
+    assert usual.max() < 3e-3
+    assert largest.max() < 1e-2
+    # Steps that do not fit the rings change from stick to slip within, where the derivative is that of either side.
+    coarse, _ = ring_errors(1e-6, shots=8)
+    assert coarse.max() > usual.max()

@@ -112,6 +112,43 @@ class Sensitivity:
         ones = (1,) * len(self.launch.shape)
         return self.si * columns.reshape(-1, *ones) / rows.reshape(-1, 1, *ones)
 
+    def jvp(self, changes: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the change of every output [SI] for changes of variables, to first order: J times a vector.
+
+        Parameters
+        ----------
+        changes
+            By the name of a variable, text with a unit, an SI number or an array of them for the shots; variables that
+            are left out do not change.
+        """
+        check_names("variable", changes, self._columns)
+        total: Any = 0.0
+        for name, change in changes.items():
+            dimension = units.unit(self._columns[name].unit).dimension
+            value = units.parse_values(change, dimension, name=name)
+            total = total + self.si[:, self.variables.index(name)] * value
+        return self._by_name(self.outputs, total)
+
+    def vjp(self, weights: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the derivative of a weighted sum of outputs by every variable [SI]: a vector times J.
+
+        Parameters
+        ----------
+        weights
+            By the name of an output, per SI unit of it: a number, or an array of them for the shots; outputs that are
+            left out have no weight.
+        """
+        check_names("output", weights, self._rows)
+        total: Any = 0.0
+        for name, weight in weights.items():
+            value = units.parse_values(weight, units.DIMENSIONLESS, name=name)
+            total = total + self.si[self.outputs.index(name)] * value
+        return self._by_name(self.variables, total)
+
+    def _by_name(self, names: Sequence[str], total: Any) -> dict[str, Any]:
+        total = np.broadcast_to(total, (len(names), *self.launch.shape))
+        return {name: value if self.launch.shape else float(value) for name, value in zip(names, total, strict=True)}
+
     @property
     def main_variables(self) -> tuple[str, ...]:
         """The variables shown when a table is printed: all but the coefficients of a model that is a fit."""
