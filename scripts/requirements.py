@@ -1,6 +1,6 @@
 """Print the requirements of some extras of pyproject.toml, one a line: pip installs them while the core compiles.
 
-``python scripts/requirements.py cli plots`` prints those of the package itself and of the extras named.
+``python scripts/requirements.py excel plots`` prints those of the package itself and of the extras named.
 """
 
 import sys

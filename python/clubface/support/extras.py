@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 EXTRAS = {
-    "typer": "cli",
-    "rich": "cli",
     "matplotlib": "plots",
     "pandas": "tables",
     "xarray": "tables",
