@@ -7,6 +7,7 @@ import type { Context } from "../context";
 import { join } from "../quantities/formatter";
 import { seriesLook } from "./colours";
 import { rootSize } from "./measure";
+import { colourReader } from "./page-colours";
 
 /** One axis of a chart: what it is called, and the quantity that gives unit and digits. */
 export interface ChartAxis {
@@ -118,10 +119,10 @@ export function drawCharts(context: Context): void {
 
 function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLElement): void {
   const width = Math.max(240, model.widths[`chart-${chart.name}`] ?? 320);
-  const style = getComputedStyle(frame);
+  const colour = colourReader(frame);
   const rem = rootSize();
   const font = `${0.75 * rem}px system-ui, sans-serif`;
-  const ink = style.getPropertyValue("--ink");
+  const ink = colour("--ink");
   const labels = chart.lines.map(({ label }) => label).join("\n");
   const arrays = chart.lines.flatMap(({ x, y }) => [x, y]);
   const inputs = [width, rem, state.system, ink, chart.title, labels, ...arrays];
@@ -138,7 +139,7 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
   const convert = (values: ArrayLike<number>, unit: string): number[] =>
     Array.from(values, (value) => formatter.units.fromSi(value, unit));
   const data = uPlot.join(chart.lines.map(({ x, y }) => [convert(x, across), convert(y, upwards)]));
-  const axis = { stroke: ink, grid: { stroke: style.getPropertyValue("--line"), width: 1 }, font };
+  const axis = { stroke: ink, grid: { stroke: colour("--line"), width: 1 }, font };
   const symbol = formatter.units.symbol(across);
   const mark = { place: chart.mark };
   const drawMark = (plot: uPlot): void => {
@@ -175,7 +176,7 @@ function draw({ model, state, formatter }: Context, chart: Chart, frame: HTMLEle
         {},
         ...chart.lines.map(({ label }, i) => ({
           label,
-          stroke: style.getPropertyValue(`--series-${seriesLook(i).number}`),
+          stroke: colour(`--series-${seriesLook(i).number}`),
           width: 2,
           dash: DASHES[i],
           spanGaps: true,

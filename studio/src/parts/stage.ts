@@ -3,6 +3,7 @@
 import { html, type TemplateResult } from "lit-html";
 import type { Color, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 import type { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { colourReader } from "./page-colours";
 
 export type Three = typeof import("./three");
 
@@ -49,7 +50,7 @@ export function setStage(name: string, inputs: readonly unknown[], set: (stage: 
   }
   if (!frame) return;
   const old = kept.get(name);
-  const all = [...inputs, getComputedStyle(frame).getPropertyValue("--ink")];
+  const all = [...inputs, colourReader(frame)("--ink")];
   if (old?.inputs.length === all.length && old.inputs.every((input, i) => input === all[i])) return;
   const made = old ?? makeStage(frame);
   made.inputs = all;
@@ -120,8 +121,8 @@ function makeStage(frame: HTMLElement): Kept {
         renderer.forceContextLoss();
       };
       if (ended) finish();
-      const colour = (variable: string): Color =>
-        new three.Color(getComputedStyle(frame).getPropertyValue(variable).trim() || "gray");
+      const read = colourReader(frame);
+      const colour = (variable: string): Color => new three.Color(read(variable));
       return { three, scene, camera, renderer, controls, colour, redraw, fit: resize };
     },
   );

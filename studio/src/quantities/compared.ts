@@ -13,3 +13,5 @@ export const LAUNCH_AND_FLIGHT: readonly string[] = [
   "apex",
   "landing_angle",
 ];
+/** The same with the contact, where impacts are compared. */
+export const IMPACT_AND_FLIGHT: readonly string[] = [...LAUNCH_AND_FLIGHT, "contact_time", "peak_force"];

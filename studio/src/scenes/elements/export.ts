@@ -6,6 +6,7 @@ import { choiceSetting } from "../../context";
 import { handSign } from "../../equipment/equipment";
 import type { ColourScale } from "../../parts/colours";
 import { download } from "../../parts/download";
+import { colourReader } from "../../parts/page-colours";
 import { join } from "../../quantities/formatter";
 import { caseInWords } from "./case-panel";
 import { type DrawnCase, SHAPE_COLOURS, scales } from "./drawn-case";
@@ -98,10 +99,10 @@ function drawSheet(canvas: HTMLCanvasElement, context: Context, cases: DrawnCase
   if (canvas.width !== width || canvas.height !== HEIGHT) [canvas.width, canvas.height] = [width, HEIGHT];
   const pen = canvas.getContext("2d");
   if (!pen) return;
-  const style = getComputedStyle(document.body);
-  pen.fillStyle = style.getPropertyValue("--card");
+  const colour = colourReader(document.body);
+  pen.fillStyle = colour("--card");
   pen.fillRect(0, 0, canvas.width, canvas.height);
-  pen.fillStyle = style.getPropertyValue("--ink");
+  pen.fillStyle = colour("--ink");
   const { formatter, state } = context;
   const { shape, patch } = scales(context, cases);
   const write = (text: string, x: number, y: number, size = 18, weight = 400): void => {

@@ -5,24 +5,12 @@ import type { Context } from "../../context";
 import type { ElementsImpact } from "../../core/elements";
 import type { Values } from "../../core/types";
 import { modelName } from "../../equipment/names";
+import { IMPACT_AND_FLIGHT } from "../../quantities/compared";
 import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { ballOf } from "./case";
 import { flightSlot, modelSlot, type ShownCase } from "./impacts";
 
-const LAUNCH = [
-  "ball_speed",
-  "smash",
-  "launch",
-  "azimuth",
-  "backspin",
-  "sidespin",
-  "spin_axis",
-  "carry",
-  "side",
-  "contact_time",
-  "peak_force",
-];
 const THROWN = ["normal_velocity", "tangential_velocity", "backspin"];
 const CONTACT = [
   "peak_force",
@@ -61,7 +49,7 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
   });
   const contact = shown.map(({ label, impact }) => ({ label: label || "value", values: summary(impact) }));
   return html`
-    ${launches.length ? table(context, "Launch and flight, next to the chosen model", LAUNCH, launches) : nothing}
+    ${launches.length ? table(context, "Launch and flight, next to the chosen model", IMPACT_AND_FLIGHT, launches) : nothing}
     ${launches.length ? html`<p class="remark">The chosen model takes the head as rigid, and friction as its own parameters have it.</p>` : nothing}
     ${
       thrown.length
@@ -99,7 +87,7 @@ interface Column {
 function table(
   { formatter, state }: Context,
   caption: string,
-  names: string[],
+  names: readonly string[],
   columns: Column[],
   more: TemplateResult | typeof nothing = nothing,
 ): TemplateResult {

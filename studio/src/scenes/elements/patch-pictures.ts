@@ -5,6 +5,7 @@ import { repeat } from "lit-html/directives/repeat.js";
 import type { Context } from "../../context";
 import { handSign } from "../../equipment/equipment";
 import { colourLegend } from "../../parts/legend";
+import { colourReader } from "../../parts/page-colours";
 import type { CaseName } from "./case";
 import { type DrawnCase, scales } from "./drawn-case";
 import { drawPatch, middleLine, type PatchPoint, patchAt, senses, TRACTIONS, type Traction, traction } from "./patch";
@@ -113,8 +114,7 @@ export function drawPatches(context: Context, cases: DrawnCase[]): void {
     for (const name of TRACTIONS) {
       const canvas = patchCanvas(each.name, name);
       if (!canvas) continue;
-      const style = getComputedStyle(canvas);
-      const [ink, line] = ["--ink", "--faint"].map((variable) => style.getPropertyValue(variable));
+      const [ink, line] = ["--ink", "--faint"].map(colourReader(canvas));
       const side = handSign(context.state);
       const inputs = [each.impact, each.moment, patch[name].most, reach, side, ink];
       const before = drawn.get(canvas);

@@ -4,6 +4,7 @@ import { html, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting } from "../../context";
 import { settingChoice } from "../../parts/choice";
 import { rootSize, USUAL_WIDTH } from "../../parts/measure";
+import { colourReader } from "../../parts/page-colours";
 import { cursorOf, pointAt } from "./cursor";
 import type { Place } from "./field";
 import { colourLegend, isDark, levelText, marksLegend } from "./legend";
@@ -138,8 +139,7 @@ export function setMap(context: Context): void {
   const shown = shownMap(context);
   if (!canvas || !shown) return;
   const layout = layoutNow(context, shown);
-  const style = getComputedStyle(canvas);
-  const colour = (name: string): string => style.getPropertyValue(name);
+  const colour = colourReader(canvas);
   const ink: Ink = {
     ink: colour("--ink"),
     line: colour("--line"),

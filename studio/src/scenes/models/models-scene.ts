@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, type Scene, strike } from "../../context";
 import type { Computed, History } from "../../core/types";
 import { chartFrame } from "../../parts/chart";
-import { LAUNCH_AND_FLIGHT } from "../../quantities/compared";
+import { IMPACT_AND_FLIGHT } from "../../quantities/compared";
 import { withUnit } from "../../quantities/formatter";
 import { outputOf } from "../../state/store";
 import { deliveryPanel } from "../shot/delivery";
@@ -15,8 +15,6 @@ import { headlineDelivery } from "./strike-in-words";
 
 /** No histories yet. */
 const NONE: History[] = [];
-
-const COMPARED = [...LAUNCH_AND_FLIGHT, "contact_time", "peak_force"];
 
 export const modelsScene: Scene = {
   view,
@@ -69,7 +67,7 @@ function table({ state, formatter, description }: Context, shots: Computed[]): T
           </tr>
         </thead>
         <tbody>
-          ${COMPARED.map((name) => {
+          ${IMPACT_AND_FLIGHT.map((name) => {
             const { unit } = formatter.reading(name, state.system);
             const symbol = formatter.units.symbol(unit);
             return html`<tr>

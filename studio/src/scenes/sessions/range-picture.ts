@@ -5,14 +5,12 @@ import type { Context } from "../../context";
 import { clubName } from "../../equipment/names";
 import { line, type Scale, scale, ticks } from "../../parts/axes";
 import { type SeriesLook, seriesLine, seriesLook } from "../../parts/colours";
+import { GROUND_BOTTOM, GROUND_LEFT, groundGrid } from "../../parts/ground-grid";
 import { letterZoom, USUAL_WIDTH } from "../../parts/measure";
-import { sideOf } from "../../quantities/formatter";
 import { clubsOf, landing, type ShotRow } from "./shot-rows";
 
-const LEFT = 44;
 const RIGHT = 16;
 const TOP = 24;
-const BOTTOM = 36;
 const HEIGHTS = { side: [70, 190], above: [140, 360] } as const;
 /** Least distance to either side of the target line, in the unit of the picture. */
 const LEAST_SIDE = 12;
@@ -50,7 +48,7 @@ function pictures(context: Context, name: string, rows: readonly ShotRow[]): Tem
     rows,
     width,
     zoom,
-    along: scale([0, end], [LEFT, width - RIGHT]),
+    along: scale([0, end], [GROUND_LEFT, width - RIGHT]),
     alongTicks: ticks([0, end], Math.max(3, Math.min(10, width / 90))),
     unit: formatter.units.symbol(unit),
     convert,
@@ -87,9 +85,9 @@ function fromSide(range: Range): TemplateResult {
       <text class="title" x="0" y="13">From the side${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
       ${alongTicks.map((tick) => svg`<line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>`)}
       ${ticks([0, highest], 3).map(
-        (tick) => svg`<text class="tick" x=${LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,
+        (tick) => svg`<text class="tick" x=${GROUND_LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,
       )}
-      <line class="ground" x1=${LEFT} x2=${width} y1=${TOP + inner} y2=${TOP + inner}></line>
+      <line class="ground" x1=${GROUND_LEFT} x2=${width} y1=${TOP + inner} y2=${TOP + inner}></line>
       ${rows.map(({ path, ...row }) =>
         flightPath(
           range,
@@ -102,16 +100,14 @@ function fromSide(range: Range): TemplateResult {
 }
 
 function fromAbove(range: Range): TemplateResult {
-  const { context, rows, width, zoom, along, alongTicks, convert, unit } = range;
+  const { context, rows, width, zoom, along, convert } = range;
   const { state, formatter } = context;
   const sides = rows.flatMap((row) => [landing(row)?.[1] ?? 0, ...row.path.map(([, , right]) => right)]).map(convert);
   const [least, most] = [Math.min(-LEAST_SIDE, ...sides) * 1.1, Math.max(LEAST_SIDE, ...sides) * 1.1];
   const inner = Math.min(HEIGHTS.above[1], Math.max(HEIGHTS.above[0], (most - least) * along.size));
-  const height = TOP + inner + BOTTOM;
+  const height = TOP + inner + GROUND_BOTTOM;
   const right = scale([least, most], [TOP, TOP + inner]);
   const ratio = right.size / along.size;
-  const { sides: words } = formatter.quantity("side");
-  const letter = (tick: number): string => ` ${sideOf(words, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
   const landings = rows.flatMap((row) => [landing(row) ?? []].filter((each) => each.length) as [number, number][]);
   const text = (name: string, value: number): string => formatter.text(name, value, state.system);
   const label =
@@ -121,16 +117,7 @@ function fromAbove(range: Range): TemplateResult {
   return html`
     <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
       <text class="title" x="0" y="13">From above${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
-      ${alongTicks.map(
-        (tick) => svg`
-          <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
-          <text class="tick" x=${along.at(tick)} y=${TOP + inner + 15} text-anchor="middle">${tick}</text>`,
-      )}
-      ${ticks([least, most], 5).map(
-        (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
-          ${Math.abs(tick)}${letter(tick)}</text>`,
-      )}
-      <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
+      ${groundGrid(formatter, { ...range, right, across: [least, most], top: TOP, bottom: TOP + inner })}
       ${rows.map(({ path, ...row }) =>
         flightPath(
           range,
@@ -139,20 +126,24 @@ function fromAbove(range: Range): TemplateResult {
         ),
       )}
       ${rows.map((row) => spot(range, row, right))}
-      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance towards the target, ${unit}</text>
     </svg>
   `;
 }
 
+/** Classes of what is drawn of a shot. */
 const marks = ({ context, series }: Range, { club, shot, mishit }: Omit<ShotRow, "path">): string =>
-  `series-${series(club).number}${series(club).isDashed ? " dashed" : ""}${mishit ? " off" : ""}${context.model.session.marked === shot ? " marked" : ""}`;
+  `${series(club).isDashed ? " dashed" : ""}${mishit ? " off" : ""}${context.model.session.marked === shot ? " marked" : ""}`;
+
+/** The colour of the club of a shot, as a style. */
+const colour = ({ series }: Range, { club }: Omit<ShotRow, "path">): string =>
+  `--series: var(--series-${series(club).number})`;
 
 const flightPath = (range: Range, row: Omit<ShotRow, "path">, points: [number, number][]): TemplateResult =>
-  svg`<path class=${`flight-path ${marks(range, row)}`} d=${line(points)}></path>` as TemplateResult;
+  svg`<path class=${`flight-path${marks(range, row)}`} style=${colour(range, row)} d=${line(points)}></path>` as TemplateResult;
 
 function spot(range: Range, row: ShotRow, right: Scale): TemplateResult {
   const [x, z] = landing(row) ?? [0, 0];
   const isMarked = range.context.model.session.marked === row.shot;
-  return svg`<circle class=${`spot ${marks(range, row)}`} data-shot=${row.shot} cx=${range.along.at(range.convert(x))}
+  return svg`<circle class=${`spot${marks(range, row)}`} style=${colour(range, row)} data-shot=${row.shot} cx=${range.along.at(range.convert(x))}
     cy=${right.at(range.convert(z))} r=${isMarked ? 6 : 3.5}><title>${clubName(range.context, row.club)} ${row.shot}</title></circle>` as TemplateResult;
 }

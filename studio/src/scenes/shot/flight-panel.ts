@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { type Scale, scale, ticks } from "../../parts/axes";
+import { GROUND_LEFT } from "../../parts/ground-grid";
 import { letterZoom, USUAL_WIDTH } from "../../parts/measure";
 import { fromAbove } from "./from-above";
 import { fromSide } from "./from-side";
@@ -22,7 +23,6 @@ export interface Drawing {
   rest: [along: number, right: number];
 }
 
-export const LEFT = 44;
 const RIGHT = 16;
 
 export function flightPanel(context: Context): TemplateResult {
@@ -54,7 +54,7 @@ function drawn({ model, state, formatter }: Context): Drawing | null {
   const zoom = letterZoom();
   const width = Math.max(260, (model.widths.flight ?? USUAL_WIDTH) / zoom);
   const end = Math.max(landing[0], rest[0], 1) * 1.06;
-  const along = scale([0, end], [LEFT, width - RIGHT]);
+  const along = scale([0, end], [GROUND_LEFT, width - RIGHT]);
   const alongTicks = ticks([0, end], Math.max(3, Math.min(10, width / 90)));
   return { width, zoom, along, alongTicks, unit: formatter.units.symbol(unit), path, landing, rest };
 }

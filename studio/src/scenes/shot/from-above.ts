@@ -1,13 +1,12 @@
 /** The flight from above: path, face, start, curve and landing; the target is on the right. */
 
-import { html, svg, type TemplateResult } from "lit-html";
+import { html, type TemplateResult } from "lit-html";
 import { type Context, delivered } from "../../context";
-import { line, scale, ticks } from "../../parts/axes";
-import { sideOf } from "../../quantities/formatter";
-import { type Drawing, LEFT } from "./flight-panel";
+import { line, scale } from "../../parts/axes";
+import { GROUND_BOTTOM, groundGrid } from "../../parts/ground-grid";
+import type { Drawing } from "./flight-panel";
 
 const TOP = 24;
-const BOTTOM = 36;
 const LEAST_HEIGHT = 120;
 const MOST_HEIGHT = 300;
 /** Least distance shown to either side of the target line. */
@@ -17,7 +16,7 @@ const REACH = 0.35;
 
 export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   const { model, state, formatter } = context;
-  const { width, zoom, along, alongTicks, path, landing, rest, unit } = drawing;
+  const { width, zoom, along, path, landing, rest } = drawing;
   const values = model.good?.values ?? {};
   const end = (angle: number, length: number): [number, number] => [length * Math.cos(angle), length * Math.sin(angle)];
   const ends = {
@@ -35,14 +34,11 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   ];
   const [least, most] = [Math.min(-LEAST_SIDE, ...shown) * 1.1, Math.max(LEAST_SIDE, ...shown) * 1.1];
   const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, (most - least) * along.size));
-  const height = TOP + inner + BOTTOM;
+  const height = TOP + inner + GROUND_BOTTOM;
   // Right of the target is below, as it is for who looks to the target with the ball on the left.
   const right = scale([least, most], [TOP, TOP + inner]);
   const ratio = right.size / along.size;
   const at = ([x, z]: readonly [number, number]): [number, number] => [along.at(x), right.at(z)];
-  const { sides } = formatter.quantity("side");
-  /** "L" or "R" behind a distance, as the first letters of the core's words for its sides. */
-  const letter = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
   const shape = model.good?.shape || "shot that does not fly";
   const label =
     `The flight from above, a ${shape}: the ball starts ${formatter.text("azimuth", values.azimuth, state.system)}, ` +
@@ -51,16 +47,7 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
   return html`
     <svg class="view" role="img" aria-label=${label} width=${width * zoom} height=${height * zoom} viewBox=${`0 0 ${width} ${height}`}>
       <text class="title" x="0" y="13">From above: ${shape}${ratio > 1.05 ? `, sideways ×${ratio.toFixed(1)}` : ""}</text>
-      ${alongTicks.map(
-        (tick) => svg`
-          <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
-          <text class="tick" x=${along.at(tick)} y=${TOP + inner + 15} text-anchor="middle">${tick}</text>`,
-      )}
-      ${ticks([least, most], 5).map(
-        (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
-          ${Math.abs(tick)}${letter(tick)}</text>`,
-      )}
-      <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
+      ${groundGrid(formatter, { ...drawing, right, across: [least, most], top: TOP, bottom: TOP + inner })}
       <path class="direction start" d=${line([at([0, 0]), at(ends.start)])}></path>
       <path class="direction path" d=${line([at([0, 0]), at(ends.path)])}></path>
       <path class="direction face-line" d=${line([at([0, 0]), at(ends.face)])}></path>
@@ -69,7 +56,6 @@ export function fromAbove(context: Context, drawing: Drawing): TemplateResult {
       <path class="roll" d=${line([at(landing), at(rest)])}></path>
       <circle class="landing" cx=${at(landing)[0]} cy=${at(landing)[1]} r="4"></circle>
       <circle class="rest" cx=${at(rest)[0]} cy=${at(rest)[1]} r="4"></circle>
-      <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">distance towards the target, ${unit}</text>
     </svg>
     <ul class="legend" aria-label="Lines of the view from above">
       <li><i class="ball-path"></i>flight</li>

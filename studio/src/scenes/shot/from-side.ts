@@ -3,7 +3,8 @@
 import { html, svg, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { line, scale, ticks } from "../../parts/axes";
-import { type Drawing, LEFT } from "./flight-panel";
+import { GROUND_LEFT } from "../../parts/ground-grid";
+import type { Drawing } from "./flight-panel";
 
 const TOP = 22;
 const BOTTOM = 8;
@@ -28,10 +29,10 @@ export function fromSide({ model, state, formatter }: Context, drawing: Drawing)
       <text class="title" x="0" y="13">From the side, apex ${formatter.text("apex", values.apex, state.system)}${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
       ${ticks([0, apex], 2).map(
         (tick) => svg`
-          <line class="grid" x1=${LEFT} x2=${width} y1=${up.at(tick)} y2=${up.at(tick)}></line>
-          <text class="tick" x=${LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,
+          <line class="grid" x1=${GROUND_LEFT} x2=${width} y1=${up.at(tick)} y2=${up.at(tick)}></line>
+          <text class="tick" x=${GROUND_LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,
       )}
-      <line class="ground" x1=${LEFT} x2=${width} y1=${ground} y2=${ground}></line>
+      <line class="ground" x1=${GROUND_LEFT} x2=${width} y1=${ground} y2=${ground}></line>
       <path class="ball-path" d=${line(path.map(([x, y]) => [along.at(x), up.at(Math.max(y, 0))]))}></path>
       <path class="roll" d=${line([
         [along.at(landing[0]), ground],

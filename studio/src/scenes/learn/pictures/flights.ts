@@ -2,8 +2,8 @@
 
 import { html, svg, type TemplateResult } from "lit-html";
 import { line, scale, ticks } from "../../../parts/axes";
+import { GROUND_BOTTOM, GROUND_LEFT, type Ground, groundGrid } from "../../../parts/ground-grid";
 import { letterZoom } from "../../../parts/measure";
-import { sideOf } from "../../../quantities/formatter";
 import type { LessonResult } from "../lesson";
 
 export interface DrawnFlight {
@@ -14,7 +14,7 @@ export interface DrawnFlight {
   case: string;
 }
 
-const [LEFT, RIGHT, TOP, BOTTOM] = [44, 16, 10, 36];
+const [RIGHT, TOP] = [16, 10];
 const LEAST_SIDE = 12;
 const [LEAST_HEIGHT, MOST_HEIGHT] = [110, 260];
 
@@ -33,13 +33,21 @@ export function flightsPicture(result: LessonResult, name: string, flights: Draw
   const reach = Math.max(1, ...paths.flat().map(([along]) => along)) * 1.04;
   const sideways = paths.flat().map(([, right]) => right);
   const [least, most] = [Math.min(-LEAST_SIDE, ...sideways) * 1.1, Math.max(LEAST_SIDE, ...sideways) * 1.1];
-  const along = scale([0, reach], [LEFT, width - RIGHT]);
+  const along = scale([0, reach], [GROUND_LEFT, width - RIGHT]);
   const inner = Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, (most - least) * along.size * 2));
   const right = scale([least, most], [TOP, TOP + inner]);
   const ratio = right.size / along.size;
-  const height = TOP + inner + BOTTOM;
-  const { sides } = formatter.quantity("side");
-  const side = (tick: number): string => ` ${sideOf(sides, tick, 0).charAt(0).toUpperCase()}`.trimEnd();
+  const height = TOP + inner + GROUND_BOTTOM;
+  const ground: Ground = {
+    along,
+    right,
+    alongTicks: ticks([0, reach], Math.max(3, width / 110)),
+    across: [least, most],
+    width,
+    top: TOP,
+    bottom: TOP + inner,
+    unit: formatter.units.symbol(unit),
+  };
   const words = flights.map((flight) => ({
     ...flight,
     text:
@@ -58,23 +66,11 @@ export function flightsPicture(result: LessonResult, name: string, flights: Draw
           height=${height * zoom}
           viewBox=${`0 0 ${width} ${height}`}
         >
-          ${ticks([0, reach], Math.max(3, width / 110)).map(
-            (tick) => svg`
-              <line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>
-              <text class="tick" x=${along.at(tick)} y=${TOP + inner + 15} text-anchor="middle">${tick}</text>`,
-          )}
-          ${ticks([least, most], 5).map(
-            (tick) => svg`<text class="tick" x=${LEFT - 6} y=${right.at(tick) + 4} text-anchor="end">
-              ${Math.abs(tick)}${side(tick)}</text>`,
-          )}
-          <line class="target" x1=${LEFT} x2=${width} y1=${right.at(0)} y2=${right.at(0)}></line>
+          ${groundGrid(formatter, ground)}
           ${flights.map(
             ({ kind }, i) =>
               svg`<path class=${`ball-path ${kind}`} d=${line(paths[i].map(([x, z]) => [along.at(x), right.at(z)]))}></path>`,
           )}
-          <text class="tick" x=${width - 2} y=${height - 4} text-anchor="end">
-            distance towards the target, ${formatter.units.symbol(unit)}
-          </text>
         </svg>
       </div>
       <ul class="legend">
